@@ -1,0 +1,72 @@
+//! A scene: a model, the effects it has, numbers for everything, a start and an end. SI units throughout.
+
+use crate::model::{Model, Start};
+
+/// A scene, checked and ready to run.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Name: the file's stem.
+    pub name: String,
+    /// What it shows, in the author's words.
+    pub about: String,
+    /// The model it simulates.
+    pub model: &'static Model,
+    /// Effects it has.
+    pub effects: Effects,
+    /// Parameter values [SI], in the order of `model.parameters`.
+    pub parameters: Vec<f64>,
+    /// Mesh stiffnesses, in the order of `model.laws`.
+    pub laws: Vec<Stiffness>,
+    /// State at t = 0.
+    pub start: Beginning,
+    /// End of the run [s].
+    pub t_end: f64,
+    /// What is recorded and drawn.
+    pub output: Output,
+    /// SHA-256 of the scene's text and overrides, in hexadecimal: names the scene in every output.
+    pub hash: String,
+}
+
+/// A set of effects: bit `i` is `model.effects[i]`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Effects(pub u32);
+
+/// A stiffness that is constant between the steps of one pitch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stiffness {
+    /// The levels over one pitch, in the order in which a positive phase meets them.
+    pub steps: Vec<Step>,
+}
+
+/// One level of a [`Stiffness`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Stiffness [unit of the law].
+    pub value: f64,
+    /// Phase over which it holds [unit of the phase]; the widths of a pitch add up to the period.
+    pub width: f64,
+}
+
+/// The state at t = 0, as the scene gives it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beginning {
+    /// Coordinates, in the order of `model.coordinates`.
+    pub q: Vec<Start>,
+    /// Speeds [SI]; `None` where a rigid motion gives it, or nothing does (then 0).
+    pub q_dot: Vec<Option<f64>>,
+    /// Rigid motions [SI], in the order of `model.motions`; 0 where the scene gives none.
+    pub motions: Vec<f64>,
+}
+
+/// What a run records and draws.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Samples a second of model time [1/s].
+    pub rate: f64,
+    /// Whether the left and right limits at every event are recorded too.
+    pub events: bool,
+    /// Plots to draw, by name.
+    pub plots: Vec<String>,
+    /// Whether the trajectory is written as CSV too.
+    pub csv: bool,
+}
