@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod engine;
+pub mod generated;
 pub mod model;
 pub mod output;
 pub mod plot;

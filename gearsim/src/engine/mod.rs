@@ -1,1 +1,3 @@
-//! To come.
+//! The engine.
+
+pub mod equations;

@@ -1,0 +1,75 @@
+//! The equations of a model, as the engine sees them. Written by the `equations!` macro, never by hand.
+//!
+//! A model with N coordinates and L stiffness laws, for one chosen set of effects: T = q'ᵀM q'/2, V(q; k), D(q'), Q.
+//! What the set of effects lacks is absent from the code behind these functions, not switched off in it.
+
+use crate::model::Model;
+
+/// The equations of one model with one set of effects and one set of numbers.
+///
+/// `k` holds the present value of each stiffness law [unit of the law], (L).
+pub trait Equations<const N: usize>: Send + Sync {
+    /// Kinetic energy T [J].
+    fn kinetic(&self, q_dot: &[f64; N]) -> f64;
+    /// Strain energy V [J].
+    fn potential(&self, q: &[f64; N], k: &[f64]) -> f64;
+    /// Rayleigh's dissipation function D [W]; 2 D is the power lost.
+    fn dissipation(&self, q_dot: &[f64; N]) -> f64;
+
+    /// Work of external torque `i` over the displacement `dq` [J]; the torques are constant.
+    fn torque_work(&self, i: usize, dq: &[f64; N]) -> f64;
+    /// Net work of all external torques over the displacement `dq` [J], balanced parts cancelled.
+    fn work(&self, dq: &[f64; N]) -> f64;
+
+    /// Accelerations q'' [SI], with the laws' slopes `dk` = dk/ds along their phases.
+    fn acceleration(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N];
+    /// Derivatives of the accelerations by q and by q' (N x N each, row = equation); `ddk` = d²k/ds².
+    fn jacobian(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64], ddk: &[f64]) -> [[[f64; N]; N]; 2];
+
+    /// Mass matrix M (N x N).
+    fn mass(&self) -> [[f64; N]; N];
+    /// Damping matrix C of a cell (N x N): M q'' + C q' + K q = f.
+    fn damping(&self) -> [[f64; N]; N];
+    /// Stiffness matrix K of a cell (N x N).
+    fn stiffness(&self, k: &[f64]) -> [[f64; N]; N];
+    /// Constant load f of a cell (N).
+    fn load(&self) -> [f64; N];
+
+    /// Speeds q' of rigid motion `i` of unit size (N).
+    fn motion(&self, i: usize) -> [f64; N];
+
+    /// How law `i` switches with the effects in force.
+    fn switching(&self, law: usize) -> Switching;
+    /// Gradient n of the phase of law `i` (N).
+    fn normal(&self, law: usize) -> [f64; N];
+    /// G = nᵀM⁻¹n of law `i`.
+    fn compliance(&self, law: usize) -> f64;
+    /// M⁻¹n / G of law `i` (N): the change of speeds per unit change of the normal speed.
+    fn direction(&self, law: usize) -> [f64; N];
+    /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
+    fn step(&self, law: usize, q: &[f64; N], dk: f64) -> f64;
+}
+
+/// How a stiffness law switches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Switching {
+    /// It does not: the law is constant at its mid value.
+    Never,
+    /// Where the phase passes a step, with the impulse that conserves energy.
+    WithJump,
+    /// Where the phase passes a step, without the impulse (rigid kinematics).
+    WithoutJump,
+    /// When Omega0 t passes a step, whatever the phase does.
+    ByTime,
+}
+
+/// A derived model with N coordinates: what it is, and its equations for any set of effects it offers.
+pub trait Derived<const N: usize>: Sync {
+    /// What scenes and people read.
+    const MODEL: Model;
+
+    /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), parameter values
+    /// [SI, order of `MODEL.parameters`] and the mid value (max + min)/2 of each law; `None` where the effects
+    /// contradict one another.
+    fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations<N>>>;
+}
