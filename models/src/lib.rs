@@ -1,1 +1,36 @@
-//! Models.
+//! Drivetrains, stated by their energies.
+//!
+//! # How to add a model, in five minutes
+//!
+//! 1. Write `models/src/my_train.rs` with one function that describes it to a [`Model`]:
+//!    - `m.parameter(name, unit, default, range, doc)`, `m.coordinate(name, unit, start, doc)`: declare symbols. They
+//!      come back as expressions to calculate with: `+ - * /`, `.sq()`, `.sqrt()`, `.dot()` for the time derivative.
+//!    - `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`: the energies.
+//!      Call them as often as there are bodies, springs, dampers, torques.
+//!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate; its levels are the
+//!      scene's. This is the only way to be piecewise: the jump rule is derived from it. An `if`, `abs` or `max` on
+//!      symbols is refused, since its derivative would lose energy without a word.
+//!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect.
+//!    - `m.constant(name, value)`: a name for a recurring constant, where you want to see it in the equations.
+//!    - `m.motion(name, unit, speeds, doc)`: how a scene may state its speed in one number.
+//! 2. Add it to [`MODELS`] below: one line.
+//! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and
+//!    writes `gearsim/src/generated/my_train.rs`; read its head. A slip is refused with the name of the culprit.
+//! 4. Add the model to the list in `gearsim/src/generated/mod.rs`: one line.
+//! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it:
+//!    `cargo run --release -- run models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene
+//!    can set.
+//!
+//! [`gear_pair`](gear_pair::gear_pair) is a complete example in thirty lines.
+
+pub mod gear_pair;
+
+use gearsim_derive::Model;
+
+/// A model's name and the function that describes it.
+pub type Entry = (&'static str, fn(&mut Model));
+
+/// Every model: one line each.
+pub const MODELS: &[Entry] = &[
+    ("gear_pair", gear_pair::gear_pair), //
+];

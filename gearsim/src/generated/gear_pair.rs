@@ -1,88 +1,276 @@
-//! sample header
+//! Equations of motion of `gear_pair`: two spur gears on rigid shafts.
+//!
+//! Derived from the energies in `models/src/gear_pair.rs` by `cargo xtask derive gear_pair`. Do not edit: change the
+//! energies and derive again.
+//! Source: Oh, Grosh & Barber (2005), J. Vib. Acoust. 127(2), doi:10.1115/1.1891815
+//!
+//! # Energies
+//!
+//! ```text
+//! T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2
+//! V = k*phi^2
+//! D = C*phi_dot^2 [damping]
+//! Q_theta = 0
+//! Q_phi = 2*T0 [torques]
+//! ```
+//!
+//! # Constants
+//!
+//! ```text
+//! M1 = (N1^2/I1 - N2^2/I2)/2
+//! M2 = (N1^2/I1 + N2^2/I2)/2
+//! C = 2*zeta*sqrt(k_mid/M2)
+//! ```
+//!
+//! # Equations of motion
+//!
+//! ```text
+//! theta'' = -M1*k*phi - C*M1*phi_dot [damping] + M1*T0 [torques] - M2*dk*phi^2/2 [jump terms]
+//! phi'' = -M2*k*phi - C*M2*phi_dot [damping] + M2*T0 [torques] - M1*dk*phi^2/2 [jump terms]
+//! ```
+//!
+//! # At a step of a stiffness
+//!
+//! ```text
+//! at a step dk of k in theta, where energy allows:
+//! theta_dot+^2 = theta_dot-^2 - M2*dk*phi^2
+//! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
+//! else theta_dot+ = -theta_dot-: reflected, and the stiffness stays
+//! ```
+//!
+//! # Between two steps
+//!
+//! ```text
+//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! ```
+//!
+//! # LaTeX
+//!
+//! ```latex
+//! T = \frac{1}{2} (\frac{I_{1}\, \left(\dot{\varphi} + \dot{\theta}\right)^{2}}{N_{1}^{2}} + \frac{I_{2}\, \left(\dot{\theta} - \dot{\varphi}\right)^{2}}{N_{2}^{2}})
+//! V = k\, \varphi^{2}
+//! D = C\, \dot{\varphi}^{2}\ [\text{damping}]
+//! Q_{\theta} = 0
+//! Q_{\varphi} = 2\, T_{0}\ [\text{torques}]
+//! M_{1} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} - \frac{N_{2}^{2}}{I_{2}})
+//! M_{2} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} + \frac{N_{2}^{2}}{I_{2}})
+//! C = 2\, \zeta\, \sqrt{\frac{\bar{k}}{M_{2}}}
+//! \ddot{\theta} = -M_{1}\, k\, \varphi - C\, M_{1}\, \dot{\varphi}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] - \frac{M_{2}\, k'\, \varphi^{2}}{2}\ [\text{jump terms}]
+//! \ddot{\varphi} = -M_{2}\, k\, \varphi - C\, M_{2}\, \dot{\varphi}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] - \frac{M_{1}\, k'\, \varphi^{2}}{2}\ [\text{jump terms}]
+//! \dot{\theta}_+^2 = \dot{\theta}_-^2 - M_{2}\, \Delta k\, \varphi^{2}
+//! \dot{\varphi}_+ - \dot{\varphi}_- = \frac{M_{1}}{M_{2}} \left(\dot{\theta}_+ - \dot{\theta}_-\right)
+//! ```
+//!
+//! # Proved
+//!
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - M M⁻¹ = 1, and M q'' = F for the accelerations as printed
+//! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - M is symmetric
+//! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - without the jump terms the balance fails: energy is created at the rate dk*phi^2*theta_dot
+//!
+//! # Operations, all effects present
+//!
+//! | output | sums | products, quotients | functions, roots |
+//! | --- | --- | --- | --- |
+//! | constants (once a scene) | 2 | 15 | 1 |
+//! | force | 0 | 7 | 0 |
+//! | acceleration | 0 | 18 | 0 |
+//! | energy step of k | 0 | 2 | 0 |
+
 use gearsim_macros::equations;
 
 equations! {
-    model gear_pair "Two spur gears on rigid shafts";
-    source "Oh, Grosh & Barber (2005)";
+    model gear_pair "two spur gears on rigid shafts";
+    source "Oh, Grosh & Barber (2005), J. Vib. Acoust. 127(2), doi:10.1115/1.1891815";
 
     coordinates {
-        theta "rad" start 0.0, "mean rotation of the mesh, (N1 theta1 + N2 theta2)/2";
-        phi "rad" start static, "relative deflection at the mesh, (N1 theta1 - N2 theta2)/2";
+        theta "rad" start 0.0, "mean rotation, (N1 theta1 + N2 theta2)/2";
+        phi "rad" start static, "relative deflection, (N1 theta1 - N2 theta2)/2";
     }
     parameters {
-        N1 "1" default 24.0, open 0.0 to inf, "teeth of the driving gear";
-        N2 "1" default 96.0, open 0.0 to inf, "teeth of the driven gear";
+        N1 "1" default 24.0, open 0.0 to inf, "number of teeth of the driving gear";
+        N2 "1" default 96.0, open 0.0 to inf, "number of teeth of the driven gear";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
-        zeta "1" default 0.0, from 0.0 to inf, "damping factor, relative to the mid stiffness";
-        T0 "N*m" default 10.0, open -inf to inf, "balanced torque";
+        zeta "1" default 0.0, from 0.0 to inf, "damping factor of phi at the mid stiffness";
+        T0 "N*m" required, open -inf to inf, "balanced torque: T0 N1 drives, T0 N2 loads";
     }
     laws {
-        k "N*m" phase theta period 6.283185307179586, "mesh stiffness";
+        k "N*m" phase theta period 6.283185307179586, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
     }
     effects {
-        stiffness_step "k steps with the mesh phase";
-        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "k(Omega0 t) for k(theta)";
-        damping "Rayleigh damping";
-        torques "drive and load";
+        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        damping "Rayleigh damping of the relative motion, with the damping factor zeta";
+        torques "constant driving and load torque in balance";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
+        moving_phase = stiffness_step, !frozen_phase;
     }
+
     constants {
         M1 = (N1.powi(2)/I1 - N2.powi(2)/I2)/2.0;
         M2 = (N1.powi(2)/I1 + N2.powi(2)/I2)/2.0;
         C = 2.0*zeta*(k_mid/M2).sqrt();
     }
     energies {
-        kinetic { _ => I1*(theta_dot + phi_dot).powi(2)/(2.0*N1.powi(2)) + I2*(theta_dot - phi_dot).powi(2)/(2.0*N2.powi(2)); }
-        potential { _ => k*phi.powi(2); }
-        dissipation { damping => C*phi_dot.powi(2); }
+        kinetic {
+            _ => (I1*(phi_dot + theta_dot).powi(2)/N1.powi(2) + I2*(theta_dot - phi_dot).powi(2)/N2.powi(2))/2.0;
+        }
+        potential {
+            _ => k*phi.powi(2);
+        }
+        dissipation {
+            damping => C*phi_dot.powi(2);
+        }
     }
     torques {
-        drive "torque T0*N1 on the driving gear" { torques => T0*(theta + phi); }
-        load "torque T0*N2 on the driven gear" { torques => -T0*(theta - phi); }
+        drive "torque T0 N1 on the driving gear" {
+            torques => T0*(phi + theta);
+        }
+        load "torque -T0 N2 on the driven gear" {
+            torques => -T0*(theta - phi);
+        }
     }
     work {
-        phi { torques => 2.0*T0; }
+        phi {
+            torques => 2.0*T0;
+        }
     }
     mass {
-        theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2); }
-        theta phi { _ => I1/N1.powi(2) - I2/N2.powi(2); }
-        phi phi { _ => I1/N1.powi(2) + I2/N2.powi(2); }
+        theta theta {
+            _ => I1/N1.powi(2) + I2/N2.powi(2);
+        }
+        theta phi {
+            _ => I1/N1.powi(2) - I2/N2.powi(2);
+        }
+        phi phi {
+            _ => I1/N1.powi(2) + I2/N2.powi(2);
+        }
+    }
+    force {
+        theta {
+            jump_terms => -dk*phi.powi(2);
+        }
+        phi {
+            _ => -2.0*k*phi;
+            damping => -2.0*C*phi_dot;
+            torques => 2.0*T0;
+        }
     }
     acceleration {
-        theta { _ => -M1*k*phi; torques => M1*T0; damping => -C*M1*phi_dot; jump_terms => -M2*dk*phi.powi(2)/2.0; }
-        phi { _ => -M2*k*phi; torques => M2*T0; damping => -C*M2*phi_dot; jump_terms => -M1*dk*phi.powi(2)/2.0; }
+        theta {
+            _ => -M1*k*phi;
+            damping => -C*M1*phi_dot;
+            torques => M1*T0;
+            jump_terms => -M2*dk*phi.powi(2)/2.0;
+        }
+        phi {
+            _ => -M2*k*phi;
+            damping => -C*M2*phi_dot;
+            torques => M2*T0;
+            jump_terms => -M1*dk*phi.powi(2)/2.0;
+        }
     }
     jacobian {
-        theta theta { jump_terms => -M1*dk*phi - M2*ddk*phi.powi(2)/2.0; }
-        theta phi { _ => -M1*k; jump_terms => -M2*dk*phi; }
-        theta phi_dot { damping => -C*M1; }
-        phi theta { jump_terms => -M2*dk*phi - M1*ddk*phi.powi(2)/2.0; }
-        phi phi { _ => -M2*k; jump_terms => -M1*dk*phi; }
-        phi phi_dot { damping => -C*M2; }
+        theta theta {
+            jump_terms => -M2*ddk*phi.powi(2)/2.0;
+            moving_phase => -M1*dk*phi;
+        }
+        theta phi {
+            _ => -M1*k;
+            jump_terms => -M2*dk*phi;
+        }
+        theta phi_dot {
+            damping => -C*M1;
+        }
+        phi theta {
+            jump_terms => -M1*ddk*phi.powi(2)/2.0;
+            moving_phase => -M2*dk*phi;
+        }
+        phi phi {
+            _ => -M2*k;
+            jump_terms => -M1*dk*phi;
+        }
+        phi phi_dot {
+            damping => -C*M2;
+        }
     }
     cell {
-        stiffness { phi phi { _ => 2.0*k; } }
-        damping { phi phi { damping => 2.0*C; } }
-        load { phi { torques => 2.0*T0; } }
+        stiffness {
+            phi phi {
+                _ => 2.0*k;
+            }
+        }
+        damping {
+            phi phi {
+                damping => 2.0*C;
+            }
+        }
+        load {
+            phi {
+                torques => 2.0*T0;
+            }
+        }
     }
     jump k {
-        normal { theta { _ => 1.0; } }
-        compliance { _ => M2/2.0; }
-        direction { theta { _ => 1.0; } phi { _ => M1/M2; } }
-        step { _ => dk*phi.powi(2); }
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        compliance {
+            _ => M2/2.0;
+        }
+        direction {
+            theta {
+                _ => 1.0;
+            }
+            phi {
+                _ => M1/M2;
+            }
+        }
+        step {
+            _ => dk*phi.powi(2);
+        }
     }
+
     text {
-        "theta'' = M1*T0 - M1*k*phi - 2*..";
-        "phi'' = ...";
+        "T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2";
+        "V = k*phi^2";
+        "D = C*phi_dot^2 [damping]";
+        "Q_theta = 0";
+        "Q_phi = 2*T0 [torques]";
+        "M1 = (N1^2/I1 - N2^2/I2)/2";
+        "M2 = (N1^2/I1 + N2^2/I2)/2";
+        "C = 2*zeta*sqrt(k_mid/M2)";
+        "theta'' = -M1*k*phi - C*M1*phi_dot [damping] + M1*T0 [torques] - M2*dk*phi^2/2 [jump terms]";
+        "phi'' = -M2*k*phi - C*M2*phi_dot [damping] + M2*T0 [torques] - M1*dk*phi^2/2 [jump terms]";
+        "at a step dk of k in theta, where energy allows:";
+        "theta_dot+^2 = theta_dot-^2 - M2*dk*phi^2";
+        "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
+        "else theta_dot+ = -theta_dot-: reflected, and the stiffness stays";
+        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
-        r"\ddot\theta = ...";
+        "T = \\frac{1}{2} (\\frac{I_{1}\\, \\left(\\dot{\\varphi} + \\dot{\\theta}\\right)^{2}}{N_{1}^{2}} + \\frac{I_{2}\\, \\left(\\dot{\\theta} - \\dot{\\varphi}\\right)^{2}}{N_{2}^{2}})";
+        "V = k\\, \\varphi^{2}";
+        "D = C\\, \\dot{\\varphi}^{2}\\ [\\text{damping}]";
+        "Q_{\\theta} = 0";
+        "Q_{\\varphi} = 2\\, T_{0}\\ [\\text{torques}]";
+        "M_{1} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} - \\frac{N_{2}^{2}}{I_{2}})";
+        "M_{2} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} + \\frac{N_{2}^{2}}{I_{2}})";
+        "C = 2\\, \\zeta\\, \\sqrt{\\frac{\\bar{k}}{M_{2}}}";
+        "\\ddot{\\theta} = -M_{1}\\, k\\, \\varphi - C\\, M_{1}\\, \\dot{\\varphi}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{2}\\, k'\\, \\varphi^{2}}{2}\\ [\\text{jump terms}]";
+        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\varphi - C\\, M_{2}\\, \\dot{\\varphi}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{1}\\, k'\\, \\varphi^{2}}{2}\\ [\\text{jump terms}]";
+        "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - M_{2}\\, \\Delta k\\, \\varphi^{2}";
+        "\\dot{\\varphi}_+ - \\dot{\\varphi}_- = \\frac{M_{1}}{M_{2}} \\left(\\dot{\\theta}_+ - \\dot{\\theta}_-\\right)";
     }
 }

@@ -1,0 +1,77 @@
+//! The derivation as a whole: check, derive, prove.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::cell::{self, Cell};
+use crate::jump::{self, Jump};
+use crate::lagrange::{self, Motion, Symbols};
+use crate::model::{JUMP_TERMS, MOVING_PHASE, Model};
+use crate::slip::Slip;
+use crate::{check, file, proof};
+
+/// Everything derived from a model's energies.
+pub struct Derivation<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) motion: Motion,
+    /// Derivatives of the accelerations (of the forces, where M was not inverted) by the states.
+    pub(crate) jacobian: Vec<Vec<Atom>>,
+    pub(crate) cell: Result<Cell, Vec<String>>,
+    pub(crate) jumps: Vec<Jump>,
+    pub(crate) proofs: Vec<String>,
+}
+
+/// Derives equations of motion, cells and jump rules from the energies of `model`, and proves them.
+///
+/// # Errors
+/// A [`Slip`] that names the culprit, where the model is not one that can be derived.
+pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
+    check::check(model)?;
+    let s = Symbols::new(model);
+    let motion = lagrange::derive(model, &s)?;
+    let jumps = jump::derive(model, &motion, &s);
+    let proofs = proof::prove(model, &s, &motion, &jumps)?;
+    let cell = cell::derive(&motion, &s);
+    let jacobian = jacobian(model, &s, &motion);
+    Ok(Derivation { model, motion, jacobian, cell, jumps, proofs })
+}
+
+impl Derivation<'_> {
+    /// The text of the generated file.
+    pub fn file(&self) -> String {
+        file::write(self)
+    }
+
+    /// What was proved, a line each.
+    pub fn proofs(&self) -> &[String] {
+        &self.proofs
+    }
+
+    /// The acceleration of coordinate `i` with all effects present, or the force where M was not inverted.
+    pub fn equation(&self, i: usize) -> Atom {
+        let all = self.motion.acceleration.as_ref().unwrap_or(&self.motion.force);
+        crate::markers::all_present(&all[i])
+    }
+
+    /// The terms of a cell that are not linear, with the energies they come from; empty where all are.
+    pub fn nonlinear_terms(&self) -> &[String] {
+        self.cell.as_ref().err().map_or(&[], |terms| terms)
+    }
+
+    /// Effects and conditions in the order in which terms are printed.
+    pub(crate) fn order(&self) -> Vec<String> {
+        self.model.effects.iter().map(|e| e.name.clone()).chain([JUMP_TERMS, MOVING_PHASE].map(String::from)).collect()
+    }
+
+    /// Names of coordinates, then of speeds.
+    pub(crate) fn states(&self) -> Vec<String> {
+        self.model.coordinates.iter().map(|c| c.name.clone()).chain(self.model.speeds()).collect()
+    }
+}
+
+fn jacobian(model: &Model, s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
+    let rows = motion.acceleration.as_ref().unwrap_or(&motion.force);
+    let by_q = |row: &Atom, i| lagrange::gradient(model, s, row, i, MOVING_PHASE).expand();
+    let by_v = |row: &Atom, i: usize| row.derivative(s.v[i]).expand();
+    let n = s.q.len();
+    rows.iter().map(|row| (0..n).map(|i| by_q(row, i)).chain((0..n).map(|i| by_v(row, i))).collect()).collect()
+}

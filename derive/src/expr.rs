@@ -1,0 +1,191 @@
+//! Expressions over declared symbols: what energies are written in.
+//!
+//! [`Expr`] is a small handle into an arena of the thread, so that energies read as mathematics
+//! (`half(I1 * (q1.dot() / N1).sq())`) without `&` or `clone`. Every symbol carries its [`Kind`] in its namespace.
+
+use std::cell::RefCell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use symbolica::atom::{Atom, AtomCore, Symbol};
+
+thread_local! {
+    static ARENA: RefCell<Vec<Atom>> = const { RefCell::new(Vec::new()) };
+}
+
+/// A symbolic expression.
+#[derive(Clone, Copy, Debug)]
+pub struct Expr(usize);
+
+/// What a symbol stands for. The order is that of factors in a printed product.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Switch of an effect: 0 or 1, never printed.
+    Marker,
+    /// Entry of the inverse mass matrix, replaced before anything is printed.
+    Mobility,
+    /// Constant named by the model or by the derivation.
+    Constant,
+    /// Parameter.
+    Parameter,
+    /// Mid value of a law, `k_mid`.
+    Mid,
+    /// Present value of a law.
+    Law,
+    /// Slope of a law along its phase, `dk`.
+    Slope,
+    /// Curvature of a law along its phase, `ddk`.
+    Curvature,
+    /// Generalised coordinate.
+    Coordinate,
+    /// Generalised speed.
+    Speed,
+    /// Anything not declared.
+    Free,
+}
+
+const KINDS: [(Kind, &str); 11] = [
+    (Kind::Marker, "marker"),
+    (Kind::Mobility, "mobility"),
+    (Kind::Constant, "constant"),
+    (Kind::Parameter, "parameter"),
+    (Kind::Mid, "mid"),
+    (Kind::Law, "law"),
+    (Kind::Slope, "slope"),
+    (Kind::Curvature, "curvature"),
+    (Kind::Coordinate, "coordinate"),
+    (Kind::Speed, "speed"),
+    (Kind::Free, "free"),
+];
+
+/// The symbol `name` of a kind.
+pub(crate) fn symbol(kind: Kind, name: &str) -> Symbol {
+    let namespace = KINDS.iter().find(|k| k.0 == kind).map_or("free", |k| k.1);
+    symbolica::try_symbol!(format!("{namespace}::{name}")).unwrap_or_else(|error| {
+        unreachable!("Symbolica refuses the symbol {namespace}::{name}, whose name was checked: {error:?}")
+    })
+}
+
+/// The kind and the name of a symbol.
+pub(crate) fn kind_and_name(symbol: Symbol) -> (Kind, String) {
+    let kind = KINDS.iter().find(|k| k.1 == symbol.get_namespace()).map_or(Kind::Free, |k| k.0);
+    (kind, symbol.get_stripped_name().to_string())
+}
+
+/// All symbols of an expression with their kinds, sorted by kind and name.
+pub(crate) fn symbols(e: &Atom) -> Vec<(Kind, String)> {
+    let mut all: Vec<_> = e.get_all_symbols(false).into_iter().map(kind_and_name).collect();
+    all.sort();
+    all
+}
+
+/// A number as an atom.
+pub(crate) fn number(n: i64) -> Atom {
+    Atom::num(n)
+}
+
+impl Expr {
+    pub(crate) fn new(atom: Atom) -> Expr {
+        ARENA.with_borrow_mut(|arena| {
+            arena.push(atom);
+            Expr(arena.len() - 1)
+        })
+    }
+
+    pub(crate) fn var(kind: Kind, name: &str) -> Expr {
+        Expr::new(Atom::var(symbol(kind, name)))
+    }
+
+    pub(crate) fn atom(self) -> Atom {
+        ARENA.with_borrow(|arena| arena[self.0].clone())
+    }
+
+    /// A symbol by name. Declared symbols come from the model's builder; one made here is refused by name when
+    /// the model is derived, unless it is declared.
+    pub fn symbol(name: &str) -> Expr {
+        Expr::var(Kind::Free, name)
+    }
+
+    /// A function by name. Only `sin`, `cos`, `exp` and `log` are smooth everywhere; whatever is piecewise (`abs`,
+    /// `max`, `heaviside`, ...) is refused by name when the model is derived: declare a law instead.
+    pub fn function(name: &str, argument: Expr) -> Expr {
+        let symbol = match name {
+            "sin" => Symbol::SIN,
+            "cos" => Symbol::COS,
+            "exp" => Symbol::EXP,
+            "log" => Symbol::LOG,
+            _ => symbol(Kind::Free, name),
+        };
+        Expr::new(symbolica::function!(symbol, argument.atom()))
+    }
+
+    /// The square.
+    pub fn sq(self) -> Expr {
+        self.pow(2)
+    }
+
+    /// An integer power.
+    pub fn pow(self, n: i64) -> Expr {
+        Expr::new(self.atom().pow(&number(n)))
+    }
+
+    /// The square root.
+    pub fn sqrt(self) -> Expr {
+        Expr::new(self.atom().pow(&(number(1) / number(2))))
+    }
+
+    /// The time derivative, by the chain rule over the coordinates in it.
+    pub fn dot(self) -> Expr {
+        let e = self.atom();
+        let mut rate = number(0);
+        for (kind, name) in symbols(&e) {
+            if kind == Kind::Coordinate {
+                rate = rate + e.derivative(symbol(kind, &name)) * Atom::var(symbol(Kind::Speed, &speed_name(&name)));
+            }
+        }
+        Expr::new(rate)
+    }
+}
+
+/// The name of the speed of a coordinate.
+pub(crate) fn speed_name(coordinate: &str) -> String {
+    format!("{coordinate}_dot")
+}
+
+/// Half of an expression.
+pub fn half(e: impl Into<Expr>) -> Expr {
+    e.into() / 2
+}
+
+impl From<i64> for Expr {
+    fn from(n: i64) -> Expr {
+        Expr::new(number(n))
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $op:tt) => {
+        impl<R: Into<Expr>> $trait<R> for Expr {
+            type Output = Expr;
+            fn $method(self, right: R) -> Expr {
+                Expr::new(self.atom() $op right.into().atom())
+            }
+        }
+        impl $trait<Expr> for i64 {
+            type Output = Expr;
+            fn $method(self, right: Expr) -> Expr {
+                Expr::new(number(self) $op right.atom())
+            }
+        }
+    };
+}
+operator!(Add, add, +);
+operator!(Sub, sub, -);
+operator!(Mul, mul, *);
+operator!(Div, div, /);
+
+impl Neg for Expr {
+    type Output = Expr;
+    fn neg(self) -> Expr {
+        Expr::new(-self.atom())
+    }
+}

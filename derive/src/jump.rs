@@ -1,0 +1,49 @@
+//! Jump rules: what the speeds do where a law steps by dk at its surface s(q) = const.
+//!
+//! With n = grad s, G = n.M⁻¹n, v = n.q' and dV = V(k + dk) - V(k) at the same q:
+//! v+² = v² - 2 G dV, q'+ = q' + (M⁻¹n/G)(v+ - v) where that is >= 0, else v+ = -v (reflection, the cell stays).
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::expr::number;
+use crate::lagrange::{Motion, Symbols};
+use crate::model::Model;
+
+/// The jump rule of one law.
+pub(crate) struct Jump {
+    /// n = grad s.
+    pub normal: Vec<Atom>,
+    /// G = n.M⁻¹n, where M was inverted.
+    pub compliance: Option<Atom>,
+    /// M⁻¹n / G, where M was inverted.
+    pub direction: Option<Vec<Atom>>,
+    /// dV for a step dk.
+    pub step: Atom,
+}
+
+/// The jump rule of every law.
+pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
+    model.laws.iter().enumerate().map(|(l, law)| {
+        let phase = law.phase.atom();
+        let normal: Vec<Atom> = s.q.iter().map(|q| phase.derivative(*q).expand()).collect();
+        let k = Atom::var(s.law[l]);
+        let beyond = motion.potential.replace(k.to_pattern()).with((&k + Atom::var(s.slope[l])).to_pattern());
+        let (compliance, direction) = match &motion.mobility {
+            Some(w) => {
+                let (g, d) = response(w, &normal);
+                (Some(g), Some(d))
+            }
+            None => (None, None),
+        };
+        Jump { normal, compliance, direction, step: (beyond - &motion.potential).expand() }
+    }).collect()
+}
+
+/// G and M⁻¹n/G for a given inverse.
+pub(crate) fn response(w: &[Vec<Atom>], normal: &[Atom]) -> (Atom, Vec<Atom>) {
+    let wn: Vec<Atom> =
+        w.iter().map(|row| row.iter().zip(normal).fold(number(0), |sum, (w, n)| sum + w * n)).collect();
+    let g = normal.iter().zip(&wn).fold(number(0), |sum, (n, wn)| sum + n * wn).expand();
+    let direction = wn.iter().map(|wn| wn.expand() / &g).collect();
+    (g, direction)
+}

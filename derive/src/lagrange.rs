@@ -1,0 +1,109 @@
+//! Euler-Lagrange: mass matrix, generalised forces, accelerations, Jacobian.
+//!
+//! d/dt dT/dq' - dT/dq + dV/dq + dD/dq' = Q becomes M(q) q'' = F(q, q', k), with
+//! F_i = Q_i - dV/dq_i - dD/dq'_i + dT/dq_i - sum_j (d²T/dq'_i dq_j) q'_j, where dV/dq_i goes through the mesh
+//! stiffness too: (dV/dk) (dk/ds) (ds/dq_i). These last are the jump terms.
+
+use symbolica::atom::{Atom, AtomCore, Symbol};
+
+use crate::expr::{Expr, Kind, number, symbol};
+use crate::model::{JUMP_TERMS, Model, mobility_name};
+use crate::slip::Slip;
+
+/// The symbols of one model.
+pub(crate) struct Symbols {
+    pub q: Vec<Symbol>,
+    pub v: Vec<Symbol>,
+    pub law: Vec<Symbol>,
+    pub slope: Vec<Symbol>,
+    pub curvature: Vec<Symbol>,
+}
+
+impl Symbols {
+    pub fn new(model: &Model) -> Self {
+        let laws = |kind, prefix: &str| model.laws.iter().map(|l| symbol(kind, &format!("{prefix}{}", l.name))).collect();
+        Symbols {
+            q: model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect(),
+            v: model.speeds().iter().map(|s| symbol(Kind::Speed, s)).collect(),
+            law: laws(Kind::Law, ""),
+            slope: laws(Kind::Slope, "d"),
+            curvature: laws(Kind::Curvature, "dd"),
+        }
+    }
+}
+
+/// The equations of motion M q'' = F, and q'' itself where M was inverted.
+pub(crate) struct Motion {
+    pub kinetic: Atom,
+    pub potential: Atom,
+    pub dissipation: Atom,
+    /// Generalised external forces Q.
+    pub external: Vec<Atom>,
+    pub mass: Vec<Vec<Atom>>,
+    pub force: Vec<Atom>,
+    /// Definitions of constants, in the order of use: the model's, in parameters.
+    pub constants: Vec<(String, Atom)>,
+    /// Inverse mass matrix in the constants' names, for one or two coordinates.
+    pub mobility: Option<Vec<Vec<Atom>>>,
+    /// The same in parameters, for proofs.
+    pub mobility_exact: Option<Vec<Vec<Atom>>>,
+    pub acceleration: Option<Vec<Atom>>,
+}
+
+pub(crate) fn sum(pieces: &[Expr]) -> Atom {
+    pieces.iter().fold(number(0), |sum, piece| sum + piece.atom())
+}
+
+/// de/dq_i including the way through the laws' phases, the latter marked with `marker`.
+pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &str) -> Atom {
+    let mut g = e.derivative(s.q[i]);
+    for (l, law) in model.laws.iter().enumerate() {
+        let through = law.phase.atom().derivative(s.q[i]);
+        if !through.is_zero() {
+            let marker = Atom::var(symbol(Kind::Marker, marker));
+            g = g + marker * (e.derivative(s.law[l]) * Atom::var(s.slope[l]) + e.derivative(s.slope[l]) * Atom::var(s.curvature[l])) * through;
+        }
+    }
+    g
+}
+
+/// Derives the equations of motion.
+pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
+    let n = model.coordinates.len();
+    let (kinetic, potential, dissipation) = (sum(&model.kinetic), sum(&model.potential), sum(&model.dissipation));
+    let momentum: Vec<Atom> = s.v.iter().map(|v| kinetic.derivative(*v)).collect();
+    let mass: Vec<Vec<Atom>> =
+        (0..n).map(|i| (0..n).map(|j| momentum[i].derivative(s.v[j]).expand()).collect()).collect();
+    for i in 0..n {
+        if mass[i].iter().all(|m| m.is_zero()) {
+            let coordinate = model.coordinates[i].name.clone();
+            return Err(Slip::Massless { model: model.name.clone(), coordinate });
+        }
+    }
+    let external: Vec<Atom> = (0..n)
+        .map(|i| {
+            model.torques.iter().fold(number(0), |q, t| q + t.value.atom() * t.through.atom().derivative(s.q[i])).expand()
+        })
+        .collect();
+    let force: Vec<Atom> = (0..n)
+        .map(|i| {
+            let carried = (0..n).fold(number(0), |c, j| c + momentum[i].derivative(s.q[j]) * Atom::var(s.v[j]));
+            let elastic = gradient(model, s, &potential, i, JUMP_TERMS);
+            (&external[i] - elastic - dissipation.derivative(s.v[i]) + kinetic.derivative(s.q[i]) - carried).expand()
+        })
+        .collect();
+    let mut motion = Motion {
+        kinetic, potential, dissipation, external, mass, force,
+        constants: vec![], mobility: None, mobility_exact: None, acceleration: None,
+    };
+    crate::mobility::name(model, &mut motion)?;
+    motion.acceleration = motion.mobility.as_ref().map(|w| {
+        (0..n).map(|i| (0..n).fold(number(0), |a, j| a + &w[i][j] * &motion.force[j]).expand()).collect()
+    });
+    Ok(motion)
+}
+
+/// The symbol that stands for an entry of the inverse mass matrix until it is known.
+pub(crate) fn mobility_symbol(i: usize, j: usize) -> Atom {
+    Atom::var(symbol(Kind::Mobility, &mobility_name(i, j)))
+}

@@ -1,0 +1,253 @@
+//! A model in the making: coordinates, parameters, laws, effects and the energies T, V, D, Q.
+
+use crate::expr::{Expr, Kind, speed_name};
+
+/// Where a coordinate starts unless a scene says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// At this value [SI].
+    At(f64),
+    /// Where the forces on it balance.
+    Static,
+}
+
+/// Admissible values of a parameter [SI].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// Any number.
+    Any,
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NotNegative,
+}
+
+pub(crate) struct Coordinate {
+    pub name: String,
+    pub unit: String,
+    pub start: Start,
+    pub doc: String,
+}
+
+pub(crate) struct Parameter {
+    pub name: String,
+    pub unit: String,
+    pub default: Option<f64>,
+    pub range: Range,
+    pub doc: String,
+}
+
+pub(crate) struct Law {
+    pub name: String,
+    pub unit: String,
+    pub phase: Expr,
+    pub period: f64,
+    pub doc: String,
+}
+
+pub(crate) struct Motion {
+    pub name: String,
+    pub unit: String,
+    pub speeds: Vec<(Expr, Expr)>,
+    pub doc: String,
+}
+
+pub(crate) struct Effect {
+    pub name: String,
+    pub requires: Vec<String>,
+    pub excludes: Vec<String>,
+    pub doc: String,
+}
+
+pub(crate) struct Torque {
+    pub name: String,
+    pub value: Expr,
+    pub through: Expr,
+    pub doc: String,
+}
+
+/// A drivetrain, described by its energies.
+///
+/// The methods are called in any order that declares a symbol before it is used; [`crate::derive`] checks the whole.
+#[derive(Default)]
+pub struct Model {
+    pub(crate) name: String,
+    pub(crate) title: String,
+    pub(crate) source: String,
+    pub(crate) coordinates: Vec<Coordinate>,
+    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) laws: Vec<Law>,
+    pub(crate) motions: Vec<Motion>,
+    pub(crate) effects: Vec<Effect>,
+    pub(crate) constants: Vec<(String, Expr)>,
+    pub(crate) torques: Vec<Torque>,
+    pub(crate) kinetic: Vec<Expr>,
+    pub(crate) potential: Vec<Expr>,
+    pub(crate) dissipation: Vec<Expr>,
+    /// Effect whose closure is running: what is added now is marked with it.
+    within: Option<String>,
+}
+
+impl Model {
+    /// The model called `name`, described by `describe`.
+    pub fn new(name: &str, describe: impl FnOnce(&mut Model)) -> Model {
+        let mut model = Model { name: name.into(), ..Model::default() };
+        describe(&mut model);
+        model
+    }
+
+    /// One line saying what it is.
+    pub fn title(&mut self, title: &str) {
+        self.title = title.into();
+    }
+
+    /// Where it comes from: author, year, equations.
+    pub fn source(&mut self, source: &str) {
+        self.source = source.into();
+    }
+
+    /// A generalised coordinate, with its SI unit.
+    pub fn coordinate(&mut self, name: &str, unit: &str, start: Start, doc: &str) -> Expr {
+        self.coordinates.push(Coordinate { name: name.into(), unit: unit.into(), start, doc: doc.into() });
+        Expr::var(Kind::Coordinate, name)
+    }
+
+    /// A parameter with its SI unit; scenes must give it where `default` [SI] is `None`.
+    pub fn parameter(&mut self, name: &str, unit: &str, default: Option<f64>, range: Range, doc: &str) -> Expr {
+        self.parameters.push(Parameter { name: name.into(), unit: unit.into(), default, range, doc: doc.into() });
+        Expr::var(Kind::Parameter, name)
+    }
+
+    /// A name for a constant of the motion: an expression in parameters, earlier constants, mid values of laws and
+    /// [`Model::inverse_mass`].
+    pub fn constant(&mut self, name: &str, value: Expr) -> Expr {
+        self.constants.push((name.into(), value));
+        Expr::var(Kind::Constant, name)
+    }
+
+    /// The entry of the inverse mass matrix for two coordinates, whatever the derivation finds it to be. (At most two
+    /// coordinates: larger mass matrices are never inverted symbolically.)
+    pub fn inverse_mass(&self, a: Expr, b: Expr) -> Expr {
+        let index = |e: Expr| self.coordinates.iter().position(|c| e.atom() == Expr::var(Kind::Coordinate, &c.name).atom());
+        match (index(a), index(b)) {
+            (Some(i), Some(j)) => Expr::var(Kind::Mobility, &mobility_name(i, j)),
+            _ => Expr::symbol("inverse_mass_of_no_coordinate"),
+        }
+    }
+
+    /// A mesh stiffness: periodic with one tooth pitch of `phase`, its steps given by the scene. Declares the effects
+    /// `stiffness_step` (with the jump terms), `rigid_kinematics` (without them) and `frozen_phase`.
+    pub fn mesh_stiffness(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshStiffness {
+        if self.laws.is_empty() {
+            self.effects.extend(mesh_effects());
+        }
+        self.laws.push(Law { name: name.into(), unit: unit.into(), phase, period, doc: doc.into() });
+        MeshStiffness { value: Expr::var(Kind::Law, name), mid: Expr::var(Kind::Mid, &mid_name(name)) }
+    }
+
+    /// A rigid motion by which a scene may state its start: the speeds (coordinate, speed per unit) of the train.
+    pub fn motion(&mut self, name: &str, unit: &str, speeds: &[(Expr, Expr)], doc: &str) {
+        self.motions.push(Motion { name: name.into(), unit: unit.into(), speeds: speeds.to_vec(), doc: doc.into() });
+    }
+
+    /// An effect: what `add` adds is in the equations only of scenes that name it.
+    pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
+        self.effects.push(Effect { name: name.into(), requires: vec![], excludes: vec![], doc: doc.into() });
+        let outer = self.within.replace(name.into());
+        add(self);
+        self.within = outer;
+    }
+
+    /// Adds to the kinetic energy T [J].
+    pub fn kinetic(&mut self, t: Expr) {
+        let t = self.marked(t);
+        self.kinetic.push(t);
+    }
+
+    /// Adds to the potential energy V [J].
+    pub fn potential(&mut self, v: Expr) {
+        let v = self.marked(v);
+        self.potential.push(v);
+    }
+
+    /// Adds to Rayleigh's dissipation function D [W]; the power lost is 2 D.
+    pub fn dissipation(&mut self, d: Expr) {
+        let d = self.marked(d);
+        self.dissipation.push(d);
+    }
+
+    /// A constant external torque (or force) of size `value` that works through the displacement `through`.
+    pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
+        let value = self.marked(value);
+        self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });
+    }
+
+    fn marked(&self, e: Expr) -> Expr {
+        match &self.within {
+            Some(effect) => Expr::var(Kind::Marker, effect) * e,
+            None => e,
+        }
+    }
+
+    /// Names of the speeds, in the order of the coordinates.
+    pub(crate) fn speeds(&self) -> Vec<String> {
+        self.coordinates.iter().map(|c| speed_name(&c.name)).collect()
+    }
+}
+
+/// A mesh stiffness in expressions.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshStiffness {
+    /// Its present value.
+    pub value: Expr,
+    /// Its mid value, (max + min)/2 over a pitch.
+    pub mid: Expr,
+}
+
+pub(crate) fn mid_name(law: &str) -> String {
+    format!("{law}_mid")
+}
+
+pub(crate) fn mobility_name(i: usize, j: usize) -> String {
+    format!("W{}_{}", i.min(j), i.max(j))
+}
+
+/// Marker of the terms with a law's slope: in force where the stiffness steps with the motion itself.
+pub(crate) const JUMP_TERMS: &str = "jump_terms";
+/// Marker of what depends on the phase at all: in force unless the phase is frozen. Implied by [`JUMP_TERMS`].
+pub(crate) const MOVING_PHASE: &str = "moving_phase";
+/// When they are there.
+pub(crate) const CONDITIONS: [(&str, &str); 2] = [
+    (JUMP_TERMS, "stiffness_step, !rigid_kinematics, !frozen_phase"),
+    (MOVING_PHASE, "stiffness_step, !frozen_phase"),
+];
+
+fn mesh_effects() -> [Effect; 3] {
+    let effect = |name: &str, requires: &[&str], excludes: &[&str], doc: &str| Effect {
+        name: name.into(),
+        requires: requires.iter().map(|s| s.to_string()).collect(),
+        excludes: excludes.iter().map(|s| s.to_string()).collect(),
+        doc: doc.into(),
+    };
+    [
+        effect(
+            "stiffness_step",
+            &[],
+            &[],
+            "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; \
+             without it the stiffness is constant at its mid value",
+        ),
+        effect(
+            "rigid_kinematics",
+            &["stiffness_step"],
+            &["frozen_phase"],
+            "drops the jump terms: speeds pass a step unchanged, and energy is not conserved",
+        ),
+        effect(
+            "frozen_phase",
+            &["stiffness_step"],
+            &["rigid_kinematics"],
+            "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations",
+        ),
+    ]
+}

@@ -1,0 +1,149 @@
+//! Proofs: identities that must hold for what was derived to be right, decided symbolically.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::check::positive;
+use crate::expr::{Kind, number, symbol};
+use crate::jump::{Jump, response};
+use crate::lagrange::{Motion, Symbols, gradient};
+use crate::markers::{all_present, terms};
+use crate::mobility::{determinant, is_zero};
+use crate::model::{JUMP_TERMS, Model};
+use crate::print::{Style, print};
+use crate::slip::Slip;
+use crate::tree::Tree;
+
+/// Largest mass matrix whose determinants are expanded to prove it positive definite.
+const LARGEST: usize = 4;
+
+/// Proves everything, or says what failed. Each line states what was proved.
+pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump]) -> Result<Vec<String>, Slip> {
+    let mut proved = vec![];
+    let mut claim = |what: &str, rest: Atom| -> Result<(), Slip> {
+        if is_zero(&rest) {
+            proved.push(what.to_string());
+            return Ok(());
+        }
+        let rest = print(&Tree::new(&rest.expand()), Style::Plain);
+        Err(Slip::Unproved { model: model.name.clone(), what: what.into(), rest })
+    };
+    let n = model.coordinates.len();
+    claim(
+        "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, \
+         with any set of the additive effects",
+        balance(model, s, motion),
+    )?;
+    if let (Some(a), Some(w)) = (&motion.acceleration, &motion.mobility_exact) {
+        let mut rest = number(0);
+        for i in 0..n {
+            for j in 0..n {
+                let one = number(i64::from(i == j));
+                let product = (0..n).fold(number(0), |sum, k| sum + &motion.mass[i][k] * &w[k][j]);
+                rest = rest + tag("m", i, j) * (product - one);
+            }
+            let inertia = (0..n).fold(number(0), |sum, j| sum + &motion.mass[i][j] * exact(motion, &a[j]));
+            rest = rest + tag("a", i, 0) * (inertia - exact(motion, &motion.force[i]));
+        }
+        claim("M M⁻¹ = 1, and M q'' = F for the accelerations as printed", rest)?;
+    }
+    for (law, jump) in model.laws.iter().zip(jumps) {
+        let rest = kinetic_change(motion, s, jump);
+        if let Some(rest) = rest {
+            claim(
+                &format!(
+                    "at a step of {}: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission \
+                     (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)",
+                    law.name
+                ),
+                rest,
+            )?;
+        }
+    }
+    let asymmetry = (0..n).fold(number(0), |sum, i| {
+        (0..i).fold(sum, |sum, j| sum + tag("m", i, j) * (&motion.mass[i][j] - &motion.mass[j][i]))
+    });
+    claim("M is symmetric", asymmetry)?;
+    proved.push(definiteness(model, motion));
+    if let Some(note) = without_jump_terms(model, s, motion) {
+        proved.push(note);
+    }
+    Ok(proved)
+}
+
+/// A symbol of its own for every entry, so that a sum of entries vanishes only if each does.
+fn tag(what: &str, i: usize, j: usize) -> Atom {
+    Atom::var(symbol(Kind::Free, &format!("{what}{i}_{j}")))
+}
+
+/// Replaces the constants' names by their definitions in parameters.
+fn exact(motion: &Motion, e: &Atom) -> Atom {
+    motion.constants.iter().rev().fold(e.clone(), |e, (name, value)| {
+        e.replace(Atom::var(symbol(Kind::Constant, name)).to_pattern()).with(value.to_pattern())
+    })
+}
+
+/// dE/dt - (Q.q' - q'.dD/dq') with M q'' = F put in: d(q'.p - T)/dt = q'.(M q'') + terms without q''.
+fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
+    let n = s.q.len();
+    let jump = |e: Atom| with_jump_terms(&e);
+    let hamiltonian = (0..n).fold(-&motion.kinetic, |h, i| h + Atom::var(s.v[i]) * motion.kinetic.derivative(s.v[i]));
+    let mut rate = number(0);
+    for i in 0..n {
+        let v = Atom::var(s.v[i]);
+        rate = rate + &v * hamiltonian.derivative(s.q[i]) + &v * jump(gradient(model, s, &motion.potential, i, JUMP_TERMS));
+        rate = rate + &v * jump(motion.force[i].clone());
+        rate = rate - &v * &motion.external[i] + &v * motion.dissipation.derivative(s.v[i]);
+    }
+    rate.expand()
+}
+
+/// The jump terms present, other effects as they are.
+fn with_jump_terms(e: &Atom) -> Atom {
+    let marker = Atom::var(symbol(Kind::Marker, JUMP_TERMS));
+    e.replace(marker.to_pattern()).with(number(1).to_pattern())
+}
+
+/// T(q' + d (u - v)) - T(q') - (u² - v²)/(2 G) with u = v+ free and the inverse mass matrix in parameters.
+fn kinetic_change(motion: &Motion, s: &Symbols, jump: &Jump) -> Option<Atom> {
+    let w = motion.mobility_exact.as_ref()?;
+    let (g, direction) = response(w, &jump.normal);
+    let speeds = || s.v.iter().map(|v| Atom::var(*v));
+    let v = jump.normal.iter().zip(speeds()).fold(number(0), |sum, (n, v)| sum + n * v);
+    let u = Atom::var(symbol(Kind::Free, "u"));
+    let mut after = motion.kinetic.clone();
+    let held: Vec<Atom> = (0..s.v.len()).map(|i| tag("after", i, 0)).collect();
+    for (v_i, held) in speeds().zip(&held) {
+        after = after.replace(v_i.to_pattern()).with(held.to_pattern());
+    }
+    for ((v_i, held), d) in speeds().zip(&held).zip(&direction) {
+        after = after.replace(held.to_pattern()).with((v_i + d * (&u - &v)).to_pattern());
+    }
+    let gained = (&u * &u - &v * &v) / (number(2) * g);
+    Some(after - &motion.kinetic - gained)
+}
+
+/// Positive definite by Sylvester: every leading minor a sum of products of positive parameters.
+fn definiteness(model: &Model, motion: &Motion) -> String {
+    let n = motion.mass.len();
+    let minor = |k: usize| determinant(&motion.mass[..k].iter().map(|row| row[..k].to_vec()).collect::<Vec<_>>());
+    let posynomial = |e: Atom| !e.is_zero() && terms(&all_present(&e)).iter().all(|t| positive(model, t));
+    if n <= LARGEST && (1..=n).all(|k| posynomial(minor(k))) {
+        "M is positive definite: every leading minor is a sum of products of positive quantities".into()
+    } else {
+        "M is positive definite: not decided symbolically; checked for the numbers of every scene".into()
+    }
+}
+
+/// What the balance misses where the jump terms are dropped, as a warning to the reader.
+fn without_jump_terms(model: &Model, s: &Symbols, motion: &Motion) -> Option<String> {
+    let marker = Atom::var(symbol(Kind::Marker, JUMP_TERMS));
+    let missing = (0..s.q.len()).fold(number(0), |sum, i| {
+        let full = gradient(model, s, &motion.potential, i, JUMP_TERMS);
+        let without = full.replace(marker.to_pattern()).with(number(0).to_pattern());
+        sum + Atom::var(s.v[i]) * (with_jump_terms(&full) - without)
+    });
+    let missing = missing.expand();
+    (!missing.is_zero()).then(|| {
+        format!("without the jump terms the balance fails: energy is created at the rate {}", print(&Tree::new(&all_present(&missing)), Style::Plain))
+    })
+}

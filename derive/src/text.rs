@@ -1,0 +1,130 @@
+//! The derived equations as people write them, plain and in LaTeX.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::derivation::Derivation;
+use crate::expr::{Kind, number, speed_name};
+use crate::markers::{Group, as_written, grouped};
+use crate::print::{Style, latex_name, print, symbol_text};
+use crate::tree::Tree;
+
+/// Lines of text, by section.
+pub(crate) struct Texts {
+    pub energies: Vec<String>,
+    pub constants: Vec<String>,
+    pub motion: Vec<String>,
+    pub jump: Vec<String>,
+    pub cell: Vec<String>,
+    pub latex: Vec<String>,
+}
+
+impl Texts {
+    /// All plain lines.
+    pub fn plain(&self) -> impl Iterator<Item = &String> {
+        [&self.energies, &self.constants, &self.motion, &self.jump, &self.cell].into_iter().flatten()
+    }
+}
+
+/// `a [torques] + b [jump terms]`: the sum with the effects that its groups need.
+fn sum(groups: &[Group], style: Style) -> String {
+    if groups.is_empty() {
+        return "0".into();
+    }
+    let mut out = String::new();
+    for (i, group) in groups.iter().enumerate() {
+        let text = print(&group.sum, style);
+        match (i, text.strip_prefix('-')) {
+            (0, _) => out.push_str(&text),
+            (_, Some(rest)) => out.push_str(&format!(" - {rest}")),
+            (_, None) => out.push_str(&format!(" + {text}")),
+        }
+        if !group.effects.is_empty() {
+            let names = group.effects.join(", ").replace('_', " ");
+            match style {
+                Style::Latex => out.push_str(&format!("\\ [\\text{{{}}}]", names)),
+                _ => out.push_str(&format!(" [{names}]")),
+            }
+        }
+    }
+    out
+}
+
+pub(crate) fn write(d: &Derivation) -> Texts {
+    let (m, motion) = (d.model, &d.motion);
+    let order = d.order();
+    let whole = |a: &Atom, style| sum(&grouped(a, &order), style);
+    let written = |pieces: &[crate::Expr], style| {
+        sum(&as_written(&pieces.iter().map(|p| p.atom()).collect::<Vec<_>>(), &order), style)
+    };
+    let mut t = Texts { energies: vec![], constants: vec![], motion: vec![], jump: vec![], cell: vec![], latex: vec![] };
+
+    for (name, pieces) in [("T", &m.kinetic), ("V", &m.potential), ("D", &m.dissipation)] {
+        t.energies.push(format!("{name} = {}", written(pieces, Style::Plain)));
+        t.latex.push(format!("{name} = {}", written(pieces, Style::Latex)));
+    }
+    for (c, q) in m.coordinates.iter().zip(&motion.external) {
+        t.energies.push(format!("Q_{} = {}", c.name, whole(q, Style::Plain)));
+        t.latex.push(format!("Q_{{{}}} = {}", latex_name(&c.name), whole(q, Style::Latex)));
+    }
+    for (name, value) in &motion.constants {
+        let value = Tree::new(value);
+        t.constants.push(format!("{name} = {}", print(&value, Style::Plain)));
+        t.latex.push(format!("{} = {}", latex_name(name), print(&value, Style::Latex)));
+    }
+    for (i, c) in m.coordinates.iter().enumerate() {
+        let left = |j: usize, style| match style {
+            Style::Latex => format!("\\ddot{{{}}}", latex_name(&m.coordinates[j].name)),
+            _ => format!("{}''", m.coordinates[j].name),
+        };
+        for style in [Style::Plain, Style::Latex] {
+            let line = match &motion.acceleration {
+                Some(a) => format!("{} = {}", left(i, style), whole(&a[i], style)),
+                None => {
+                    let inertia: Vec<String> = (0..m.coordinates.len())
+                        .filter(|&j| !motion.mass[i][j].is_zero())
+                        .map(|j| format!("({}) {}", whole(&motion.mass[i][j], style), left(j, style)))
+                        .collect();
+                    format!("{} = {}", inertia.join(" + "), whole(&motion.force[i], style))
+                }
+            };
+            if style == Style::Latex { t.latex.push(line) } else { t.motion.push(line) }
+        }
+        let _ = c;
+    }
+    jumps(d, &mut t);
+    match &d.cell {
+        Ok(_) => t.cell.push("M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into()),
+        Err(culprits) => t.cell.extend(culprits.iter().map(|c| format!("nonlinear: {c}"))),
+    }
+    t
+}
+
+/// The jump rule in the speeds themselves, where the surface is a coordinate and M was inverted.
+fn jumps(d: &Derivation, t: &mut Texts) {
+    let order = d.order();
+    for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
+        let phase = print(&Tree::new(&law.phase.atom()), Style::Plain);
+        let (Some(g), Some(direction)) = (&jump.compliance, &jump.direction) else {
+            t.jump.push(format!("at a step d{} of {} in {phase}: v+^2 = v-^2 - 2*G*({})", law.name, law.name, sum(&grouped(&jump.step, &order), Style::Plain)));
+            continue;
+        };
+        let lost = (number(2) * g * &jump.step).expand();
+        let slope = symbol_text(Kind::Slope, &format!("d{}", law.name), Style::Plain);
+        let speed = speed_name(&phase);
+        let step = format!("\\Delta {}", latex_name(&law.name));
+        t.jump.push(format!("at a step {slope} of {} in {phase}, where energy allows:", law.name));
+        t.jump.push(format!("{speed}+^2 = {speed}-^2 - {}", sum(&grouped(&lost, &order), Style::Plain)));
+        let tex = |a: &Atom| sum(&grouped(a, &order), Style::Latex).replace(&symbol_text(Kind::Slope, &slope, Style::Latex), &step);
+        let dot = |name: &str, side: char| format!("\\dot{{{}}}_{side}", latex_name(name));
+        t.latex.push(format!("{}^2 = {}^2 - {}", dot(&phase, '+'), dot(&phase, '-'), tex(&lost)));
+        for (c, part) in d.model.coordinates.iter().zip(direction) {
+            if c.name == phase || part.is_zero() {
+                continue;
+            }
+            let other = speed_name(&c.name);
+            t.jump.push(format!("{other}+ - {other}- = ({})*({speed}+ - {speed}-)", sum(&grouped(part, &order), Style::Plain)));
+            t.latex.push(format!("{} - {} = {} \\left({} - {}\\right)", dot(&c.name, '+'), dot(&c.name, '-'), tex(part), dot(&phase, '+'), dot(&phase, '-')));
+        }
+        t.jump.push(format!("else {speed}+ = -{speed}-: reflected, and the stiffness stays"));
+    }
+}

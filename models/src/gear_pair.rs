@@ -1,0 +1,44 @@
+//! Two spur gears on rigid shafts: the founding case, Oh, Grosh & Barber (2005), Fig. 1.
+
+use std::f64::consts::TAU;
+
+use gearsim_derive::{Model, Range, Start, half};
+
+/// Mean rotation theta and relative deflection phi of the mesh, in units in which one tooth pitch is 2 pi.
+#[allow(non_snake_case)] // the paper's symbols
+pub fn gear_pair(m: &mut Model) {
+    m.title("two spur gears on rigid shafts");
+    m.source("Oh, Grosh & Barber (2005), J. Vib. Acoust. 127(2), doi:10.1115/1.1891815");
+
+    let N1 = m.parameter("N1", "1", Some(24.0), Range::Positive, "number of teeth of the driving gear");
+    let N2 = m.parameter("N2", "1", Some(96.0), Range::Positive, "number of teeth of the driven gear");
+    let I1 = m.parameter("I1", "kg*m^2", None, Range::Positive, "moment of inertia of the driving gear");
+    let I2 = m.parameter("I2", "kg*m^2", None, Range::Positive, "moment of inertia of the driven gear");
+    let zeta = m.parameter("zeta", "1", Some(0.0), Range::NotNegative, "damping factor of phi at the mid stiffness");
+    let T0 = m.parameter("T0", "N*m", None, Range::Any, "balanced torque: T0 N1 drives, T0 N2 loads");
+
+    let theta = m.coordinate("theta", "rad", Start::At(0.0), "mean rotation, (N1 theta1 + N2 theta2)/2");
+    let phi = m.coordinate("phi", "rad", Start::Static, "relative deflection, (N1 theta1 - N2 theta2)/2");
+    let q1 = theta + phi; // N1 theta1
+    let q2 = theta - phi; // N2 theta2
+
+    m.kinetic(half(I1 * (q1.dot() / N1).sq()));
+    m.kinetic(half(I2 * (q2.dot() / N2).sq()));
+
+    let k = m.mesh_stiffness("k", "N*m", theta, TAU, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action");
+    m.potential(k.value * phi.sq());
+
+    let _M1 = m.constant("M1", 2 * m.inverse_mass(theta, phi));
+    let M2 = m.constant("M2", 2 * m.inverse_mass(phi, phi));
+
+    m.effect("damping", "Rayleigh damping of the relative motion, with the damping factor zeta", |m| {
+        let C = m.constant("C", 2 * zeta * (k.mid / M2).sqrt());
+        m.dissipation(C * phi.dot().sq());
+    });
+    m.effect("torques", "constant driving and load torque in balance", |m| {
+        m.torque("drive", T0, q1, "torque T0 N1 on the driving gear");
+        m.torque("load", -T0, q2, "torque -T0 N2 on the driven gear");
+    });
+
+    m.motion("speed", "rad/s", &[(theta, N1)], "rotational speed of the driving gear");
+}

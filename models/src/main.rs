@@ -1,0 +1,45 @@
+//! The derivation program behind `cargo xtask derive`: the only one that runs the computer algebra system.
+//!
+//! Usage: `[--check] [MODEL]...`. Symbolica without a key allows one process at a time, so this is one process, one
+//! thread, and `xtask` starts it only after the last one ended.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+use gearsim_derive::{Model, derive};
+use gearsim_models::MODELS;
+
+fn main() -> anyhow::Result<()> {
+    let (flags, names): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|a| a.starts_with("--"));
+    let check = match flags.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => false,
+        ["--check"] => true,
+        _ => bail!("unknown option in {flags:?}; allowed is --check"),
+    };
+    let known: Vec<&str> = MODELS.iter().map(|m| m.0).collect();
+    if let Some(name) = names.iter().find(|n| !known.contains(&n.as_str())) {
+        bail!("no model `{name}`; there are: {}", known.join(", "));
+    }
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../gearsim/src/generated");
+    let mut stale = vec![];
+    for (name, describe) in MODELS.iter().filter(|m| names.is_empty() || names.iter().any(|n| n == m.0)) {
+        let start = Instant::now();
+        let text = derive(&Model::new(name, describe))?.file();
+        let path = folder.join(format!("{name}.rs"));
+        let fresh = std::fs::read_to_string(&path).is_ok_and(|old| old == text);
+        let milliseconds = 1e3 * start.elapsed().as_secs_f64();
+        match (check, fresh) {
+            (_, true) => println!("{name}: up to date ({milliseconds:.1} ms)"),
+            (true, false) => stale.push(*name),
+            (false, false) => {
+                std::fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
+                println!("{name}: derived, proved and written to gearsim/src/generated/{name}.rs ({milliseconds:.1} ms)");
+            }
+        }
+    }
+    if !stale.is_empty() {
+        bail!("not what the energies say: {}. Mend with: cargo xtask derive {}", stale.join(", "), stale.join(" "));
+    }
+    Ok(())
+}
