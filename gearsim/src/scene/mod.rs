@@ -1,6 +1,25 @@
 //! A scene: a model, the effects it has, numbers for everything, a start and an end. SI units throughout.
 
+mod check;
+pub mod dimension;
+mod document;
+mod effects;
+mod error;
+mod field;
+mod laws;
+mod overrides;
+pub mod quantity;
+mod read;
+#[cfg(test)]
+mod tests;
+pub mod unit;
+
+pub use error::{Problem, SceneErrors};
+
 use crate::model::{Model, Start};
+
+/// Plots that a scene may ask for.
+pub const PLOTS: &[&str] = &["energy", "motion", "spectrum"];
 
 /// A scene, checked and ready to run.
 #[derive(Debug, Clone)]
@@ -61,7 +80,7 @@ pub struct Beginning {
 /// What a run records and draws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
-    /// Samples a second of model time [1/s].
+    /// Samples a second of model time [1/s]; 10000 in the whole run if the scene does not say.
     pub rate: f64,
     /// Whether the left and right limits at every event are recorded too.
     pub events: bool,

@@ -1,0 +1,89 @@
+//! Effect sets: by name, and whether they make sense together.
+
+use super::Effects;
+use super::document::Node;
+use super::error::{Report, list};
+use super::field;
+use crate::model::Model;
+
+impl Effects {
+    /// Whether effect `i` of the model is in the set.
+    pub fn contains(self, i: usize) -> bool {
+        i < u32::BITS as usize && self.0 >> i & 1 == 1
+    }
+
+    /// The names of the effects, in the model's order.
+    pub fn names(self, model: &Model) -> Vec<&'static str> {
+        model
+            .effects
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| self.contains(*i))
+            .map(|(_, effect)| effect.name)
+            .collect()
+    }
+
+    /// The set of these effects of the model; `None` if it does not have one of them.
+    pub fn from_names<'a>(
+        names: impl IntoIterator<Item = &'a str>,
+        model: &Model,
+    ) -> Option<Effects> {
+        let index = |name| model.effects.iter().position(|effect| effect.name == name);
+        names
+            .into_iter()
+            .try_fold(Effects(0), |set, name| Some(set.with(index(name)?)))
+    }
+
+    fn with(self, i: usize) -> Effects {
+        Effects(self.0 | 1u32.checked_shl(i as u32).unwrap_or(0))
+    }
+}
+
+/// Reads `effects`.
+pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
+    let allowed: Vec<_> = model.effects.iter().map(|effect| effect.name).collect();
+    let chosen = field::names("effects", node, &allowed, report)?;
+    let has = |name: &&&str| chosen.iter().any(|i| allowed[*i] == **name);
+    for &i in &chosen {
+        let effect = &model.effects[i];
+        let name = effect.name;
+        let lacking: Vec<_> = effect
+            .requires
+            .iter()
+            .filter(|other| !has(other))
+            .copied()
+            .collect();
+        if !lacking.is_empty() {
+            let message = format!("effect `{name}` needs {}", list(&lacking));
+            report.add(
+                &node.place,
+                message,
+                "not enough",
+                format!("add {}, or leave out `{name}`", list(&lacking)),
+            );
+        }
+        // Models state an exclusion on both sides: report it once.
+        let earlier = |other: &&&str| {
+            chosen
+                .iter()
+                .take_while(|j| **j != i)
+                .any(|j| allowed[*j] == **other)
+        };
+        for other in effect.excludes.iter().filter(has).filter(|other| {
+            let mutual = model
+                .effects
+                .iter()
+                .any(|e| e.name == **other && e.excludes.contains(&name));
+            !mutual || earlier(other)
+        }) {
+            let message = format!("effects `{other}` and `{name}` contradict each other");
+            report.add(
+                &node.place,
+                message,
+                "not both",
+                format!("leave out `{other}` or `{name}`"),
+            );
+        }
+    }
+    Some(chosen.into_iter().fold(Effects(0), Effects::with))
+}
