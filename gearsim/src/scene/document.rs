@@ -89,11 +89,22 @@ impl Origin {
 
     fn error(self, error: &Error, length: usize, report: &mut Report) {
         let span = error.span().unwrap_or(length..length);
+        let (message, help) = match error.message().split_once(", expected ") {
+            // By far the most common slip in scenes: `t_end = 0.1 s`.
+            Some((message, _)) if message.contains("must be quoted") => (
+                message,
+                "put it in quotes: quantities with units are text, as in \"10 N*m\"",
+            ),
+            _ => (
+                error.message(),
+                "the format is described at https://toml.io",
+            ),
+        };
         report.add(
             &self.place(span),
-            format!("not TOML: {}", error.message()),
+            format!("not valid TOML: {message}"),
             "here",
-            "see https://toml.io for the format",
+            help,
         );
     }
 }

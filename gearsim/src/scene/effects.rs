@@ -42,7 +42,7 @@ impl Effects {
 /// Reads `effects`.
 pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
     let allowed: Vec<_> = model.effects.iter().map(|effect| effect.name).collect();
-    let chosen = field::names("effects", node, &allowed, report)?;
+    let chosen = field::names("effects", node, "effect", &allowed, report)?;
     let has = |name: &&&str| chosen.iter().any(|i| allowed[*i] == **name);
     for &i in &chosen {
         let effect = &model.effects[i];

@@ -1,71 +1,14 @@
-//! Reading single values: text, flags, quantities, lists of names; and the keys of tables.
+//! Reading single values: text, flags, quantities, lists of names.
 
 use super::dimension::Dimension;
 use super::document::{Entry, Node, Place, Value};
-use super::error::{Report, did_you_mean, list};
+use super::error::Report;
+use super::keys::choices;
 use super::quantity::Quantity;
 use super::unit::Unit;
 
 const FREQUENCY: Dimension = Dimension::new(0, 0, -1, 0);
 const ANGULAR_SPEED: Dimension = Dimension::new(0, 0, -1, 1);
-
-/// The value of a key, if it is there.
-pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
-    entries
-        .iter()
-        .find(|entry| entry.key == key)
-        .map(|entry| &entry.node)
-}
-
-/// Reports the keys of a table that mean nothing.
-pub(super) fn known_keys(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
-    for entry in entries
-        .iter()
-        .filter(|entry| !allowed.contains(&entry.key.as_str()))
-    {
-        let message = format!("{title} has no `{}`", entry.key);
-        report.add(
-            &entry.place,
-            message,
-            "unknown key",
-            choices(&entry.key, allowed),
-        );
-    }
-}
-
-/// Reports keys that a table lacks: what to write for each, at the table.
-pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, report: &mut Report) {
-    if !keys.is_empty() {
-        let names: Vec<_> = keys.iter().map(|(name, _)| *name).collect();
-        let lines: Vec<_> = keys.iter().map(|(_, line)| line.as_str()).collect();
-        let label = format!(
-            "{} missing",
-            if keys.len() == 1 {
-                "one key is"
-            } else {
-                "some keys are"
-            }
-        );
-        report.add(
-            place,
-            format!("{title} lacks {}", list(&names)),
-            label,
-            format!("add\n{}", lines.join("\n")),
-        );
-    }
-}
-
-fn choices(word: &str, allowed: &[&str]) -> String {
-    let all = match allowed {
-        [] => "nothing is allowed here".to_string(),
-        [only] => format!("allowed: `{only}`"),
-        _ => format!("allowed: {}", list(allowed)),
-    };
-    match did_you_mean(word, allowed.iter().copied()) {
-        Some(near) => format!("did you mean `{near}`?\n{all}"),
-        None => all,
-    }
-}
 
 fn wrong_type(path: &str, node: &Node, expected: &str, help: &str, report: &mut Report) {
     let found = match node.value {
@@ -147,10 +90,11 @@ pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Opti
     }
 }
 
-/// Reads an array of distinct names out of `allowed`, as indices.
+/// Reads an array of distinct names out of `allowed`, as indices; `noun` is what one of them is.
 pub(super) fn names(
     path: &str,
     node: &Node,
+    noun: &str,
     allowed: &[&str],
     report: &mut Report,
 ) -> Option<Vec<usize>> {
@@ -164,8 +108,8 @@ pub(super) fn names(
         match allowed.iter().position(|known| *known == name) {
             None => report.add(
                 &item.place,
-                format!("`{path}` has no `{name}`"),
-                "unknown",
+                format!("there is no {noun} `{name}`"),
+                format!("unknown {noun}"),
                 choices(name, allowed),
             ),
             Some(index) if chosen.contains(&index) => {
@@ -180,6 +124,13 @@ pub(super) fn names(
         }
     }
     Some(chosen)
+}
+
+/// Reports a quantity that is understood but not admissible: it `must` something, and is `what`.
+pub(super) fn out_of_range(path: &str, node: &Node, must: &str, what: &str, report: &mut Report) {
+    let written = report.text(&node.place).trim_matches(['"', '\'']);
+    let message = format!("`{path}` {must}, but is {}", written.trim());
+    report.add(&node.place, message, "out of range", what);
 }
 
 /// Reads a number with a unit that fits `unit`; the result is in SI and finite.
@@ -203,7 +154,7 @@ pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report)
                 report.add(
                     &place,
                     format!("`{path}` cannot be read: {}", error.message),
-                    "here",
+                    "not understood",
                     error.help,
                 );
                 return None;

@@ -1,8 +1,8 @@
 //! Mesh stiffness laws: the levels of one pitch.
 
-use super::document::Node;
+use super::document::{Entry, Node, Value};
 use super::error::Report;
-use super::{Step, Stiffness, field};
+use super::{Step, Stiffness, field, keys};
 use crate::model::{Law, Model};
 
 /// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
@@ -26,181 +26,207 @@ impl Stiffness {
     }
 }
 
-/// Reads `[laws]`, in the order of the model.
-pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Vec<Stiffness>> {
+/// Reads `[laws]`, in the order of the model; what to add goes to `absent` if the table is not there.
+pub(super) fn read(
+    entries: &[Entry],
+    model: &Model,
+    absent: &mut Vec<(&str, String)>,
+    report: &mut Report,
+) -> Option<Vec<Stiffness>> {
+    let readers = model.laws.iter().map(|law| Reader::new(law, model));
+    let Some(node) = keys::get(entries, "laws") else {
+        let examples: Vec<_> = readers.map(|reader| reader.table()).collect();
+        if !examples.is_empty() {
+            absent.push(("[laws]", examples.join("\n")));
+        }
+        return Some(Vec::new());
+    };
     let entries = field::table("laws", node, report)?;
     let names: Vec<_> = model.laws.iter().map(|law| law.name).collect();
-    field::known_keys(entries, "[laws]", &names, report);
-    let lacking: Vec<_> = model
-        .laws
-        .iter()
-        .filter(|law| field::get(entries, law.name).is_none())
-        .collect();
-    let lines: Vec<_> = lacking.iter().map(|law| (law.name, example(law))).collect();
-    field::missing(&lines, "[laws]", &node.place, report);
-    let laws: Vec<_> = model
-        .laws
-        .iter()
-        .map(|law| {
-            steps(
-                law,
-                field::get(entries, law.name)?,
-                phase_unit(law, model),
-                report,
-            )
-        })
-        .collect();
+    keys::known(entries, "[laws]", &names, report);
+    let mut lacking = Vec::new();
+    let mut laws = Vec::new();
+    for reader in readers {
+        match keys::get(entries, reader.law.name) {
+            Some(node) => laws.push(reader.law(node, report)),
+            None => lacking.push((reader.law.name, reader.table())),
+        }
+    }
+    keys::missing(&lacking, "[laws]", &node.place, report);
     laws.into_iter().collect()
 }
 
-/// What to write for a law.
-pub(super) fn example(law: &Law) -> String {
-    format!(
-        "[laws.{}]\nsteps = [{{ value = \"... {}\" }}]  # {}",
-        law.name, law.unit, law.doc
-    )
+/// Reads one law.
+struct Reader<'a> {
+    law: &'a Law,
+    /// Unit of the phase, and so of the widths.
+    phase: &'static str,
+    /// Where the steps are, e.g. `laws.k.steps`.
+    path: String,
 }
 
-fn phase_unit(law: &Law, model: &Model) -> &'static str {
-    model
-        .coordinates
-        .iter()
-        .find(|coordinate| coordinate.name == law.phase)
-        .map_or("rad", |coordinate| coordinate.unit)
-}
-
-fn steps(law: &Law, node: &Node, phase_unit: &str, report: &mut Report) -> Option<Stiffness> {
-    let path = format!("laws.{}", law.name);
-    let entries = field::table(&path, node, report)?;
-    field::known_keys(entries, &format!("[{path}]"), &["steps"], report);
-    let example = format!(
-        "[{{ value = \"... {}\", width = \"... {phase_unit}\" }}, {{ value = \"... {0}\" }}]",
-        law.unit
-    );
-    let Some(steps) = field::get(entries, "steps") else {
-        field::missing(
-            &[("steps", format!("steps = {example}"))],
-            &format!("[{path}]"),
-            &node.place,
-            report,
-        );
-        return None;
-    };
-    let path = format!("{path}.steps");
-    let items = field::array(&path, steps, &example, report)?;
-    if items.is_empty() {
-        report.add(
-            &steps.place,
-            format!("`{path}` is empty"),
-            "no level",
-            format!("write for example {example}"),
-        );
-        return None;
-    }
-    let read: Vec<_> = items
-        .iter()
-        .enumerate()
-        .map(|(i, item)| {
-            step(
-                &format!("{path}.{i}"),
-                item,
-                i + 1 == items.len(),
-                law,
-                phase_unit,
-                report,
-            )
-        })
-        .collect();
-    let read: Vec<_> = read.into_iter().collect::<Option<_>>()?;
-    fill(&path, steps, read, law.period, phase_unit, report)
-}
-
-/// One level and its width, which only the last may leave out.
-fn step(
-    path: &str,
-    node: &Node,
-    last: bool,
-    law: &Law,
-    phase_unit: &str,
-    report: &mut Report,
-) -> Option<(f64, Option<f64>)> {
-    let entries = field::table(path, node, report)?;
-    field::known_keys(entries, &format!("`{path}`"), &["value", "width"], report);
-    let mut lacking = Vec::new();
-    if field::get(entries, "value").is_none() {
-        lacking.push(("value", format!("value = \"... {}\"", law.unit)));
-    }
-    if field::get(entries, "width").is_none() && !last {
-        lacking.push((
-            "width",
-            format!("width = \"... {phase_unit}\"  # only the last step may leave it out"),
-        ));
-    }
-    field::missing(&lacking, &format!("`{path}`"), &node.place, report);
-    let mut read = |key: &str, unit: &str, zero: bool| {
-        let node = field::get(entries, key)?;
-        let x = field::quantity(&format!("{path}.{key}"), node, unit, report)?;
-        if x > 0.0 || (zero && x == 0.0) {
-            return Some(x);
+impl<'a> Reader<'a> {
+    fn new(law: &'a Law, model: &Model) -> Reader<'a> {
+        let phase = model
+            .coordinates
+            .iter()
+            .find(|coordinate| coordinate.name == law.phase);
+        let path = format!("laws.{}.steps", law.name);
+        Reader {
+            law,
+            phase: phase.map_or("rad", |coordinate| coordinate.unit),
+            path,
         }
-        let must = if zero {
-            "must not be negative"
-        } else {
-            "must be positive"
-        };
-        report.add(
-            &node.place,
-            format!("`{path}.{key}` is out of range"),
-            must,
-            format!("give {unit}, {must}"),
-        );
-        None
-    };
-    let value = read("value", law.unit, true);
-    let width = read("width", phase_unit, false);
-    let width_ok = width.is_some() || (last && field::get(entries, "width").is_none());
-    (lacking.is_empty() && width_ok).then_some((value?, width))
-}
+    }
 
-/// Gives the last level the rest of the pitch, or checks that nothing is left of it.
-fn fill(
-    path: &str,
-    node: &Node,
-    levels: Vec<(f64, Option<f64>)>,
-    pitch: f64,
-    unit: &str,
-    report: &mut Report,
-) -> Option<Stiffness> {
-    let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
-    let rest = pitch - given;
-    let open = levels.iter().any(|(_, width)| width.is_none());
-    if open && rest <= 0.0 {
-        let message = format!("`{path}` leaves nothing of the pitch to its last step");
-        let help = format!(
-            "the widths before it add up to {given} {unit}; they must stay below one pitch, {pitch} {unit}"
-        );
-        report.add(&node.place, message, "too wide", help);
-        return None;
+    /// What to write if the law is missing.
+    fn table(&self) -> String {
+        format!(
+            "[laws.{}]  # {}\nsteps = {}",
+            self.law.name,
+            self.law.doc,
+            self.steps()
+        )
     }
-    if !open && (rest / pitch).abs() > PITCH_TOLERANCE {
-        let message = format!("the widths of `{path}` do not add up to one pitch");
-        let help = format!(
-            "they add up to {given} {unit}, one pitch is {pitch} {unit}\nleave out the last width: it is then the rest"
-        );
-        report.add(
-            &node.place,
-            message,
-            if rest > 0.0 { "too narrow" } else { "too wide" },
-            help,
-        );
-        return None;
+
+    fn steps(&self) -> String {
+        let (value, width) = (self.law.unit, self.phase);
+        format!(
+            "[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]"
+        )
     }
-    let steps = levels
-        .into_iter()
-        .map(|(value, width)| Step {
+
+    fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
+        let table = format!("laws.{}", self.law.name);
+        let entries = field::table(&table, node, report)?;
+        keys::known(entries, &format!("[{table}]"), &["steps"], report);
+        let Some(steps) = keys::get(entries, "steps") else {
+            let line = format!("steps = {}", self.steps());
+            keys::missing(
+                &[("steps", line)],
+                &format!("[{table}]"),
+                &node.place,
+                report,
+            );
+            return None;
+        };
+        let items = field::array(&self.path, steps, &self.steps(), report)?;
+        let Some((last, before)) = items.split_last() else {
+            let help = format!("write for example {}", self.steps());
+            report.add(
+                &steps.place,
+                format!("`{}` is empty", self.path),
+                "no step",
+                help,
+            );
+            return None;
+        };
+        let mut levels: Vec<_> = (before.iter().enumerate())
+            .map(|(i, step)| self.step(i, step, false, report))
+            .collect();
+        levels.push(self.step(before.len(), last, true, report));
+        let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
+        self.fill(&levels, last, report)
+    }
+
+    /// A level and its width, which only the last step may leave out.
+    fn step(
+        &self,
+        i: usize,
+        node: &Node,
+        last: bool,
+        report: &mut Report,
+    ) -> Option<(f64, Option<f64>)> {
+        let path = format!("{}.{i}", self.path);
+        let entries = field::table(&path, node, report)?;
+        keys::known(entries, &format!("`{path}`"), &["value", "width"], report);
+        let (value, width) = (keys::get(entries, "value"), keys::get(entries, "width"));
+        let mut lacking = Vec::new();
+        if value.is_none() {
+            lacking.push(("value", format!("value = \"... {}\"", self.law.unit)));
+        }
+        if width.is_none() && !last {
+            let why = "only the last step may leave it out";
+            lacking.push(("width", format!("width = \"... {}\"  # {why}", self.phase)));
+        }
+        keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
+
+        let value = value.and_then(|node| {
+            let path = format!("{path}.value");
+            let x = field::quantity(&path, node, self.law.unit, report)?;
+            if x < 0.0 {
+                let what = "a mesh pushes back or, at 0, does nothing";
+                field::out_of_range(&path, node, "must not be negative", what, report);
+            }
+            Some(x)
+        });
+        let width = match width {
+            None => Some(None),
+            Some(node) => {
+                let path = format!("{path}.width");
+                let x = field::quantity(&path, node, self.phase, report);
+                if x.is_some_and(|x| x <= 0.0) {
+                    let what = "it is the part of the pitch over which the step holds";
+                    field::out_of_range(&path, node, "must be positive", what, report);
+                }
+                x.map(Some)
+            }
+        };
+        Some((value?, width?))
+    }
+
+    /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
+    fn fill(
+        &self,
+        levels: &[(f64, Option<f64>)],
+        last: &Node,
+        report: &mut Report,
+    ) -> Option<Stiffness> {
+        let pitch = self.law.period;
+        let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
+        let rest = pitch - given;
+        let open = levels.iter().any(|(_, width)| width.is_none());
+        let sum = format!(
+            "add up to {} {unit}, one pitch is {} {unit}",
+            short(given),
+            short(pitch),
+            unit = self.phase
+        );
+        if open && rest <= 0.0 {
+            let message = format!(
+                "`{}` leaves nothing of the pitch to its last step",
+                self.path
+            );
+            let help = format!("the widths before it {sum}\nmake them narrower");
+            report.add(&last.place, message, "no room for this", help);
+            return None;
+        }
+        if !open && (rest / pitch).abs() > PITCH_TOLERANCE {
+            let message = format!("the widths of `{}` do not add up to one pitch", self.path);
+            let help = format!("they {sum}\nleave out the last width: it is then the rest");
+            let label = if rest > 0.0 {
+                "too narrow together"
+            } else {
+                "too wide together"
+            };
+            let width = match &last.value {
+                Value::Table(entries) => keys::get(entries, "width"),
+                _ => None,
+            };
+            report.add(&width.unwrap_or(last).place, message, label, help);
+            return None;
+        }
+        let step = |&(value, width): &(f64, Option<f64>)| Step {
             value,
             width: width.unwrap_or(rest),
+        };
+        Some(Stiffness {
+            steps: levels.iter().map(step).collect(),
         })
-        .collect();
-    Some(Stiffness { steps })
+    }
+}
+
+/// The number to twelve digits: enough to see why it is refused, without the noise of binary sums.
+fn short(x: f64) -> f64 {
+    format!("{x:.11e}").parse().unwrap_or(x)
 }

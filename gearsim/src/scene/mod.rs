@@ -6,10 +6,14 @@ mod document;
 mod effects;
 mod error;
 mod field;
+mod keys;
 mod laws;
+mod output;
 mod overrides;
+mod parameters;
 pub mod quantity;
 mod read;
+mod start;
 #[cfg(test)]
 mod tests;
 pub mod unit;

@@ -3,6 +3,9 @@
 use super::document::{self, Entry, Node, Origin, Place, Value};
 use super::error::Report;
 
+/// Keys deeper than any that a scene has: the tree is walked recursively, so its depth must have an end.
+const MAX_DEPTH: usize = 16;
+
 /// Shown before an override where it is quoted, so that it looks as it was typed.
 const OPTION: &str = "--set ";
 
@@ -26,8 +29,8 @@ pub(super) fn apply(root: &mut Node, text: &str, report: &mut Report) {
         let help = "write the key as in the file, its tables before it: parameters.T0, laws.k.steps.0.value";
         return report.add(
             &origin.place(0..path.len()),
-            "an override of no key",
-            "a name is missing here",
+            "an override of no possible key",
+            "not a key",
             help,
         );
     };
@@ -52,6 +55,9 @@ fn keys(path: &str, origin: Origin) -> Option<Vec<(&str, Place)>> {
         (start, key.len())
     };
     let spans: Vec<_> = path.split('.').map(key).collect();
+    if spans.len() > MAX_DEPTH {
+        return None;
+    }
     let keys = spans.into_iter().map(|(start, len)| {
         (len > 0).then(|| (&path[start..start + len], origin.place(start..start + len)))
     });

@@ -234,18 +234,32 @@ fn power(text: &str, at: usize) -> Result<(i32, usize), UnitError> {
     }
 }
 
+/// Says what is known, and what may have been meant: `KHz` kHz, `degs` deg, `Nmm` N*mm.
 fn unknown(text: &str, span: Range<usize>) -> UnitError {
-    let symbols = || SI.iter().map(|u| u.0).chain(OTHER.iter().map(|u| u.0));
-    let known = "known: m, g, s, min, h, N, J, W, Pa, Hz, rad, deg, rev, rpm, %, and n u m c d k M G T before SI units";
-    let help = match did_you_mean(&text[span.clone()], symbols()) {
-        Some(symbol) => format!("did you mean {symbol}? {known}"),
-        None => format!("{known}; products need a sign: N*mm"),
+    let symbol = &text[span.clone()];
+    let prefixes = PREFIXES.iter().map(|(prefix, _)| *prefix).chain([""]);
+    let whole = || OTHER.iter().map(|unit| unit.0).chain(["rad"]);
+    let case = prefixes
+        .flat_map(|prefix| SI.iter().map(move |unit| format!("{prefix}{}", unit.0)))
+        .chain(whole().map(str::to_string))
+        .find(|name| name.to_lowercase() == symbol.to_lowercase());
+    let near = || did_you_mean(symbol, whole()).map(str::to_string);
+    let product = || {
+        let pairs = symbol.char_indices().map(|(i, _)| symbol.split_at(i));
+        let known = |(a, b): &(&str, &str)| Unit::symbol(a).and(Unit::symbol(b)).is_some();
+        pairs
+            .into_iter()
+            .find(known)
+            .map(|(a, b)| format!("{a}*{b}"))
     };
-    error(
-        span.clone(),
-        format!("unknown unit `{}`", &text[span]),
-        help,
-    )
+    let mut help = case
+        .or_else(near)
+        .or_else(product)
+        .map_or(String::new(), |meant| format!("did you mean {meant}?\n"));
+    help.push_str(
+        "known: m g s N J W Pa Hz rad, with prefixes n u m c d k M G T; min h deg rev rpm %",
+    );
+    error(span.clone(), format!("unknown unit `{symbol}`"), help)
 }
 
 fn error(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> UnitError {

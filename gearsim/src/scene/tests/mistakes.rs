@@ -82,11 +82,15 @@ fn every_mistake_is_named() {
         ),
         ("effects=damping", "must be an array"),
         ("effects=[1]", "must be text"),
+        ("effects=[\"dampning\"]", "there is no effect `dampning`"),
         ("model=7", "must be text"),
-        ("run.t_end=0", "`run.t_end` is out of range"),
-        ("run.t_end=1e-320 s", "`run.t_end` is out of range"),
-        ("run.t_end=-1 s", "`run.t_end` is out of range"),
-        ("output.rate=0", "`output.rate` is out of range"),
+        ("run.t_end=0", "`run.t_end` must be positive"),
+        (
+            "run.t_end=1e-320 s",
+            "`run.t_end` must be at least 1e-300 s",
+        ),
+        ("run.t_end=-1 s", "`run.t_end` must be positive"),
+        ("output.rate=0", "`output.rate` must be positive"),
         ("output.rate=20 rpm", "write Hz"),
         ("output.rate=1e10 Hz", "samples"),
         ("output.plots=[\"energie\"]", "did you mean `energy`"),
@@ -109,15 +113,26 @@ fn every_mistake_is_named() {
         ("laws.q.steps=[]", "has no `q`"),
         ("zeta.x.y=1", "has no `zeta`"),
         ("model.name=1", "inside a single value"),
-        ("=1", "no key"),
-        ("a..b=1", "no key"),
+        ("=1", "no possible key"),
+        ("a..b=1", "no possible key"),
         ("run.t_end=", "without a value"),
-        ("effects=[\"damping\"", "not TOML"),
+        ("effects=[\"damping\"", "not valid TOML"),
     ];
     for (text, expected) in cases {
         let shown = parse(SCENE, &[text]).expect_err(text).render(200, false);
         assert!(shown.contains(expected), "{text}: {shown}");
     }
+}
+
+#[test]
+fn depth_has_an_end() {
+    let deep = "a.".repeat(100_000);
+    assert!(rendered(&format!("{deep}a = 1"), &[]).contains("recursion limit"));
+    assert!(rendered(&"[".repeat(100_000), &[]).contains("not valid TOML"));
+    assert!(rendered(SCENE, &[&format!("{deep}a=1")]).contains("no possible key"));
+    assert!(
+        rendered(SCENE, &[&format!("about={}", "[".repeat(100_000))]).contains("not valid TOML")
+    );
 }
 
 /// Whatever is cut off or put in, the answer is a scene or errors that can be shown.

@@ -78,6 +78,24 @@ fn nonsense_is_refused_at_its_place() {
 }
 
 #[test]
+fn what_was_meant_is_guessed() {
+    for (text, meant) in [
+        ("KHz", "kHz"),
+        ("RPM", "rpm"),
+        ("degs", "deg"),
+        ("Nmm", "N*mm"),
+        ("Kg", "kg"),
+    ] {
+        let error = Unit::parse(text).expect_err(text);
+        assert!(
+            error.help.contains(&format!("did you mean {meant}?")),
+            "{text}: {}",
+            error.help
+        );
+    }
+}
+
+#[test]
 fn huge_exponents_do_not_panic() {
     assert_eq!(
         Quantity::parse("1e99999999999999999999 m").unwrap().value,
