@@ -1,6 +1,6 @@
 //! From the tree of a scene to a scene, with everything that is wrong reported in one go.
 
-use super::document::{Node, Place};
+use super::document::{Entry, Node, Place};
 use super::error::{Report, did_you_mean};
 use super::{Scene, effects, field, keys, laws, output, parameters, start};
 use crate::model::Model;
@@ -24,7 +24,6 @@ pub(super) fn scene(
     report: &mut Report,
 ) -> Option<Scene> {
     let entries = field::table("", root, report)?;
-    keys::known(entries, "a scene", &KEYS, report);
     let required = [
         ("model", "model = \"...\""),
         ("effects", "effects = []  # or some names"),
@@ -38,6 +37,7 @@ pub(super) fn scene(
     let mut absent = Vec::new();
     let about = keys::get(entries, "about").and_then(|node| field::text("about", node, report));
     let model = keys::get(entries, "model").and_then(|node| read_model(node, models, report));
+    stray_keys(entries, model, report);
     let of_model = model.map(|model| {
         let effects = keys::get(entries, "effects");
         (
@@ -64,6 +64,37 @@ pub(super) fn scene(
         output: output?,
         hash: String::new(),
     })
+}
+
+/// Reports keys that do not belong at the top, and where those belong that are known.
+fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
+    let mut homes = vec![("run", vec!["t_end"]), ("output", output::KEYS.to_vec())];
+    if let Some(model) = model {
+        let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name);
+        let motions = model.motions.iter().map(|motion| motion.name);
+        homes.push((
+            "parameters",
+            model.parameters.iter().map(|p| p.name).collect(),
+        ));
+        homes.push(("laws", model.laws.iter().map(|law| law.name).collect()));
+        homes.push(("start", coordinates.chain(motions).collect()));
+    }
+    for Entry { key, place, .. } in keys::unknown(entries, &KEYS) {
+        let home = homes.iter().find(|(_, keys)| keys.contains(&key.as_str()));
+        let (label, help) = match home {
+            Some((table, _)) => (
+                "in the wrong place",
+                format!("it belongs to [{table}]: `{table}.{key}`"),
+            ),
+            None => ("unknown key", keys::choices(key, &KEYS)),
+        };
+        report.add(
+            place,
+            format!("the top of a scene has no `{key}`"),
+            label,
+            help,
+        );
+    }
 }
 
 fn read_model(

@@ -89,16 +89,24 @@ impl Origin {
 
     fn error(self, error: &Error, length: usize, report: &mut Report) {
         let span = error.span().unwrap_or(length..length);
-        let (message, help) = match error.message().split_once(", expected ") {
-            // By far the most common slip in scenes: `t_end = 0.1 s`.
-            Some((message, _)) if message.contains("must be quoted") => (
-                message,
-                "put it in quotes: quantities with units are text, as in \"10 N*m\"",
-            ),
-            _ => (
-                error.message(),
-                "the format is described at https://toml.io",
-            ),
+        // What the parser expected is about tokens; the help below is about scenes.
+        let message = error
+            .message()
+            .split(", expected ")
+            .next()
+            .unwrap_or_default();
+        let help = if message.contains(UNQUOTED) {
+            "put it in quotes: quantities with units are text, as in \"10 N*m\""
+        } else if message.contains(DUPLICATE) {
+            "each key and each table may be there once"
+        } else if message.contains("missing comma")
+            || ["unclosed", "string"]
+                .iter()
+                .any(|word| message.contains(word))
+        {
+            "is a comma missing here, or a closing bracket or quote in this line or above?"
+        } else {
+            "lines are KEY = VALUE or [TABLE]; all of the format is at https://toml.io"
         };
         report.add(
             &self.place(span),
@@ -109,12 +117,23 @@ impl Origin {
     }
 }
 
+/// Messages of the parser about slips after which it is not lost.
+const UNQUOTED: &str = "must be quoted";
+const DUPLICATE: &str = "duplicate key";
+
 /// Reads a file's text.
 pub(super) fn read(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
     let (table, errors) = DeTable::parse_recoverable(text);
-    errors
-        .iter()
-        .for_each(|error| origin.error(error, text.len(), report));
+    for error in &errors {
+        origin.error(error, text.len(), report);
+        // What follows any other error is mostly its echo.
+        if ![UNQUOTED, DUPLICATE]
+            .iter()
+            .any(|slip| error.message().contains(slip))
+        {
+            break;
+        }
+    }
     // Keys that are missing at the top have to be written there, before the first table.
     let root = Node {
         value: Value::Table(origin.entries(table.get_ref())),

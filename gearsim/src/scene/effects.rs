@@ -43,10 +43,10 @@ impl Effects {
 pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
     let allowed: Vec<_> = model.effects.iter().map(|effect| effect.name).collect();
     let chosen = field::names("effects", node, "effect", &allowed, report)?;
-    let has = |name: &&&str| chosen.iter().any(|i| allowed[*i] == **name);
-    for &i in &chosen {
+    for (n, &i) in chosen.iter().enumerate() {
         let effect = &model.effects[i];
         let name = effect.name;
+        let has = |other: &&&str| chosen.iter().any(|j| allowed[*j] == **other);
         let lacking: Vec<_> = effect
             .requires
             .iter()
@@ -55,34 +55,18 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
             .collect();
         if !lacking.is_empty() {
             let message = format!("effect `{name}` needs {}", list(&lacking));
-            report.add(
-                &node.place,
-                message,
-                "not enough",
-                format!("add {}, or leave out `{name}`", list(&lacking)),
-            );
+            let help = format!("add {}, or leave out `{name}`", list(&lacking));
+            report.add(&node.place, message, "not enough", help);
         }
-        // Models state an exclusion on both sides: report it once.
-        let earlier = |other: &&&str| {
-            chosen
-                .iter()
-                .take_while(|j| **j != i)
-                .any(|j| allowed[*j] == **other)
-        };
-        for other in effect.excludes.iter().filter(has).filter(|other| {
-            let mutual = model
-                .effects
-                .iter()
-                .any(|e| e.name == **other && e.excludes.contains(&name));
-            !mutual || earlier(other)
-        }) {
-            let message = format!("effects `{other}` and `{name}` contradict each other");
-            report.add(
-                &node.place,
-                message,
-                "not both",
-                format!("leave out `{other}` or `{name}`"),
-            );
+        for other in chosen[..n].iter().map(|j| &model.effects[*j]) {
+            if effect.excludes.contains(&other.name) || other.excludes.contains(&name) {
+                let message = format!(
+                    "effects `{}` and `{name}` contradict each other",
+                    other.name
+                );
+                let help = format!("leave out `{}` or `{name}`", other.name);
+                report.add(&node.place, message, "not both", help);
+            }
         }
     }
     Some(chosen.into_iter().fold(Effects(0), Effects::with))

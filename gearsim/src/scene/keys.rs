@@ -11,12 +11,19 @@ pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
         .map(|entry| &entry.node)
 }
 
-/// Reports the keys of a table that mean nothing.
-pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
-    for entry in entries
+/// The entries whose keys are not allowed.
+pub(super) fn unknown<'a>(
+    entries: &'a [Entry],
+    allowed: &[&str],
+) -> impl Iterator<Item = &'a Entry> {
+    entries
         .iter()
         .filter(|entry| !allowed.contains(&entry.key.as_str()))
-    {
+}
+
+/// Reports the keys of a table that mean nothing.
+pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
+    for entry in unknown(entries, allowed) {
         let message = format!("{title} has no `{}`", entry.key);
         report.add(
             &entry.place,
@@ -31,13 +38,13 @@ pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &m
 pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, report: &mut Report) {
     let names: Vec<_> = keys.iter().map(|(name, _)| *name).collect();
     let lines: Vec<_> = keys.iter().map(|(_, line)| line.as_str()).collect();
-    let label = match names[..] {
-        [] => return,
-        [name] => format!("`{name}` is missing"),
-        _ => format!("{} keys are missing", names.len()),
-    };
+    if keys.is_empty() {
+        return;
+    }
+    let tables = names.iter().any(|name| name.starts_with('['));
+    let lines = lines.join(if tables { "\n\n" } else { "\n" });
     let message = format!("{title} lacks {}", list(&names));
-    report.add(place, message, label, format!("add\n{}", lines.join("\n")));
+    report.add(place, message, "add here", format!("add\n{lines}"));
 }
 
 /// The names that are allowed, and the one that `word` was most likely meant to be.

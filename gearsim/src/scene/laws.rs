@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::error::Report;
-use super::{Step, Stiffness, field, keys};
+use super::{Step, Stiffness, field, keys, measure};
 use crate::model::{Law, Model};
 
 /// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
@@ -153,10 +153,10 @@ impl<'a> Reader<'a> {
 
         let value = value.and_then(|node| {
             let path = format!("{path}.value");
-            let x = field::quantity(&path, node, self.law.unit, report)?;
+            let x = measure::quantity(&path, node, self.law.unit, report)?;
             if x < 0.0 {
                 let what = "a mesh pushes back or, at 0, does nothing";
-                field::out_of_range(&path, node, "must not be negative", what, report);
+                measure::out_of_range(&path, node, "must not be negative", what, report);
             }
             Some(x)
         });
@@ -164,10 +164,10 @@ impl<'a> Reader<'a> {
             None => Some(None),
             Some(node) => {
                 let path = format!("{path}.width");
-                let x = field::quantity(&path, node, self.phase, report);
+                let x = measure::quantity(&path, node, self.phase, report);
                 if x.is_some_and(|x| x <= 0.0) {
                     let what = "it is the part of the pitch over which the step holds";
-                    field::out_of_range(&path, node, "must be positive", what, report);
+                    measure::out_of_range(&path, node, "must be positive", what, report);
                 }
                 x.map(Some)
             }

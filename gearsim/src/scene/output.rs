@@ -2,7 +2,10 @@
 
 use super::document::{Entry, Node};
 use super::error::Report;
-use super::{Output, PLOTS, field, keys};
+use super::{Output, PLOTS, field, keys, measure};
+
+/// Keys of `[output]`.
+pub(super) const KEYS: [&str; 4] = ["rate", "events", "plots", "csv"];
 
 /// Samples that a run may record: some gigabytes.
 const MAX_SAMPLES: f64 = 1e8;
@@ -30,7 +33,7 @@ pub(super) fn read_run(
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
         return None;
     };
-    let t_end = field::quantity("run.t_end", node, "s", report)?;
+    let t_end = measure::quantity("run.t_end", node, "s", report)?;
     if t_end >= MIN_END {
         return Some(t_end);
     }
@@ -38,7 +41,7 @@ pub(super) fn read_run(
         true => format!("must be at least {MIN_END:e} s"),
         false => "must be positive".to_string(),
     };
-    field::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
+    measure::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
     None
 }
 
@@ -46,12 +49,7 @@ pub(super) fn read_run(
 pub(super) fn read(entries: &[Entry], t_end: Option<f64>, report: &mut Report) -> Option<Output> {
     let node = keys::get(entries, "output");
     let given = node.map_or(Some(&[][..]), |node| field::table("output", node, report))?;
-    keys::known(
-        given,
-        "[output]",
-        &["rate", "events", "plots", "csv"],
-        report,
-    );
+    keys::known(given, "[output]", &KEYS, report);
     let mut flag = |key: &str, default| match keys::get(given, key) {
         Some(node) => field::flag(&format!("output.{key}"), node, report),
         None => Some(default),
@@ -75,10 +73,10 @@ pub(super) fn read(entries: &[Entry], t_end: Option<f64>, report: &mut Report) -
 }
 
 fn read_rate(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64> {
-    let rate = field::quantity("output.rate", node, "Hz", report)?;
+    let rate = measure::quantity("output.rate", node, "Hz", report)?;
     if rate <= 0.0 {
         let what = "give the samples a second, e.g. \"20 kHz\"";
-        field::out_of_range("output.rate", node, "must be positive", what, report);
+        measure::out_of_range("output.rate", node, "must be positive", what, report);
         return None;
     }
     let t_end = t_end?;
@@ -87,7 +85,7 @@ fn read_rate(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64
         let message = format!("`output.rate` asks for {samples:.1e} samples");
         let most = MAX_SAMPLES / t_end;
         let help = format!(
-            "at most {MAX_SAMPLES:e} are kept: write \"{most:.3e} Hz\" or less, or end the run earlier"
+            "at most {MAX_SAMPLES:e} are kept, {most:.1e} a second up to {t_end} s: lower the rate, or end the run earlier"
         );
         report.add(&node.place, message, "too many samples", help);
         return None;

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node};
 use super::error::Report;
-use super::{field, keys};
+use super::{field, keys, measure};
 use crate::model::{Model, Parameter, Range};
 
 /// Reads `[parameters]`, in the order of the model; what to add goes to `absent` if the table is not there.
@@ -56,13 +56,13 @@ fn example(parameter: &Parameter) -> String {
 
 fn value(parameter: &Parameter, node: &Node, report: &mut Report) -> Option<f64> {
     let path = format!("parameters.{}", parameter.name);
-    let x = field::quantity(&path, node, parameter.unit, report)?;
+    let x = measure::quantity(&path, node, parameter.unit, report)?;
     if parameter.range.contains(x) {
         return Some(x);
     }
     let must = describe(&parameter.range, parameter.unit);
     let what = format!("`{}` is the {}", parameter.name, parameter.doc);
-    field::out_of_range(&path, node, &must, &what, report);
+    measure::out_of_range(&path, node, &must, &what, report);
     None
 }
 

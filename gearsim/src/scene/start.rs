@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::error::{Report, list};
-use super::{Beginning, field, keys};
+use super::{Beginning, field, keys, measure};
 use crate::model::{Model, Start};
 
 /// Reads `[start]`, all of which may be left out.
@@ -32,7 +32,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
             report.add(&node.place, message, "a speed", help);
             None
         }
-        Some(node) => field::quantity(&format!("start.{name}"), node, unit, report).map(Some),
+        Some(node) => measure::quantity(&format!("start.{name}"), node, unit, report).map(Some),
     };
     let q_dot: Vec<_> = (model.coordinates.iter().zip(&speeds))
         .map(|(coordinate, name)| speed(name, &format!("{}/s", coordinate.unit)))
@@ -44,9 +44,21 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
         .map(|coordinate| match keys::get(given, coordinate.name) {
             None => Some(coordinate.start),
             Some(node) if is_static(node) => Some(Start::Static),
+            Some(Node {
+                value: Value::Text(text),
+                place,
+            }) if text.trim_start().starts_with(char::is_alphabetic) => {
+                let message = format!("`start.{}` cannot be \"{text}\"", coordinate.name);
+                let help = format!(
+                    "write \"static\", or a quantity: \"0.1 {}\"",
+                    coordinate.unit
+                );
+                report.add(place, message, "neither static nor a quantity", help);
+                None
+            }
             Some(node) => {
                 let path = format!("start.{}", coordinate.name);
-                field::quantity(&path, node, coordinate.unit, report).map(Start::At)
+                measure::quantity(&path, node, coordinate.unit, report).map(Start::At)
             }
         })
         .collect();

@@ -3,11 +3,10 @@
 //! A unit is a product of symbols, then divisions: `N*m*s/rad`. Products are written `*`, `.`, `·` or a space,
 //! powers `^2` or `²`. A product after a division (`N*m/rad*s`) is read differently by different people: refused.
 
-use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::dimension::Dimension;
-use super::error::did_you_mean;
+use super::symbol;
 
 /// A unit as it relates to SI: 1 unit = 10^`decimal` `numerator` / `denominator` SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,46 +32,6 @@ pub struct UnitError {
     /// What to write instead.
     pub help: String,
 }
-
-const PREFIXES: [(&str, i32); 11] = [
-    ("n", -9),
-    ("u", -6),
-    ("µ", -6),
-    ("μ", -6),
-    ("m", -3),
-    ("c", -2),
-    ("d", -1),
-    ("k", 3),
-    ("M", 6),
-    ("G", 9),
-    ("T", 12),
-];
-
-/// Units that take a prefix, with their power of ten in kg, m, s.
-const SI: [(&str, i32, Dimension); 10] = [
-    ("m", 0, Dimension::new(1, 0, 0, 0)),
-    ("g", -3, Dimension::new(0, 1, 0, 0)),
-    ("s", 0, Dimension::new(0, 0, 1, 0)),
-    ("N", 0, Dimension::new(1, 1, -2, 0)),
-    ("Nm", 0, Dimension::new(2, 1, -2, 0)),
-    ("J", 0, Dimension::new(2, 1, -2, 0)),
-    ("W", 0, Dimension::new(2, 1, -3, 0)),
-    ("Pa", 0, Dimension::new(-1, 1, -2, 0)),
-    ("Hz", 0, Dimension::new(0, 0, -1, 0)),
-    ("rad", 0, Dimension::new(0, 0, 0, 1)),
-];
-
-/// Units that take none, with their power of ten, factor and divisor.
-const OTHER: [(&str, i32, f64, f64, Dimension); 8] = [
-    ("1", 0, 1.0, 1.0, Dimension::NONE),
-    ("%", -2, 1.0, 1.0, Dimension::NONE),
-    ("min", 0, 60.0, 1.0, Dimension::new(0, 0, 1, 0)),
-    ("h", 0, 3600.0, 1.0, Dimension::new(0, 0, 1, 0)),
-    ("deg", 0, PI, 180.0, Dimension::new(0, 0, 0, 1)),
-    ("°", 0, PI, 180.0, Dimension::new(0, 0, 0, 1)),
-    ("rev", 0, 2.0 * PI, 1.0, Dimension::new(0, 0, 0, 1)),
-    ("rpm", 0, PI, 30.0, Dimension::new(0, 0, -1, 1)),
-];
 
 /// Largest power of a symbol: far beyond use, and no sum of powers in a file can overflow.
 const MAX_POWER: i32 = 9;
@@ -108,7 +67,7 @@ impl Unit {
                 operator = Some((c, at..next));
                 at = next;
             } else {
-                let symbol = symbol(text, at)?;
+                let symbol = symbol_at(text, at)?;
                 let (power, end) = power(text, symbol.end)?;
                 let divide = matches!(operator.take(), Some(('/', _)));
                 if divided && !divide {
@@ -125,7 +84,7 @@ impl Unit {
                 divided |= divide;
                 factors += 1;
                 let factor =
-                    Unit::symbol(&text[symbol.clone()]).ok_or_else(|| unknown(text, symbol))?;
+                    symbol::find(&text[symbol.clone()]).ok_or_else(|| unknown(text, symbol))?;
                 unit = unit.times(factor, if divide { -power } else { power });
                 at = end;
             }
@@ -138,32 +97,6 @@ impl Unit {
             )),
             None => Ok(unit),
         }
-    }
-
-    fn symbol(symbol: &str) -> Option<Unit> {
-        let si = |name: &str, prefix: i32| {
-            let (_, decimal, dimension) = SI.into_iter().find(|(s, ..)| *s == name)?;
-            Some(Unit {
-                dimension,
-                decimal: decimal + prefix,
-                ..Unit::ONE
-            })
-        };
-        let other = OTHER.into_iter().find(|(s, ..)| *s == symbol);
-        // Whole symbols first: `min` is a minute, `m` a metre, `h` an hour.
-        other
-            .map(|(_, decimal, numerator, denominator, dimension)| Unit {
-                dimension,
-                decimal,
-                numerator,
-                denominator,
-            })
-            .or_else(|| si(symbol, 0))
-            .or_else(|| {
-                PREFIXES
-                    .iter()
-                    .find_map(|(prefix, decimal)| si(symbol.strip_prefix(prefix)?, *decimal))
-            })
     }
 
     fn times(self, factor: Unit, power: i32) -> Unit {
@@ -181,7 +114,7 @@ impl Unit {
 }
 
 /// The bytes of the symbol that begins at `at`: letters, or one of `%`, `°`, `1`.
-fn symbol(text: &str, at: usize) -> Result<Range<usize>, UnitError> {
+fn symbol_at(text: &str, at: usize) -> Result<Range<usize>, UnitError> {
     let rest = &text[at..];
     let letters = rest
         .find(|c: char| !c.is_alphabetic())
@@ -234,32 +167,13 @@ fn power(text: &str, at: usize) -> Result<(i32, usize), UnitError> {
     }
 }
 
-/// Says what is known, and what may have been meant: `KHz` kHz, `degs` deg, `Nmm` N*mm.
 fn unknown(text: &str, span: Range<usize>) -> UnitError {
-    let symbol = &text[span.clone()];
-    let prefixes = PREFIXES.iter().map(|(prefix, _)| *prefix).chain([""]);
-    let whole = || OTHER.iter().map(|unit| unit.0).chain(["rad"]);
-    let case = prefixes
-        .flat_map(|prefix| SI.iter().map(move |unit| format!("{prefix}{}", unit.0)))
-        .chain(whole().map(str::to_string))
-        .find(|name| name.to_lowercase() == symbol.to_lowercase());
-    let near = || did_you_mean(symbol, whole()).map(str::to_string);
-    let product = || {
-        let pairs = symbol.char_indices().map(|(i, _)| symbol.split_at(i));
-        let known = |(a, b): &(&str, &str)| Unit::symbol(a).and(Unit::symbol(b)).is_some();
-        pairs
-            .into_iter()
-            .find(known)
-            .map(|(a, b)| format!("{a}*{b}"))
-    };
-    let mut help = case
-        .or_else(near)
-        .or_else(product)
-        .map_or(String::new(), |meant| format!("did you mean {meant}?\n"));
-    help.push_str(
-        "known: m g s N J W Pa Hz rad, with prefixes n u m c d k M G T; min h deg rev rpm %",
-    );
-    error(span.clone(), format!("unknown unit `{symbol}`"), help)
+    let name = &text[span.clone()];
+    let mut help =
+        symbol::meant(name).map_or(String::new(), |meant| format!("did you mean {meant}?\n"));
+    help.push_str("known: ");
+    help.push_str(symbol::KNOWN);
+    error(span.clone(), format!("unknown unit `{name}`"), help)
 }
 
 fn error(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> UnitError {

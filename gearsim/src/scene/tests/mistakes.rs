@@ -28,6 +28,11 @@ fn a_syntax_error() {
 }
 
 #[test]
+fn an_array_left_open() {
+    insta::assert_snapshot!(rendered(&SCENE.replace("},\n]", "},\n"), &[]));
+}
+
+#[test]
 fn a_wrong_dimension_on_the_command_line() {
     insta::assert_snapshot!(rendered(
         SCENE,
@@ -97,6 +102,7 @@ fn every_mistake_is_named() {
         ("output.events=1", "must be true or false"),
         ("start.speed=static", "cannot be \"static\""),
         ("start.theta_dot=static", "cannot be \"static\""),
+        ("start.phi=statc", "write \"static\""),
         ("start.theta=0.1", "give a unit"),
         ("start.speed=\"50 Hz\"", "rpm"),
         ("laws.k.steps=[]", "is empty"),
@@ -111,7 +117,9 @@ fn every_mistake_is_named() {
         ("laws.k.steps.9.value=1 N*m", "no entry `9`"),
         ("laws.k=1", "must be a table"),
         ("laws.q.steps=[]", "has no `q`"),
-        ("zeta.x.y=1", "has no `zeta`"),
+        ("zeta.x.y=1", "`parameters.zeta`"),
+        ("speed=300 rpm", "`start.speed`"),
+        ("zetta=1", "allowed: `about`"),
         ("model.name=1", "inside a single value"),
         ("=1", "no possible key"),
         ("a..b=1", "no possible key"),
