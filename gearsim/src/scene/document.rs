@@ -95,15 +95,12 @@ impl Origin {
             .split(", expected ")
             .next()
             .unwrap_or_default();
-        let help = if message.contains(UNQUOTED) {
+        let says = |words: &[&str]| words.iter().any(|word| message.contains(word));
+        let help = if says(&[UNQUOTED]) {
             "put it in quotes: quantities with units are text, as in \"10 N*m\""
-        } else if message.contains(DUPLICATE) {
+        } else if says(&[DUPLICATE]) {
             "each key and each table may be there once"
-        } else if message.contains("missing comma")
-            || ["unclosed", "string"]
-                .iter()
-                .any(|word| message.contains(word))
-        {
+        } else if says(&["missing comma", "unclosed", "string"]) {
             "is a comma missing here, or a closing bracket or quote in this line or above?"
         } else {
             "lines are KEY = VALUE or [TABLE]; all of the format is at https://toml.io"

@@ -46,22 +46,20 @@ pub(super) fn apply(root: &mut Node, text: &str, report: &mut Report) {
     }
 }
 
+/// The keys of a path; `None` if one is empty, or there are too many.
 fn keys(path: &str, origin: Origin) -> Option<Vec<(&str, Place)>> {
+    let mut keys = Vec::new();
     let mut at = 0;
-    let key = |part: &'_ str| {
-        let start = at + part.len() - part.trim_start().len();
-        at += part.len() + 1;
+    for part in path.split('.') {
         let key = part.trim();
-        (start, key.len())
-    };
-    let spans: Vec<_> = path.split('.').map(key).collect();
-    if spans.len() > MAX_DEPTH {
-        return None;
+        if key.is_empty() || keys.len() == MAX_DEPTH {
+            return None;
+        }
+        let start = at + part.len() - part.trim_start().len();
+        keys.push((key, origin.place(start..start + key.len())));
+        at += part.len() + 1;
     }
-    let keys = spans.into_iter().map(|(start, len)| {
-        (len > 0).then(|| (&path[start..start + len], origin.place(start..start + len)))
-    });
-    keys.collect()
+    Some(keys)
 }
 
 /// A TOML value; what is none, and does not look as if it should be, is text: shells eat quotes.
