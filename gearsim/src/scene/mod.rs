@@ -1,6 +1,62 @@
 //! A scene: a model, the effects it has, numbers for everything, a start and an end. SI units throughout.
+//!
+//! Its file:
+//!
+//! ```toml
+//! about = "What it shows"                     # may be left out, as may all with a default below
+//! model = "gear_pair"
+//! effects = ["stiffness_step", "damping"]     # names out of the model; [] for none
+//!
+//! [parameters]                                # those of the model, each with its default if it has one
+//! I1 = "2890 kg*mm^2"
+//!
+//! [laws.k]                                    # every law of the model
+//! steps = [                                   # levels over one pitch; a single one is a constant
+//!     { value = "1.43 kN*m", width = "1.73 rad" },
+//!     { value = "2.78 kN*m" },                # the last without a width: the rest of the pitch
+//! ]
+//!
+//! [start]
+//! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
+//! phi_dot = "1 rad/s"                         # its speed; default: what the motions give it
+//! speed = "300 rpm"                           # a motion of the model; default: 0
+//!
+//! [run]
+//! t_end = "0.1 s"
+//!
+//! [output]
+//! rate = "20 kHz"                             # default: 10000 samples in the whole run
+//! events = true                               # default
+//! plots = ["energy", "motion", "spectrum"]    # default
+//! csv = false                                 # default
+//! ```
+
+mod check;
+pub mod dimension;
+mod document;
+mod effects;
+mod error;
+mod field;
+mod keys;
+mod laws;
+mod measure;
+mod output;
+mod overrides;
+mod parameters;
+pub mod quantity;
+mod read;
+mod start;
+mod symbol;
+#[cfg(test)]
+mod tests;
+pub mod unit;
+
+pub use error::{Problem, SceneErrors};
 
 use crate::model::{Model, Start};
+
+/// Plots that a scene may ask for.
+pub const PLOTS: &[&str] = &["energy", "motion", "spectrum"];
 
 /// A scene, checked and ready to run.
 #[derive(Debug, Clone)]
@@ -61,7 +117,7 @@ pub struct Beginning {
 /// What a run records and draws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
-    /// Samples a second of model time [1/s].
+    /// Samples a second of model time [1/s]; 10000 in the whole run if the scene does not say.
     pub rate: f64,
     /// Whether the left and right limits at every event are recorded too.
     pub events: bool,

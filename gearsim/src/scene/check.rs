@@ -1,0 +1,124 @@
+//! From the tree of a scene to a scene, with everything that is wrong reported in one go.
+
+use super::document::{Entry, Node, Place};
+use super::error::{Report, did_you_mean};
+use super::{Scene, effects, field, keys, laws, output, parameters, start};
+use crate::model::Model;
+
+const KEYS: [&str; 8] = [
+    "about",
+    "model",
+    "effects",
+    "parameters",
+    "laws",
+    "start",
+    "run",
+    "output",
+];
+
+/// Reads a scene without name and hash; `end` is where tables would be added. `None` only if something is reported.
+pub(super) fn scene(
+    root: &Node,
+    end: &Place,
+    models: &[&'static Model],
+    report: &mut Report,
+) -> Option<Scene> {
+    let entries = field::table("", root, report)?;
+    let required = [
+        ("model", "model = \"...\""),
+        ("effects", "effects = []  # or some names"),
+    ];
+    let lacking = required
+        .into_iter()
+        .filter(|(key, _)| keys::get(entries, key).is_none());
+    let lacking: Vec<_> = lacking.map(|(key, line)| (key, line.to_string())).collect();
+    keys::missing(&lacking, "the scene", &root.place, report);
+
+    let mut absent = Vec::new();
+    let about = keys::get(entries, "about").and_then(|node| field::text("about", node, report));
+    let model = keys::get(entries, "model").and_then(|node| read_model(node, models, report));
+    stray_keys(entries, model, report);
+    let of_model = model.map(|model| {
+        let effects = keys::get(entries, "effects");
+        (
+            effects.and_then(|node| effects::read(node, model, report)),
+            parameters::read(entries, model, &mut absent, report),
+            laws::read(entries, model, &mut absent, report),
+            start::read(entries, model, report),
+        )
+    });
+    let t_end = output::read_run(entries, &mut absent, report);
+    let output = output::read(entries, t_end, report);
+    keys::missing(&absent, "the scene", end, report);
+
+    let (effects, parameters, laws, start) = of_model?;
+    Some(Scene {
+        name: String::new(),
+        about: about.unwrap_or_default().to_string(),
+        model: model?,
+        effects: effects?,
+        parameters: parameters?,
+        laws: laws?,
+        start: start?,
+        t_end: t_end?,
+        output: output?,
+        hash: String::new(),
+    })
+}
+
+/// Reports keys that do not belong at the top, and where those belong that are known.
+fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
+    let mut homes = vec![("run", vec!["t_end"]), ("output", output::KEYS.to_vec())];
+    if let Some(model) = model {
+        let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name);
+        let motions = model.motions.iter().map(|motion| motion.name);
+        homes.push((
+            "parameters",
+            model.parameters.iter().map(|p| p.name).collect(),
+        ));
+        homes.push(("laws", model.laws.iter().map(|law| law.name).collect()));
+        homes.push(("start", coordinates.chain(motions).collect()));
+    }
+    for Entry { key, place, .. } in keys::unknown(entries, &KEYS) {
+        let home = homes.iter().find(|(_, keys)| keys.contains(&key.as_str()));
+        let (label, help) = match home {
+            Some((table, _)) => (
+                "in the wrong place",
+                format!("it belongs to [{table}]: `{table}.{key}`"),
+            ),
+            None => ("unknown key", keys::choices(key, &KEYS)),
+        };
+        report.add(
+            place,
+            format!("the top of a scene has no `{key}`"),
+            label,
+            help,
+        );
+    }
+}
+
+fn read_model(
+    node: &Node,
+    models: &[&'static Model],
+    report: &mut Report,
+) -> Option<&'static Model> {
+    let name = field::text("model", node, report)?;
+    let found = models.iter().copied().find(|model| model.name == name);
+    if found.is_none() {
+        let mut help = String::new();
+        if let Some(near) = did_you_mean(name, models.iter().map(|model| model.name)) {
+            help = format!("did you mean `{near}`?\n");
+        }
+        help.push_str("the models are");
+        for model in models {
+            help.push_str(&format!("\n{}: {}", model.name, model.title));
+        }
+        report.add(
+            &node.place,
+            format!("there is no model `{name}`"),
+            "unknown model",
+            help,
+        );
+    }
+    found
+}

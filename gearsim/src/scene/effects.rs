@@ -1,0 +1,73 @@
+//! Effect sets: by name, and whether they make sense together.
+
+use super::Effects;
+use super::document::Node;
+use super::error::{Report, list};
+use super::field;
+use crate::model::Model;
+
+impl Effects {
+    /// Whether effect `i` of the model is in the set.
+    pub fn contains(self, i: usize) -> bool {
+        i < u32::BITS as usize && self.0 >> i & 1 == 1
+    }
+
+    /// The names of the effects, in the model's order.
+    pub fn names(self, model: &Model) -> Vec<&'static str> {
+        model
+            .effects
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| self.contains(*i))
+            .map(|(_, effect)| effect.name)
+            .collect()
+    }
+
+    /// The set of these effects of the model; `None` if it does not have one of them.
+    pub fn from_names<'a>(
+        names: impl IntoIterator<Item = &'a str>,
+        model: &Model,
+    ) -> Option<Effects> {
+        let index = |name| model.effects.iter().position(|effect| effect.name == name);
+        names
+            .into_iter()
+            .try_fold(Effects(0), |set, name| Some(set.with(index(name)?)))
+    }
+
+    fn with(self, i: usize) -> Effects {
+        Effects(self.0 | 1u32.checked_shl(i as u32).unwrap_or(0))
+    }
+}
+
+/// Reads `effects`.
+pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
+    let allowed: Vec<_> = model.effects.iter().map(|effect| effect.name).collect();
+    let chosen = field::names("effects", node, "effect", &allowed, report)?;
+    for (n, &i) in chosen.iter().enumerate() {
+        let effect = &model.effects[i];
+        let name = effect.name;
+        let has = |other: &&&str| chosen.iter().any(|j| allowed[*j] == **other);
+        let lacking: Vec<_> = effect
+            .requires
+            .iter()
+            .filter(|other| !has(other))
+            .copied()
+            .collect();
+        if !lacking.is_empty() {
+            let message = format!("effect `{name}` needs {}", list(&lacking));
+            let help = format!("add {}, or leave out `{name}`", list(&lacking));
+            report.add(&node.place, message, "not enough", help);
+        }
+        for other in chosen[..n].iter().map(|j| &model.effects[*j]) {
+            if effect.excludes.contains(&other.name) || other.excludes.contains(&name) {
+                let message = format!(
+                    "effects `{}` and `{name}` contradict each other",
+                    other.name
+                );
+                let help = format!("leave out `{}` or `{name}`", other.name);
+                report.add(&node.place, message, "not both", help);
+            }
+        }
+    }
+    Some(chosen.into_iter().fold(Effects(0), Effects::with))
+}

@@ -1,0 +1,178 @@
+//! What is wrong with a scene: where, what is allowed, and what to do.
+
+use std::fmt;
+use std::sync::Arc;
+
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan, ThemeCharacters,
+    ThemeStyles,
+};
+
+use super::document::Place;
+
+/// One thing wrong with a scene.
+#[derive(Debug, Clone, thiserror::Error, Diagnostic)]
+#[error("{message}")]
+pub struct Problem {
+    message: String,
+    label: String,
+    #[help]
+    help: String,
+    #[label("{label}")]
+    span: Option<SourceSpan>,
+    #[source_code]
+    text: Option<NamedSource<Arc<str>>>,
+}
+
+/// Everything wrong with a scene, in the order of its text; overrides come last.
+#[derive(Debug, Clone, Diagnostic)]
+pub struct SceneErrors {
+    scene: String,
+    #[related]
+    problems: Vec<Problem>,
+}
+
+impl SceneErrors {
+    /// A scene that could not be read at all.
+    pub(super) fn unreadable(scene: &str, message: String, help: &str) -> SceneErrors {
+        let problem = Problem {
+            message,
+            label: String::new(),
+            help: help.to_string(),
+            span: None,
+            text: None,
+        };
+        SceneErrors {
+            scene: scene.to_string(),
+            problems: vec![problem],
+        }
+    }
+
+    /// The problems, in the order in which they are shown.
+    pub fn problems(&self) -> &[Problem] {
+        &self.problems
+    }
+
+    /// The errors as text for people, at most `width` columns wide where that is possible.
+    pub fn render(&self, width: usize, color: bool) -> String {
+        let theme = GraphicalTheme {
+            characters: ThemeCharacters::unicode(),
+            styles: if color {
+                ThemeStyles::ansi()
+            } else {
+                ThemeStyles::none()
+            },
+        };
+        let handler = GraphicalReportHandler::new_themed(theme)
+            .with_width(width)
+            .with_links(false);
+        let mut text = format!("{self}\n");
+        for problem in &self.problems {
+            text.push('\n');
+            let start = text.len();
+            if handler.render_report(&mut text, problem).is_err() {
+                text.truncate(start);
+                text.push_str(&format!(
+                    "  {}\n  help: {}\n",
+                    problem.message, problem.help
+                ));
+            }
+        }
+        text
+    }
+}
+
+impl fmt::Display for SceneErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.problems.len() {
+            1 => write!(f, "scene {} has a problem", self.scene),
+            n => write!(f, "scene {} has {n} problems", self.scene),
+        }
+    }
+}
+
+impl std::error::Error for SceneErrors {}
+
+/// Collects problems while a scene is read.
+#[derive(Debug)]
+pub(super) struct Report {
+    sources: Vec<NamedSource<Arc<str>>>,
+    problems: Vec<(Place, Problem)>,
+}
+
+impl Report {
+    pub(super) fn new() -> Report {
+        Report {
+            sources: Vec::new(),
+            problems: Vec::new(),
+        }
+    }
+
+    /// Adds a text that problems may point into, and returns its number.
+    pub(super) fn source(&mut self, name: &str, text: &str) -> usize {
+        self.sources.push(NamedSource::new(name, Arc::from(text)));
+        self.sources.len() - 1
+    }
+
+    /// The text at a place.
+    pub(super) fn text(&self, place: &Place) -> &str {
+        self.sources
+            .get(place.source)
+            .and_then(|s| s.inner().get(place.span.clone()))
+            .unwrap_or_default()
+    }
+
+    /// Adds a problem: `message` says what is wrong, `label` is written at the place, `help` says what to do.
+    pub(super) fn add(
+        &mut self,
+        place: &Place,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        let problem = Problem {
+            message: message.into(),
+            label: label.into(),
+            help: help.into(),
+            span: Some(place.span.clone().into()),
+            text: self.sources.get(place.source).cloned(),
+        };
+        self.problems.push((place.clone(), problem));
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.problems.is_empty()
+    }
+
+    pub(super) fn into_errors(mut self, scene: &str) -> SceneErrors {
+        self.problems
+            .sort_by_key(|(place, _)| (place.source, place.span.start));
+        SceneErrors {
+            scene: scene.to_string(),
+            problems: self.problems.into_iter().map(|(_, p)| p).collect(),
+        }
+    }
+}
+
+/// The candidate that `word` was most likely meant to be, if any is close.
+pub(super) fn did_you_mean<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    let distance = |candidate: &str| strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
+    let (distance, candidate) = candidates
+        .into_iter()
+        .map(|c| (distance(c), c))
+        .min_by_key(|(d, _)| *d)?;
+    (distance <= word.chars().count() / 3).then_some(candidate)
+}
+
+/// `a, b and c`, each in backquotes.
+pub(super) fn list(names: &[&str]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => quoted.concat(),
+    }
+}

@@ -1,0 +1,122 @@
+//! Reading single values: text, flags, arrays, tables, lists of names. Quantities are in [`super::measure`].
+
+use super::document::{Entry, Node, Value};
+use super::error::Report;
+use super::keys::choices;
+
+/// Reports a value of another type than `expected`.
+pub(super) fn wrong_type(path: &str, node: &Node, expected: &str, help: &str, report: &mut Report) {
+    let found = match node.value {
+        Value::Text(_) => "text",
+        Value::Number(_) => "a number",
+        Value::Flag(_) => "true or false",
+        Value::Date => "a date",
+        Value::Array(_) => "an array",
+        Value::Table(_) => "a table",
+    };
+    report.add(
+        &node.place,
+        format!("`{path}` must be {expected}, not {found}"),
+        found,
+        help,
+    );
+}
+
+pub(super) fn text<'a>(path: &str, node: &'a Node, report: &mut Report) -> Option<&'a str> {
+    match &node.value {
+        Value::Text(text) => Some(text),
+        _ => {
+            wrong_type(path, node, "text", "put it in quotes: \"...\"", report);
+            None
+        }
+    }
+}
+
+pub(super) fn flag(path: &str, node: &Node, report: &mut Report) -> Option<bool> {
+    match node.value {
+        Value::Flag(flag) => Some(flag),
+        _ => {
+            wrong_type(
+                path,
+                node,
+                "true or false",
+                "write true or false, without quotes",
+                report,
+            );
+            None
+        }
+    }
+}
+
+pub(super) fn array<'a>(
+    path: &str,
+    node: &'a Node,
+    example: &str,
+    report: &mut Report,
+) -> Option<&'a [Node]> {
+    match &node.value {
+        Value::Array(items) => Some(items),
+        _ => {
+            wrong_type(
+                path,
+                node,
+                "an array",
+                &format!("write for example {example}"),
+                report,
+            );
+            None
+        }
+    }
+}
+
+pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Option<&'a [Entry]> {
+    match &node.value {
+        Value::Table(entries) => Some(entries),
+        _ => {
+            wrong_type(
+                path,
+                node,
+                "a table",
+                &format!("write [{path}], and its keys on the lines below"),
+                report,
+            );
+            None
+        }
+    }
+}
+
+/// Reads an array of distinct names out of `allowed`, as indices; `noun` is what one of them is.
+pub(super) fn names(
+    path: &str,
+    node: &Node,
+    noun: &str,
+    allowed: &[&str],
+    report: &mut Report,
+) -> Option<Vec<usize>> {
+    let example = format!("{:?}", &allowed[..allowed.len().min(2)]);
+    let items = array(path, node, &example, report)?;
+    let mut chosen = Vec::new();
+    for item in items {
+        let Some(name) = text(path, item, report) else {
+            continue;
+        };
+        match allowed.iter().position(|known| *known == name) {
+            None => report.add(
+                &item.place,
+                format!("there is no {noun} `{name}`"),
+                format!("unknown {noun}"),
+                choices(name, allowed),
+            ),
+            Some(index) if chosen.contains(&index) => {
+                report.add(
+                    &item.place,
+                    format!("`{name}` is named twice in `{path}`"),
+                    "again",
+                    "name it once",
+                );
+            }
+            Some(index) => chosen.push(index),
+        }
+    }
+    Some(chosen)
+}

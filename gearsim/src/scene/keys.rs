@@ -1,0 +1,61 @@
+//! The keys of tables: those that are there, those that should not be, and those that are missing.
+
+use super::document::{Entry, Node, Place};
+use super::error::{Report, did_you_mean, list};
+
+/// The value of a key, if it is there.
+pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
+    entries
+        .iter()
+        .find(|entry| entry.key == key)
+        .map(|entry| &entry.node)
+}
+
+/// The entries whose keys are not allowed.
+pub(super) fn unknown<'a>(
+    entries: &'a [Entry],
+    allowed: &[&str],
+) -> impl Iterator<Item = &'a Entry> {
+    entries
+        .iter()
+        .filter(|entry| !allowed.contains(&entry.key.as_str()))
+}
+
+/// Reports the keys of a table that mean nothing.
+pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
+    for entry in unknown(entries, allowed) {
+        let message = format!("{title} has no `{}`", entry.key);
+        report.add(
+            &entry.place,
+            message,
+            "unknown key",
+            choices(&entry.key, allowed),
+        );
+    }
+}
+
+/// Reports keys that a table lacks, each with the line to write for it.
+pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, report: &mut Report) {
+    let names: Vec<_> = keys.iter().map(|(name, _)| *name).collect();
+    let lines: Vec<_> = keys.iter().map(|(_, line)| line.as_str()).collect();
+    if keys.is_empty() {
+        return;
+    }
+    let tables = names.iter().any(|name| name.starts_with('['));
+    let lines = lines.join(if tables { "\n\n" } else { "\n" });
+    let message = format!("{title} lacks {}", list(&names));
+    report.add(place, message, "add here", format!("add\n{lines}"));
+}
+
+/// The names that are allowed, and the one that `word` was most likely meant to be.
+pub(super) fn choices(word: &str, allowed: &[&str]) -> String {
+    let all = match allowed {
+        [] => "nothing is allowed here".to_string(),
+        [only] => format!("allowed: `{only}`"),
+        _ => format!("allowed: {}", list(allowed)),
+    };
+    match did_you_mean(word, allowed.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`?\n{all}"),
+        None => all,
+    }
+}

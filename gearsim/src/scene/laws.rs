@@ -1,0 +1,232 @@
+//! Mesh stiffness laws: the levels of one pitch.
+
+use super::document::{Entry, Node, Value};
+use super::error::Report;
+use super::{Step, Stiffness, field, keys, measure};
+use crate::model::{Law, Model};
+
+/// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
+const PITCH_TOLERANCE: f64 = 1e-9;
+
+impl Stiffness {
+    /// Half-way between the greatest and the least level [unit of the law].
+    pub fn mid(&self) -> f64 {
+        let levels = || self.steps.iter().map(|step| step.value);
+        (levels().fold(f64::NEG_INFINITY, f64::max) + levels().fold(f64::INFINITY, f64::min)) / 2.0
+    }
+
+    /// Average over one pitch [unit of the law].
+    pub fn mean(&self) -> f64 {
+        let width: f64 = self.steps.iter().map(|step| step.width).sum();
+        self.steps
+            .iter()
+            .map(|step| step.value * step.width)
+            .sum::<f64>()
+            / width
+    }
+}
+
+/// Reads `[laws]`, in the order of the model; what to add goes to `absent` if the table is not there.
+pub(super) fn read(
+    entries: &[Entry],
+    model: &Model,
+    absent: &mut Vec<(&str, String)>,
+    report: &mut Report,
+) -> Option<Vec<Stiffness>> {
+    let readers = model.laws.iter().map(|law| Reader::new(law, model));
+    let Some(node) = keys::get(entries, "laws") else {
+        let examples: Vec<_> = readers.map(|reader| reader.table()).collect();
+        if !examples.is_empty() {
+            absent.push(("[laws]", examples.join("\n")));
+        }
+        return Some(Vec::new());
+    };
+    let entries = field::table("laws", node, report)?;
+    let names: Vec<_> = model.laws.iter().map(|law| law.name).collect();
+    keys::known(entries, "[laws]", &names, report);
+    let mut lacking = Vec::new();
+    let mut laws = Vec::new();
+    for reader in readers {
+        match keys::get(entries, reader.law.name) {
+            Some(node) => laws.push(reader.law(node, report)),
+            None => lacking.push((reader.law.name, reader.table())),
+        }
+    }
+    keys::missing(&lacking, "[laws]", &node.place, report);
+    laws.into_iter().collect()
+}
+
+/// Reads one law.
+struct Reader<'a> {
+    law: &'a Law,
+    /// Unit of the phase, and so of the widths.
+    phase: &'static str,
+    /// Where the steps are, e.g. `laws.k.steps`.
+    path: String,
+}
+
+impl<'a> Reader<'a> {
+    fn new(law: &'a Law, model: &Model) -> Reader<'a> {
+        let phase = model
+            .coordinates
+            .iter()
+            .find(|coordinate| coordinate.name == law.phase);
+        let path = format!("laws.{}.steps", law.name);
+        Reader {
+            law,
+            phase: phase.map_or("rad", |coordinate| coordinate.unit),
+            path,
+        }
+    }
+
+    /// What to write if the law is missing.
+    fn table(&self) -> String {
+        format!(
+            "[laws.{}]  # {}\nsteps = {}",
+            self.law.name,
+            self.law.doc,
+            self.steps()
+        )
+    }
+
+    fn steps(&self) -> String {
+        let (value, width) = (self.law.unit, self.phase);
+        format!(
+            "[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]"
+        )
+    }
+
+    fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
+        let table = format!("laws.{}", self.law.name);
+        let entries = field::table(&table, node, report)?;
+        keys::known(entries, &format!("[{table}]"), &["steps"], report);
+        let Some(steps) = keys::get(entries, "steps") else {
+            let line = format!("steps = {}", self.steps());
+            keys::missing(
+                &[("steps", line)],
+                &format!("[{table}]"),
+                &node.place,
+                report,
+            );
+            return None;
+        };
+        let items = field::array(&self.path, steps, &self.steps(), report)?;
+        let Some((last, before)) = items.split_last() else {
+            let help = format!("write for example {}", self.steps());
+            report.add(
+                &steps.place,
+                format!("`{}` is empty", self.path),
+                "no step",
+                help,
+            );
+            return None;
+        };
+        let mut levels: Vec<_> = (before.iter().enumerate())
+            .map(|(i, step)| self.step(i, step, false, report))
+            .collect();
+        levels.push(self.step(before.len(), last, true, report));
+        let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
+        self.fill(&levels, last, report)
+    }
+
+    /// A level and its width, which only the last step may leave out.
+    fn step(
+        &self,
+        i: usize,
+        node: &Node,
+        last: bool,
+        report: &mut Report,
+    ) -> Option<(f64, Option<f64>)> {
+        let path = format!("{}.{i}", self.path);
+        let entries = field::table(&path, node, report)?;
+        keys::known(entries, &format!("`{path}`"), &["value", "width"], report);
+        let (value, width) = (keys::get(entries, "value"), keys::get(entries, "width"));
+        let mut lacking = Vec::new();
+        if value.is_none() {
+            lacking.push(("value", format!("value = \"... {}\"", self.law.unit)));
+        }
+        if width.is_none() && !last {
+            let why = "only the last step may leave it out";
+            lacking.push(("width", format!("width = \"... {}\"  # {why}", self.phase)));
+        }
+        keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
+
+        let value = value.and_then(|node| {
+            let path = format!("{path}.value");
+            let x = measure::quantity(&path, node, self.law.unit, report)?;
+            if x < 0.0 {
+                let what = "a mesh pushes back or, at 0, does nothing";
+                measure::out_of_range(&path, node, "must not be negative", what, report);
+            }
+            Some(x)
+        });
+        let width = match width {
+            None => Some(None),
+            Some(node) => {
+                let path = format!("{path}.width");
+                let x = measure::quantity(&path, node, self.phase, report);
+                if x.is_some_and(|x| x <= 0.0) {
+                    let what = "it is the part of the pitch over which the step holds";
+                    measure::out_of_range(&path, node, "must be positive", what, report);
+                }
+                x.map(Some)
+            }
+        };
+        Some((value?, width?))
+    }
+
+    /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
+    fn fill(
+        &self,
+        levels: &[(f64, Option<f64>)],
+        last: &Node,
+        report: &mut Report,
+    ) -> Option<Stiffness> {
+        let pitch = self.law.period;
+        let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
+        let rest = pitch - given;
+        let open = levels.iter().any(|(_, width)| width.is_none());
+        let sum = format!(
+            "add up to {} {unit}, one pitch is {} {unit}",
+            short(given),
+            short(pitch),
+            unit = self.phase
+        );
+        if open && rest <= 0.0 {
+            let message = format!(
+                "`{}` leaves nothing of the pitch to its last step",
+                self.path
+            );
+            let help = format!("the widths before it {sum}\nmake them narrower");
+            report.add(&last.place, message, "no room for this", help);
+            return None;
+        }
+        if !open && (rest / pitch).abs() > PITCH_TOLERANCE {
+            let message = format!("the widths of `{}` do not add up to one pitch", self.path);
+            let help = format!("they {sum}\nleave out the last width: it is then the rest");
+            let label = if rest > 0.0 {
+                "too narrow together"
+            } else {
+                "too wide together"
+            };
+            let width = match &last.value {
+                Value::Table(entries) => keys::get(entries, "width"),
+                _ => None,
+            };
+            report.add(&width.unwrap_or(last).place, message, label, help);
+            return None;
+        }
+        let step = |&(value, width): &(f64, Option<f64>)| Step {
+            value,
+            width: width.unwrap_or(rest),
+        };
+        Some(Stiffness {
+            steps: levels.iter().map(step).collect(),
+        })
+    }
+}
+
+/// The number to twelve digits: enough to see why it is refused, without the noise of binary sums.
+fn short(x: f64) -> f64 {
+    format!("{x:.11e}").parse().unwrap_or(x)
+}

@@ -1,0 +1,74 @@
+//! `[start]`: where the coordinates start, and how fast.
+
+use super::document::{Entry, Node, Value};
+use super::error::{Report, list};
+use super::{Beginning, field, keys, measure};
+use crate::model::{Model, Start};
+
+/// Reads `[start]`, all of which may be left out.
+pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<Beginning> {
+    let node = keys::get(entries, "start");
+    let given = node.map_or(Some(&[][..]), |node| field::table("start", node, report))?;
+    let places: Vec<_> = model.coordinates.iter().map(|c| c.name).collect();
+    let speeds: Vec<_> = places.iter().map(|name| format!("{name}_dot")).collect();
+    let motions = model.motions.iter().map(|motion| motion.name);
+    let allowed: Vec<_> = places
+        .iter()
+        .copied()
+        .chain(speeds.iter().map(String::as_str))
+        .chain(motions)
+        .collect();
+    keys::known(given, "[start]", &allowed, report);
+
+    // A key that is not there is `Some(None)`; one that is there and wrong is `None`.
+    let mut speed = |name: &str, unit: &str| match keys::get(given, name) {
+        None => Some(None),
+        Some(node) if is_static(node) => {
+            let message = format!("`start.{name}` cannot be \"static\"");
+            let help = format!(
+                "write a speed, e.g. \"1 {unit}\"; static can be {}",
+                list(&places)
+            );
+            report.add(&node.place, message, "a speed", help);
+            None
+        }
+        Some(node) => measure::quantity(&format!("start.{name}"), node, unit, report).map(Some),
+    };
+    let q_dot: Vec<_> = (model.coordinates.iter().zip(&speeds))
+        .map(|(coordinate, name)| speed(name, &format!("{}/s", coordinate.unit)))
+        .collect();
+    let motions: Vec<_> = (model.motions.iter())
+        .map(|motion| speed(motion.name, motion.unit).map(Option::unwrap_or_default))
+        .collect();
+    let q: Vec<_> = (model.coordinates.iter())
+        .map(|coordinate| match keys::get(given, coordinate.name) {
+            None => Some(coordinate.start),
+            Some(node) if is_static(node) => Some(Start::Static),
+            Some(Node {
+                value: Value::Text(text),
+                place,
+            }) if text.trim_start().starts_with(char::is_alphabetic) => {
+                let message = format!("`start.{}` cannot be \"{text}\"", coordinate.name);
+                let help = format!(
+                    "write \"static\", or a quantity: \"0.1 {}\"",
+                    coordinate.unit
+                );
+                report.add(place, message, "neither static nor a quantity", help);
+                None
+            }
+            Some(node) => {
+                let path = format!("start.{}", coordinate.name);
+                measure::quantity(&path, node, coordinate.unit, report).map(Start::At)
+            }
+        })
+        .collect();
+    Some(Beginning {
+        q: q.into_iter().collect::<Option<_>>()?,
+        q_dot: q_dot.into_iter().collect::<Option<_>>()?,
+        motions: motions.into_iter().collect::<Option<_>>()?,
+    })
+}
+
+fn is_static(node: &Node) -> bool {
+    matches!(&node.value, Value::Text(text) if text == "static")
+}

@@ -1,0 +1,6 @@
+//! Tests of scene files: what they mean, and what is said of mistakes in them.
+
+mod fixture;
+mod mistakes;
+mod quantities;
+mod scenes;

@@ -1,0 +1,135 @@
+//! What a correct scene means.
+
+use std::f64::consts::{PI, TAU};
+
+use super::fixture::{GEAR_PAIR, SCENE, parse};
+use crate::model::Start;
+use crate::scene::{Effects, Scene, Step, Stiffness};
+
+#[test]
+fn a_scene_is_read_in_si() {
+    let scene = parse(SCENE, &[]).unwrap();
+    assert_eq!(scene.name, "energy");
+    assert_eq!(scene.about, "Gear pair at 300 rpm");
+    assert_eq!(
+        scene.effects.names(&GEAR_PAIR),
+        ["stiffness_step", "damping", "torques"]
+    );
+    assert_eq!(scene.parameters, [2.89e-3, 0.7402, 24.0, 96.0, 0.1, 10.0]);
+    assert_eq!(scene.parameter("N2"), Some(96.0));
+    assert_eq!(scene.parameter("N3"), None);
+    let steps = vec![
+        Step {
+            value: 1430.0,
+            width: 1.73,
+        },
+        Step {
+            value: 2780.0,
+            width: TAU - 1.73,
+        },
+    ];
+    assert_eq!(scene.laws, [Stiffness { steps }]);
+    assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
+    assert_eq!(scene.start.q_dot, [None, None]);
+    assert_eq!(scene.start.motions, [300.0 * PI / 30.0]);
+    assert_eq!(scene.t_end, 0.1);
+    assert_eq!(scene.output.rate, 20e3);
+    assert_eq!(scene.output.plots, ["energy", "motion", "spectrum"]);
+    assert!(scene.output.events && !scene.output.csv);
+}
+
+#[test]
+fn a_scene_may_say_little() {
+    let text = r#"
+        model = "gear_pair"
+        effects = []
+        parameters = { I1 = "1 kg*m^2", I2 = "1 kg*m^2" }
+        laws.k.steps = [{ value = "0 N*m" }]
+        run.t_end = "2 s"
+    "#;
+    let scene = parse(text, &[]).unwrap();
+    assert_eq!(scene.effects, Effects(0));
+    assert_eq!(
+        scene.laws[0].steps,
+        [Step {
+            value: 0.0,
+            width: TAU
+        }]
+    );
+    assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
+    assert_eq!(scene.output.rate, 5e3);
+}
+
+#[test]
+fn overrides_replace_add_and_index() {
+    let overrides = [
+        "parameters.T0=20 N*m",
+        r#"run.t_end="1 s""#,
+        r#"effects=["stiffness_step"]"#,
+        "start.speed=600 rpm",
+        "start.theta_dot = 1 rad/s",
+        "laws.k.steps.0.value=2 kN*m",
+        "output.csv=true",
+    ];
+    let scene = parse(SCENE, &overrides).unwrap();
+    assert_eq!(scene.parameter("T0"), Some(20.0));
+    assert_eq!(scene.t_end, 1.0);
+    assert_eq!(scene.effects, Effects(1));
+    assert_eq!(scene.start.motions, [600.0 * PI / 30.0]);
+    assert_eq!(scene.start.q_dot, [Some(1.0), None]);
+    assert_eq!(scene.laws[0].steps[0].value, 2000.0);
+    assert!(scene.output.csv);
+    let scene = parse(SCENE, &[r#"laws.k.steps=[{value="3 N*m"}]"#]).unwrap();
+    assert_eq!(
+        scene.laws[0].steps,
+        [Step {
+            value: 3.0,
+            width: TAU
+        }]
+    );
+}
+
+#[test]
+fn the_hash_names_text_and_overrides() {
+    let hash = |overrides: &[&str]| parse(SCENE, overrides).unwrap().hash;
+    assert_eq!(hash(&[]).len(), 64);
+    assert_eq!(hash(&["run.t_end=1 s"]), hash(&["run.t_end=1 s"]));
+    assert_ne!(hash(&["run.t_end=1 s"]), hash(&["run.t_end=2 s"]));
+    assert_ne!(hash(&["run.t_end=1 s"]), hash(&[]));
+}
+
+#[test]
+fn a_stiffness_has_two_middles() {
+    let steps = vec![
+        Step {
+            value: 1.0,
+            width: 3.0,
+        },
+        Step {
+            value: 5.0,
+            width: 1.0,
+        },
+    ];
+    let stiffness = Stiffness { steps };
+    assert_eq!(stiffness.mid(), 3.0);
+    assert_eq!(stiffness.mean(), 2.0);
+}
+
+#[test]
+fn effect_sets_come_from_names() {
+    let set = Effects::from_names(["torques", "stiffness_step"], &GEAR_PAIR).unwrap();
+    assert_eq!(set, Effects(0b10001));
+    assert!(set.contains(4) && !set.contains(3) && !set.contains(99));
+    assert_eq!(Effects::from_names(["friction"], &GEAR_PAIR), None);
+}
+
+#[test]
+fn a_file_gives_its_stem_or_says_why_not() {
+    let path = std::env::temp_dir().join(format!("gearsim-{}.scene.toml", std::process::id()));
+    std::fs::write(&path, SCENE).unwrap();
+    let scene = Scene::load(&path, &[], &[&GEAR_PAIR]);
+    std::fs::remove_file(&path).unwrap();
+    assert!(scene.unwrap().name.ends_with(".scene"));
+    let error = Scene::load(&path, &[], &[&GEAR_PAIR]).unwrap_err();
+    assert!(error.render(80, false).contains("cannot read"));
+}
