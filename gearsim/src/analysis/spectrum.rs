@@ -151,7 +151,7 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         segments += 1;
     }
 
-    let nyquist = if segment % 2 == 0 {
+    let nyquist = if segment.is_multiple_of(2) {
         Some(density.len() - 1)
     } else {
         None

@@ -4,7 +4,7 @@
 //! one keeps the books. With one run U is drawn over what damping has left of U(0): the curves coincide where the
 //! residual is zero, which a panel of its own shows on its own scale.
 
-use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first, scenes};
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first, scenes};
 
 /// Its entry in the registry.
 pub const PLOT: Plot = Plot {
@@ -57,7 +57,10 @@ fn alone(run: &Run<'_>) -> Vec<Panel> {
         },
         Panel {
             y: Axis::linear("residual", "J"),
-            series: vec![series(3, "", &|i| recorded.residual[i])],
+            series: vec![Series {
+                style: Style::PLAIN,
+                ..series(0, "", &|i| recorded.residual[i])
+            }],
         },
     ]
 }

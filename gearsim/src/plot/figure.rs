@@ -129,24 +129,32 @@ pub struct Style {
 }
 
 impl Style {
+    /// A thin solid black line, for a curve on its own.
+    pub const PLAIN: Style = Style {
+        colour: "#000000",
+        dashes: &[],
+        width: 1.4,
+    };
+
     /// The `index`-th of a series of styles that differ in colour, to the colour-blind too, and in their dashes.
     ///
     /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), dark ones first, yellow left out.
     pub fn nth(index: usize) -> Self {
         const COLOURS: [&str; 7] = [
-            "#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7", "#e69f00", "#56b4e9",
+            "#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
         ];
         const DASHES: [&[f64]; 5] = [
             &[],
             &[7.0, 3.0],
-            &[1.8, 2.4],
+            &[1.8, 4.0],
             &[8.0, 2.5, 1.8, 2.5],
             &[12.0, 4.0],
         ];
         Style {
             colour: COLOURS[index % COLOURS.len()],
             dashes: DASHES[index % DASHES.len()],
-            width: 1.4,
+            // The first is seen where others lie over it.
+            width: if index == 0 { 2.0 } else { 1.4 },
         }
     }
 }

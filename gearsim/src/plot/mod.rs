@@ -139,12 +139,9 @@ fn rolls(run: &Trajectory, name: &str) -> bool {
     high - low > std::f64::consts::TAU
 }
 
-/// The name of a coordinate as it stands in formulas: `phi` is φ, `theta_1` is θ_1.
+/// The name of a coordinate as it stands in formulas: `phi` is φ, `theta_1` is θ with the index 1.
 fn symbol(name: &str) -> String {
-    let (stem, rest) = name.split_at(
-        name.find(|c: char| !c.is_ascii_alphabetic())
-            .unwrap_or(name.len()),
-    );
+    let (stem, index) = name.split_once('_').unwrap_or((name, ""));
     let greek = match stem {
         "alpha" => "α",
         "beta" => "β",
@@ -155,7 +152,11 @@ fn symbol(name: &str) -> String {
         "psi" => "ψ",
         latin => latin,
     };
-    format!("{greek}{rest}")
+    if index.is_empty() {
+        greek.to_owned()
+    } else {
+        format!("{greek}_{{{index}}}")
+    }
 }
 
 #[cfg(test)]

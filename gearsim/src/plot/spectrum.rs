@@ -70,7 +70,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
     }
     let x = match references {
-        Some(_) => Axis::linear("frequency ω/ωd", "").between(0.0, longest.min(LONGEST)),
+        Some(_) => Axis::linear("frequency ω/ω_{d}", "").between(0.0, longest.min(LONGEST)),
         None => Axis::linear("frequency f", "Hz").between(0.0, longest),
     };
     let averaged = if segments == 1 {

@@ -24,7 +24,10 @@ fn every_plot_names_what_it_shows() {
             "motion",
             &["φ [rad]", "dφ/dt [rad/s]", "dθ/dt [", "time t [s]"],
         ),
-        ("spectrum", &["PSD of φ [rad²/Hz]", "frequency ω/ωd", "10⁻"]),
+        (
+            "spectrum",
+            &["PSD of φ [rad²/Hz]", "frequency ω/ω<tspan", "10⁻"],
+        ),
     ];
     for (name, words) in expected {
         let figure = (find(name).unwrap().draw)(&[run("exact", &recorded)]).unwrap();
