@@ -108,14 +108,14 @@ impl Summary {
 impl Energy {
     /// The account in the last row of `run`; `None` if it has none.
     pub fn at_end(run: &Trajectory) -> Option<Self> {
-        let end = run.len().checked_sub(1)?;
+        let start = run.kinetic.first()? + run.strain.first()? - run.work.first()?;
         Some(Energy {
-            kinetic: Number(run.kinetic[end]),
-            strain: Number(run.strain[end]),
-            work: Number(run.work[end]),
-            dissipated: Number(run.dissipated[end]),
-            residual: Number(run.residual[end]),
-            at_start: Number(run.energy(0)),
+            kinetic: Number(*run.kinetic.last()?),
+            strain: Number(*run.strain.last()?),
+            work: Number(*run.work.last()?),
+            dissipated: Number(*run.dissipated.last()?),
+            residual: Number(*run.residual.last()?),
+            at_start: Number(start),
         })
     }
 }

@@ -133,7 +133,7 @@ impl Style {
     pub const PLAIN: Style = Style {
         colour: "#000000",
         dashes: &[],
-        width: 1.4,
+        width: 1.3,
     };
 
     /// The `index`-th of a series of styles that differ in colour, to the colour-blind too, and in their dashes.
@@ -154,7 +154,7 @@ impl Style {
             colour: COLOURS[index % COLOURS.len()],
             dashes: DASHES[index % DASHES.len()],
             // The first is seen where others lie over it.
-            width: if index == 0 { 2.0 } else { 1.4 },
+            width: if index == 0 { 1.7 } else { 1.3 },
         }
     }
 }

@@ -103,18 +103,43 @@ fn names() -> String {
         .join(", ")
 }
 
-/// The first of `runs`, or why plot `plot` has nothing to show.
+/// The first of `runs`, all of which recorded something; else why plot `plot` has nothing to show.
 fn first<'a, 'r>(plot: &'static str, runs: &'r [Run<'a>]) -> Result<&'r Run<'a>, PlotError> {
-    match runs.iter().find(|run| run.trajectory.is_empty()) {
-        Some(run) => {
-            let why = format!("run `{}` recorded nothing", run.label);
-            Err(PlotError::Nothing { plot, why })
+    let nothing = |why: String| PlotError::Nothing { plot, why };
+    for run in runs {
+        if run.trajectory.is_empty() {
+            return Err(nothing(format!("run `{}` recorded nothing", run.label)));
         }
-        None => runs.first().ok_or(PlotError::Nothing {
-            plot,
-            why: "there is no run".into(),
-        }),
+        if !whole(run.trajectory) {
+            return Err(nothing(format!(
+                "the columns of run `{}` differ in length",
+                run.label
+            )));
+        }
     }
+    runs.first()
+        .ok_or_else(|| nothing("there is no run".into()))
+}
+
+/// Whether every column has one entry a row.
+fn whole(run: &Trajectory) -> bool {
+    let single = [
+        &run.kinetic,
+        &run.strain,
+        &run.work,
+        &run.dissipated,
+        &run.residual,
+    ];
+    let columns = single
+        .into_iter()
+        .chain(&run.q)
+        .chain(&run.q_dot)
+        .chain(&run.torque_work);
+    let coordinates = run.model.coordinates.len();
+    run.moment.len() == run.len()
+        && run.q.len() == coordinates
+        && run.q_dot.len() == coordinates
+        && columns.into_iter().all(|column| column.len() == run.len())
 }
 
 /// The scenes of `runs`, each named once: what a subtitle says.

@@ -22,7 +22,13 @@ const LONGEST: f64 = 5.0;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let model = first(PLOT.name, runs)?.trajectory.model;
-    let references: Option<Vec<f64>> = runs.iter().map(|run| run.reference_frequency).collect();
+    let references: Option<Vec<f64>> = runs
+        .iter()
+        .map(|run| {
+            run.reference_frequency
+                .filter(|wd| *wd > 0.0 && wd.is_finite())
+        })
+        .collect();
     let mut panels = vec![];
     let mut longest = 0.0_f64;
     let mut segments = 0;

@@ -85,6 +85,11 @@ fn there_is_an_error_for_what_cannot_be_drawn() {
         assert!((plot.draw)(&[]).is_err());
         assert!((plot.draw)(&[run("exact", &empty)]).is_err());
     }
+    let mut ragged = oscillator(100);
+    ragged.strain.pop();
+    for plot in PLOTS {
+        assert!((plot.draw)(&[run("exact", &ragged)]).is_err());
+    }
     let short = oscillator(3);
     assert!(matches!(
         (spectrum::PLOT.draw)(&[run("exact", &short)]),
