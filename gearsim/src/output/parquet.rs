@@ -61,7 +61,7 @@ pub fn write<'a>(
 /// A table read from a file, and its provenance as pairs of name and value.
 pub type TableAndProvenance = (Table, Vec<(String, String)>);
 
-/// Reads a file written by [`write`]. Errors: [`OutputError::Read`].
+/// Reads a file written by [`write()`]. Errors: [`OutputError::Read`].
 pub fn read(path: &Path) -> Result<TableAndProvenance, OutputError> {
     let failed = |why: String| OutputError::Read {
         path: path.to_owned(),

@@ -1,6 +1,6 @@
 //! A figure: stacked panels of curves over a common x axis, as SVG or PNG.
 //!
-//! This is all that plots know of drawing. [`super::canvas`] lays it out; only this file knows the rasteriser.
+//! This is all that plots know of drawing. `canvas` lays it out; only this file knows the rasteriser.
 
 use std::sync::{Arc, LazyLock};
 

@@ -1,10 +1,11 @@
 //! Power spectral density of the coordinates that do not roll on, as in Oh, Grosh and Barber (2005), Fig. 4.
 //!
 //! Frequencies are in units of the damped natural frequency wd where every run gives it, up to five of them; else in
-//! Hz. The densities stay per Hz.
+//! Hz. The densities stay per Hz, over 12 decades at most.
 
 use std::f64::consts::TAU;
 
+use super::figure::extremes;
 use super::{
     Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol,
 };
@@ -60,10 +61,8 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         }
         let label = format!("PSD of {}", symbol(name));
         let unit = format!("{}^2/Hz", coordinate.unit);
-        panels.push(Panel {
-            y: Axis::log10(label, unit),
-            series,
-        });
+        let y = legible(Axis::log10(label, unit), &series, references.is_some());
+        panels.push(Panel { y, series });
     }
     if panels.is_empty() {
         let why = "every coordinate rolls on".into();
@@ -91,6 +90,25 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         x,
         panels,
     })
+}
+
+/// Ends the axis 12 decades below the highest peak, where there is nothing but rounding and leakage.
+fn legible(axis: Axis, series: &[Series], in_units_of_wd: bool) -> Axis {
+    let end = if in_units_of_wd {
+        LONGEST
+    } else {
+        f64::INFINITY
+    };
+    let shown = series
+        .iter()
+        .flat_map(|s| s.x.iter().zip(&s.y))
+        .filter(|&(&x, _)| x <= end);
+    let (lowest, peak) = extremes(shown.map(|(_, &y)| y).filter(|&y| y > 0.0));
+    if lowest < 1e-12 * peak {
+        axis.between(1e-12 * peak, 3.0 * peak)
+    } else {
+        axis
+    }
 }
 
 /// Spectrum of coordinate `i` of `run`, from its evenly spaced samples.

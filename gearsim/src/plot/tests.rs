@@ -137,12 +137,15 @@ fn look() {
         label: "classical, Eq. (6)",
         ..exact
     };
+    let long = oscillator(200_000);
+    let long = run("exact", &long);
     let plain = Run {
         reference_frequency: None,
         ..exact
     };
     for plot in PLOTS {
-        let cases: [(&str, &[Run<'_>]); 3] = [
+        let cases: [(&str, &[Run<'_>]); 4] = [
+            ("long", &[long]),
             ("one", &[exact]),
             ("three", &[exact, other, third]),
             ("plain", &[plain]),
