@@ -1,1 +1,3 @@
-//! To come.
+//! What is computed from a recording after the run.
+
+pub mod spectrum;

@@ -1,0 +1,221 @@
+//! Power spectral density by Welch's method: averaged periodograms of overlapping, windowed segments.
+//!
+//! For segments `x` of length L, less their mean, at the rate fs, with the Hann window w:
+//!
+//! `P(f_m) = 2 |sum_n w_n x_n exp(-2 pi i m n/L)|^2 / (fs sum_n w_n^2)`, `f_m = m fs/L`,
+//!
+//! without the factor 2 at `f = 0` and, for even L, at `f = fs/2`; segments overlap by half. `P` is one-sided, in
+//! unit^2/Hz: its integral over f is the mean square of the signal.
+//!
+//! Sources: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70-73, doi:10.1109/TAU.1967.1161901;
+//! normalisation as in G. Heinzel, A. Rüdiger, R. Schilling, "Spectrum and spectral density estimation by the DFT",
+//! Max-Planck-Institut für Gravitationsphysik (2002), Eq. (23).
+
+use realfft::RealFftPlanner;
+
+use crate::trajectory::Trajectory;
+
+/// A one-sided power spectral density.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    /// Frequencies [Hz], evenly spaced from 0 to half the sampling rate.
+    pub frequency: Vec<f64>,
+    /// Density [unit^2/Hz] at each frequency.
+    pub density: Vec<f64>,
+    /// Number of segments averaged.
+    pub segments: usize,
+}
+
+impl Spectrum {
+    /// Distance of neighbouring frequencies [Hz].
+    pub fn resolution(&self) -> f64 {
+        self.frequency.get(1).copied().unwrap_or(0.0)
+    }
+
+    /// Power [unit^2] between two frequencies [Hz], both included.
+    pub fn power(&self, low: f64, high: f64) -> f64 {
+        let within = |f: f64| (low..=high).contains(&f);
+        let sum: f64 = (self.frequency.iter().zip(&self.density))
+            .filter(|&(&f, _)| within(f))
+            .map(|(_, p)| p)
+            .sum();
+        sum * self.resolution()
+    }
+}
+
+/// Why there is no spectrum.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SpectrumError {
+    /// Too few samples.
+    #[error(
+        "a spectrum needs at least 4 samples, there are {samples}; record longer or at a higher rate"
+    )]
+    TooShort {
+        /// The samples there are.
+        samples: usize,
+    },
+    /// Segments longer than the signal, or too short.
+    #[error("segments of {segment} samples do not fit a signal of {samples}")]
+    BadSegment {
+        /// The length asked for.
+        segment: usize,
+        /// The length of the signal.
+        samples: usize,
+    },
+    /// A rate that is none.
+    #[error("a sampling rate of {rate} Hz makes no sense")]
+    BadRate {
+        /// The rate [Hz].
+        rate: f64,
+    },
+    /// Samples that are not evenly spaced.
+    #[error("samples are not evenly spaced: {step} s instead of {expected} s at t = {t} s")]
+    Uneven {
+        /// Where [s].
+        t: f64,
+        /// Distance to the sample before [s].
+        step: f64,
+        /// Distance of the first two samples [s].
+        expected: f64,
+    },
+    /// Values that are not finite.
+    #[error("sample {index} is {value}")]
+    NotFinite {
+        /// Which one.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// Below this number of samples there is one segment: four would not resolve anything.
+const SHORT: usize = 256;
+
+/// The longest even segment that still gives four of them, or all of a short signal (fewer than 256 samples).
+pub fn segment_length(samples: usize) -> usize {
+    // Four segments overlapping by half cover 2.5 of their length.
+    if samples < SHORT {
+        samples
+    } else {
+        samples * 2 / 5 / 2 * 2
+    }
+}
+
+/// Power spectral density of `x` [unit], sampled at `rate` [Hz], from segments of `segment` samples.
+///
+/// What is left at the end of `x` beyond the last whole segment is not used.
+/// Errors: [`SpectrumError::TooShort`], [`SpectrumError::BadSegment`], [`SpectrumError::BadRate`],
+/// [`SpectrumError::NotFinite`].
+pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumError> {
+    if x.len() < 4 {
+        return Err(SpectrumError::TooShort { samples: x.len() });
+    }
+    if segment < 4 || segment > x.len() {
+        return Err(SpectrumError::BadSegment {
+            segment,
+            samples: x.len(),
+        });
+    }
+    if !(rate > 0.0 && rate.is_finite()) {
+        return Err(SpectrumError::BadRate { rate });
+    }
+    if let Some(index) = x.iter().position(|v| !v.is_finite()) {
+        return Err(SpectrumError::NotFinite {
+            index,
+            value: x[index],
+        });
+    }
+
+    let window = hann(segment);
+    let scale = 1.0 / (rate * window.iter().map(|w| w * w).sum::<f64>());
+    let fft = RealFftPlanner::<f64>::new().plan_fft_forward(segment);
+    let mut input = fft.make_input_vec();
+    let mut output = fft.make_output_vec();
+    let mut density = vec![0.0; output.len()];
+    let mut segments = 0;
+    for part in x.windows(segment).step_by(segment / 2) {
+        let mean = part.iter().sum::<f64>() / segment as f64;
+        for ((v, x), w) in input.iter_mut().zip(part).zip(&window) {
+            *v = (x - mean) * w;
+        }
+        // It fails only on buffers of the wrong length, and these are its own.
+        if fft.process(&mut input, &mut output).is_err() {
+            return Err(SpectrumError::BadSegment {
+                segment,
+                samples: x.len(),
+            });
+        }
+        for (p, c) in density.iter_mut().zip(&output) {
+            *p += scale * c.norm_sqr();
+        }
+        segments += 1;
+    }
+
+    let nyquist = if segment.is_multiple_of(2) {
+        Some(density.len() - 1)
+    } else {
+        None
+    };
+    for (m, p) in density.iter_mut().enumerate() {
+        let sides = if m == 0 || Some(m) == nyquist {
+            1.0
+        } else {
+            2.0
+        };
+        *p *= sides / segments as f64;
+    }
+    let frequency = (0..density.len())
+        .map(|m| m as f64 * rate / segment as f64)
+        .collect();
+    Ok(Spectrum {
+        frequency,
+        density,
+        segments,
+    })
+}
+
+/// The periodic Hann window of length `n`.
+fn hann(n: usize) -> Vec<f64> {
+    (0..n)
+        .map(|i| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2))
+        .collect()
+}
+
+/// The rows of `run` that are evenly spaced samples, and their rate [Hz].
+///
+/// A last row that the end of the run put between two samples is left out.
+/// Errors: [`SpectrumError::TooShort`], [`SpectrumError::Uneven`].
+pub fn uniform_samples(run: &Trajectory) -> Result<(Vec<usize>, f64), SpectrumError> {
+    let mut rows: Vec<usize> = run.samples().collect();
+    if rows.len() < 4 {
+        return Err(SpectrumError::TooShort {
+            samples: rows.len(),
+        });
+    }
+    let expected = run.t[rows[1]] - run.t[rows[0]];
+    let step = |pair: &[usize]| run.t[pair[1]] - run.t[pair[0]];
+    // Times far from zero carry rounding errors larger than any fixed fraction of a step.
+    let even = |step: f64, t: f64| {
+        (step - expected).abs() <= 1e-6 * expected + 4.0 * f64::EPSILON * t.abs()
+    };
+    if let [.., a, b] = rows[..]
+        && !even(step(&[a, b]), run.t[b])
+    {
+        rows.pop();
+    }
+    if let Some(pair) = rows
+        .windows(2)
+        .find(|pair| !even(step(pair), run.t[pair[1]]))
+    {
+        return Err(SpectrumError::Uneven {
+            t: run.t[pair[1]],
+            step: step(pair),
+            expected,
+        });
+    }
+    let duration = run.t[rows[rows.len() - 1]] - run.t[rows[0]];
+    Ok((rows.clone(), (rows.len() - 1) as f64 / duration))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,198 @@
+//! The folder a run writes to: every file whole, or not there at all.
+
+use std::io::{self, BufWriter, Write};
+use std::path::{Component, Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use super::OutputError;
+
+/// What a file is written to: buffered, and on its way to its final name.
+pub type Sink<'a> = &'a mut (dyn Write + Send);
+
+/// An output folder and the files written to it so far.
+#[derive(Debug)]
+pub struct OutputFolder {
+    path: PathBuf,
+    files: Vec<String>,
+}
+
+impl OutputFolder {
+    /// Opens the folder at `path`, creating it and its parents where missing.
+    ///
+    /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`].
+    pub fn create(path: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        let path = path.into();
+        if path.exists() && !path.is_dir() {
+            return Err(OutputError::NotAFolder { path });
+        }
+        create_folder(&path)?;
+        Ok(OutputFolder {
+            path,
+            files: vec![],
+        })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Names of the files written, relative to the folder, in the order of writing.
+    pub fn files(&self) -> &[String] {
+        &self.files
+    }
+
+    /// Writes the file `name` (it may name a subfolder: `plots/energy.svg`) with `fill`.
+    ///
+    /// `fill` writes to a temporary file in the same folder, which takes the final name only once it is complete
+    /// and on the disk. If anything fails, an older file of that name stays as it was.
+    ///
+    /// Errors: those of `fill`; [`OutputError::BadName`], [`OutputError::CreateFolder`], [`OutputError::Write`].
+    pub fn write(
+        &mut self,
+        name: &str,
+        fill: impl FnOnce(Sink<'_>) -> Result<(), OutputError>,
+    ) -> Result<(), OutputError> {
+        let path = self.resolve(name)?;
+        let folder = path.parent().unwrap_or(&self.path);
+        create_folder(folder)?;
+        let failed = |source: io::Error| OutputError::Write {
+            path: path.clone(),
+            source,
+        };
+
+        let mut sink = BufWriter::new(temporary_in(folder).map_err(failed)?);
+        fill(&mut sink).map_err(|e| e.at(&path))?;
+        let file = sink.into_inner().map_err(|e| failed(e.into_error()))?;
+        // Without this a crash of the machine may leave the final name on an empty file.
+        file.as_file().sync_all().map_err(failed)?;
+        file.persist(&path).map_err(|e| failed(e.error))?;
+
+        if !self.files.iter().any(|f| f == name) {
+            self.files.push(name.to_owned());
+        }
+        Ok(())
+    }
+
+    /// Writes the file `name` with the given content. Errors: as [`OutputFolder::write`].
+    pub fn write_bytes(&mut self, name: &str, content: &[u8]) -> Result<(), OutputError> {
+        self.write(name, |sink| Ok(sink.write_all(content)?))
+    }
+
+    /// The full path of `name`, which must stay inside the folder.
+    fn resolve(&self, name: &str) -> Result<PathBuf, OutputError> {
+        let inside = Path::new(name)
+            .components()
+            .all(|c| matches!(c, Component::Normal(_)));
+        if name.is_empty() || !inside {
+            return Err(OutputError::BadName {
+                name: name.to_owned(),
+            });
+        }
+        Ok(self.path.join(name))
+    }
+}
+
+fn create_folder(path: &Path) -> Result<(), OutputError> {
+    std::fs::create_dir_all(path).map_err(|source| OutputError::CreateFolder {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// A temporary file that others may read once it has its final name, as far as the umask allows.
+fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".gearsim-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn files_are_written_and_listed() {
+        let root = tempfile::tempdir().unwrap();
+        let mut folder = OutputFolder::create(root.path().join("a/b")).unwrap();
+        folder.write_bytes("plots/energy.svg", b"<svg/>").unwrap();
+        folder.write_bytes("summary.json", b"1").unwrap();
+        folder.write_bytes("summary.json", b"2").unwrap();
+        assert_eq!(folder.files(), ["plots/energy.svg", "summary.json"]);
+        assert_eq!(
+            std::fs::read(folder.path().join("summary.json")).unwrap(),
+            b"2"
+        );
+        assert_eq!(names(folder.path()), ["plots", "summary.json"]);
+    }
+
+    #[test]
+    fn a_failing_writer_leaves_nothing_behind() {
+        let root = tempfile::tempdir().unwrap();
+        let mut folder = OutputFolder::create(root.path()).unwrap();
+        let fail = |sink: Sink<'_>| {
+            sink.write_all(b"half")?;
+            Err(OutputError::format("CSV", "stopped"))
+        };
+        assert!(folder.write("trajectory.csv", fail).is_err());
+        assert!(names(root.path()).is_empty());
+        assert!(folder.files().is_empty());
+
+        folder.write_bytes("trajectory.csv", b"whole").unwrap();
+        assert!(folder.write("trajectory.csv", fail).is_err());
+        assert_eq!(
+            std::fs::read(root.path().join("trajectory.csv")).unwrap(),
+            b"whole"
+        );
+        assert_eq!(names(root.path()), ["trajectory.csv"]);
+    }
+
+    #[test]
+    fn names_stay_inside() {
+        let root = tempfile::tempdir().unwrap();
+        let mut folder = OutputFolder::create(root.path()).unwrap();
+        for name in ["", "../x", "/etc/x", "a/../../x"] {
+            assert!(
+                matches!(
+                    folder.write_bytes(name, b""),
+                    Err(OutputError::BadName { .. })
+                ),
+                "{name}"
+            );
+        }
+    }
+
+    #[test]
+    fn errors_say_what_to_do() {
+        let root = tempfile::tempdir().unwrap();
+        let file = root.path().join("file");
+        std::fs::write(&file, "").unwrap();
+        let at = OutputFolder::create(&file).unwrap_err().to_string();
+        assert!(
+            at.contains("it is a file; choose another with --out"),
+            "{at}"
+        );
+        let below = OutputFolder::create(file.join("deeper"))
+            .unwrap_err()
+            .to_string();
+        assert!(
+            below.starts_with("cannot create folder") && below.contains("--out"),
+            "{below}"
+        );
+    }
+}

@@ -1,0 +1,272 @@
+//! Layout of a figure and its text as SVG: titles, then for each panel a row of legend, the frame and the curves.
+//!
+//! Legends stand above the frames, where they cover no data. Lengths are in SVG units (1/96 inch).
+
+use std::fmt::Write;
+
+use super::decimate::decimate;
+use super::figure::{Figure, Panel, Scale, Series, extremes};
+use super::ticks::Ruler;
+
+const WIDTH: f64 = 800.0;
+const LEFT: f64 = 84.0;
+const RIGHT: f64 = 22.0;
+const FRAME: f64 = WIDTH - LEFT - RIGHT;
+/// Height of the frame: of a single panel, of each of two, of each of more.
+const HEIGHTS: [f64; 3] = [400.0, 250.0, 190.0];
+const LEGEND_ROW: f64 = 19.0;
+const GAP: f64 = 14.0;
+const FONTS: &str = "'DejaVu Sans',Verdana,Helvetica,Arial,sans-serif";
+const TEXT: f64 = 13.0;
+const SMALL: f64 = 12.0;
+const SAMPLE: f64 = 34.0;
+
+/// The figure as SVG.
+pub fn draw(figure: &Figure) -> String {
+    let height = HEIGHTS[figure.panels.len().clamp(1, HEIGHTS.len()) - 1];
+    let mut y = 28.0;
+    let mut body = String::new();
+    text(
+        &mut body,
+        (LEFT, y),
+        "start",
+        16.0,
+        "font-weight=\"bold\"",
+        &figure.title,
+    );
+    if let Some(subtitle) = &figure.subtitle {
+        y += 19.0;
+        text(
+            &mut body,
+            (LEFT, y),
+            "start",
+            SMALL,
+            "fill=\"#555\"",
+            subtitle,
+        );
+    }
+    y += 10.0;
+
+    let x = figure
+        .panels
+        .iter()
+        .flat_map(|p| &p.series)
+        .flat_map(|s| s.x.iter().copied());
+    let x = Ruler::new(&figure.x, extremes(x), 10, 0.0);
+    for (i, panel) in figure.panels.iter().enumerate() {
+        let last = i + 1 == figure.panels.len();
+        y = legend(&mut body, panel, y);
+        frame(&mut body, panel, &x, last, y, height);
+        y += height + GAP;
+    }
+    y += 14.0;
+    text(
+        &mut body,
+        (LEFT + FRAME / 2.0, y + 10.0),
+        "middle",
+        TEXT,
+        "",
+        &x.label(&figure.x),
+    );
+    let total = y + 24.0;
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{total}\" \
+         viewBox=\"0 0 {WIDTH} {total}\" font-family=\"{FONTS}\" role=\"img\">\n<title>{}</title>\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{body}</svg>\n",
+        escape(&figure.title)
+    )
+}
+
+/// Names the curves above a frame, in as many rows as they need; returns where the frame begins.
+fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
+    let named: Vec<_> = panel
+        .series
+        .iter()
+        .filter(|s| !s.label.is_empty())
+        .collect();
+    if named.is_empty() {
+        return top + 4.0;
+    }
+    let (mut x, mut y) = (LEFT, top + 9.0);
+    for series in named {
+        let width = SAMPLE + 8.0 + SMALL * ems(&series.label) + 24.0;
+        if x > LEFT && x + width > LEFT + FRAME {
+            (x, y) = (LEFT, y + LEGEND_ROW);
+        }
+        polyline(out, &[(x, y), (x + SAMPLE, y)], series);
+        text(
+            out,
+            (x + SAMPLE + 8.0, y + 4.3),
+            "start",
+            SMALL,
+            "",
+            &series.label,
+        );
+        x += width;
+    }
+    y + 12.0
+}
+
+/// Draws the frame of a panel, with numbers at the x axis below the last one, its axes and its curves.
+fn frame(out: &mut String, panel: &Panel, x: &Ruler, last: bool, top: f64, height: f64) {
+    // Only what lies within the x axis may stretch the y axis.
+    let visible = |s: &Series, i: usize| (-1e-9..=1.0 + 1e-9).contains(&x.place(s.x[i]));
+    let logarithmic = panel.y.scale == Scale::Log10;
+    let values = panel.series.iter().flat_map(|s| {
+        (0..s.y.len())
+            .filter(|&i| visible(s, i))
+            .map(|i| s.y[i])
+            .filter(|&v| !logarithmic || v > 0.0)
+    });
+    let y = Ruler::new(&panel.y, extremes(values), (height / 32.0) as usize, 0.05);
+    let (bottom, right) = (top + height, LEFT + FRAME);
+
+    let mut grid = String::new();
+    let mut marks = String::new();
+    for (at, number) in x.ticks() {
+        let px = LEFT + at * FRAME;
+        let _ = write!(grid, "M{px:.1} {top:.1}V{bottom:.1}");
+        let _ = write!(marks, "M{px:.1} {bottom:.1}v-6M{px:.1} {top:.1}v6");
+        if last {
+            text(out, (px, bottom + 17.0), "middle", SMALL, "", &number);
+        }
+    }
+    for (at, number) in y.ticks() {
+        let py = bottom - at * height;
+        let _ = write!(grid, "M{LEFT} {py:.1}H{right}");
+        let _ = write!(marks, "M{LEFT} {py:.1}h6M{right} {py:.1}h-6");
+        text(out, (LEFT - 7.0, py + 4.3), "end", SMALL, "", &number);
+    }
+    for at in x.minor() {
+        let px = LEFT + at * FRAME;
+        let _ = write!(marks, "M{px:.1} {bottom:.1}v-3M{px:.1} {top:.1}v3");
+    }
+    for at in y.minor() {
+        let py = bottom - at * height;
+        let _ = write!(marks, "M{LEFT} {py:.1}h3M{right} {py:.1}h-3");
+    }
+    path(out, &grid, "stroke=\"#e4e4e4\" stroke-width=\"0.8\"");
+
+    // A nested picture clips without a name, which could clash where several figures stand on one page.
+    let _ = writeln!(
+        out,
+        "<svg x=\"{LEFT}\" y=\"{top:.1}\" width=\"{FRAME}\" height=\"{height}\" \
+         viewBox=\"{LEFT} {top:.1} {FRAME} {height}\">"
+    );
+    for series in &panel.series {
+        let points = series
+            .x
+            .iter()
+            .zip(&series.y)
+            .map(|(&vx, &vy)| (LEFT + x.place(vx) * FRAME, bottom - y.place(vy) * height));
+        curve(out, &points.collect::<Vec<_>>(), series);
+    }
+    out.push_str("</svg>\n");
+
+    path(out, &marks, "stroke=\"#222\" stroke-width=\"0.8\"");
+    let outline = format!("M{LEFT} {top:.1}H{right}V{bottom:.1}H{LEFT}Z");
+    path(out, &outline, "stroke=\"#222\" stroke-width=\"1\"");
+    let (cx, cy) = (20.0, top + height / 2.0);
+    let turn = format!("transform=\"rotate(-90 {cx} {cy:.1})\"");
+    text(out, (cx, cy), "middle", TEXT, &turn, &y.label(&panel.y));
+}
+
+/// Draws a curve given in pixels: without what is outside the frame, in one piece between gaps.
+fn curve(out: &mut String, points: &[(f64, f64)], series: &Series) {
+    let inside = |p: &(f64, f64)| (LEFT - 1.0..=LEFT + FRAME + 1.0).contains(&p.0);
+    let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
+    for piece in points.split(|p| !finite(p)) {
+        // One point more on either side, so that the line goes on to the edge.
+        let (Some(first), Some(last)) = (
+            piece.iter().position(inside),
+            piece.iter().rposition(inside),
+        ) else {
+            continue;
+        };
+        let piece = &piece[first.saturating_sub(1)..piece.len().min(last + 2)];
+        polyline(out, &decimate(piece), series);
+    }
+}
+
+fn polyline(out: &mut String, points: &[(f64, f64)], series: &Series) {
+    let style = series.style;
+    let mut line = String::with_capacity(14 * points.len());
+    for (x, y) in points {
+        // Far outside the frame rasterisers lose their accuracy.
+        let (x, y) = (x.clamp(-1e4, 1e4), y.clamp(-1e4, 1e4));
+        let _ = write!(line, "{x:.2},{y:.2} ");
+    }
+    let dashes = match style.dashes {
+        [] => String::new(),
+        lengths => {
+            let lengths: Vec<_> = lengths.iter().map(f64::to_string).collect();
+            format!(" stroke-dasharray=\"{}\"", lengths.join(" "))
+        }
+    };
+    let _ = writeln!(
+        out,
+        "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dashes}/>",
+        line.trim_end(),
+        style.colour,
+        style.width
+    );
+}
+
+fn path(out: &mut String, d: &str, style: &str) {
+    let _ = writeln!(out, "<path d=\"{d}\" fill=\"none\" {style}/>");
+}
+
+fn text(out: &mut String, at: (f64, f64), anchor: &str, size: f64, extra: &str, words: &str) {
+    let _ = writeln!(
+        out,
+        "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\" {extra}>{}</text>",
+        at.0,
+        at.1,
+        markup(words)
+    );
+}
+
+/// Width of `words` in units of the font size, a little too large rather than too small.
+fn ems(words: &str) -> f64 {
+    let width = |c: char| match c {
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '[' | ']'
+        | '\'' | '|' => 0.4,
+        'm' | 'w' | 'M' | 'W' | '=' | '+' | '−' | '<' | '>' => 0.95,
+        c if c.is_uppercase() => 0.76,
+        _ => 0.64,
+    };
+    words.chars().map(width).sum()
+}
+
+/// `ω_{d}` with its index set low; everything else as it is.
+fn markup(words: &str) -> String {
+    let mut out = String::new();
+    let mut rest = words;
+    while let Some((before, (index, after))) = rest
+        .split_once("_{")
+        .and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        let (before, index) = (escape(before), escape(index));
+        let _ = write!(
+            out,
+            "{before}<tspan dy=\"3\" font-size=\"10\">{index}</tspan>"
+        );
+        // What follows must come up again.
+        if let Some(next) = after.chars().next() {
+            let _ = write!(
+                out,
+                "<tspan dy=\"-3\">{}</tspan>",
+                escape(&next.to_string())
+            );
+        }
+        rest = &after[after.chars().next().map_or(0, char::len_utf8)..];
+    }
+    out + &escape(rest)
+}
+
+fn escape(words: &str) -> String {
+    words
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}

@@ -1,0 +1,86 @@
+//! The energy U = T + V - W, which only damping may change, and what makes it up.
+//!
+//! In the form of Oh, Grosh and Barber (2005), Fig. 3. A step of the curve is energy from nowhere; a level or falling
+//! one keeps the books. With one run U is drawn over what damping has left of U(0): the curves coincide where the
+//! residual is zero, which a panel of its own shows on its own scale.
+
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first, scenes};
+
+/// Its entry in the registry.
+pub const PLOT: Plot = Plot {
+    name: "energy",
+    doc: "total energy U = T + V - W against time, its parts, and the residual of the energy balance",
+    draw,
+};
+
+fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
+    let run = first(PLOT.name, runs)?;
+    let panels = if runs.len() == 1 {
+        alone(run)
+    } else {
+        overlaid(runs)
+    };
+    Ok(Figure {
+        title: "Energy".into(),
+        subtitle: Some(scenes(runs)),
+        x: Axis::linear("time t", "s"),
+        panels,
+    })
+}
+
+/// One run: U over U(0) less what damping took; the parts; the residual.
+fn alone(run: &Run<'_>) -> Vec<Panel> {
+    let recorded = run.trajectory;
+    let series = |index, label: &str, value: &dyn Fn(usize) -> f64| {
+        let y = (0..recorded.len()).map(value).collect();
+        Series::new(index, label, recorded.t.clone(), y)
+    };
+    let start = recorded.energy(0);
+    let (kinetic, strain) = (recorded.kinetic[0], recorded.strain[0]);
+    vec![
+        Panel {
+            y: Axis::linear("energy", "J"),
+            series: vec![
+                series(0, "U = T + V − W", &|i| recorded.energy(i)),
+                series(1, "U(0) − dissipated", &|i| {
+                    start - recorded.dissipated[i]
+                }),
+            ],
+        },
+        Panel {
+            y: Axis::linear("change", "J"),
+            series: vec![
+                series(0, "T − T(0), kinetic", &|i| recorded.kinetic[i] - kinetic),
+                series(1, "V − V(0), strain", &|i| recorded.strain[i] - strain),
+                series(2, "W, work of the torques", &|i| recorded.work[i]),
+            ],
+        },
+        Panel {
+            y: Axis::linear("residual", "J"),
+            series: vec![Series {
+                style: Style::PLAIN,
+                ..series(0, "", &|i| recorded.residual[i])
+            }],
+        },
+    ]
+}
+
+/// Several runs: U and the residual of each.
+fn overlaid(runs: &[Run<'_>]) -> Vec<Panel> {
+    let panel = |label: &str, value: &dyn Fn(&Run<'_>, usize) -> f64| Panel {
+        y: Axis::linear(label, "J"),
+        series: (runs.iter().enumerate())
+            .map(|(n, run)| {
+                let y = (0..run.trajectory.len()).map(|i| value(run, i)).collect();
+                Series::new(n, run.label, run.trajectory.t.clone(), y)
+            })
+            .collect(),
+    };
+    let mut residual = panel("residual", &|run, i| run.trajectory.residual[i]);
+    // The legend above holds for both.
+    residual.unnamed();
+    vec![
+        panel("energy U = T + V − W", &|run, i| run.trajectory.energy(i)),
+        residual,
+    ]
+}

@@ -1,0 +1,217 @@
+//! A figure: stacked panels of curves over a common x axis, as SVG or PNG.
+//!
+//! This is all that plots know of drawing. `canvas` lays it out; only this file knows the rasteriser.
+
+use std::sync::{Arc, LazyLock};
+
+use resvg::{tiny_skia, usvg};
+
+use super::{PlotError, canvas};
+
+/// Pixels of a PNG per unit of length of the SVG.
+const PNG_SCALE: f32 = 2.0;
+
+/// A figure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Title, above everything.
+    pub title: String,
+    /// A line below the title.
+    pub subtitle: Option<String>,
+    /// The x axis, common to all panels.
+    pub x: Axis,
+    /// The panels, from top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// One frame with its curves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// The y axis.
+    pub y: Axis,
+    /// The curves; later ones are drawn over earlier ones.
+    pub series: Vec<Series>,
+}
+
+impl Panel {
+    /// Takes the names off the curves, where another panel has them.
+    pub fn unnamed(&mut self) {
+        self.series
+            .iter_mut()
+            .for_each(|series| series.label.clear());
+    }
+}
+
+/// An axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// What it measures, e.g. `energy U`.
+    pub label: String,
+    /// The unit, e.g. `J`; empty for a plain number. A power of ten is put before it where that saves digits.
+    pub unit: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// Ends of the axis in data units; `None`: wherever the data end.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis as long as its data.
+    pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis {
+            label: label.into(),
+            unit: unit.into(),
+            scale: Scale::Linear,
+            range: None,
+        }
+    }
+
+    /// A logarithmic axis as long as its data. Values that have no logarithm leave gaps.
+    pub fn log10(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis {
+            scale: Scale::Log10,
+            ..Axis::linear(label, unit)
+        }
+    }
+
+    /// The same axis between `low` and `high`.
+    pub fn between(self, low: f64, high: f64) -> Self {
+        Axis {
+            range: Some((low, high)),
+            ..self
+        }
+    }
+}
+
+/// How values become lengths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their decimal logarithm.
+    Log10,
+}
+
+/// A curve. Where x or y is not finite it has a gap; equal x in a row are a jump, drawn upright.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Name in the legend; empty: not named.
+    pub label: String,
+    /// Abscissae, not decreasing (n).
+    pub x: Vec<f64>,
+    /// Ordinates (n).
+    pub y: Vec<f64>,
+    /// How it looks.
+    pub style: Style,
+}
+
+impl Series {
+    /// A curve in the `index`-th style.
+    pub fn new(index: usize, label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
+        Series {
+            label: label.into(),
+            x,
+            y,
+            style: Style::nth(index),
+        }
+    }
+}
+
+/// Colour, dashes and width of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Style {
+    /// CSS colour.
+    pub colour: &'static str,
+    /// Lengths of dashes and gaps; empty: solid.
+    pub dashes: &'static [f64],
+    /// Line width.
+    pub width: f64,
+}
+
+impl Style {
+    /// A thin solid black line, for a curve on its own.
+    pub const PLAIN: Style = Style {
+        colour: "#000000",
+        dashes: &[],
+        width: 1.3,
+    };
+
+    /// The `index`-th of a series of styles that differ in colour, to the colour-blind too, and in their dashes.
+    ///
+    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), dark ones first, yellow left out.
+    pub fn nth(index: usize) -> Self {
+        const COLOURS: [&str; 7] = [
+            "#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+        ];
+        const DASHES: [&[f64]; 5] = [
+            &[],
+            &[7.0, 3.0],
+            &[1.8, 4.0],
+            &[8.0, 2.5, 1.8, 2.5],
+            &[12.0, 4.0],
+        ];
+        Style {
+            colour: COLOURS[index % COLOURS.len()],
+            dashes: DASHES[index % DASHES.len()],
+            // The first is seen where others lie over it.
+            width: if index == 0 { 1.7 } else { 1.3 },
+        }
+    }
+}
+
+impl Figure {
+    /// The figure as SVG, self-contained but for the font. Errors: [`PlotError::Ragged`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        for series in self.panels.iter().flat_map(|p| &p.series) {
+            let (x, y) = (series.x.len(), series.y.len());
+            if x != y {
+                return Err(PlotError::Ragged {
+                    series: series.label.clone(),
+                    x,
+                    y,
+                });
+            }
+        }
+        Ok(canvas::draw(self))
+    }
+
+    /// The figure as PNG at twice the resolution of the SVG, its font included.
+    ///
+    /// Errors: [`PlotError::Ragged`], [`PlotError::Render`].
+    pub fn png(&self) -> Result<Vec<u8>, PlotError> {
+        let failed = |why: String| PlotError::Render {
+            title: self.title.clone(),
+            why,
+        };
+        let options = usvg::Options {
+            fontdb: FONTS.clone(),
+            font_family: "DejaVu Sans".into(),
+            ..usvg::Options::default()
+        };
+        let tree =
+            usvg::Tree::from_str(&self.svg()?, &options).map_err(|e| failed(e.to_string()))?;
+        let size = tree.size().to_int_size().scale_by(PNG_SCALE);
+        let pixels = size.and_then(|s| tiny_skia::Pixmap::new(s.width(), s.height()));
+        let mut pixels = pixels.ok_or_else(|| failed("it has no size".into()))?;
+        let scale = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
+        resvg::render(&tree, scale, &mut pixels.as_mut());
+        pixels.encode_png().map_err(|e| failed(e.to_string()))
+    }
+}
+
+/// Fonts of the program itself: what the system has installed must not change a picture.
+static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(dejavu::sans::regular().to_vec());
+    fonts.load_font_data(dejavu::sans::bold().to_vec());
+    Arc::new(fonts)
+});
+
+/// Smallest and largest finite value; `(inf, -inf)` if there is none.
+pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(v), high.max(v))
+        })
+}

@@ -1,0 +1,160 @@
+//! Plots of a recording with jumps: what must stand in them, and that bad data end in errors.
+
+use super::*;
+use crate::output::fixture::{MODEL, REFERENCE, oscillator};
+
+fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
+    Run {
+        label,
+        trajectory,
+        reference_frequency: Some(REFERENCE),
+        scene: "two_steps",
+    }
+}
+
+#[test]
+fn every_plot_names_what_it_shows() {
+    let recorded = oscillator(4000);
+    let expected: [(&str, &[&str]); 3] = [
+        (
+            "energy",
+            &["U = T + V − W", "dissipated", "residual [", "time t [s]"],
+        ),
+        (
+            "motion",
+            &["φ [rad]", "dφ/dt [rad/s]", "dθ/dt [", "time t [s]"],
+        ),
+        (
+            "spectrum",
+            &["PSD of φ [rad²/Hz]", "frequency ω/ω<tspan", "10⁻"],
+        ),
+    ];
+    for (name, words) in expected {
+        let figure = (find(name).unwrap().draw)(&[run("exact", &recorded)]).unwrap();
+        let svg = figure.svg().unwrap();
+        for word in words.iter().chain(&["two_steps"]) {
+            assert!(svg.contains(word), "{name}: no `{word}`");
+        }
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+        assert!(!svg.contains("<text x=\"84.0\" y=\"0"), "{name}");
+        let png = figure.png().unwrap();
+        assert_eq!(&png[1..4], b"PNG");
+    }
+}
+
+#[test]
+fn overlaid_runs_are_named_once() {
+    let (a, b) = (oscillator(4000), oscillator(3000));
+    for plot in PLOTS {
+        let svg = (plot.draw)(&[run("exact", &a), run("classical", &b)])
+            .unwrap()
+            .svg()
+            .unwrap();
+        assert_eq!(svg.matches(">classical<").count(), 1, "{}", plot.name);
+    }
+}
+
+#[test]
+fn a_long_run_stays_a_small_picture() {
+    let recorded = oscillator(300_000);
+    for plot in PLOTS {
+        let svg = (plot.draw)(&[run("exact", &recorded)])
+            .unwrap()
+            .svg()
+            .unwrap();
+        assert!(svg.len() < 1_000_000, "{}: {} bytes", plot.name, svg.len());
+    }
+}
+
+#[test]
+fn values_that_are_not_finite_leave_gaps() {
+    let mut recorded = oscillator(1000);
+    recorded.kinetic[300] = f64::NAN;
+    recorded.residual[500] = f64::INFINITY;
+    let svg = (energy::PLOT.draw)(&[run("exact", &recorded)])
+        .unwrap()
+        .svg()
+        .unwrap();
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+}
+
+#[test]
+fn there_is_an_error_for_what_cannot_be_drawn() {
+    let empty = Trajectory::new(&MODEL);
+    for plot in PLOTS {
+        assert!((plot.draw)(&[]).is_err());
+        assert!((plot.draw)(&[run("exact", &empty)]).is_err());
+    }
+    let mut ragged = oscillator(100);
+    ragged.strain.pop();
+    for plot in PLOTS {
+        assert!((plot.draw)(&[run("exact", &ragged)]).is_err());
+    }
+    let short = oscillator(3);
+    assert!(matches!(
+        (spectrum::PLOT.draw)(&[run("exact", &short)]),
+        Err(PlotError::Spectrum { .. })
+    ));
+    let message = find("spectra").unwrap_err().to_string();
+    assert_eq!(
+        message,
+        "there is no plot `spectra`; there are `energy`, `motion`, `spectrum`"
+    );
+    let series = Series::new(0, "odd", vec![0.0], vec![]);
+    let panel = Panel {
+        y: Axis::linear("y", "1"),
+        series: vec![series],
+    };
+    let x = Axis::linear("x", "1");
+    let figure = Figure {
+        title: String::new(),
+        subtitle: None,
+        x,
+        panels: vec![panel],
+    };
+    assert!(matches!(figure.svg(), Err(PlotError::Ragged { .. })));
+}
+
+/// Draws all plots into the folder `GEARSIM_LOOK`, to be looked at.
+#[test]
+#[ignore = "writes pictures to look at: GEARSIM_LOOK=folder cargo test -p gearsim look -- --ignored"]
+fn look() {
+    let folder = std::path::PathBuf::from(std::env::var_os("GEARSIM_LOOK").unwrap());
+    std::fs::create_dir_all(&folder).unwrap();
+    let exact = oscillator(2000);
+    let mut other = oscillator(2000);
+    for i in 0..other.len() {
+        let drift = 2e-2 * (other.t[i] / 8e-3).floor();
+        other.kinetic[i] += drift;
+        other.residual[i] += drift;
+        other.q[1][i] *= 1.2;
+    }
+    let (exact, other) = (
+        run("exact", &exact),
+        run("rigid kinematic, Eqs. (4), (5)", &other),
+    );
+    let third = Run {
+        label: "classical, Eq. (6)",
+        ..exact
+    };
+    let long = oscillator(200_000);
+    let long = run("exact", &long);
+    let plain = Run {
+        reference_frequency: None,
+        ..exact
+    };
+    for plot in PLOTS {
+        let cases: [(&str, &[Run<'_>]); 4] = [
+            ("long", &[long]),
+            ("one", &[exact]),
+            ("three", &[exact, other, third]),
+            ("plain", &[plain]),
+        ];
+        for (case, runs) in cases {
+            let figure = (plot.draw)(runs).unwrap();
+            let file = |end: &str| folder.join(format!("{}_{case}.{end}", plot.name));
+            std::fs::write(file("svg"), figure.svg().unwrap()).unwrap();
+            std::fs::write(file("png"), figure.png().unwrap()).unwrap();
+        }
+    }
+}
