@@ -1,0 +1,162 @@
+//! A linear cell: M q'' + C q' + K q = f with constant matrices, taken apart into modes once.
+//!
+//! K x = omega² M x gives mass-normalised shapes X with Xᵀ M X = 1; q = q_0 + X dxi, and each xi_i moves as a
+//! [`Mode`] with sigma_i = (Xᵀ C X)_ii / 2. Rigid-body modes (omega = 0) are exact: K has no part in them.
+
+use nalgebra::{Cholesky, SMatrix, SVector, SymmetricEigen, Const, ToTypenum, DimSub, U1, DimDiff, DefaultAllocator, allocator::Allocator};
+
+use crate::engine::equations::Equations;
+use crate::engine::error::Refusal;
+use crate::engine::mode::{Mode, Response};
+
+/// The modes of one cell.
+#[derive(Debug, Clone)]
+pub struct Cell<const N: usize> {
+    /// The modes, by rising frequency.
+    pub modes: [Mode; N],
+    /// Mode shapes X, one a column: q = X xi.
+    pub shapes: SMatrix<f64, N, N>,
+    /// Xᵀ M: modal speeds from speeds.
+    momentum: SMatrix<f64, N, N>,
+    /// Xᵀ K, zero in the rows of rigid modes: modal spring forces from coordinates.
+    springs: SMatrix<f64, N, N>,
+    /// Xᵀ f: modal loads.
+    load: SVector<f64, N>,
+}
+
+/// Frequencies below this fraction of the highest are rigid-body modes blurred by rounding.
+const RIGID: f64 = 1e-14;
+/// Largest damping between two modes, relative to that within them, taken for rounding.
+const COUPLED: f64 = 1e-10;
+
+impl<const N: usize> Cell<N>
+where
+    Const<N>: ToTypenum + DimSub<U1>,
+    DefaultAllocator: Allocator<DimDiff<Const<N>, U1>>,
+{
+    /// The cell of `equations` with law values `k`.
+    ///
+    /// # Errors
+    /// Where M is not positive definite, K is not positive semidefinite, or C couples the modes.
+    pub fn new(equations: &dyn Equations<N>, k: &[f64]) -> Result<Self, Refusal> {
+        let matrix = |rows: [[f64; N]; N]| SMatrix::<f64, N, N>::from_fn(|i, j| rows[i][j]);
+        let (m, c, stiffness) = (matrix(equations.mass()), matrix(equations.damping()), matrix(equations.stiffness(k)));
+        let load = SVector::from(equations.load());
+        if [&m, &c, &stiffness].iter().any(|a| a.iter().any(|x| !x.is_finite())) || load.iter().any(|x| !x.is_finite()) {
+            return Err(Refusal::Overflow);
+        }
+        // Scaled to a unit diagonal, so that inertias of any ratio keep their digits.
+        let scale = SMatrix::<f64, N, N>::from_diagonal(&m.diagonal().map(|d| 1.0 / d.sqrt()));
+        let l = Cholesky::new(scale * m * scale).ok_or(Refusal::Mass)?;
+        let inverse = l.l().solve_lower_triangular(&SMatrix::identity()).ok_or(Refusal::Mass)? * scale;
+        let a = inverse * stiffness * inverse.transpose();
+        let eigen = SymmetricEigen::new(0.5 * (a + a.transpose()));
+        let highest = eigen.eigenvalues.amax();
+        let mut order: [usize; N] = std::array::from_fn(|i| i);
+        order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+
+        let shapes = inverse.transpose() * SMatrix::from_fn(|i, j| eigen.eigenvectors[(i, order[j])]);
+        let damping = shapes.transpose() * c * shapes;
+        let mut springs = shapes.transpose() * stiffness;
+        let mut modes = [Mode::new(0.0, 0.0); N];
+        for i in 0..N {
+            let mut omega2 = eigen.eigenvalues[order[i]];
+            if omega2.abs() <= RIGID * highest {
+                omega2 = 0.0;
+                springs.row_mut(i).fill(0.0);
+            }
+            if omega2 < 0.0 {
+                return Err(Refusal::Unstable { omega2 });
+            }
+            let coupling = (0..N).filter(|&j| j != i).map(|j| damping[(i, j)].abs()).fold(0.0, f64::max);
+            if coupling > COUPLED * damping.diagonal().amax() {
+                return Err(Refusal::CoupledDamping { coupling: coupling / damping.diagonal().amax() });
+            }
+            // A rounding error's worth of damping is none: an undamped mode must keep its energy.
+            let sigma = 0.5 * damping[(i, i)];
+            modes[i] = Mode::new(if sigma.abs() <= 1e-15 * damping.diagonal().amax() { 0.0 } else { sigma }, omega2);
+        }
+        Ok(Cell { modes, momentum: shapes.transpose() * m, springs, load: shapes.transpose() * load, shapes })
+    }
+
+    /// The motion from the state (q, q') on, for as long as the cell lasts.
+    #[inline]
+    pub fn flight(&self, q: &SVector<f64, N>, q_dot: &SVector<f64, N>) -> Flight<'_, N> {
+        let speed = self.momentum * q_dot;
+        let force = self.load - self.springs * q;
+        Flight { cell: self, speed, force }
+    }
+
+    /// How the phase n.q follows the modes: n.X (N).
+    pub fn participation(&self, normal: &SVector<f64, N>) -> SVector<f64, N> {
+        self.shapes.transpose() * normal
+    }
+}
+
+/// The motion in a cell from a given state on.
+#[derive(Debug, Clone)]
+pub struct Flight<'a, const N: usize> {
+    cell: &'a Cell<N>,
+    /// Modal speeds at the start.
+    speed: SVector<f64, N>,
+    /// Modal forces g - omega² xi at the start.
+    force: SVector<f64, N>,
+}
+
+/// Where a flight has got to: modal increments and speeds.
+#[derive(Debug, Clone, Copy)]
+pub struct Point<const N: usize> {
+    /// xi(t) - xi(0).
+    pub moved: SVector<f64, N>,
+    /// xi'(t) - xi'(0).
+    pub gained: SVector<f64, N>,
+}
+
+impl<'a, const N: usize> Flight<'a, N> {
+    /// The modes that carry it.
+    pub fn modes(&self) -> &'a [Mode; N] {
+        &self.cell.modes
+    }
+
+    /// Modal speed and acceleration of mode `i` at the start, or at a `point` of the flight.
+    #[inline]
+    pub fn rates(&self, i: usize, point: Option<&Point<N>>) -> (f64, f64) {
+        let mode = &self.cell.modes[i];
+        let (moved, gained) = point.map_or((0.0, 0.0), |p| (p.moved[i], p.gained[i]));
+        let v = self.speed[i] + gained;
+        (v, self.force[i] - mode.omega2 * moved - 2.0 * mode.sigma * v)
+    }
+
+    /// The modes after the time `t` [s].
+    #[inline]
+    pub fn at(&self, t: f64) -> Point<N> {
+        let mut point = Point { moved: SVector::zeros(), gained: SVector::zeros() };
+        for i in 0..N {
+            let Mode { sigma, omega2, .. } = self.cell.modes[i];
+            let Response { s1, s2 } = self.cell.modes[i].response(t);
+            let (v, f) = (self.speed[i], self.force[i]);
+            point.moved[i] = v * s1 + f * s2;
+            point.gained[i] = (f - 2.0 * sigma * v) * s1 - omega2 * v * s2;
+        }
+        point
+    }
+
+    /// Increments of q and q' at a point.
+    #[inline]
+    pub fn increments(&self, point: &Point<N>) -> (SVector<f64, N>, SVector<f64, N>) {
+        (self.cell.shapes * point.moved, self.cell.shapes * point.gained)
+    }
+
+    /// Energy lost to damping in the first `t` seconds [J], by integration of the speeds.
+    pub fn dissipated(&self, t: f64) -> f64 {
+        let mut lost = 0.0;
+        for i in 0..N {
+            let mode = &self.cell.modes[i];
+            if mode.sigma > 0.0 {
+                let (v, a) = self.rates(i, None);
+                lost += 2.0 * mode.sigma * mode.speed_squared(v, a, t);
+            }
+        }
+        lost
+    }
+}

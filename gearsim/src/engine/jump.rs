@@ -1,0 +1,60 @@
+//! What the speeds do at a step of a stiffness: Eqs. (9), (11) of Oh, Grosh & Barber (2005), in any number of coordinates.
+//!
+//! v = n.q' is the normal speed, G = n.M⁻¹n, dV the step of potential energy at the same q:
+//! v+² = v² - 2 G dV; transmitted with q'+ = q' + (M⁻¹n/G)(v+ - v) where that is >= 0, else reflected with v+ = -v.
+//! One number decides. Equality transmits, with v+ = 0.
+
+use nalgebra::SVector;
+
+use crate::engine::equations::Equations;
+
+/// What happened at a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Passage {
+    /// The motion went on into the next cell.
+    Transmitted,
+    /// The energy did not suffice: the motion turned back.
+    Reflected,
+}
+
+/// The geometry of one law's steps, constant through a run.
+#[derive(Debug, Clone)]
+pub struct Surface<const N: usize> {
+    /// n, gradient of the phase (N).
+    pub normal: SVector<f64, N>,
+    /// G = n.M⁻¹n.
+    pub compliance: f64,
+    /// M⁻¹n / G (N).
+    pub direction: SVector<f64, N>,
+    /// Index of the law.
+    pub law: usize,
+}
+
+impl<const N: usize> Surface<N> {
+    /// The surface of law `law`.
+    pub fn new(equations: &dyn Equations<N>, law: usize) -> Self {
+        Surface {
+            normal: SVector::from(equations.normal(law)),
+            compliance: equations.compliance(law),
+            direction: SVector::from(equations.direction(law)),
+            law,
+        }
+    }
+
+    /// Changes the speeds at a step of the law by `dk`.
+    pub fn pass(&self, equations: &dyn Equations<N>, q: &[f64; N], q_dot: &mut SVector<f64, N>, dk: f64) -> Passage {
+        let v = self.normal.dot(q_dot);
+        let lost = 2.0 * self.compliance * equations.step(self.law, q, dk);
+        let square = v * v - lost;
+        if square < 0.0 {
+            *q_dot += self.direction * (-2.0 * v);
+            return Passage::Reflected;
+        }
+        // v+ - v without cancellation; v+ + v has no other sign than v.
+        let after = square.sqrt();
+        if after > 0.0 || v != 0.0 {
+            *q_dot += self.direction * (v.signum() * -lost / (after + v.abs()));
+        }
+        Passage::Transmitted
+    }
+}

@@ -1,0 +1,82 @@
+//! Where a stiffness law stands in its pitch: the cell is state, not computed from the angle, and the angle is kept as
+//! a count of pitches and a remainder, so that a billion revolutions cost no digits.
+
+use crate::engine::crossing::Side;
+use crate::scene::Stiffness;
+
+/// One law's pitch: boundaries and levels.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pitch {
+    /// Boundaries b_0 = 0 < b_1 < ... < b_m = period.
+    boundaries: Vec<f64>,
+    /// Level between b_i and b_{i+1}.
+    levels: Vec<f64>,
+}
+
+impl Pitch {
+    /// The pitch of a stiffness with the given period.
+    pub fn new(stiffness: &Stiffness, period: f64) -> Self {
+        let mut boundaries = vec![0.0];
+        let mut end = 0.0;
+        for step in &stiffness.steps[..stiffness.steps.len() - 1] {
+            end += step.width;
+            boundaries.push(end);
+        }
+        boundaries.push(period);
+        Pitch { boundaries, levels: stiffness.steps.iter().map(|s| s.value).collect() }
+    }
+
+    /// One level throughout: for a law that does not step.
+    pub fn constant(value: f64, period: f64) -> Self {
+        Pitch { boundaries: vec![0.0, period], levels: vec![value] }
+    }
+
+    /// Length of the pitch.
+    pub fn period(&self) -> f64 {
+        self.boundaries[self.levels.len()]
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Stiffness in a cell.
+    pub fn level(&self, cell: usize) -> f64 {
+        self.levels[cell]
+    }
+
+    /// Lower and upper boundary of a cell.
+    pub fn bounds(&self, cell: usize) -> (f64, f64) {
+        (self.boundaries[cell], self.boundaries[cell + 1])
+    }
+
+    /// Pitch count, remainder and cell of an absolute phase that moves on at `speed`. On a boundary the motion
+    /// decides: the cell is the one it moves into, the upper one at rest.
+    pub fn locate(&self, phase: f64, speed: f64) -> (i64, f64, usize) {
+        let period = self.period();
+        let mut count = (phase / period).floor() as i64;
+        let mut rest = phase.rem_euclid(period);
+        if rest >= period {
+            (count, rest) = (count + 1, 0.0);
+        }
+        let mut cell = self.boundaries[1..].iter().position(|&b| rest < b).unwrap_or(self.cells() - 1);
+        if rest == self.boundaries[cell] && speed < 0.0 {
+            if cell == 0 {
+                (count, rest, cell) = (count - 1, period, self.cells());
+            }
+            cell -= 1;
+        }
+        (count, rest, cell)
+    }
+
+    /// The neighbour of `cell` beyond a side: its index, the remainder on entering it, and the change of the count.
+    pub fn beyond(&self, cell: usize, side: Side) -> (usize, f64, i64) {
+        match side {
+            Side::Upper if cell + 1 == self.cells() => (0, 0.0, 1),
+            Side::Upper => (cell + 1, self.boundaries[cell + 1], 0),
+            Side::Lower if cell == 0 => (self.cells() - 1, self.period(), -1),
+            Side::Lower => (cell - 1, self.boundaries[cell], 0),
+        }
+    }
+}
