@@ -1,0 +1,410 @@
+//! What the precise engine is held to: closed forms, other precisions, the hand-written solver, energy.
+
+use dashu_float::{FBig, round::mode};
+
+use super::cell::{Law, Mode, Motion};
+use super::crossing::first_crossing_with;
+use super::number::{Real, Scalar};
+use super::{first_crossing, scene};
+use crate::oh2005::{GearPair, State};
+
+type Dashu = FBig<mode::HalfAway, 2>;
+
+/// A deterministic sequence of numbers in 0..1.
+pub struct Noise(pub u64);
+
+impl Noise {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        let mixed = (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
+        (mixed >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+#[test]
+fn elementary_functions_agree_with_those_of_dashu() {
+    let mut noise = Noise(1);
+    for exponent in [-60, -20, -3, 0, 2, 5, 9] {
+        for _ in 0..20 {
+            let x = (noise.next() - 0.5) * 2f64.powi(exponent);
+            let real = Real::<256>::exact(x);
+            let dashu = Dashu::try_from(x).unwrap().with_precision(300).value();
+            let (sin, cos) = real.sine_cosine();
+            let square_root = real.abs().root();
+            let pairs = [
+                (real.exponential(), dashu.exp()),
+                (sin, dashu.sin()),
+                (cos, dashu.cos()),
+                (
+                    square_root.clone(),
+                    Dashu::try_from(x.abs())
+                        .unwrap()
+                        .with_precision(300)
+                        .value()
+                        .sqrt(),
+                ),
+                (
+                    Real::exact(1.0) / real.clone(),
+                    Dashu::try_from(1.0).unwrap().with_precision(300).value() / &dashu,
+                ),
+                (square_root * real.clone() - real, {
+                    let root = Dashu::try_from(x.abs())
+                        .unwrap()
+                        .with_precision(300)
+                        .value()
+                        .sqrt();
+                    root * &dashu - dashu
+                }),
+            ];
+            for (i, (ours, theirs)) in pairs.into_iter().enumerate() {
+                let relative = relative_difference(&ours, &theirs);
+                assert!(relative < 1e-70, "{i} at {x}: {relative}");
+            }
+        }
+    }
+}
+
+fn relative_difference(ours: &Real<256>, theirs: &Dashu) -> f64 {
+    // three numbers of 53 digits at a time until nothing is left
+    let (mut rest, mut other) = (ours.clone(), theirs.clone());
+    for _ in 0..6 {
+        let part = rest.approx();
+        rest = rest - Real::exact(part);
+        other -= Dashu::try_from(part).unwrap();
+    }
+    let left = (f64::try_from(other.to_f64().value()).unwrap() - rest.approx()).abs();
+    left / ours.approx().abs()
+}
+
+/// All dampings through critical, and stiffness down to none: xi satisfies its equation and starts where it should.
+#[test]
+fn responses_satisfy_their_equation() {
+    let mut noise = Noise(2);
+    for case in 0..400 {
+        let omega2 = if case % 5 == 0 {
+            0.0
+        } else {
+            10f64.powf(8.0 * noise.next() - 4.0)
+        };
+        let sigma = match case % 4 {
+            0 => 0.0,
+            1 => omega2.sqrt() * (1.0 + (noise.next() - 0.5) * 10f64.powf(-16.0 * noise.next())),
+            2 => omega2.sqrt() * noise.next(),
+            _ => 10f64.powf(6.0 * noise.next() - 3.0),
+        };
+        let t = 10f64.powf(4.0 * noise.next() - 3.0);
+        let law = Law::new(Real::<384>::exact(sigma), Real::exact(omega2));
+        let [x, v, g] = [0.0; 3].map(|_| Real::exact(noise.next() - 0.5));
+        let motion = Motion::new(law, g, x, v, Real::exact(1.0));
+        // the flow over t/3 and then 2t/3 is that over t
+        let t = Real::exact(t);
+        let (first, second) = (
+            t.clone() / Real::exact(3.0),
+            t.clone() - t.clone() / Real::exact(3.0),
+        );
+        let (x, v) = motion.state(&first);
+        let halfway = Motion::new(
+            motion.law.clone(),
+            motion.force.clone(),
+            x,
+            v,
+            Real::exact(1.0),
+        );
+        let [whole, parts] = [motion.state(&t), halfway.state(&second)];
+        let scale = whole.0.approx().abs() + 1.0;
+        assert!(
+            (whole.0 - parts.0).approx().abs() / scale < 1e-100,
+            "{sigma} {omega2} {}",
+            t.approx()
+        );
+        // xi(t + h) - xi(t - h) = 2 h xi' + O(h^3)
+        let h = Real::exact(2f64.powi(-100));
+        let ahead =
+            motion.state(&(t.clone() + h.clone())).0 - motion.state(&(t.clone() - h.clone())).0;
+        let slope = (ahead / h.scaled(1)) - motion.state(&t).1;
+        assert!(
+            slope.approx().abs() < 1e-30 * (1.0 + sigma * sigma + omega2).powi(2),
+            "{sigma} {omega2}"
+        );
+        // and f64 stays within the bounds claimed for it
+        let rounded = motion.rounded().state(&t.approx());
+        assert!(
+            (rounded.0 - motion.state(&t).0.approx()).abs() < 1e-10 * scale,
+            "{sigma} {omega2} {}",
+            t.approx()
+        );
+    }
+}
+
+fn mode(sigma: f64, omega2: f64, force: f64, x: f64, v: f64) -> Mode {
+    Mode {
+        sigma,
+        omega2,
+        force,
+        x,
+        v,
+        weight: 1.0,
+    }
+}
+
+#[test]
+fn known_crossings() {
+    // sin t = 1/2, free fall, first-order approach 1 - e^{-2 t} = 3/4
+    let cases = [
+        (
+            mode(0.0, 1.0, 0.0, 0.0, 1.0),
+            0.5,
+            std::f64::consts::FRAC_PI_6,
+        ),
+        (mode(0.0, 0.0, 2.0, 0.0, 0.0), 9.0, 3.0),
+        (mode(1.0, 0.0, 0.0, 0.0, 2.0), 0.75, 4f64.ln() / 2.0),
+    ];
+    for (mode, level, t) in cases {
+        let root = first_crossing(&[mode], level, 100.0).expect("a crossing");
+        assert!(
+            (root.t.0 - t).abs() < 1e-15 && !root.tangency,
+            "{root:?} {t}"
+        );
+    }
+    assert_eq!(first_crossing(&[cases[0].0], 1.0 + 1e-15, 1e4), None);
+    let touch = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, 1.0)], 1.0, 10.0).expect("a tangency");
+    assert!(
+        touch.tangency && (touch.t.0 - std::f64::consts::FRAC_PI_2).abs() < 1e-15,
+        "{touch:?}"
+    );
+    // critically damped t e^{-t} = 1/e at t = 1: touched within the rounding of the level alone
+    let e = (-1f64).exp();
+    assert!(first_crossing(&[mode(1.0, 1.0, 0.0, 0.0, 1.0)], e * (1.0 - 1e-15), 10.0).is_some());
+    assert!(first_crossing(&[mode(1.0, 1.0, 0.0, 0.0, 1.0)], e * (1.0 + 1e-15), 10.0).is_none());
+}
+
+#[test]
+fn starts_on_the_level() {
+    let leaving =
+        first_crossing(&[mode(0.0, 1.0, 0.0, 0.5, 1.0)], 0.5, 10.0).expect("beyond at once");
+    assert_eq!(leaving.t, (0.0, 0.0));
+    let returning = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, -1.0)], 0.0, 10.0)
+        .expect("back after half a turn");
+    assert!((returning.t.0 - std::f64::consts::PI).abs() < 1e-15);
+    assert_eq!(
+        first_crossing(&[mode(0.0, 0.0, -1.0, 0.0, 0.0)], 0.0, 10.0),
+        None
+    );
+}
+
+/// 1 - depth just above the crest of two modes: crossed if the crest is higher, missed if it is lower.
+#[test]
+fn grazing_to_every_depth() {
+    for k in 1..=30 {
+        for sign in [1.0, -1.0] {
+            // sin t - (1 - t) drifts up to the crest of sin at pi/2; the level is exact there to 2^-100
+            let depth = sign * 10f64.powi(-k);
+            let modes = [
+                mode(0.0, 1.0, 0.0, 0.0, 1.0),
+                Mode {
+                    weight: depth,
+                    ..mode(0.0, 0.0, 0.0, 1.0, 0.0)
+                },
+            ];
+            let found = first_crossing_with::<256>(&modes, 1.0, 3.0);
+            assert_eq!(found.root.is_some(), sign > 0.0, "{k} {sign}");
+            if let Some((t, tangency)) = found.root {
+                // 1 - sin t = depth
+                let expected = std::f64::consts::FRAC_PI_2 - 2.0 * (depth / 2.0).sqrt().asin();
+                assert!(
+                    !tangency && (t.approx() - expected).abs() < 2e-15,
+                    "{k}: {} {expected}",
+                    t.approx()
+                );
+            } else {
+                assert!(
+                    (found.near_miss / depth.abs() - 1.0).abs() < 0.02,
+                    "{k} {}",
+                    found.near_miss
+                );
+            }
+        }
+    }
+}
+
+/// Random cells of one to four modes, each with dense samples as a witness that nothing was passed over.
+#[test]
+fn random_cells_agree_across_precisions_and_with_samples() {
+    let mut noise = Noise(3);
+    let mut crossed = 0;
+    for case in 0..2000 {
+        let modes = random_cell(&mut noise, 1 + case % 4);
+        let level = modes.iter().map(|m| m.weight * m.x).sum::<f64>() + 2.0 * noise.next();
+        let [few, many] = [
+            first_crossing_with::<192>(&modes, level, 20.0).root,
+            first_crossing_with::<256>(&modes, level, 20.0)
+                .root
+                .map(|(t, tangency)| (t, tangency))
+                .map(|(t, b)| (narrow(&t), b)),
+        ];
+        assert_eq!(few.is_some(), many.is_some());
+        let rough: Vec<Motion<f64>> = modes.iter().map(Motion::from).collect();
+        let gap = |t: f64| level - rough.iter().map(|m| m.weight * m.state(&t).0).sum::<f64>();
+        let until = few.as_ref().map_or(20.0, |(t, _)| t.approx());
+        for i in 1..400 {
+            let t = until * f64::from(i) / 400.0;
+            assert!(
+                gap(t) > -1e-11,
+                "{case}: gap {} at {t} before {until}",
+                gap(t)
+            );
+        }
+        if let (Some((a, _)), Some((b, _))) = (few, many) {
+            crossed += 1;
+            let apart = (a.clone() - b).approx().abs();
+            assert!(apart <= 1e-44 * until.max(1e-3), "{case}: {apart}");
+            assert!(gap(until).abs() < 1e-11);
+        }
+    }
+    assert!(crossed > 500, "{crossed}");
+}
+
+/// A number of 256 digits in 192.
+fn narrow(x: &Real<256>) -> Real<192> {
+    let (mut rest, mut sum) = (x.clone(), Real::exact(0.0));
+    for _ in 0..5 {
+        let part = rest.approx();
+        rest = rest - Real::exact(part);
+        sum = sum + Real::exact(part);
+    }
+    sum
+}
+
+fn random_cell(noise: &mut Noise, n: usize) -> Vec<Mode> {
+    let each = |i: usize| {
+        let omega2 = if i == 0 && noise.next() < 0.5 {
+            0.0
+        } else {
+            10f64.powf(4.0 * noise.next() - 1.0)
+        };
+        let damping = if noise.next() < 0.3 {
+            0.0
+        } else {
+            10f64.powf(4.0 * noise.next() - 3.0)
+        };
+        let sigma = damping * omega2.sqrt();
+        let mut even = || 2.0 * noise.next() - 1.0;
+        let force = even() * omega2;
+        Mode {
+            sigma,
+            omega2,
+            force,
+            x: even(),
+            v: even() * omega2.sqrt().max(0.3),
+            weight: even(),
+        }
+    };
+    (0..n).map(each).collect()
+}
+
+fn distance(a: &State, b: &State) -> f64 {
+    let each = |x: f64, y: f64, scale: f64| (x - y).abs() / scale;
+    each(a.theta, b.theta, b.theta.abs())
+        .max(each(a.theta_dot, b.theta_dot, b.theta_dot.abs()))
+        .max(each(a.phi, b.phi, 1e-2))
+        .max(each(a.phi_dot, b.phi_dot, 1e2))
+}
+
+#[test]
+fn hand_written_solver_and_two_precisions_agree_on_the_scenes_of_the_paper() {
+    for (rpm, zeta) in [(300.0, 0.1), (600.0, 0.05), (4500.0, 0.05)] {
+        for t_end in [0.1, 0.5] {
+            let pair = GearPair::paper(zeta, 10.0);
+            let start = pair.start(rpm);
+            let [few, many] = [50, 70].map(|digits| scene(&pair, &start, t_end, digits));
+            let plain = pair.solve(
+                start.theta,
+                start.theta_dot,
+                start.phi,
+                start.phi_dot,
+                t_end,
+            );
+            let of = |e: &super::scene::Event| (e.kind, e.cell_from, e.cell_to);
+            assert_eq!(
+                few.events.iter().map(of).collect::<Vec<_>>(),
+                many.events.iter().map(of).collect::<Vec<_>>()
+            );
+            let events = plain
+                .events
+                .iter()
+                .map(|e| (e.kind, e.cell_from, e.cell_to));
+            assert_eq!(
+                few.events.iter().map(of).collect::<Vec<_>>(),
+                events.collect::<Vec<_>>()
+            );
+            let end = &few.end;
+            let apart =
+                |a: (f64, f64), b: (f64, f64)| ((a.0 - b.0) + (a.1 - b.1)).abs() / b.0.abs();
+            assert!(
+                apart(end.theta, many.end.theta) < 1e-30
+                    && apart(end.phi_dot, many.end.phi_dot) < 1e-29
+            );
+            let state = State {
+                theta: end.theta.0,
+                theta_dot: end.theta_dot.0,
+                phi: end.phi.0,
+                phi_dot: end.phi_dot.0,
+            };
+            let error = distance(&plain.end, &state);
+            println!(
+                "{rpm} rpm, {t_end} s: {} events, hand-written solver off by {error:.1e}",
+                few.events.len()
+            );
+            assert!(error < 1e-11, "{rpm} {t_end}: {error}");
+        }
+    }
+}
+
+#[test]
+fn energy_is_kept_to_45_digits_without_damping() {
+    for (rpm, t0) in [(600.0, 10.0), (60.0, 10.0), (20.0, 30.0)] {
+        let pair = GearPair::paper(0.0, t0);
+        let run = scene(&pair, &pair.start(rpm), 0.2, 50);
+        println!(
+            "{rpm}: {} events, {} reflections, {:.1e}",
+            run.events.len(),
+            run.reflections,
+            run.energy_change
+        );
+        assert!(
+            run.energy_change.abs() < 1e-45,
+            "{rpm}: {}",
+            run.energy_change
+        );
+    }
+}
+
+/// `cargo test -p gearsim-tests -- --ignored --nocapture cost_of`
+#[test]
+#[ignore = "measures, proves nothing"]
+fn cost_of_cells_and_scenes() {
+    for n in [1, 2, 4, 16] {
+        let mut noise = Noise(4);
+        let cells: Vec<_> = (0..1000).map(|_| random_cell(&mut noise, n)).collect();
+        let clock = std::time::Instant::now();
+        let level = |c: &[Mode]| c.iter().map(|m| m.weight * m.x).sum::<f64>() + 1.0;
+        let crossed = cells
+            .iter()
+            .filter(|c| first_crossing(c, level(c), 20.0).is_some())
+            .count();
+        println!(
+            "{n} modes: {:.1} us a cell, {crossed} crossings of 1000",
+            clock.elapsed().as_secs_f64() * 1e3
+        );
+    }
+    for rpm in [300.0, 600.0, 4500.0] {
+        let pair = GearPair::paper(0.05, 10.0);
+        let clock = std::time::Instant::now();
+        let run = scene(&pair, &pair.start(rpm), 0.5, 50);
+        let each = clock.elapsed().as_secs_f64() * 1e6 / run.events.len() as f64;
+        println!("{rpm} rpm: {} events, {each:.1} us each", run.events.len());
+    }
+}
