@@ -8,8 +8,11 @@ pub mod cell;
 pub mod crossing;
 mod elementary;
 pub mod number;
+pub mod refine;
 mod rough;
 pub mod scene;
+#[cfg(test)]
+mod scene_tests;
 #[cfg(test)]
 mod tests;
 

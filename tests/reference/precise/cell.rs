@@ -72,6 +72,14 @@ impl<T: Scalar> Law<T> {
 
     /// The responses at time `t` \[s\].
     pub fn response(&self, t: &T) -> Response<T> {
+        if self.sigma.approx() == 0.0 && self.omega2.approx() == 0.0 || t.approx() == 0.0 {
+            let step = (t.clone() * t.clone()).scaled(-1);
+            return Response {
+                rate: T::exact(1.0),
+                impulse: t.clone(),
+                step,
+            };
+        }
         let (damping, stiffness) = (
             self.sigma.clone() * t.clone(),
             self.omega2.clone() * t.clone() * t.clone(),
@@ -194,9 +202,6 @@ pub struct Motion<T> {
     pub(super) push: T,
 }
 
-/// xi, xi', xi'', xi''' at one time.
-pub type Derivatives<T> = [T; 4];
-
 impl<T: Scalar> Motion<T> {
     /// A mode from state (x, v) under the force g.
     pub fn new(law: Law<T>, force: T, x: T, v: T, weight: T) -> Self {
@@ -222,14 +227,24 @@ impl<T: Scalar> Motion<T> {
         (x, self.v.clone() * rate + self.push.clone() * impulse)
     }
 
-    /// xi and its derivatives at time `t` \[s\].
-    pub fn at(&self, t: &T) -> Derivatives<T> {
+    /// The same motion with its time counted from `t` \[s\].
+    pub(super) fn moved(&self, t: &T) -> Self {
         let (x, v) = self.state(t);
-        let damping = self.law.sigma.scaled(1);
-        let a =
-            self.force.clone() - damping.clone() * v.clone() - self.law.omega2.clone() * x.clone();
-        let j = -(damping * a.clone()) - self.law.omega2.clone() * v.clone();
-        [x, v, a, j]
+        Self::new(
+            self.law.clone(),
+            self.force.clone(),
+            x,
+            v,
+            self.weight.clone(),
+        )
+    }
+
+    /// xi, xi', xi'' at time `t` \[s\].
+    pub fn at(&self, t: &T) -> [T; 3] {
+        let (x, v) = self.state(t);
+        let damped = (self.law.sigma.clone() * v.clone()).scaled(1);
+        let a = self.force.clone() - damped - self.law.omega2.clone() * x.clone();
+        [x, v, a]
     }
 }
 

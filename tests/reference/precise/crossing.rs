@@ -13,6 +13,7 @@
 
 use super::cell::{Law, Mode, Motion};
 use super::number::{Real, Scalar};
+use super::refine::Found;
 use super::rough::Rough;
 
 /// A first crossing.
@@ -32,8 +33,8 @@ pub struct Root {
 /// A first crossing with all digits, or none, and the near misses before.
 #[derive(Debug, Clone)]
 pub struct Crossing<const BITS: usize> {
-    /// time, whether it is a tangency
-    pub root: Option<(Real<BITS>, bool)>,
+    /// time, states, whether it is a tangency
+    pub root: Option<Found<BITS>>,
     /// see [`Root::near_miss`]
     pub near_miss: f64,
 }
@@ -66,11 +67,11 @@ pub struct Surface<'a, const BITS: usize> {
 
 impl<const BITS: usize> Surface<'_, BITS> {
     /// gap, gap', gap'' at time `t`, all digits.
-    fn exact(&self, t: &Real<BITS>) -> [Real<BITS>; 3] {
+    pub(super) fn exact(&self, t: &Real<BITS>) -> [Real<BITS>; 3] {
         let zero = || Real::exact(0.0);
         let mut sum = [self.level.clone(), zero(), zero()];
         for m in self.motions {
-            let [x, v, a, _] = m.at(t);
+            let [x, v, a] = m.at(t);
             for (sum, term) in sum.iter_mut().zip([x, v, a]) {
                 *sum = sum.clone() - m.weight.clone() * term;
             }
@@ -112,14 +113,12 @@ struct Search<'a, const BITS: usize> {
     near_miss: f64,
 }
 
-type Found<const BITS: usize> = Option<(Real<BITS>, bool)>;
-
 impl<const BITS: usize> Search<'_, BITS> {
-    fn run(&mut self, t_max: f64) -> Found<BITS> {
+    fn run(&mut self, t_max: f64) -> Option<Found<BITS>> {
         let start = self.surface.exact(&Real::exact(0.0));
         let leading = start.iter().find(|x| !x.is_zero());
         if leading.is_some_and(Real::is_negative) {
-            return Some((Real::exact(0.0), false));
+            return Some(self.surface.found(Real::exact(0.0), false));
         }
         if t_max <= 0.0 || self.rough.rises(t_max) {
             return None;
@@ -159,23 +158,23 @@ impl<const BITS: usize> Search<'_, BITS> {
     }
 
     /// The crossing in (a, b] of a gap that is positive just after a and crosses once if it is negative at b.
-    fn end(&mut self, a: f64, b: f64) -> Found<BITS> {
+    fn end(&mut self, a: f64, b: f64) -> Option<Found<BITS>> {
         let rough = self.rough.local(b);
         let below = match rough.gap[0] {
             g if g > rough.error[0] => false,
             g if g < -rough.error[0] => true,
             _ => self.surface.exact(&Real::exact(b))[0] <= Real::exact(0.0),
         };
-        below.then(|| (self.refine(a, Real::exact(b), None), false))
+        below.then(|| self.refine(a, Real::exact(b), None))
     }
 
     /// The crossing in (a, b] of a convex gap, positive just after a.
-    fn minimum(&mut self, a: f64, b: f64) -> Found<BITS> {
+    fn minimum(&mut self, a: f64, b: f64) -> Option<Found<BITS>> {
         let (mut left, mut right, mut t) = (a, b, 0.5 * (a + b));
         for _ in 0..60 {
             let at = self.rough.local(t);
             if at.gap[0] < -at.error[0] {
-                return Some((self.refine(a, Real::exact(t), None), false));
+                return Some(self.refine(a, Real::exact(t), None));
             }
             // a convex gap lies above its tangent
             let slope = at.gap[1].abs() + at.error[1];
@@ -205,7 +204,7 @@ impl<const BITS: usize> Search<'_, BITS> {
         self.exact_minimum(a, b, t)
     }
 
-    fn exact_minimum(&mut self, a: f64, b: f64, guess: f64) -> Found<BITS> {
+    fn exact_minimum(&mut self, a: f64, b: f64, guess: f64) -> Option<Found<BITS>> {
         let zero = Real::exact(0.0);
         let (mut left, mut right) = (Real::exact(a), Real::exact(b));
         if self.surface.exact(&left)[1] >= zero {
@@ -225,7 +224,7 @@ impl<const BITS: usize> Search<'_, BITS> {
                 } else {
                     t.clone() - near
                 };
-                return Some((self.refine(a, t, Some(start)), false));
+                return Some(self.refine(a, t, Some(start)));
             }
             if slope.is_negative() {
                 left = t.clone()
@@ -241,10 +240,10 @@ impl<const BITS: usize> Search<'_, BITS> {
             if change.is_zero() || change.magnitude() < t.magnitude() - digits / 2 - 10 {
                 let gap = self.surface.exact(&next)[0].clone();
                 if gap.magnitude() <= self.rough.magnitude() - digits {
-                    return Some((next, true));
+                    return Some(self.surface.found(next, true));
                 }
                 if gap.is_negative() {
-                    return Some((self.refine(a, next, None), false));
+                    return Some(self.refine(a, next, None));
                 }
                 self.near_miss = self.near_miss.min(gap.approx());
                 return None;
@@ -253,46 +252,9 @@ impl<const BITS: usize> Search<'_, BITS> {
         }
     }
 
-    /// The one crossing in (a, b\], gap(b) <= 0: bracketed Newton in `f64`, then in all digits.
-    fn refine(&self, a: f64, b: Real<BITS>, guess: Option<Real<BITS>>) -> Real<BITS> {
-        let mut t = guess.unwrap_or_else(|| Real::exact(self.rough.root(a, b.approx())));
-        let (mut left, mut right) = (Real::exact(a), b);
-        let digits = BITS as i64 - 16;
-        for _ in 0..4 * BITS {
-            if !(t > left && t <= right) {
-                t = (left.clone() + right.clone()).scaled(-1);
-            }
-            let [gap, slope, bend] = self.surface.exact(&t);
-            if gap.is_zero() {
-                return t;
-            }
-            if gap.is_negative() {
-                right = t.clone()
-            } else {
-                left = t.clone()
-            }
-            let width = right.clone() - left.clone();
-            if width.magnitude() < t.magnitude() - digits {
-                return t;
-            }
-            if slope.is_zero() {
-                t = right.clone() - width.scaled(-1);
-                continue;
-            }
-            let (bent, steep) = (bend.magnitude(), slope.magnitude());
-            let change = gap / slope;
-            let next = t.clone() - change.clone();
-            // the size of Newton's next change, taken not to be better than quadratic
-            let rest = 2 * change.magnitude() + (bent - steep).max(-t.magnitude());
-            if next > left && next <= right && rest < t.magnitude() - digits {
-                return next;
-            }
-            t = next;
-        }
-        panic!(
-            "Newton's iteration did not end between {a} and {}",
-            right.approx()
-        )
+    fn refine(&self, a: f64, b: Real<BITS>, guess: Option<Real<BITS>>) -> Found<BITS> {
+        let guess = guess.unwrap_or_else(|| Real::exact(self.rough.root(a, b.approx())));
+        self.surface.refine(&self.rough, a, b, guess)
     }
 }
 
@@ -349,10 +311,15 @@ pub fn first_crossing_with<const BITS: usize>(
 /// [`first_crossing_with`] 50 digits. Inputs are taken as the binary numbers that they are.
 pub fn first_crossing(modes: &[Mode], level: f64, t_max: f64) -> Option<Root> {
     let found = first_crossing_with::<192>(modes, level, t_max);
-    let (t, tangency) = found.root?;
+    let Found {
+        t,
+        tangency,
+        states,
+    } = found.root?;
     let slope = -modes
         .iter()
-        .map(|m| m.weight * Motion::from(m).state(&t.approx()).1)
+        .zip(states)
+        .map(|(m, (_, v))| m.weight * v.approx())
         .sum::<f64>();
     Some(Root {
         t: t.pair(),

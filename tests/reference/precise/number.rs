@@ -272,6 +272,16 @@ impl<const BITS: usize> PartialEq for Real<BITS> {
 
 impl<const BITS: usize> PartialOrd for Real<BITS> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        let apart =
+            self.m.sign() != other.m.sign() || (self.magnitude() - other.magnitude()).abs() > 1;
+        if apart && !self.is_zero() && !other.is_zero() {
+            let larger = self.m.sign() != other.m.sign() || self.magnitude() > other.magnitude();
+            return Some(if larger != self.is_negative() {
+                Ordering::Greater
+            } else {
+                Ordering::Less
+            });
+        }
         let difference = self.clone() - other.clone();
         Some(match (difference.is_zero(), difference.is_negative()) {
             (true, _) => Ordering::Equal,

@@ -37,6 +37,15 @@ impl Rough {
         scale.max(f64::MIN_POSITIVE).log2().ceil() as i64
     }
 
+    /// The greatest rate \[1/s\] of the modes.
+    pub(super) fn rate(&self) -> f64 {
+        let each = self
+            .motions
+            .iter()
+            .map(|m| 2.0 * m.law.sigma + m.law.omega2.sqrt());
+        each.fold(f64::MIN_POSITIVE, f64::max)
+    }
+
     pub(super) fn local(&self, t: f64) -> Local {
         let mut gap = [self.level, 0.0, 0.0];
         let mut error = [ROUNDING * self.level.abs(), 0.0, 0.0];
@@ -58,7 +67,8 @@ impl Rough {
     pub(super) fn third(&self, t: f64) -> f64 {
         let each = |m: &Motion<f64>| {
             let (sigma, omega2) = (m.law.sigma, m.law.omega2);
-            let [_, _, a, j] = m.at(&t);
+            let [_, v, a] = m.at(&t);
+            let j = -2.0 * sigma * a - omega2 * v;
             let [_, e1, e2] = errors(m, t);
             let (a, j) = (a.abs() + e2, j.abs() + 2.0 * sigma * e2 + omega2 * e1);
             m.weight.abs() * (j * j + omega2 * a * a).sqrt()

@@ -105,33 +105,36 @@ impl<const BITS: usize> Pair<BITS> {
         }
     }
 
-    /// theta as the first mode and phi as the second, weights as in theta = u t + ... + (M1/M2) phi.
+    /// theta = x + (M1/M2) y with x'' = 0 and y = phi - phi_0: the start is then on the end of a cell without rounding.
     fn modes(&self, side: usize, s: &Point<BITS>) -> [Motion<Real<BITS>>; 2] {
         let zero = || Real::exact(0.0);
-        let x = s.theta.clone() - self.ratio.clone() * s.phi.clone();
         let v = s.theta_dot.clone() - self.ratio.clone() * s.phi_dot.clone();
-        let push = self.m2.clone() * self.t0.clone();
+        let push = self.m2.clone() * (self.t0.clone() - self.k[side].clone() * s.phi.clone());
         let law = self.oscillator[side].clone();
         [
-            Motion::new(self.drift.clone(), zero(), x, v, Real::exact(1.0)),
             Motion::new(
-                law,
-                push,
-                s.phi.clone(),
-                s.phi_dot.clone(),
-                self.ratio.clone(),
+                self.drift.clone(),
+                zero(),
+                s.theta.clone(),
+                v,
+                Real::exact(1.0),
             ),
+            Motion::new(law, push, zero(), s.phi_dot.clone(), self.ratio.clone()),
         ]
     }
 
-    fn at(&self, modes: &[Motion<Real<BITS>>; 2], t: &Real<BITS>) -> Point<BITS> {
-        let ((x, v), (phi, phi_dot)) = (modes[0].state(t), modes[1].state(t));
-        let theta = x + self.ratio.clone() * phi.clone();
+    /// The point at which the modes are in `states`.
+    fn at(&self, from: &Point<BITS>, states: &[(Real<BITS>, Real<BITS>)]) -> Point<BITS> {
+        let [(x, v), (y, phi_dot)] = states else {
+            panic!("two modes")
+        };
+        let theta = x.clone() + self.ratio.clone() * y.clone();
+        let theta_dot = v.clone() + self.ratio.clone() * phi_dot.clone();
         Point {
             theta,
-            theta_dot: v + self.ratio.clone() * phi_dot.clone(),
-            phi,
-            phi_dot,
+            theta_dot,
+            phi: from.phi.clone() + y.clone(),
+            phi_dot: phi_dot.clone(),
         }
     }
 
@@ -198,7 +201,7 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
         let before = upper
             .root
             .as_ref()
-            .map_or(horizon, |(t, _)| t.approx() * (1.0 + 1e-15));
+            .map_or(horizon, |f| f.t.approx() * (1.0 + 1e-15));
         let lower = Surface {
             motions: &modes,
             level: Real::exact(0.0),
@@ -207,12 +210,13 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
         .first_crossing(before);
         near_miss = near_miss.min(upper.near_miss).min(lower.near_miss);
         let found = match (upper.root, lower.root) {
-            (Some(up), Some(low)) if up.0 < low.0 => Some((up, true)),
+            (Some(up), Some(low)) if up.t < low.t => Some((up, true)),
             (_, Some(low)) => Some((low, false)),
             (up, None) => up.map(|up| (up, true)),
         };
-        let Some(((dt, tangency), upwards)) = found.filter(|((t, _), _)| *t <= left) else {
-            s = p.at(&modes, &left);
+        let Some((found, upwards)) = found.filter(|(f, _)| f.t <= left) else {
+            let states = modes.each_ref().map(|m| m.state(&left));
+            s = p.at(&s, &states);
             let last = p.energy(here, &s);
             let change = ((last - first.clone()) / first).approx();
             let theta = (below(cell) + s.theta.clone()).pair();
@@ -237,11 +241,11 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
             };
         };
         assert!(
-            !tangency,
+            !found.tangency,
             "theta touches the end of cell {cell} without crossing it, to all digits"
         );
-        s = p.at(&modes, &dt);
-        t = t + dt;
+        s = p.at(&s, &found.states);
+        t = t + found.t;
         // jump, Eqs. (9), (11)
         let beyond = if upwards { cell + 1 } else { cell - 1 };
         let work = p.m2.clone()

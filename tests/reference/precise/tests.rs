@@ -4,9 +4,9 @@ use dashu_float::{FBig, round::mode};
 
 use super::cell::{Law, Mode, Motion};
 use super::crossing::first_crossing_with;
+use super::first_crossing;
 use super::number::{Real, Scalar};
-use super::{first_crossing, scene};
-use crate::oh2005::{GearPair, State};
+use super::refine::Found;
 
 type Dashu = FBig<mode::HalfAway, 2>;
 
@@ -75,7 +75,7 @@ fn relative_difference(ours: &Real<256>, theirs: &Dashu) -> f64 {
         rest = rest - Real::exact(part);
         other -= Dashu::try_from(part).unwrap();
     }
-    let left = (f64::try_from(other.to_f64().value()).unwrap() - rest.approx()).abs();
+    let left = (other.to_f64().value() - rest.approx()).abs();
     left / ours.approx().abs()
 }
 
@@ -211,7 +211,7 @@ fn grazing_to_every_depth() {
             ];
             let found = first_crossing_with::<256>(&modes, 1.0, 3.0);
             assert_eq!(found.root.is_some(), sign > 0.0, "{k} {sign}");
-            if let Some((t, tangency)) = found.root {
+            if let Some(Found { t, tangency, .. }) = found.root {
                 // 1 - sin t = depth
                 let expected = std::f64::consts::FRAC_PI_2 - 2.0 * (depth / 2.0).sqrt().asin();
                 assert!(
@@ -238,17 +238,14 @@ fn random_cells_agree_across_precisions_and_with_samples() {
     for case in 0..2000 {
         let modes = random_cell(&mut noise, 1 + case % 4);
         let level = modes.iter().map(|m| m.weight * m.x).sum::<f64>() + 2.0 * noise.next();
-        let [few, many] = [
-            first_crossing_with::<192>(&modes, level, 20.0).root,
-            first_crossing_with::<256>(&modes, level, 20.0)
-                .root
-                .map(|(t, tangency)| (t, tangency))
-                .map(|(t, b)| (narrow(&t), b)),
-        ];
+        let few = first_crossing_with::<192>(&modes, level, 20.0).root;
+        let many = first_crossing_with::<256>(&modes, level, 20.0)
+            .root
+            .map(|f| narrow(&f.t));
         assert_eq!(few.is_some(), many.is_some());
         let rough: Vec<Motion<f64>> = modes.iter().map(Motion::from).collect();
         let gap = |t: f64| level - rough.iter().map(|m| m.weight * m.state(&t).0).sum::<f64>();
-        let until = few.as_ref().map_or(20.0, |(t, _)| t.approx());
+        let until = few.as_ref().map_or(20.0, |f| f.t.approx());
         for i in 1..400 {
             let t = until * f64::from(i) / 400.0;
             assert!(
@@ -257,7 +254,7 @@ fn random_cells_agree_across_precisions_and_with_samples() {
                 gap(t)
             );
         }
-        if let (Some((a, _)), Some((b, _))) = (few, many) {
+        if let (Some(Found { t: a, .. }), Some(b)) = (few, many) {
             crossed += 1;
             let apart = (a.clone() - b).approx().abs();
             assert!(apart <= 1e-44 * until.max(1e-3), "{case}: {apart}");
@@ -305,87 +302,10 @@ fn random_cell(noise: &mut Noise, n: usize) -> Vec<Mode> {
     (0..n).map(each).collect()
 }
 
-fn distance(a: &State, b: &State) -> f64 {
-    let each = |x: f64, y: f64, scale: f64| (x - y).abs() / scale;
-    each(a.theta, b.theta, b.theta.abs())
-        .max(each(a.theta_dot, b.theta_dot, b.theta_dot.abs()))
-        .max(each(a.phi, b.phi, 1e-2))
-        .max(each(a.phi_dot, b.phi_dot, 1e2))
-}
-
-#[test]
-fn hand_written_solver_and_two_precisions_agree_on_the_scenes_of_the_paper() {
-    for (rpm, zeta) in [(300.0, 0.1), (600.0, 0.05), (4500.0, 0.05)] {
-        for t_end in [0.1, 0.5] {
-            let pair = GearPair::paper(zeta, 10.0);
-            let start = pair.start(rpm);
-            let [few, many] = [50, 70].map(|digits| scene(&pair, &start, t_end, digits));
-            let plain = pair.solve(
-                start.theta,
-                start.theta_dot,
-                start.phi,
-                start.phi_dot,
-                t_end,
-            );
-            let of = |e: &super::scene::Event| (e.kind, e.cell_from, e.cell_to);
-            assert_eq!(
-                few.events.iter().map(of).collect::<Vec<_>>(),
-                many.events.iter().map(of).collect::<Vec<_>>()
-            );
-            let events = plain
-                .events
-                .iter()
-                .map(|e| (e.kind, e.cell_from, e.cell_to));
-            assert_eq!(
-                few.events.iter().map(of).collect::<Vec<_>>(),
-                events.collect::<Vec<_>>()
-            );
-            let end = &few.end;
-            let apart =
-                |a: (f64, f64), b: (f64, f64)| ((a.0 - b.0) + (a.1 - b.1)).abs() / b.0.abs();
-            assert!(
-                apart(end.theta, many.end.theta) < 1e-30
-                    && apart(end.phi_dot, many.end.phi_dot) < 1e-29
-            );
-            let state = State {
-                theta: end.theta.0,
-                theta_dot: end.theta_dot.0,
-                phi: end.phi.0,
-                phi_dot: end.phi_dot.0,
-            };
-            let error = distance(&plain.end, &state);
-            println!(
-                "{rpm} rpm, {t_end} s: {} events, hand-written solver off by {error:.1e}",
-                few.events.len()
-            );
-            assert!(error < 1e-11, "{rpm} {t_end}: {error}");
-        }
-    }
-}
-
-#[test]
-fn energy_is_kept_to_45_digits_without_damping() {
-    for (rpm, t0) in [(600.0, 10.0), (60.0, 10.0), (20.0, 30.0)] {
-        let pair = GearPair::paper(0.0, t0);
-        let run = scene(&pair, &pair.start(rpm), 0.2, 50);
-        println!(
-            "{rpm}: {} events, {} reflections, {:.1e}",
-            run.events.len(),
-            run.reflections,
-            run.energy_change
-        );
-        assert!(
-            run.energy_change.abs() < 1e-45,
-            "{rpm}: {}",
-            run.energy_change
-        );
-    }
-}
-
 /// `cargo test -p gearsim-tests -- --ignored --nocapture cost_of`
 #[test]
 #[ignore = "measures, proves nothing"]
-fn cost_of_cells_and_scenes() {
+fn cost_of_cells() {
     for n in [1, 2, 4, 16] {
         let mut noise = Noise(4);
         let cells: Vec<_> = (0..1000).map(|_| random_cell(&mut noise, n)).collect();
@@ -399,12 +319,5 @@ fn cost_of_cells_and_scenes() {
             "{n} modes: {:.1} us a cell, {crossed} crossings of 1000",
             clock.elapsed().as_secs_f64() * 1e3
         );
-    }
-    for rpm in [300.0, 600.0, 4500.0] {
-        let pair = GearPair::paper(0.05, 10.0);
-        let clock = std::time::Instant::now();
-        let run = scene(&pair, &pair.start(rpm), 0.5, 50);
-        let each = clock.elapsed().as_secs_f64() * 1e6 / run.events.len() as f64;
-        println!("{rpm} rpm: {} events, {each:.1} us each", run.events.len());
     }
 }
