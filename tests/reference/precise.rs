@@ -7,9 +7,14 @@
 pub mod cell;
 pub mod crossing;
 mod elementary;
+mod judge;
 pub mod number;
+#[cfg(test)]
+mod number_tests;
 pub mod refine;
 mod rough;
+#[cfg(test)]
+mod rough_tests;
 pub mod scene;
 #[cfg(test)]
 mod scene_tests;

@@ -12,6 +12,7 @@
 //! bound on their rounding; where that bound leaves the decision open, they are calculated in `BITS` digits.
 
 use super::cell::{Law, Mode, Motion};
+use super::judge::{Local, Verdict, judge};
 use super::number::{Real, Scalar};
 use super::refine::Found;
 use super::rough::Rough;
@@ -37,22 +38,6 @@ pub struct Crossing<const BITS: usize> {
     pub root: Option<Found<BITS>>,
     /// see [`Root::near_miss`]
     pub near_miss: f64,
-}
-
-/// gap, gap', gap'' at one time and bounds on their errors.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Local {
-    pub(super) gap: [f64; 3],
-    pub(super) error: [f64; 3],
-}
-
-/// What a piece was shown to be.
-enum Verdict {
-    Positive,
-    Falling,
-    Convex,
-    Concave,
-    Open,
 }
 
 /// The gap of one surface.
@@ -258,29 +243,11 @@ impl<const BITS: usize> Search<'_, BITS> {
     }
 }
 
-/// What the Taylor form at the midpoint of a piece of half width `r` shows.
-fn judge(at: &Local, third: f64, r: f64) -> Verdict {
-    let ([gap, slope, bend], [e0, e1, e2]) = (at.gap, at.error);
-    let cubic = third * r * r * r / 6.0;
-    // the least of the parabola over the piece
-    let dip = if bend > 0.0 {
-        (slope.abs() * r).min(slope * slope / (2.0 * bend))
-    } else {
-        slope.abs() * r - bend * r * r / 2.0
-    };
-    if gap - dip - cubic - (e0 + e1 * r + e2 * r * r) > 0.0 {
-        return Verdict::Positive;
-    }
-    let spread = (bend.abs() + e2) * r + third * r * r / 2.0 + e1;
-    let turn = third * r + e2;
-    match () {
-        // positive just after its beginning, and rising
-        () if slope > spread => Verdict::Positive,
-        () if slope < -spread => Verdict::Falling,
-        () if bend > turn => Verdict::Convex,
-        () if bend < -turn => Verdict::Concave,
-        () => Verdict::Open,
-    }
+/// A mode in all digits.
+pub(super) fn prepared<const BITS: usize>(m: &Mode) -> Motion<Real<BITS>> {
+    let law = Law::new(Real::exact(m.sigma), Real::exact(m.omega2));
+    let [force, x, v, weight] = [m.force, m.x, m.v, m.weight].map(Real::exact);
+    Motion::new(law, force, x, v, weight)
 }
 
 /// The first time in \[0, `t_max`\] \[s\] at which sum weight_i xi_i reaches `level` from below, to `BITS` digits.
@@ -292,14 +259,7 @@ pub fn first_crossing_with<const BITS: usize>(
     level: f64,
     t_max: f64,
 ) -> Crossing<BITS> {
-    let motions: Vec<Motion<Real<BITS>>> = modes
-        .iter()
-        .map(|m| {
-            let law = Law::new(Real::exact(m.sigma), Real::exact(m.omega2));
-            let [force, x, v, weight] = [m.force, m.x, m.v, m.weight].map(Real::exact);
-            Motion::new(law, force, x, v, weight)
-        })
-        .collect();
+    let motions = modes.iter().map(prepared::<BITS>).collect::<Vec<_>>();
     Surface {
         motions: &motions,
         level: Real::exact(level),

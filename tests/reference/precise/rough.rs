@@ -5,7 +5,8 @@
 //! |E2| <= min(t^2/2, 2/omega2).
 
 use super::cell::Motion;
-use super::crossing::{Local, Surface};
+use super::crossing::Surface;
+use super::judge::Local;
 use super::number::Scalar;
 
 const ROUNDING: f64 = 2e-14;

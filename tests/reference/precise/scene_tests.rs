@@ -129,6 +129,48 @@ fn random_scenes_agree_with_the_hand_written_solver() {
     );
 }
 
+/// theta swings up to the end of its cell and just reaches it, or just fails to: the start speed at which it does is
+/// found in 50 digits, and the two solvers tell either side of it apart, the one in `f64` as far as its digits go.
+#[test]
+fn grazing_the_end_of_a_cell() {
+    let pair = GearPair::paper(0.05, 10.0);
+    let start = |theta_dot: f64| State {
+        theta: 1.725,
+        theta_dot,
+        phi_dot: 100.0,
+        ..pair.start(0.0)
+    };
+    let t_end = 3e-4;
+    let (mut short, mut far) = (0.0, 150.0);
+    while far - short > 2e-14 * far {
+        let middle = 0.5 * (short + far);
+        let reached = !scene(&pair, &start(middle), t_end, 50).events.is_empty();
+        if reached {
+            far = middle
+        } else {
+            short = middle
+        }
+    }
+    for k in 1..=13 {
+        for sign in [-1.0, 1.0] {
+            let start = start(far * (1.0 + sign * 10f64.powi(-k)));
+            let precise = scene(&pair, &start, t_end, 50);
+            assert_eq!(precise.events.is_empty(), sign < 0.0, "{k} {sign}");
+            let plain = pair.solve(
+                start.theta,
+                start.theta_dot,
+                start.phi,
+                start.phi_dot,
+                t_end,
+            );
+            assert_eq!(plain.events.len(), precise.events.len(), "{k} {sign}");
+            // the event is as ill-conditioned as a double root, the state after it less so
+            let error = distance(&plain.end, &rounded(&precise.end));
+            assert!(error < 1e-5, "{k} {sign}: {error}");
+        }
+    }
+}
+
 fn rounded(end: &super::scene::End) -> State {
     State {
         theta: end.theta.0,
