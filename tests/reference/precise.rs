@@ -2,7 +2,7 @@
 //!
 //! Cells are linear, of any number of modes, under-, critically and overdamped or without stiffness. Numbers are
 //! dashu's integers with an exponent ([`number`]), the motion of a mode is in [`cell`], the first crossing in
-//! [`crossing`], the gear pair of Oh, Grosh & Barber on top of them in [`scene`].
+//! [`crossing`], the gear pair of Oh, Grosh & Barber on top of them in [`mod@scene`].
 
 pub mod cell;
 pub mod crossing;

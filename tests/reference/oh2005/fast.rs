@@ -91,8 +91,8 @@ impl Constants {
             // Halley
             let dt = -2.0 * gap * slope / (2.0 * slope * slope - gap * curvature);
             t += dt;
-            let turn = self.w * dt;
-            if turn.abs() < 1e-5 {
+            let (turn, small) = (self.w * dt, self.w.max(sigma) * dt.abs());
+            if small < 1e-5 {
                 // the next correction would be of order turn^3: below rounding
                 let (dc, ds) = (
                     1.0 - sigma * dt * (1.0 - sigma * dt / 2.0) - turn * turn / 2.0,
@@ -109,7 +109,7 @@ impl Constants {
                 };
                 return Some(Exit { t, upwards, state });
             }
-            if turn.abs() < 0.125 {
+            if small < 0.125 {
                 let (dc, ds) = small_turn(sigma * dt, turn);
                 (c, s) = (c * dc - s * ds, s * dc + c * ds);
             } else {
