@@ -1,0 +1,70 @@
+//! Writes down what a run does: samples at a chosen rate, and the left and right limits at events.
+
+use nalgebra::SVector;
+
+use crate::engine::equations::Equations;
+use crate::model::Model;
+use crate::trajectory::{Moment, Trajectory};
+
+/// A state as the engine has it: remainders of the angles, and the pitches counted off.
+#[derive(Debug, Clone, Copy)]
+pub struct State<const N: usize> {
+    /// Coordinates, less whole pitches (N).
+    pub q: SVector<f64, N>,
+    /// Speeds (N).
+    pub q_dot: SVector<f64, N>,
+    /// Whole pitches of each coordinate (N).
+    pub turns: [i64; N],
+}
+
+impl<const N: usize> State<N> {
+    /// The coordinates unwrapped, with `pitch` the length of one turn of each.
+    pub fn unwrapped(&self, pitch: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| self.turns[i] as f64 * pitch[i] + self.q[i])
+    }
+}
+
+/// The account and the columns of a run.
+pub struct Recorder<'a, const N: usize> {
+    equations: &'a dyn Equations<N>,
+    pitch: [f64; N],
+    start: State<N>,
+    /// T + V at the start [J].
+    pub energy_at_start: f64,
+    /// The rows.
+    pub trajectory: Trajectory,
+}
+
+impl<'a, const N: usize> Recorder<'a, N> {
+    /// A recorder of a run that starts at `start` with law values `k`.
+    pub fn new(model: &'static Model, equations: &'a dyn Equations<N>, pitch: [f64; N], start: State<N>, k: &[f64]) -> Self {
+        let energy_at_start = equations.kinetic(start.q_dot.as_ref()) + equations.potential(&start.q.into(), k);
+        Recorder { equations, pitch, start, energy_at_start, trajectory: Trajectory::new(model) }
+    }
+
+    /// Adds a row.
+    pub fn row(&mut self, t: f64, moment: Moment, state: &State<N>, k: &[f64], dissipated: f64) {
+        let q: [f64; N] = state.q.into();
+        let (kinetic, strain) = (self.equations.kinetic(state.q_dot.as_ref()), self.equations.potential(&q, k));
+        // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
+        let moved: [f64; N] = std::array::from_fn(|i| {
+            (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (q[i] - self.start.q[i])
+        });
+        let work = self.equations.work(&moved);
+        let row = &mut self.trajectory;
+        row.t.push(t);
+        row.moment.push(moment);
+        for (i, x) in state.unwrapped(&self.pitch).into_iter().enumerate() {
+            row.q[i].push(x);
+            row.q_dot[i].push(state.q_dot[i]);
+        }
+        row.kinetic.push(kinetic);
+        row.strain.push(strain);
+        row.work.push(work);
+        for (i, column) in row.torque_work.iter_mut().enumerate() {
+            column.push(self.equations.torque_work(i, &moved));
+        }
+        row.dissipated.push(dissipated);
+        row.residual.push(kinetic + strain - work + dissipated - self.energy_at_start);
+    }
+}
