@@ -84,8 +84,16 @@ impl Range {
     /// Whether `x` is finite and lies in the interval.
     pub fn contains(&self, x: f64) -> bool {
         x.is_finite()
-            && (if self.low_included { x >= self.low } else { x > self.low })
-            && (if self.high_included { x <= self.high } else { x < self.high })
+            && (if self.low_included {
+                x >= self.low
+            } else {
+                x > self.low
+            })
+            && (if self.high_included {
+                x <= self.high
+            } else {
+                x < self.high
+            })
     }
 }
 

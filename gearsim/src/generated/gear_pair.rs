@@ -55,6 +55,10 @@ equations! {
         theta phi { _ => I1/N1.powi(2) - I2/N2.powi(2); }
         phi phi { _ => I1/N1.powi(2) + I2/N2.powi(2); }
     }
+    force {
+        theta { jump_terms => -dk*phi.powi(2); }
+        phi { _ => -2.0*k*phi; torques => 2.0*T0; damping => -2.0*C*phi_dot; }
+    }
     acceleration {
         theta { _ => -M1*k*phi; torques => M1*T0; damping => -C*M1*phi_dot; jump_terms => -M2*dk*phi.powi(2)/2.0; }
         phi { _ => -M2*k*phi; torques => M2*T0; damping => -C*M2*phi_dot; jump_terms => -M1*dk*phi.powi(2)/2.0; }
