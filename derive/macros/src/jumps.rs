@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Index;
 
-use crate::emit::{block, position, vector};
 use crate::model::{Jump, Law, Model};
+use crate::sums::{block, position, vector};
 
 /// The functions of `Equations` about jumps; what the file leaves out is computed from M and n.
 pub fn jumps(m: &Model) -> TokenStream {

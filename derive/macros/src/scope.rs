@@ -52,7 +52,7 @@ impl Scope {
         }
     }
 
-    /// The constants alone: parameters and mid values, and with `declare` the constants before.
+    /// What a constant may use: parameters and mid values; the constants before it follow by `declare`.
     ///
     /// They are computed where parameters are still plain variables, so only the mid values change their names.
     pub fn of_constants(model: &Model) -> Self {
