@@ -125,3 +125,6 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 pub fn no_such(what: &str, i: usize) -> ! {
     panic!("the model has no {what} number {i}")
 }
+
+#[cfg(test)]
+mod tests;
