@@ -1,1 +1,112 @@
-//! Macros.
+//! The `equations!` macro: from a file of derived equations to code.
+//!
+//! A generated file says what was derived, in the symbols of its source; the macro gives each set of effects code of
+//! its own, in which the terms of absent effects do not exist. One invocation fills one module: it defines the model
+//! (`GearPair` for `gear_pair`), which implements `gearsim::engine::equations::Derived`.
+//!
+//! # Grammar
+//!
+//! Blocks come in any order, each at most once (`jump` once a law). `model`, `coordinates`, `mass`, `force` and
+//! `jacobian` are needed, and a `jump` for every law of a model whose effects include `stiffness_step`; the rest may
+//! be left out. An oscillator whose spring k(x) steps, with a damper that may be absent:
+//!
+//! ```text
+//! model oscillator "A mass on a stepping spring";
+//! source "nobody (0000)";
+//!
+//! coordinates {                       // `start static`: where the forces balance
+//!     x "m" start 0.0, "deflection";
+//! }
+//! parameters {                        // `default X` or `required`; `from 0.0`: 0 is admissible, `open 0.0`: it is not;
+//!     m "kg" required, open 0.0 to inf, "mass";                  // `-inf` and `inf` are numbers, too
+//!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper end is admissible
+//! }
+//! laws {                              // gives k, its slopes dk and ddk along the phase, and k_mid = (max + min)/2
+//!     k "N/m" phase x period 1.0, "stiffness";
+//! }
+//! motions {                           // speeds of the motion of unit size; others are zero
+//!     speed "m/s" { x_dot = 1.0; }, "speed of the mass";
+//! }
+//! effects {
+//!     stiffness_step "k steps with x";
+//!     rigid_kinematics requires(stiffness_step) "without the impulse";
+//!     damping "viscous damper";       // also: excludes(a, b)
+//!     weight "a constant force of 1 N";
+//! }
+//! conditions {                        // conjunctions of effects present or absent
+//!     jump_terms = stiffness_step, !rigid_kinematics;
+//! }
+//! constants {                         // of parameters, mid values and the constants before
+//!     C = 2.0*zeta*(k_mid*m).sqrt();
+//! }
+//! energies {                          // sums of terms `COND => EXPR;`, COND an effect, a condition, or `_` for always
+//!     kinetic { _ => m*x_dot.powi(2)/2.0; }
+//!     potential { _ => k*x.powi(2)/2.0; }
+//!     dissipation { damping => C*x_dot.powi(2)/2.0; }
+//! }
+//! torques { weight "the weight" { weight => 1.0*x; } }   // work of each over the displacement x
+//! work { x { weight => 1.0; } }                          // net generalised forces
+//! mass { x x { _ => m; } }                               // `x y` stands for `y x`, too
+//! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
+//! acceleration { .. }                 // rows as in `force`; without it M⁻¹F is computed
+//! jacobian {                          // of the acceleration, by coordinates and by speeds; others are zero
+//!     x x { _ => -k/m; jump_terms => -2.0*dk*x/m - ddk*x.powi(2)/(2.0*m); }
+//!     x x_dot { damping => -C/m; }
+//! }
+//! cell {                              // M q'' + C q' + K q = f while the laws are constant
+//!     stiffness { x x { _ => k; } }
+//!     damping { x x { damping => C; } }
+//!     load { x { weight => 1.0; } }
+//! }
+//! jump k {                            // dk: the step; only `step` is needed, the rest follows from M and the phase
+//!     normal { x { _ => 1.0; } }
+//!     compliance { _ => 1.0/m; }
+//!     direction { x { _ => 1.0; } }
+//!     step { _ => dk*x.powi(2)/2.0; }
+//! }
+//! text { "m x'' = ..."; }
+//! latex { r"m \ddot x = ..."; }
+//! ```
+//!
+//! Expressions are made of numbers with a point, names, `+ - * /`, parentheses and smooth methods of `f64`
+//! (`powi`, `sqrt`, `sin`, ..). Nothing piecewise is let through: what switches is a law.
+//!
+//! How a law switches is for the effects `stiffness_step`, `rigid_kinematics` and `frozen_phase` to say, which mean
+//! the same in every model; a model without one of them lacks that case.
+//!
+//! # Stages
+//!
+//! | stage | files |
+//! | --- | --- |
+//! | tokens to structs | `parse`, `items`, `tokens` to `model` |
+//! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
+//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `sums` |
+
+mod check;
+mod describe;
+mod effects;
+mod emit;
+mod expand;
+mod functions;
+mod items;
+mod jumps;
+mod model;
+mod parse;
+mod resolve;
+mod scope;
+mod sums;
+#[cfg(test)]
+mod tests;
+mod tokens;
+
+use proc_macro::TokenStream;
+
+/// Derived equations: defines a model and implements `Derived` for it, with `Equations` for each set of effects.
+///
+/// The grammar is at the head of this crate; the files under `gearsim/src/generated` are written in it. It refuses,
+/// all at once and each at its place: unknown names, names that a block is not given, anything piecewise, names used
+/// twice, missing rows and blocks, empty ranges, and more than 1024 sets of effects.
+#[proc_macro]
+pub fn equations(input: TokenStream) -> TokenStream {
+    expand::expand(input.into()).into()
+}

@@ -3,6 +3,8 @@
 //! A model with N coordinates and L stiffness laws, for one chosen set of effects: T = q'ᵀM q'/2, V(q; k), D(q'), Q.
 //! What the set of effects lacks is absent from the code behind these functions, not switched off in it.
 
+use nalgebra::{SMatrix, SVector};
+
 use crate::model::Model;
 
 /// The equations of one model with one set of effects and one set of numbers.
@@ -21,10 +23,21 @@ pub trait Equations<const N: usize>: Send + Sync {
     /// Net work of all external torques over the displacement `dq` [J], balanced parts cancelled.
     fn work(&self, dq: &[f64; N]) -> f64;
 
-    /// Accelerations q'' [SI], with the laws' slopes `dk` = dk/ds along their phases.
-    fn acceleration(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N];
+    /// Generalised forces F of M q'' = F [SI], with the laws' slopes `dk` = dk/ds along their phases.
+    fn force(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N];
+    /// Accelerations q'' = M⁻¹F [SI].
+    fn acceleration(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N] {
+        solve(&self.mass(), &self.force(q, q_dot, k, dk))
+    }
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation); `ddk` = d²k/ds².
-    fn jacobian(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64], ddk: &[f64]) -> [[[f64; N]; N]; 2];
+    fn jacobian(
+        &self,
+        q: &[f64; N],
+        q_dot: &[f64; N],
+        k: &[f64],
+        dk: &[f64],
+        ddk: &[f64],
+    ) -> [[[f64; N]; N]; 2];
 
     /// Mass matrix M (N x N).
     fn mass(&self) -> [[f64; N]; N];
@@ -43,9 +56,13 @@ pub trait Equations<const N: usize>: Send + Sync {
     /// Gradient n of the phase of law `i` (N).
     fn normal(&self, law: usize) -> [f64; N];
     /// G = nᵀM⁻¹n of law `i`.
-    fn compliance(&self, law: usize) -> f64;
+    fn compliance(&self, law: usize) -> f64 {
+        compliance(&self.mass(), &self.normal(law))
+    }
     /// M⁻¹n / G of law `i` (N): the change of speeds per unit change of the normal speed.
-    fn direction(&self, law: usize) -> [f64; N];
+    fn direction(&self, law: usize) -> [f64; N] {
+        direction(&self.mass(), &self.normal(law))
+    }
     /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
     fn step(&self, law: usize, q: &[f64; N], dk: f64) -> f64;
 }
@@ -73,3 +90,41 @@ pub trait Derived<const N: usize>: Sync {
     /// contradict one another.
     fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations<N>>>;
 }
+
+/// M⁻¹f, for equations too large to be solved symbolically.
+///
+/// # Panics
+/// Where M is not positive definite, which no kinetic energy allows.
+pub fn solve<const N: usize>(mass: &[[f64; N]; N], f: &[f64; N]) -> [f64; N] {
+    let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j]);
+    let cholesky = m.cholesky().expect("the mass matrix is positive definite");
+    cholesky.solve(&SVector::from(*f)).into()
+}
+
+/// G = nᵀM⁻¹n.
+pub fn compliance<const N: usize>(mass: &[[f64; N]; N], n: &[f64; N]) -> f64 {
+    dot(n, &solve(mass, n))
+}
+
+/// M⁻¹n / G (N).
+pub fn direction<const N: usize>(mass: &[[f64; N]; N], n: &[f64; N]) -> [f64; N] {
+    let v = solve(mass, n);
+    let g = dot(n, &v);
+    v.map(|x| x / g)
+}
+
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Refuses an index beyond what the model has: `what` number `i`.
+///
+/// # Panics
+/// Always.
+#[cold]
+pub fn no_such(what: &str, i: usize) -> ! {
+    panic!("the model has no {what} number {i}")
+}
+
+#[cfg(test)]
+mod tests;

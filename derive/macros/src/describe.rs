@@ -1,0 +1,120 @@
+//! The `Model` of a generated file: what scenes and people read.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Ident, LitStr};
+
+use crate::model::*;
+
+/// The expression of type `crate::model::Model`.
+pub fn describe(m: &Model) -> TokenStream {
+    let (name, title) = (m.name.to_string(), &m.title);
+    let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
+    let coordinates = m.coordinates.iter().map(coordinate);
+    let parameters = m.parameters.iter().map(parameter);
+    let laws = m.laws.iter().map(|Law { name, unit, phase, period, doc }| {
+        let (name, phase) = (name.to_string(), phase.to_string());
+        quote!(model::Law { name: #name, unit: #unit, phase: #phase, period: #period, doc: #doc })
+    });
+    let motions = m.motions.iter().map(
+        |Motion {
+             name, unit, doc, ..
+         }| {
+            let name = name.to_string();
+            quote!(model::Motion { name: #name, unit: #unit, doc: #doc })
+        },
+    );
+    let effects = m.effects.iter().map(|e| {
+        let (name, doc, requires, excludes) = (
+            e.name.to_string(),
+            &e.doc,
+            strings(&e.requires),
+            strings(&e.excludes),
+        );
+        quote!(model::Effect { name: #name, doc: #doc, requires: #requires, excludes: #excludes })
+    });
+    let torques = m.torques.iter().map(|Torque { name, doc, .. }| {
+        let name = name.to_string();
+        quote!(model::Torque { name: #name, doc: #doc })
+    });
+    let (equations, latex) = (joined(&m.text), joined(&m.latex));
+    quote! {
+        model::Model {
+            name: #name,
+            title: #title,
+            source: #source,
+            coordinates: &[#(#coordinates),*],
+            parameters: &[#(#parameters),*],
+            laws: &[#(#laws),*],
+            motions: &[#(#motions),*],
+            effects: &[#(#effects),*],
+            torques: &[#(#torques),*],
+            equations: #equations,
+            latex: #latex,
+        }
+    }
+}
+
+fn coordinate(c: &Coordinate) -> TokenStream {
+    let (name, unit, doc) = (c.name.to_string(), &c.unit, &c.doc);
+    let start = match c.start {
+        Some(x) => {
+            let x = number(x);
+            quote!(model::Start::At(#x))
+        }
+        None => quote!(model::Start::Static),
+    };
+    quote!(model::Coordinate { name: #name, unit: #unit, doc: #doc, start: #start })
+}
+
+fn parameter(p: &Parameter) -> TokenStream {
+    let Parameter {
+        unit,
+        low_included,
+        high_included,
+        doc,
+        ..
+    } = p;
+    let (name, low, high) = (p.name.to_string(), number(p.low), number(p.high));
+    let default = match p.default.map(number) {
+        Some(x) => quote!(Some(#x)),
+        None => quote!(None),
+    };
+    quote! {
+        model::Parameter {
+            name: #name,
+            unit: #unit,
+            default: #default,
+            range: model::Range {
+                low: #low,
+                high: #high,
+                low_included: #low_included,
+                high_included: #high_included,
+            },
+            doc: #doc,
+        }
+    }
+}
+
+/// A number as tokens: infinities have no literal, and a negative literal is two tokens.
+fn number(x: f64) -> TokenStream {
+    let (minus, size) = (x.is_sign_negative().then(|| quote!(-)), x.abs());
+    if size.is_infinite() {
+        quote!(#minus f64::INFINITY)
+    } else {
+        quote!(#minus #size)
+    }
+}
+
+fn strings(names: &[Ident]) -> TokenStream {
+    let names = names.iter().map(Ident::to_string);
+    quote!(&[#(#names),*])
+}
+
+fn joined(lines: &[LitStr]) -> String {
+    lines
+        .iter()
+        .map(LitStr::value)
+        .collect::<Vec<_>>()
+        .join("\n")
+}

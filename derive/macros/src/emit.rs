@@ -1,0 +1,102 @@
+//! From a checked model to code: the items of a generated file.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Ident, Index};
+
+use crate::describe::describe;
+use crate::effects;
+use crate::functions::functions;
+use crate::model::*;
+
+/// Everything that a generated file holds.
+pub fn emit(m: &Model) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let name = camel_case(&m.name);
+    let doc = format!("The model `{}`: {}.", m.name, m.title.value());
+    let describe = describe(m);
+    let sets = effects::sets(m).map(|set| effects::literal(m, set));
+    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>::new(parameters, mids))),)*);
+    let with = with(m);
+    let functions = functions(m);
+    let constants = effects::constants(m);
+    quote! {
+        use crate::engine::equations;
+        use crate::model;
+
+        #[doc = #doc]
+        #[derive(Debug, Clone, Copy)]
+        pub struct #name;
+
+        #[allow(clippy::all, reason = "numbers and code as the derivation wrote them")]
+        impl equations::Derived<#n> for #name {
+            const MODEL: model::Model = #describe;
+
+            fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations<#n>>> {
+                match effects {
+                    #sets
+                    _ => None,
+                }
+            }
+        }
+
+        #with
+
+        #[allow(dead_code, reason = "not every effect has a term of its own")]
+        impl<const E: u32> With<E> {
+            #constants
+        }
+
+        #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
+        impl<const E: u32> equations::Equations<#n> for With<E> {
+            #functions
+        }
+    }
+}
+
+/// `struct With<E>`: the numbers of the equations with the effects E.
+fn with(m: &Model) -> TokenStream {
+    let names = || {
+        m.parameters
+            .iter()
+            .map(|p| &p.name)
+            .chain(m.constants.iter().map(|c| &c.name))
+    };
+    let (fields, values) = (names(), names());
+    let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
+        let (name, i) = (&p.name, Index::from(i));
+        quote!(let #name = parameters[#i];)
+    });
+    let constants = m
+        .constants
+        .iter()
+        .map(|Assignment { name, value }| quote!(let #name = #value;));
+    quote! {
+        /// The equations with the effects E.
+        #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
+        struct With<const E: u32> {
+            #(#fields: f64,)*
+        }
+
+        #[allow(non_snake_case, unused_variables, clippy::all, reason = "the symbols and constants of the source")]
+        impl<const E: u32> With<E> {
+            fn new(parameters: &[f64], mids: &[f64]) -> Self {
+                #(#parameters)*
+                #(#constants)*
+                Self { #(#values),* }
+            }
+        }
+    }
+}
+
+/// `GearPair` for `gear_pair`.
+fn camel_case(name: &Ident) -> Ident {
+    let upper = |word: &str| word[..1].to_uppercase() + &word[1..];
+    let name_in_camel_case: String = name
+        .to_string()
+        .split('_')
+        .filter(|w| !w.is_empty())
+        .map(upper)
+        .collect();
+    Ident::new(&name_in_camel_case, name.span())
+}

@@ -1,0 +1,174 @@
+//! The grammar of what stands inside a block: a coordinate, a parameter, a term.
+
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Ident, LitStr, Result, Token, parenthesized};
+
+use crate::model::*;
+use crate::tokens::{choice, doc, list, number, peek_word, word};
+
+impl Parse for Coordinate {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (name, unit) = (input.parse()?, input.parse()?);
+        word(input, "start")?;
+        let start = if input.parse::<Option<Token![static]>>()?.is_some() {
+            None
+        } else {
+            Some(number(input)?)
+        };
+        Ok(Self {
+            name,
+            unit,
+            start,
+            doc: doc(input)?,
+        })
+    }
+}
+
+impl Parse for Parameter {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (name, unit) = (input.parse()?, input.parse()?);
+        let default = match choice(input, &["default", "required"])? {
+            0 => Some(number(input)?),
+            _ => None,
+        };
+        input.parse::<Token![,]>()?;
+        let low_included = choice(input, &["open", "from"])? == 1;
+        let low = number(input)?;
+        word(input, "to")?;
+        let high_included = input.peek(Ident) && !peek_word(input, "inf");
+        if high_included {
+            word(input, "included")?;
+        }
+        let high = number(input)?;
+        Ok(Self {
+            name,
+            unit,
+            default,
+            low,
+            low_included,
+            high,
+            high_included,
+            doc: doc(input)?,
+        })
+    }
+}
+
+impl Parse for Law {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (name, unit) = (input.parse()?, input.parse()?);
+        word(input, "phase")?;
+        let phase = input.parse()?;
+        word(input, "period")?;
+        Ok(Self {
+            name,
+            unit,
+            phase,
+            period: number(input)?,
+            doc: doc(input)?,
+        })
+    }
+}
+
+impl Parse for Motion {
+    fn parse(input: ParseStream) -> Result<Self> {
+        Ok(Self {
+            name: input.parse()?,
+            unit: input.parse()?,
+            speeds: list(input)?,
+            doc: doc(input)?,
+        })
+    }
+}
+
+impl Parse for Effect {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let mut effect = Self {
+            name: input.parse()?,
+            requires: vec![],
+            excludes: vec![],
+            doc: LitStr::new("", input.span()),
+        };
+        while input.peek(Ident) {
+            let names = match choice(input, &["requires", "excludes"])? {
+                0 => &mut effect.requires,
+                _ => &mut effect.excludes,
+            };
+            let inner;
+            parenthesized!(inner in input);
+            names.extend(Punctuated::<Ident, Token![,]>::parse_terminated(&inner)?);
+        }
+        effect.doc = input.parse()?;
+        input.parse::<Token![;]>()?;
+        Ok(effect)
+    }
+}
+
+impl Parse for Condition {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let name = input.parse()?;
+        input.parse::<Token![=]>()?;
+        let effect = |input: ParseStream| {
+            Ok((
+                input.parse::<Option<Token![!]>>()?.is_none(),
+                input.parse()?,
+            ))
+        };
+        let effects = Punctuated::<_, Token![,]>::parse_separated_nonempty_with(input, effect)?;
+        input.parse::<Token![;]>()?;
+        Ok(Self {
+            name,
+            effects: effects.into_iter().collect(),
+        })
+    }
+}
+
+impl Parse for Assignment {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let name = input.parse()?;
+        input.parse::<Token![=]>()?;
+        let value = input.parse()?;
+        input.parse::<Token![;]>()?;
+        Ok(Self { name, value })
+    }
+}
+
+impl Parse for Torque {
+    fn parse(input: ParseStream) -> Result<Self> {
+        Ok(Self {
+            name: input.parse()?,
+            doc: input.parse()?,
+            work: list(input)?,
+        })
+    }
+}
+
+impl Parse for Term {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let always = input.parse::<Option<Token![_]>>()?.is_some();
+        let condition = if always { None } else { Some(input.parse()?) };
+        input.parse::<Token![=>]>()?;
+        let value = input.parse()?;
+        input.parse::<Token![;]>()?;
+        Ok(Self { condition, value })
+    }
+}
+
+impl Parse for Row {
+    fn parse(input: ParseStream) -> Result<Self> {
+        Ok(Self {
+            name: input.parse()?,
+            sum: list(input)?,
+        })
+    }
+}
+
+impl Parse for Entry {
+    fn parse(input: ParseStream) -> Result<Self> {
+        Ok(Self {
+            row: input.parse()?,
+            column: input.parse()?,
+            sum: list(input)?,
+        })
+    }
+}

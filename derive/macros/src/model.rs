@@ -1,0 +1,163 @@
+//! What a file of derived equations says, as plain structs; the grammar is in `parse`.
+
+use syn::{Expr, Ident, LitStr};
+
+/// One file of derived equations.
+pub struct Model {
+    pub name: Ident,
+    pub title: LitStr,
+    pub source: Option<LitStr>,
+    pub coordinates: Vec<Coordinate>,
+    pub parameters: Vec<Parameter>,
+    pub laws: Vec<Law>,
+    pub motions: Vec<Motion>,
+    pub effects: Vec<Effect>,
+    pub conditions: Vec<Condition>,
+    pub constants: Vec<Assignment>,
+    pub kinetic: Sum,
+    pub potential: Sum,
+    pub dissipation: Sum,
+    pub torques: Vec<Torque>,
+    pub work: Vec<Row>,
+    pub mass: Vec<Entry>,
+    pub force: Option<Vec<Row>>,
+    pub acceleration: Option<Vec<Row>>,
+    pub jacobian: Option<Vec<Entry>>,
+    pub stiffness: Vec<Entry>,
+    pub damping: Vec<Entry>,
+    pub load: Vec<Row>,
+    pub jumps: Vec<Jump>,
+    pub text: Vec<LitStr>,
+    pub latex: Vec<LitStr>,
+}
+
+/// `theta "rad" start 0.0, "doc";`
+pub struct Coordinate {
+    pub name: Ident,
+    pub unit: LitStr,
+    /// `None`: `start static`.
+    pub start: Option<f64>,
+    pub doc: LitStr,
+}
+
+/// `N1 "1" default 24.0, open 0.0 to inf, "doc";`
+pub struct Parameter {
+    pub name: Ident,
+    pub unit: LitStr,
+    /// `None`: `required`.
+    pub default: Option<f64>,
+    pub low: f64,
+    pub low_included: bool,
+    pub high: f64,
+    pub high_included: bool,
+    pub doc: LitStr,
+}
+
+/// `k "N*m" phase theta period 6.28, "doc";`
+pub struct Law {
+    pub name: Ident,
+    pub unit: LitStr,
+    pub phase: Ident,
+    pub period: f64,
+    pub doc: LitStr,
+}
+
+/// `speed "rad/s" { theta_dot = N1; }, "doc";`
+pub struct Motion {
+    pub name: Ident,
+    pub unit: LitStr,
+    pub speeds: Vec<Assignment>,
+    pub doc: LitStr,
+}
+
+/// `damping requires(a, b) excludes(c) "doc";`
+pub struct Effect {
+    pub name: Ident,
+    pub requires: Vec<Ident>,
+    pub excludes: Vec<Ident>,
+    pub doc: LitStr,
+}
+
+/// `jump_terms = stiffness_step, !frozen_phase;`: a conjunction of effects present (`true`) or absent.
+pub struct Condition {
+    pub name: Ident,
+    pub effects: Vec<(bool, Ident)>,
+}
+
+/// `NAME = EXPR;`
+pub struct Assignment {
+    pub name: Ident,
+    pub value: Expr,
+}
+
+/// `drive "doc" { TERMS }`
+pub struct Torque {
+    pub name: Ident,
+    pub doc: LitStr,
+    pub work: Sum,
+}
+
+/// `jump k { normal { ROWS } compliance { TERMS } direction { ROWS } step { TERMS } }`
+pub struct Jump {
+    pub law: Ident,
+    pub normal: Option<Vec<Row>>,
+    pub compliance: Option<Sum>,
+    pub direction: Option<Vec<Row>>,
+    pub step: Option<Sum>,
+}
+
+/// Terms added up.
+pub type Sum = Vec<Term>;
+
+/// `COND => EXPR;`
+pub struct Term {
+    /// `None`: `_`, always.
+    pub condition: Option<Ident>,
+    pub value: Expr,
+}
+
+/// `theta { TERMS }`: one component of a vector.
+pub struct Row {
+    pub name: Ident,
+    pub sum: Sum,
+}
+
+/// `theta phi { TERMS }`: one entry of a matrix.
+pub struct Entry {
+    pub row: Ident,
+    pub column: Ident,
+    pub sum: Sum,
+}
+
+impl Model {
+    /// Nothing but a name: what `parse` fills in.
+    pub fn empty(name: Ident, title: LitStr) -> Self {
+        Self {
+            name,
+            title,
+            source: None,
+            coordinates: vec![],
+            parameters: vec![],
+            laws: vec![],
+            motions: vec![],
+            effects: vec![],
+            conditions: vec![],
+            constants: vec![],
+            kinetic: vec![],
+            potential: vec![],
+            dissipation: vec![],
+            torques: vec![],
+            work: vec![],
+            mass: vec![],
+            force: None,
+            acceleration: None,
+            jacobian: None,
+            stiffness: vec![],
+            damping: vec![],
+            load: vec![],
+            jumps: vec![],
+            text: vec![],
+            latex: vec![],
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Which names each block may use: what its function is given, and nothing else.
+
+use syn::Error;
+
+use crate::model::{Entry, Model, Row};
+use crate::scope::Scope;
+
+/// Resolves every expression of the model in place.
+pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
+    let mut constants = Scope::of_constants(m);
+    for c in &mut m.constants {
+        constants.expression(&mut c.value, errors);
+        constants.declare(&c.name);
+    }
+
+    let kinetic = Scope::of(m, "kinetic").speeds(m);
+    kinetic.sum(&mut m.kinetic, errors);
+    let potential = Scope::of(m, "potential").coordinates(m, "q").laws(m, 0);
+    potential.sum(&mut m.potential, errors);
+    let dissipation = Scope::of(m, "dissipation").speeds(m);
+    dissipation.sum(&mut m.dissipation, errors);
+
+    // The work of a constant torque is its displacement's: the coordinates stand for their changes.
+    let torques = Scope::of(m, "torques").coordinates(m, "dq");
+    m.torques
+        .iter_mut()
+        .for_each(|t| torques.sum(&mut t.work, errors));
+    let work = Scope::of(m, "work");
+    rows(&mut m.work, &work, errors);
+    let motions = Scope::of(m, "motions");
+    m.motions
+        .iter_mut()
+        .flat_map(|x| &mut x.speeds)
+        .for_each(|s| motions.expression(&mut s.value, errors));
+
+    let mass = Scope::of(m, "mass");
+    entries(&mut m.mass, &mass, errors);
+    let force = Scope::of(m, "force")
+        .coordinates(m, "q")
+        .speeds(m)
+        .laws(m, 1);
+    rows(m.force.iter_mut().flatten(), &force, errors);
+    let acceleration = Scope::of(m, "acceleration")
+        .coordinates(m, "q")
+        .speeds(m)
+        .laws(m, 1);
+    rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
+    let jacobian = Scope::of(m, "jacobian")
+        .coordinates(m, "q")
+        .speeds(m)
+        .laws(m, 2);
+    entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
+
+    let stiffness = Scope::of(m, "cell stiffness").laws(m, 0);
+    entries(&mut m.stiffness, &stiffness, errors);
+    let cell = Scope::of(m, "cell damping and load");
+    entries(&mut m.damping, &cell, errors);
+    rows(&mut m.load, &cell, errors);
+
+    let impulse = Scope::of(m, "the impulse of a jump");
+    let steps: Vec<_> = m
+        .jumps
+        .iter()
+        .map(|j| Scope::of(m, "step").coordinates(m, "q").step(&j.law))
+        .collect();
+    for (j, step) in m.jumps.iter_mut().zip(steps) {
+        rows(j.normal.iter_mut().flatten(), &impulse, errors);
+        j.compliance
+            .iter_mut()
+            .for_each(|sum| impulse.sum(sum, errors));
+        rows(j.direction.iter_mut().flatten(), &impulse, errors);
+        j.step.iter_mut().for_each(|sum| step.sum(sum, errors));
+    }
+}
+
+fn rows<'a>(rows: impl IntoIterator<Item = &'a mut Row>, scope: &Scope, errors: &mut Vec<Error>) {
+    rows.into_iter().for_each(|r| scope.sum(&mut r.sum, errors));
+}
+
+fn entries<'a>(
+    entries: impl IntoIterator<Item = &'a mut Entry>,
+    scope: &Scope,
+    errors: &mut Vec<Error>,
+) {
+    entries
+        .into_iter()
+        .for_each(|e| scope.sum(&mut e.sum, errors));
+}

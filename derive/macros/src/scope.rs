@@ -1,0 +1,217 @@
+//! Names in expressions: each becomes what the generated code calls it, and what is unknown is refused.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::{BinOp, Error, Expr, Ident, Lit, UnOp, parse_quote};
+
+use crate::model::{Model, Sum};
+
+/// Methods of f64 that are smooth, with the number of their arguments.
+const METHODS: [(&str, usize); 10] = [
+    ("powi", 1),
+    ("powf", 1),
+    ("atan2", 1),
+    ("sqrt", 0),
+    ("exp", 0),
+    ("ln", 0),
+    ("sin", 0),
+    ("cos", 0),
+    ("tan", 0),
+    ("recip", 0),
+];
+
+const PIECEWISE: &str =
+    "a piecewise thing: equations are smooth in every cell, and what switches is a law";
+
+/// The names that expressions of one block may use, and what each becomes.
+pub struct Scope {
+    block: String,
+    names: BTreeMap<String, TokenStream>,
+    conditions: Vec<String>,
+}
+
+impl Scope {
+    /// Parameters and constants: what every equation may use.
+    pub fn of(model: &Model, block: &str) -> Self {
+        let numbers = model
+            .parameters
+            .iter()
+            .map(|p| &p.name)
+            .chain(model.constants.iter().map(|c| &c.name));
+        let conditions = model
+            .effects
+            .iter()
+            .map(|e| &e.name)
+            .chain(model.conditions.iter().map(|c| &c.name));
+        Self {
+            block: block.to_string(),
+            names: numbers.map(|n| (n.to_string(), quote!(self.#n))).collect(),
+            conditions: conditions.map(Ident::to_string).collect(),
+        }
+    }
+
+    /// What a constant may use: parameters and mid values; the constants before it follow by `declare`.
+    ///
+    /// They are computed where parameters are still plain variables, so only the mid values change their names.
+    pub fn of_constants(model: &Model) -> Self {
+        let mut scope = Self {
+            block: "constants".to_string(),
+            names: BTreeMap::new(),
+            conditions: vec![],
+        };
+        model.parameters.iter().for_each(|p| scope.declare(&p.name));
+        scope.add(model.laws.iter().map(|l| format!("{}_mid", l.name)), "mids");
+        scope
+    }
+
+    /// A plain variable from here on.
+    pub fn declare(&mut self, name: &Ident) {
+        self.names.insert(name.to_string(), quote!(#name));
+    }
+
+    /// Coordinates, as the entries of `vector`.
+    pub fn coordinates(mut self, model: &Model, vector: &str) -> Self {
+        self.add(model.coordinates.iter().map(|c| c.name.to_string()), vector);
+        self
+    }
+
+    /// Speeds.
+    pub fn speeds(mut self, model: &Model) -> Self {
+        self.add(model.coordinates.iter().map(|c| speed(&c.name)), "q_dot");
+        self
+    }
+
+    /// Laws and their derivatives up to `order`: `k`, `dk`, `ddk`.
+    pub fn laws(mut self, model: &Model, order: usize) -> Self {
+        for vector in &["k", "dk", "ddk"][..=order] {
+            let d = &vector[..vector.len() - 1];
+            self.add(model.laws.iter().map(|l| format!("{d}{}", l.name)), vector);
+        }
+        self
+    }
+
+    /// The step `dk` of the one law that jumps.
+    pub fn step(mut self, law: &Ident) -> Self {
+        self.names.insert(format!("d{law}"), quote!(dk));
+        self
+    }
+
+    fn add(&mut self, names: impl Iterator<Item = String>, vector: &str) {
+        let vector = format_ident!("{vector}");
+        for (i, name) in names.enumerate() {
+            let i = syn::Index::from(i);
+            self.names.insert(name, quote!(#vector[#i]));
+        }
+    }
+
+    /// Resolves every term of a sum.
+    pub fn sum(&self, sum: &mut Sum, errors: &mut Vec<Error>) {
+        for term in sum {
+            if let Some(c) = &term.condition
+                && !self.conditions.iter().any(|known| c == known)
+            {
+                let message = format!(
+                    "`{c}` is no effect or condition; there are: {}",
+                    self.conditions.join(", ")
+                );
+                errors.push(Error::new(c.span(), message));
+            }
+            self.expression(&mut term.value, errors);
+        }
+    }
+
+    /// Resolves one expression; the grammar of expressions is closed, so that nothing hidden reaches the engine.
+    pub fn expression(&self, e: &mut Expr, errors: &mut Vec<Error>) {
+        match e {
+            Expr::Paren(e) => self.expression(&mut e.expr, errors),
+            Expr::Group(e) => self.expression(&mut e.expr, errors),
+            Expr::Unary(e) if matches!(e.op, UnOp::Neg(_)) => self.expression(&mut e.expr, errors),
+            Expr::Binary(b) => match b.op {
+                BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) => {
+                    self.expression(&mut b.left, errors);
+                    self.expression(&mut b.right, errors);
+                }
+                _ => errors.push(Error::new_spanned(e, PIECEWISE)),
+            },
+            Expr::MethodCall(call) => {
+                self.expression(&mut call.receiver, errors);
+                if !METHODS
+                    .iter()
+                    .any(|(name, n)| call.method == name && call.args.len() == *n)
+                {
+                    errors.push(method_error(&call.method));
+                } else if call.method != "powi" {
+                    call.args
+                        .iter_mut()
+                        .for_each(|e| self.expression(e, errors));
+                } else if !is_integer(&call.args[0]) {
+                    errors.push(Error::new_spanned(
+                        &call.args[0],
+                        "`powi` takes an integer; for others there is `powf`",
+                    ));
+                }
+            }
+            Expr::Lit(lit) if matches!(lit.lit, Lit::Float(_)) => {}
+            Expr::Lit(lit) if matches!(lit.lit, Lit::Int(_)) => {
+                errors.push(Error::new_spanned(
+                    lit,
+                    "an integer; write it with a point: `2.0`",
+                ));
+            }
+            Expr::If(_) | Expr::Match(_) => errors.push(Error::new_spanned(e, PIECEWISE)),
+            Expr::Path(path) if path.path.get_ident().is_some() => {
+                let name = path.path.require_ident().expect("just seen").clone();
+                match self.names.get(&name.to_string()) {
+                    Some(tokens) => *e = parse_quote!(#tokens),
+                    None => errors.push(self.unknown(&name)),
+                }
+            }
+            _ => errors.push(Error::new_spanned(
+                e,
+                "not of the grammar: numbers, names, + - * /, methods such as `sqrt`",
+            )),
+        }
+    }
+
+    fn unknown(&self, name: &Ident) -> Error {
+        let allowed: Vec<_> = self.names.keys().map(String::as_str).collect();
+        Error::new(
+            name.span(),
+            format!(
+                "`{name}` is unknown in {}; allowed: {}",
+                self.block,
+                allowed.join(", ")
+            ),
+        )
+    }
+}
+
+/// `theta_dot` for `theta`.
+pub fn speed(coordinate: &Ident) -> String {
+    format!("{coordinate}_dot")
+}
+
+fn is_integer(e: &Expr) -> bool {
+    match e {
+        Expr::Lit(lit) => matches!(lit.lit, Lit::Int(_)),
+        Expr::Unary(e) => matches!(e.op, UnOp::Neg(_)) && is_integer(&e.expr),
+        _ => false,
+    }
+}
+
+fn method_error(method: &Ident) -> Error {
+    let message = match method.to_string().as_str() {
+        "abs" | "signum" | "max" | "min" | "clamp" | "floor" | "ceil" | "round" => {
+            PIECEWISE.to_string()
+        }
+        _ => {
+            let allowed = METHODS.map(|(name, _)| name).join(", ");
+            format!(
+                "`{method}` with these arguments is not a method of the grammar; allowed: {allowed}"
+            )
+        }
+    };
+    Error::new(method.span(), message)
+}

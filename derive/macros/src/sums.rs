@@ -1,0 +1,93 @@
+//! Sums, vectors and matrices as code, from which the terms of absent effects are absent.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Ident, Index};
+
+use crate::effects::constant;
+use crate::model::*;
+
+/// The statements of a function that returns a vector: what has no row is zero.
+pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let rows = rows.into_iter().filter(|r| !r.sum.is_empty()).map(|r| {
+        let (i, value) = (position(m, &r.name), block(&r.sum));
+        quote!(v[#i] = #value;)
+    });
+    quote!(let mut v = [0.0; #n]; #(#rows)* v)
+}
+
+/// The statements of a function that returns a symmetric matrix, given by one of its triangles.
+pub fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let entries = entries.iter().map(|e| {
+        let (i, j, value) = (position(m, &e.row), position(m, &e.column), block(&e.sum));
+        let mirror = (i != j).then(|| quote!(m[#j][#i] = m[#i][#j];));
+        quote!(m[#i][#j] = #value; #mirror)
+    });
+    quote!(let mut m = [[0.0; #n]; #n]; #(#entries)* m)
+}
+
+/// The statements of a function that returns a sum; a term whose effect is absent is absent from the code.
+pub fn body(sum: &Sum) -> TokenStream {
+    let (first, rest) = match &sum[..] {
+        [] => return quote!(0.0),
+        [
+            Term {
+                condition: None,
+                value,
+            },
+        ] => return quote!(#value),
+        [
+            Term {
+                condition: None,
+                value,
+            },
+            rest @ ..,
+        ] => (quote!(#value), rest),
+        all => (quote!(0.0), all),
+    };
+    let terms =
+        rest.iter().map(
+            |Term { condition, value }| match condition.as_ref().map(constant) {
+                Some(condition) => quote!(if Self::#condition { sum += #value; }),
+                None => quote!(sum += #value;),
+            },
+        );
+    quote!(let mut sum = #first; #(#terms)* sum)
+}
+
+/// A sum as an expression.
+pub fn block(sum: &Sum) -> TokenStream {
+    let body = body(sum);
+    if matches!(
+        &sum[..],
+        [] | [Term {
+            condition: None,
+            ..
+        }]
+    ) {
+        body
+    } else {
+        quote!({ #body })
+    }
+}
+
+/// `match i { 0 => .., 1 => .., _ => no_such("torque", i) }`
+pub fn by_index(kind: &str, i: Ident, arms: impl Iterator<Item = TokenStream>) -> TokenStream {
+    let arms = arms.enumerate().map(|(at, arm)| {
+        let at = Index::from(at);
+        quote!(#at => #arm,)
+    });
+    quote!(match #i { #(#arms)* _ => equations::no_such(#kind, #i) })
+}
+
+/// The index of a coordinate; `check` has seen to it that there is one.
+pub fn position(m: &Model, name: &Ident) -> Index {
+    Index::from(
+        m.coordinates
+            .iter()
+            .position(|c| c.name == *name)
+            .expect("checked"),
+    )
+}

@@ -1,0 +1,97 @@
+//! The small words of the grammar: lists in braces, numbers, keywords that are keywords here alone.
+
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Error, Ident, Lit, LitStr, Result, Token, braced};
+
+/// `{ ITEM ITEM .. }`
+pub fn list<T: Parse>(input: ParseStream) -> Result<Vec<T>> {
+    let inner;
+    braced!(inner in input);
+    let mut items = vec![];
+    while !inner.is_empty() {
+        items.push(inner.parse()?);
+    }
+    Ok(items)
+}
+
+/// `{ "line"; "line"; }`
+pub fn lines(input: ParseStream) -> Result<Vec<LitStr>> {
+    let inner;
+    braced!(inner in input);
+    Ok(Punctuated::<LitStr, Token![;]>::parse_terminated(&inner)?
+        .into_iter()
+        .collect())
+}
+
+/// `{ NAME {..} NAME {..} }`, each name one of `names` and at most once; `store` takes what stands behind it.
+pub fn parts(
+    input: ParseStream,
+    names: &[&str],
+    mut store: impl FnMut(usize, ParseStream) -> Result<()>,
+) -> Result<()> {
+    let inner;
+    braced!(inner in input);
+    let mut seen = vec![];
+    while !inner.is_empty() {
+        let span = inner.span();
+        let part = choice(&inner, names)?;
+        if seen.contains(&part) {
+            return Err(Error::new(span, format!("a second `{}`", names[part])));
+        }
+        seen.push(part);
+        store(part, &inner)?;
+    }
+    Ok(())
+}
+
+/// `, "doc";`
+pub fn doc(input: ParseStream) -> Result<LitStr> {
+    input.parse::<Token![,]>()?;
+    let doc = input.parse()?;
+    input.parse::<Token![;]>()?;
+    Ok(doc)
+}
+
+/// A number, `inf`, or either with a minus.
+pub fn number(input: ParseStream) -> Result<f64> {
+    let sign = if input.parse::<Option<Token![-]>>()?.is_some() {
+        -1.0
+    } else {
+        1.0
+    };
+    if peek_word(input, "inf") {
+        word(input, "inf")?;
+        return Ok(sign * f64::INFINITY);
+    }
+    match input.parse()? {
+        Lit::Float(x) => Ok(sign * x.base10_parse::<f64>()?),
+        Lit::Int(x) => Ok(sign * x.base10_parse::<f64>()?),
+        other => Err(Error::new(other.span(), "expected a number or `inf`")),
+    }
+}
+
+/// The word `expected`, which is a keyword here alone.
+pub fn word(input: ParseStream, expected: &str) -> Result<()> {
+    choice(input, &[expected]).map(drop)
+}
+
+/// Which of `words` comes next.
+pub fn choice(input: ParseStream, words: &[&str]) -> Result<usize> {
+    let expected = || format!("expected `{}`", words.join("` or `"));
+    let found = input
+        .call(Ident::parse_any)
+        .map_err(|e| Error::new(e.span(), expected()))?;
+    words
+        .iter()
+        .position(|w| found == w)
+        .ok_or_else(|| Error::new(found.span(), expected()))
+}
+
+pub fn peek_word(input: ParseStream, expected: &str) -> bool {
+    input
+        .fork()
+        .parse::<Ident>()
+        .is_ok_and(|found| found == expected)
+}

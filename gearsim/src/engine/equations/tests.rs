@@ -1,0 +1,277 @@
+//! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
+
+use crate::engine::equations::{Derived, Equations, Switching, compliance, direction, solve};
+use crate::generated::gear_pair::GearPair;
+use crate::model::{Range, Start};
+
+const STIFFNESS_STEP: u32 = 1;
+const RIGID_KINEMATICS: u32 = 2;
+const FROZEN_PHASE: u32 = 4;
+const DAMPING: u32 = 8;
+const TORQUES: u32 = 16;
+
+/// N1, N2, I1, I2, zeta, T0, and the mid value of k.
+const NUMBERS: [f64; 6] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0];
+const MID: f64 = 2.5e4;
+
+/// A point: q, q', k, dk, ddk.
+const Q: [f64; 2] = [0.7, 3.0e-4];
+const V: [f64; 2] = [31.0, -0.4];
+const K: [f64; 1] = [3.1e4];
+const DK: [f64; 1] = [1.7e5];
+const DDK: [f64; 1] = [-2.3e6];
+
+fn gear_pair(effects: u32) -> Box<dyn Equations<2>> {
+    GearPair::equations(effects, &NUMBERS, &[MID]).unwrap()
+}
+
+/// M1, M2 and C of the gear pair.
+fn constants() -> (f64, f64, f64) {
+    let [n1, n2, i1, i2, zeta, _] = NUMBERS;
+    let (a, b) = (n1 * n1 / i1, n2 * n2 / i2);
+    let m2 = (a + b) / 2.0;
+    ((a - b) / 2.0, m2, 2.0 * zeta * (MID / m2).sqrt())
+}
+
+#[track_caller]
+fn close(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len());
+    for (x, y) in found.iter().zip(expected) {
+        assert!(
+            (x - y).abs() <= 1e-12 * y.abs().max(1e-12),
+            "{found:?} is not {expected:?}"
+        );
+    }
+}
+
+#[test]
+fn energies_and_work() {
+    let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
+    let [n1, n2, i1, i2, _, t0] = NUMBERS;
+    let (w1, w2) = ((V[0] + V[1]) / n1, (V[0] - V[1]) / n2);
+    close(&[e.kinetic(&V)], &[i1 * w1 * w1 / 2.0 + i2 * w2 * w2 / 2.0]);
+    close(&[e.potential(&Q, &K)], &[K[0] * Q[1] * Q[1]]);
+    close(&[e.dissipation(&V)], &[constants().2 * V[1] * V[1]]);
+    let works = [e.torque_work(0, &Q), e.torque_work(1, &Q)];
+    close(&works, &[t0 * (Q[0] + Q[1]), -t0 * (Q[0] - Q[1])]);
+    close(&[e.work(&Q)], &[2.0 * t0 * Q[1]]);
+    close(&e.motion(0), &[n1, 0.0]);
+}
+
+#[test]
+fn accelerations() {
+    let e = gear_pair(0b11001);
+    let (m1, m2, c) = constants();
+    let ([_, phi], [_, phi_dot], t0) = (Q, V, NUMBERS[5]);
+    let (smooth, jump) = (t0 - K[0] * phi - c * phi_dot, DK[0] * phi * phi / 2.0);
+    let expected = [m1 * smooth - m2 * jump, m2 * smooth - m1 * jump];
+    close(&e.acceleration(&Q, &V, &K, &DK), &expected);
+    close(&solve(&e.mass(), &e.force(&Q, &V, &K, &DK)), &expected);
+}
+
+/// The accelerations are at most quadratic in q and q' beside k, so central differences along them are all but exact;
+/// along theta the laws move with the phase.
+#[test]
+fn jacobian() {
+    let e = gear_pair(0b11001);
+    let [by_q, by_v] = e.jacobian(&Q, &V, &K, &DK, &DDK);
+    let at = |theta: f64, phi: f64, phi_dot: f64| {
+        let k = [K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0]];
+        e.acceleration(
+            &[Q[0], Q[1] + phi],
+            &[V[0], V[1] + phi_dot],
+            &k,
+            &[DK[0] + theta * DDK[0]],
+        )
+    };
+    let slope =
+        |[a, b]: [[f64; 2]; 2], h: f64| [(a[0] - b[0]) / (2.0 * h), (a[1] - b[1]) / (2.0 * h)];
+    let near = |found: [f64; 2], expected: [f64; 2]| {
+        for (x, y) in found.iter().zip(expected) {
+            assert!(
+                (x - y).abs() < 1e-6 * y.abs(),
+                "{found:?} is not {expected:?}"
+            );
+        }
+    };
+    let h = 1e-4;
+    near(
+        [by_q[0][0], by_q[1][0]],
+        slope([at(h, 0.0, 0.0), at(-h, 0.0, 0.0)], h),
+    );
+    near(
+        [by_q[0][1], by_q[1][1]],
+        slope([at(0.0, h, 0.0), at(0.0, -h, 0.0)], h),
+    );
+    near(
+        [by_v[0][1], by_v[1][1]],
+        slope([at(0.0, 0.0, h), at(0.0, 0.0, -h)], h),
+    );
+    assert_eq!([by_v[0][0], by_v[1][0]], [0.0, 0.0]);
+}
+
+#[test]
+fn cell_and_jump() {
+    let e = gear_pair(0b11001);
+    let [n1, n2, i1, i2, _, t0] = NUMBERS;
+    let (m1, m2, c) = constants();
+    let (a, b) = (i1 / n1.powi(2), i2 / n2.powi(2));
+    close(e.mass().as_flattened(), &[a + b, a - b, a - b, a + b]);
+    close(e.damping().as_flattened(), &[0.0, 0.0, 0.0, 2.0 * c]);
+    close(e.stiffness(&K).as_flattened(), &[0.0, 0.0, 0.0, 2.0 * K[0]]);
+    close(&e.load(), &[0.0, 2.0 * t0]);
+    assert_eq!(e.normal(0), [1.0, 0.0]);
+    close(&[e.compliance(0)], &[m2 / 2.0]);
+    close(&e.direction(0), &[1.0, m1 / m2]);
+    close(&[compliance(&e.mass(), &e.normal(0))], &[e.compliance(0)]);
+    close(&direction(&e.mass(), &e.normal(0)), &e.direction(0));
+    close(&[e.step(0, &Q, 400.0)], &[400.0 * Q[1] * Q[1]]);
+}
+
+/// NaN and infinity in what an effect would use do not reach equations without it: the terms are not there.
+#[test]
+fn absent_terms_are_absent() {
+    let mut numbers = NUMBERS;
+    (numbers[4], numbers[5]) = (f64::NAN, f64::NAN);
+    for effects in [
+        0,
+        STIFFNESS_STEP | RIGID_KINEMATICS,
+        STIFFNESS_STEP | FROZEN_PHASE,
+    ] {
+        let e = GearPair::equations(effects, &numbers, &[f64::NAN]).unwrap();
+        let (m1, m2, _) = constants();
+        let a = e.acceleration(&Q, &V, &K, &[f64::INFINITY]);
+        close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
+        close(
+            &e.force(&Q, &V, &K, &[f64::NAN]),
+            &[0.0, -2.0 * K[0] * Q[1]],
+        );
+        assert_eq!(
+            [e.dissipation(&V), e.work(&Q), e.torque_work(0, &Q)],
+            [0.0; 3]
+        );
+        let [by_q, by_v] = e.jacobian(&Q, &V, &K, &[f64::NAN], &[f64::NAN]);
+        close(by_q.as_flattened(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
+        assert_eq!(by_v, [[0.0; 2]; 2]);
+        assert_eq!((e.damping(), e.load()), ([[0.0; 2]; 2], [0.0; 2]));
+    }
+}
+
+#[test]
+fn sets_of_effects() {
+    let exists = |effects| GearPair::equations(effects, &NUMBERS, &[MID]).is_some();
+    assert_eq!((0..64).filter(|&effects| exists(effects)).count(), 16);
+    assert!(!exists(RIGID_KINEMATICS) && !exists(FROZEN_PHASE | DAMPING));
+    assert!(!exists(STIFFNESS_STEP | RIGID_KINEMATICS | FROZEN_PHASE));
+    let switching = |effects| gear_pair(effects).switching(0);
+    assert_eq!(switching(DAMPING), Switching::Never);
+    assert_eq!(switching(STIFFNESS_STEP), Switching::WithJump);
+    assert_eq!(
+        switching(STIFFNESS_STEP | RIGID_KINEMATICS),
+        Switching::WithoutJump
+    );
+    assert_eq!(switching(STIFFNESS_STEP | FROZEN_PHASE), Switching::ByTime);
+}
+
+#[test]
+#[should_panic(expected = "no torque number 2")]
+fn no_third_torque() {
+    gear_pair(0).torque_work(2, &Q);
+}
+
+#[test]
+fn model() {
+    let m = GearPair::MODEL;
+    assert_eq!(
+        (m.name, m.title),
+        ("gear_pair", "Two spur gears on rigid shafts")
+    );
+    assert_eq!(
+        [m.coordinates[0].name, m.coordinates[1].name],
+        ["theta", "phi"]
+    );
+    assert_eq!(
+        (m.coordinates[0].start, m.coordinates[1].start),
+        (Start::At(0.0), Start::Static)
+    );
+    let names: Vec<_> = m.parameters.iter().map(|p| p.name).collect();
+    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0"]);
+    assert_eq!(
+        (m.parameters[0].default, m.parameters[2].default),
+        (Some(24.0), None)
+    );
+    let ranges = [m.parameters[0], m.parameters[4], m.parameters[5]].map(|p| p.range.to_string());
+    assert_eq!(ranges, ["(0, inf)", "[0, inf)", "(-inf, inf)"]);
+    assert_eq!(
+        (m.laws[0].name, m.laws[0].phase, m.laws[0].period),
+        ("k", "theta", std::f64::consts::TAU)
+    );
+    assert_eq!((m.motions[0].name, m.motions[0].unit), ("speed", "rad/s"));
+    assert_eq!(
+        (m.effects[2].name, m.effects[2].requires),
+        ("frozen_phase", &["stiffness_step"][..])
+    );
+    assert_eq!(m.effects[2].excludes, ["rigid_kinematics"]);
+    assert_eq!((m.torques[0].name, m.torques[1].name), ("drive", "load"));
+    assert_eq!(
+        (m.equations.lines().count(), m.latex.lines().count()),
+        (2, 1)
+    );
+}
+
+/// A file that says the least: no closed forms, no effects, a law that never steps.
+mod two_masses {
+    gearsim_macros::equations! {
+        model two_masses "Two coupled masses joined by a spring of 1 N/m, the second one held to the ground";
+        coordinates {
+            x "m" start -1.0, "first mass";
+            y "m" start 0.0, "second mass";
+        }
+        parameters { m "kg" required, open 0.0 to included 5.0, "each mass"; }
+        laws { s "N/m" phase y period 1.0, "ground spring"; }
+        energies { potential { _ => s*y.powi(2)/2.0; _ => (x - y).powi(2)/2.0; } }
+        mass { x x { _ => m; } x y { _ => m/2.0; } y y { _ => m; } }
+        force { x { _ => y - x; } y { _ => x - y; _ => -s*y; } }
+        jacobian {}
+    }
+}
+
+#[test]
+fn a_file_that_says_the_least() {
+    let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
+    assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
+    assert_eq!(
+        (
+            e.kinetic(&[1.0, 1.0]),
+            e.dissipation(&[1.0, 1.0]),
+            e.work(&[1.0, 1.0])
+        ),
+        (0.0, 0.0, 0.0)
+    );
+    assert_eq!(e.potential(&[2.0, 1.0], &[7.0]), 4.0);
+    assert_eq!(
+        e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]),
+        [-1.0, -6.0]
+    );
+    // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].
+    close(
+        &e.acceleration(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]),
+        &[8.0 / 9.0, -22.0 / 9.0],
+    );
+    assert_eq!(
+        (e.switching(0), e.normal(0)),
+        (Switching::Never, [0.0, 1.0])
+    );
+    close(&[e.compliance(0)], &[4.0 / 9.0]);
+    close(&e.direction(0), &[-0.5, 1.0]);
+    let range = two_masses::TwoMasses::MODEL.parameters[0].range;
+    assert_eq!(
+        range,
+        Range {
+            low: 0.0,
+            high: 5.0,
+            low_included: false,
+            high_included: true
+        }
+    );
+}
