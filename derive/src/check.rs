@@ -48,20 +48,55 @@ pub(crate) fn check(model: &Model) -> Result<(), Slip> {
     };
     let constant = &[Constant, Parameter, Mid, Mobility];
     for (name, value) in &model.constants {
-        place(&value.atom(), &format!("the constant `{name}`"), constant, "a constant may depend on parameters, constants and mid values only")?;
+        place(
+            &value.atom(),
+            &format!("the constant `{name}`"),
+            constant,
+            "a constant may depend on parameters, constants and mid values only",
+        )?;
     }
     for parts in &model.motions {
         for (q, speed) in &parts.speeds {
             place(&q.atom(), "a motion", &[Coordinate], "a motion gives speeds to coordinates")?;
-            place(&speed.atom(), "a motion", constant, "the speeds of a motion may depend on parameters and constants only")?;
+            place(
+                &speed.atom(),
+                "a motion",
+                constant,
+                "the speeds of a motion may depend on parameters and constants only",
+            )?;
         }
     }
-    each(&model.kinetic, "the kinetic energy", &[Constant, Parameter, Mid, Coordinate, Speed], "T depends on coordinates and speeds, not on the mesh")?;
-    each(&model.potential, "the potential energy", &[Constant, Parameter, Mid, Law, Coordinate], "V depends on positions, never on speeds")?;
-    each(&model.dissipation, "the dissipation function", &[Constant, Parameter, Mid, Coordinate, Speed], "D depends on coordinates and speeds, not on the mesh")?;
+    each(
+        &model.kinetic,
+        "the kinetic energy",
+        &[Constant, Parameter, Mid, Coordinate, Speed],
+        "T depends on coordinates and speeds, not on the mesh",
+    )?;
+    each(
+        &model.potential,
+        "the potential energy",
+        &[Constant, Parameter, Mid, Law, Coordinate],
+        "V depends on positions, never on speeds",
+    )?;
+    each(
+        &model.dissipation,
+        "the dissipation function",
+        &[Constant, Parameter, Mid, Coordinate, Speed],
+        "D depends on coordinates and speeds, not on the mesh",
+    )?;
     for torque in &model.torques {
-        place(&torque.value.atom(), &format!("the torque `{}`", torque.name), &[Constant, Parameter, Mid], "torques are constant")?;
-        place(&torque.through.atom(), &format!("the displacement of the torque `{}`", torque.name), &[Constant, Parameter, Coordinate], "a displacement depends on coordinates")?;
+        place(
+            &torque.value.atom(),
+            &format!("the torque `{}`", torque.name),
+            &[Constant, Parameter, Mid],
+            "torques are constant",
+        )?;
+        place(
+            &torque.through.atom(),
+            &format!("the displacement of the torque `{}`", torque.name),
+            &[Constant, Parameter, Coordinate],
+            "a displacement depends on coordinates",
+        )?;
     }
     for law in &model.laws {
         let phase = law.phase.atom();

@@ -5,9 +5,9 @@ use symbolica::atom::{Atom, AtomCore};
 use crate::cell::{self, Cell};
 use crate::jump::{self, Jump};
 use crate::lagrange::{self, Motion, Symbols};
-use crate::model::{JUMP_TERMS, MOVING_PHASE, Model};
+use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::slip::Slip;
-use crate::{check, file, proof};
+use crate::{check, expr, file, proof};
 
 /// Everything derived from a model's energies.
 pub struct Derivation<'a> {
@@ -55,6 +55,15 @@ impl Derivation<'_> {
     /// The terms of a cell that are not linear, with the energies they come from; empty where all are.
     pub fn nonlinear_terms(&self) -> &[String] {
         self.cell.as_ref().err().map_or(&[], |terms| terms)
+    }
+
+    /// Whether whole pitches of a law's phase change nothing but the law: no energy depends on it otherwise.
+    pub(crate) fn rolling(&self, law: &Law) -> bool {
+        let phase = expr::symbols(&law.phase.atom());
+        let [(kind, name)] = phase.as_slice() else { return false };
+        let moves = |e: &Atom| !e.derivative(expr::symbol(*kind, name)).is_zero();
+        let m = &self.motion;
+        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().chain(&m.external).any(moves)
     }
 
     /// Effects and conditions in the order in which terms are printed.

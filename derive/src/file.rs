@@ -26,7 +26,10 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     let mut lines = vec![
         format!("Equations of motion of `{}`: {}.", m.name, m.title),
         String::new(),
-        format!("Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {}`. Do not edit: change the", m.name, m.name),
+        format!(
+            "Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {}`. Do not edit: change the",
+            m.name, m.name
+        ),
         "energies and derive again.".into(),
         format!("Source: {}", m.source),
     ];
@@ -58,7 +61,8 @@ fn body_operations(d: &Derivation) -> Vec<(String, [usize; 3])> {
         })
     };
     let constants: Vec<Atom> = d.motion.constants.iter().map(|c| c.1.clone()).collect();
-    let mut rows = vec![("constants (once a scene)".to_string(), count(&constants)), ("force".into(), count(&d.motion.force))];
+    let mut rows =
+        vec![("constants (once a scene)".to_string(), count(&constants)), ("force".into(), count(&d.motion.force))];
     if let Some(a) = &d.motion.acceleration {
         rows.push(("acceleration".into(), count(a)));
     }
@@ -180,13 +184,24 @@ impl Block {
     fn vector(&mut self, what: &str, names: &[&str], values: &[Atom], group: &dyn Fn(&Atom) -> Vec<Group>) {
         self.line(1, &format!("{what} {{"));
         for (name, value) in names.iter().zip(values) {
-            self.groups(2, name, &group(value));
+            match group(value) {
+                none if none.is_empty() => self.line(2, &format!("{name} {{}}")),
+                groups => self.groups(2, name, &groups),
+            }
         }
         self.line(1, "}");
     }
 
     #[allow(clippy::needless_range_loop)] // rows and columns by index, as matrices are written
-    fn matrix(&mut self, what: &str, names: &[&str], values: &[Vec<Atom>], group: &dyn Fn(&Atom) -> Vec<Group>, depth: usize, symmetric: bool) {
+    fn matrix(
+        &mut self,
+        what: &str,
+        names: &[&str],
+        values: &[Vec<Atom>],
+        group: &dyn Fn(&Atom) -> Vec<Group>,
+        depth: usize,
+        symmetric: bool,
+    ) {
         self.line(depth, &format!("{what} {{"));
         for i in 0..names.len() {
             for j in if symmetric { i } else { 0 }..names.len() {
@@ -226,7 +241,17 @@ impl Block {
         b.line(1, "laws {");
         for law in &m.laws {
             let phase = print(&Tree::new(&law.phase.atom()), Style::Rust);
-            b.line(2, &format!("{} {:?} phase {phase} period {:?}, {:?};", law.name, law.unit, law.period, law.doc));
+            b.line(
+                2,
+                &format!(
+                    "{} {:?} phase {phase} period {:?}{}, {:?};",
+                    law.name,
+                    law.unit,
+                    law.period,
+                    if d.rolling(law) { " rolling" } else { "" },
+                    law.doc
+                ),
+            );
         }
         b.line(1, "}");
         b.line(1, "motions {");
@@ -234,15 +259,26 @@ impl Block {
             let speeds: String = motion
                 .speeds
                 .iter()
-                .map(|(q, v)| format!("{}_dot = {}; ", print(&Tree::new(&q.atom()), Style::Rust), print(&Tree::new(&v.atom()), Style::Rust)))
+                .map(|(q, v)| {
+                    format!(
+                        "{}_dot = {}; ",
+                        print(&Tree::new(&q.atom()), Style::Rust),
+                        print(&Tree::new(&v.atom()), Style::Rust)
+                    )
+                })
                 .collect();
             b.line(2, &format!("{} {:?} {{ {speeds}}}, {:?};", motion.name, motion.unit, motion.doc));
         }
         b.line(1, "}");
         b.line(1, "effects {");
         for e in &m.effects {
-            let list = |word: &str, names: &[String]| if names.is_empty() { String::new() } else { format!("{word}({}) ", names.join(", ")) };
-            b.line(2, &format!("{} {}{}{:?};", e.name, list("requires", &e.requires), list("excludes", &e.excludes), e.doc));
+            let list = |word: &str, names: &[String]| {
+                if names.is_empty() { String::new() } else { format!("{word}({}) ", names.join(", ")) }
+            };
+            b.line(
+                2,
+                &format!("{} {}{}{:?};", e.name, list("requires", &e.requires), list("excludes", &e.excludes), e.doc),
+            );
         }
         b.line(1, "}");
         b.line(1, "conditions {");

@@ -23,26 +23,30 @@ pub(crate) struct Jump {
 
 /// The jump rule of every law.
 pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
-    model.laws.iter().enumerate().map(|(l, law)| {
-        let phase = law.phase.atom();
-        let normal: Vec<Atom> = s.q.iter().map(|q| phase.derivative(*q).expand()).collect();
-        let k = Atom::var(s.law[l]);
-        let beyond = motion.potential.replace(k.to_pattern()).with((&k + Atom::var(s.slope[l])).to_pattern());
-        let (compliance, direction) = match &motion.mobility {
-            Some(w) => {
-                let (g, d) = response(w, &normal);
-                (Some(g), Some(d))
-            }
-            None => (None, None),
-        };
-        Jump { normal, compliance, direction, step: (beyond - &motion.potential).expand() }
-    }).collect()
+    model
+        .laws
+        .iter()
+        .enumerate()
+        .map(|(l, law)| {
+            let phase = law.phase.atom();
+            let normal: Vec<Atom> = s.q.iter().map(|q| phase.derivative(*q).expand()).collect();
+            let k = Atom::var(s.law[l]);
+            let beyond = motion.potential.replace(k.to_pattern()).with((&k + Atom::var(s.slope[l])).to_pattern());
+            let (compliance, direction) = match &motion.mobility {
+                Some(w) => {
+                    let (g, d) = response(w, &normal);
+                    (Some(g), Some(d))
+                }
+                None => (None, None),
+            };
+            Jump { normal, compliance, direction, step: (beyond - &motion.potential).expand() }
+        })
+        .collect()
 }
 
 /// G and M⁻¹n/G for a given inverse.
 pub(crate) fn response(w: &[Vec<Atom>], normal: &[Atom]) -> (Atom, Vec<Atom>) {
-    let wn: Vec<Atom> =
-        w.iter().map(|row| row.iter().zip(normal).fold(number(0), |sum, (w, n)| sum + w * n)).collect();
+    let wn: Vec<Atom> = w.iter().map(|row| row.iter().zip(normal).fold(number(0), |sum, (w, n)| sum + w * n)).collect();
     let g = normal.iter().zip(&wn).fold(number(0), |sum, (n, wn)| sum + n * wn).expand();
     let direction = wn.iter().map(|wn| wn.expand() / &g).collect();
     (g, direction)

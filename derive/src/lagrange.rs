@@ -21,7 +21,8 @@ pub(crate) struct Symbols {
 
 impl Symbols {
     pub fn new(model: &Model) -> Self {
-        let laws = |kind, prefix: &str| model.laws.iter().map(|l| symbol(kind, &format!("{prefix}{}", l.name))).collect();
+        let laws =
+            |kind, prefix: &str| model.laws.iter().map(|l| symbol(kind, &format!("{prefix}{}", l.name))).collect();
         Symbols {
             q: model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect(),
             v: model.speeds().iter().map(|s| symbol(Kind::Speed, s)).collect(),
@@ -61,7 +62,10 @@ pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &
         let through = law.phase.atom().derivative(s.q[i]);
         if !through.is_zero() {
             let marker = Atom::var(symbol(Kind::Marker, marker));
-            g = g + marker * (e.derivative(s.law[l]) * Atom::var(s.slope[l]) + e.derivative(s.slope[l]) * Atom::var(s.curvature[l])) * through;
+            g = g + marker
+                * (e.derivative(s.law[l]) * Atom::var(s.slope[l])
+                    + e.derivative(s.slope[l]) * Atom::var(s.curvature[l]))
+                * through;
         }
     }
     g
@@ -82,7 +86,11 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
     }
     let external: Vec<Atom> = (0..n)
         .map(|i| {
-            model.torques.iter().fold(number(0), |q, t| q + t.value.atom() * t.through.atom().derivative(s.q[i])).expand()
+            model
+                .torques
+                .iter()
+                .fold(number(0), |q, t| q + t.value.atom() * t.through.atom().derivative(s.q[i]))
+                .expand()
         })
         .collect();
     let force: Vec<Atom> = (0..n)
@@ -93,13 +101,22 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
         })
         .collect();
     let mut motion = Motion {
-        kinetic, potential, dissipation, external, mass, force,
-        constants: vec![], mobility: None, mobility_exact: None, acceleration: None,
+        kinetic,
+        potential,
+        dissipation,
+        external,
+        mass,
+        force,
+        constants: vec![],
+        mobility: None,
+        mobility_exact: None,
+        acceleration: None,
     };
     crate::mobility::name(model, &mut motion)?;
-    motion.acceleration = motion.mobility.as_ref().map(|w| {
-        (0..n).map(|i| (0..n).fold(number(0), |a, j| a + &w[i][j] * &motion.force[j]).expand()).collect()
-    });
+    motion.acceleration = motion
+        .mobility
+        .as_ref()
+        .map(|w| (0..n).map(|i| (0..n).fold(number(0), |a, j| a + &w[i][j] * &motion.force[j]).expand()).collect());
     Ok(motion)
 }
 

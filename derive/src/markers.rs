@@ -37,7 +37,8 @@ fn collect(pieces: Vec<Atom>, order: &[String]) -> Vec<Group> {
         if marks.iter().any(|m| m == JUMP_TERMS) {
             marks.retain(|m| m != MOVING_PHASE); // implied
         }
-        let mut key: Vec<usize> = marks.iter().map(|m| order.iter().position(|o| o == m).unwrap_or(order.len())).collect();
+        let mut key: Vec<usize> =
+            marks.iter().map(|m| order.iter().position(|o| o == m).unwrap_or(order.len())).collect();
         key.sort();
         match groups.iter_mut().find(|g| g.0 == key) {
             Some(group) => group.1 = &group.1 + &bare,

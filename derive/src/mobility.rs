@@ -71,10 +71,7 @@ fn inverse(model: &Model, mass: &[Vec<Atom>]) -> Result<Vec<Vec<Atom>>, Slip> {
     };
     Ok(match m.len() {
         1 => vec![vec![entry(number(1))]],
-        _ => vec![
-            vec![entry(m[1][1].clone()), entry(-&m[0][1])],
-            vec![entry(-&m[1][0]), entry(m[0][0].clone())],
-        ],
+        _ => vec![vec![entry(m[1][1].clone()), entry(-&m[0][1])], vec![entry(-&m[1][0]), entry(m[0][0].clone())]],
     })
 }
 

@@ -128,7 +128,8 @@ impl Model {
     /// The entry of the inverse mass matrix for two coordinates, whatever the derivation finds it to be. (At most two
     /// coordinates: larger mass matrices are never inverted symbolically.)
     pub fn inverse_mass(&self, a: Expr, b: Expr) -> Expr {
-        let index = |e: Expr| self.coordinates.iter().position(|c| e.atom() == Expr::var(Kind::Coordinate, &c.name).atom());
+        let index =
+            |e: Expr| self.coordinates.iter().position(|c| e.atom() == Expr::var(Kind::Coordinate, &c.name).atom());
         match (index(a), index(b)) {
             (Some(i), Some(j)) => Expr::var(Kind::Mobility, &mobility_name(i, j)),
             _ => Expr::symbol("inverse_mass_of_no_coordinate"),
@@ -217,10 +218,8 @@ pub(crate) const JUMP_TERMS: &str = "jump_terms";
 /// Marker of what depends on the phase at all: in force unless the phase is frozen. Implied by [`JUMP_TERMS`].
 pub(crate) const MOVING_PHASE: &str = "moving_phase";
 /// When they are there.
-pub(crate) const CONDITIONS: [(&str, &str); 2] = [
-    (JUMP_TERMS, "stiffness_step, !rigid_kinematics, !frozen_phase"),
-    (MOVING_PHASE, "stiffness_step, !frozen_phase"),
-];
+pub(crate) const CONDITIONS: [(&str, &str); 2] =
+    [(JUMP_TERMS, "stiffness_step, !rigid_kinematics, !frozen_phase"), (MOVING_PHASE, "stiffness_step, !frozen_phase")];
 
 fn mesh_effects() -> [Effect; 3] {
     let effect = |name: &str, requires: &[&str], excludes: &[&str], doc: &str| Effect {

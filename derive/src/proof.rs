@@ -90,7 +90,9 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
     let mut rate = number(0);
     for i in 0..n {
         let v = Atom::var(s.v[i]);
-        rate = rate + &v * hamiltonian.derivative(s.q[i]) + &v * jump(gradient(model, s, &motion.potential, i, JUMP_TERMS));
+        rate = rate
+            + &v * hamiltonian.derivative(s.q[i])
+            + &v * jump(gradient(model, s, &motion.potential, i, JUMP_TERMS));
         rate = rate + &v * jump(motion.force[i].clone());
         rate = rate - &v * &motion.external[i] + &v * motion.dissipation.derivative(s.v[i]);
     }
@@ -144,6 +146,9 @@ fn without_jump_terms(model: &Model, s: &Symbols, motion: &Motion) -> Option<Str
     });
     let missing = missing.expand();
     (!missing.is_zero()).then(|| {
-        format!("without the jump terms the balance fails: energy is created at the rate {}", print(&Tree::new(&all_present(&missing)), Style::Plain))
+        format!(
+            "without the jump terms the balance fails: energy is created at the rate {}",
+            print(&Tree::new(&all_present(&missing)), Style::Plain)
+        )
     })
 }

@@ -56,7 +56,8 @@ pub(crate) fn write(d: &Derivation) -> Texts {
     let written = |pieces: &[crate::Expr], style| {
         sum(&as_written(&pieces.iter().map(|p| p.atom()).collect::<Vec<_>>(), &order), style)
     };
-    let mut t = Texts { energies: vec![], constants: vec![], motion: vec![], jump: vec![], cell: vec![], latex: vec![] };
+    let mut t =
+        Texts { energies: vec![], constants: vec![], motion: vec![], jump: vec![], cell: vec![], latex: vec![] };
 
     for (name, pieces) in [("T", &m.kinetic), ("V", &m.potential), ("D", &m.dissipation)] {
         t.energies.push(format!("{name} = {}", written(pieces, Style::Plain)));
@@ -105,7 +106,12 @@ fn jumps(d: &Derivation, t: &mut Texts) {
     for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
         let phase = print(&Tree::new(&law.phase.atom()), Style::Plain);
         let (Some(g), Some(direction)) = (&jump.compliance, &jump.direction) else {
-            t.jump.push(format!("at a step d{} of {} in {phase}: v+^2 = v-^2 - 2*G*({})", law.name, law.name, sum(&grouped(&jump.step, &order), Style::Plain)));
+            t.jump.push(format!(
+                "at a step d{} of {} in {phase}: v+^2 = v-^2 - 2*G*({})",
+                law.name,
+                law.name,
+                sum(&grouped(&jump.step, &order), Style::Plain)
+            ));
             continue;
         };
         let lost = (number(2) * g * &jump.step).expand();
@@ -114,7 +120,9 @@ fn jumps(d: &Derivation, t: &mut Texts) {
         let step = format!("\\Delta {}", latex_name(&law.name));
         t.jump.push(format!("at a step {slope} of {} in {phase}, where energy allows:", law.name));
         t.jump.push(format!("{speed}+^2 = {speed}-^2 - {}", sum(&grouped(&lost, &order), Style::Plain)));
-        let tex = |a: &Atom| sum(&grouped(a, &order), Style::Latex).replace(&symbol_text(Kind::Slope, &slope, Style::Latex), &step);
+        let tex = |a: &Atom| {
+            sum(&grouped(a, &order), Style::Latex).replace(&symbol_text(Kind::Slope, &slope, Style::Latex), &step)
+        };
         let dot = |name: &str, side: char| format!("\\dot{{{}}}_{side}", latex_name(name));
         t.latex.push(format!("{}^2 = {}^2 - {}", dot(&phase, '+'), dot(&phase, '-'), tex(&lost)));
         for (c, part) in d.model.coordinates.iter().zip(direction) {
@@ -122,8 +130,18 @@ fn jumps(d: &Derivation, t: &mut Texts) {
                 continue;
             }
             let other = speed_name(&c.name);
-            t.jump.push(format!("{other}+ - {other}- = ({})*({speed}+ - {speed}-)", sum(&grouped(part, &order), Style::Plain)));
-            t.latex.push(format!("{} - {} = {} \\left({} - {}\\right)", dot(&c.name, '+'), dot(&c.name, '-'), tex(part), dot(&phase, '+'), dot(&phase, '-')));
+            t.jump.push(format!(
+                "{other}+ - {other}- = ({})*({speed}+ - {speed}-)",
+                sum(&grouped(part, &order), Style::Plain)
+            ));
+            t.latex.push(format!(
+                "{} - {} = {} \\left({} - {}\\right)",
+                dot(&c.name, '+'),
+                dot(&c.name, '-'),
+                tex(part),
+                dot(&phase, '+'),
+                dot(&phase, '-')
+            ));
         }
         t.jump.push(format!("else {speed}+ = -{speed}-: reflected, and the stiffness stays"));
     }

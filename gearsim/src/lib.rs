@@ -1,6 +1,14 @@
 //! gearsim: energy-conserving simulation of gear systems.
+//!
+//! A scene ([`scene`]) names a derived model ([`generated`], described by [`model`]) and the effects it has; the
+//! [`engine`] runs it exactly from step to step; [`trajectory`] holds what was recorded, [`analysis`] and [`plot`] make
+//! pictures of it, [`output`] writes files. The program in `cli` joins them.
+
+// Units in square brackets are not links.
+#![allow(rustdoc::broken_intra_doc_links)]
 
 pub mod analysis;
+pub mod cli;
 pub mod engine;
 pub mod generated;
 pub mod model;

@@ -24,6 +24,8 @@ pub struct Model {
     pub effects: &'static [Effect],
     /// External torques, in the order in which their work is recorded.
     pub torques: &'static [Torque],
+    /// The terms that make a cell nonlinear, with the energies they come from; empty where cells are linear.
+    pub nonlinear: &'static str,
     /// The derived equations as plain text, one a line.
     pub equations: &'static str,
     /// The derived equations in LaTeX, one a line.
@@ -84,16 +86,8 @@ impl Range {
     /// Whether `x` is finite and lies in the interval.
     pub fn contains(&self, x: f64) -> bool {
         x.is_finite()
-            && (if self.low_included {
-                x >= self.low
-            } else {
-                x > self.low
-            })
-            && (if self.high_included {
-                x <= self.high
-            } else {
-                x < self.high
-            })
+            && (if self.low_included { x >= self.low } else { x > self.low })
+            && (if self.high_included { x <= self.high } else { x < self.high })
     }
 }
 
@@ -116,6 +110,8 @@ pub struct Law {
     pub phase: &'static str,
     /// One pitch [unit of the phase].
     pub period: f64,
+    /// Whether whole pitches of the phase change nothing else: then they are counted off, and cost no digits.
+    pub rolling: bool,
     /// What it is.
     pub doc: &'static str,
 }

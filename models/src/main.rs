@@ -34,7 +34,9 @@ fn main() -> anyhow::Result<()> {
             (true, false) => stale.push(*name),
             (false, false) => {
                 std::fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
-                println!("{name}: derived, proved and written to gearsim/src/generated/{name}.rs ({milliseconds:.1} ms)");
+                println!(
+                    "{name}: derived, proved and written to gearsim/src/generated/{name}.rs ({milliseconds:.1} ms)"
+                );
             }
         }
     }

@@ -86,28 +86,13 @@ impl GearPair {
     /// The gear set of the paper's Table 1 and Section 3, at damping `zeta` and torque `t0` \[N m\] (not in the paper).
     pub fn paper(zeta: f64, t0: f64) -> Self {
         let (i1, i2, n1, n2) = (2.89e-3, 740.2e-3, 24.0, 96.0);
-        Self {
-            i1,
-            i2,
-            n1,
-            n2,
-            k1: 1430.0,
-            k2: 2780.0,
-            width1: 1.73,
-            zeta,
-            t0,
-        }
+        Self { i1, i2, n1, n2, k1: 1430.0, k2: 2780.0, width1: 1.73, zeta, t0 }
     }
 
     /// The standard start: theta = 0 where one tooth pair is in contact, phi at rest, driving gear at `rpm`.
     pub fn start(&self, rpm: f64) -> State {
         let theta_dot = self.n1 * (rpm * TAU / 60.0);
-        State {
-            theta: 0.0,
-            theta_dot,
-            phi: self.t0 / self.k1,
-            phi_dot: 0.0,
-        }
+        State { theta: 0.0, theta_dot, phi: self.t0 / self.k1, phi_dot: 0.0 }
     }
 
     /// M1 = (N1^2/I1 - N2^2/I2)/2 \[1/(kg m^2)\]
@@ -152,11 +137,7 @@ impl GearPair {
 
     /// Extent of a cell in theta \[rad\]
     pub fn width(&self, cell: i64) -> f64 {
-        if cell & 1 == 0 {
-            self.width1
-        } else {
-            self.width2()
-        }
+        if cell & 1 == 0 { self.width1 } else { self.width2() }
     }
 
     /// The cell of an unwrapped angle, and the angle beyond the cell's lower end \[rad\].
@@ -173,11 +154,7 @@ impl GearPair {
 
     /// The unwrapped angle \[rad\] of `local` beyond the lower end of `cell`.
     pub fn unwrap(&self, cell: i64, local: f64) -> f64 {
-        let offset = if cell & 1 == 0 {
-            local
-        } else {
-            self.width1 + local
-        };
+        let offset = if cell & 1 == 0 { local } else { self.width1 + local };
         (cell.div_euclid(2) as f64).mul_add(PITCH, offset)
     }
 
@@ -185,10 +162,7 @@ impl GearPair {
     pub fn exact(&self, k: f64, dk_dtheta: f64, phi: f64, phi_dot: f64) -> (f64, f64) {
         let momentum = self.t0 - k * phi - self.c() * phi_dot;
         let step = dk_dtheta * phi * phi / 2.0;
-        (
-            self.m2() * momentum - self.m1() * step,
-            self.m1() * momentum - self.m2() * step,
-        )
+        (self.m2() * momentum - self.m1() * step, self.m1() * momentum - self.m2() * step)
     }
 
     /// (phi'', theta'') \[rad/s^2\] of the rigid kinematic Newtonian form, without dk/dtheta, Eqs. (4), (5).
@@ -198,8 +172,7 @@ impl GearPair {
 
     /// phi'' \[rad/s^2\] at time `t` \[s\] of the classical form, k = k(Omega0 t), with `omega` = theta' held, Eq. (6).
     pub fn classical(&self, omega: f64, t: f64, phi: f64, phi_dot: f64) -> f64 {
-        self.newtonian(self.k(self.locate(omega * t).0), phi, phi_dot)
-            .0
+        self.newtonian(self.k(self.locate(omega * t).0), phi, phi_dot).0
     }
 
     /// The velocities after a step `dk` = k beyond - k before \[N m\], Eqs. (9), (11).
@@ -209,23 +182,13 @@ impl GearPair {
         if square < 0.0 {
             // (11) with theta'+ = -theta'-: the momentum conjugate to phi is kept
             let phi_dot = phi_dot - 2.0 * ratio * theta_dot;
-            return Jump::Reflect {
-                theta_dot: -theta_dot,
-                phi_dot,
-            };
+            return Jump::Reflect { theta_dot: -theta_dot, phi_dot };
         }
         let after = square.sqrt().copysign(theta_dot);
         // (9) as a difference of squares divided by the sum: no cancellation where the step is small
         let sum = after + theta_dot;
-        let change = if sum == 0.0 {
-            0.0
-        } else {
-            -self.m2() * dk * phi * phi / sum
-        };
-        Jump::Transmit {
-            theta_dot: after,
-            phi_dot: phi_dot + ratio * change,
-        }
+        let change = if sum == 0.0 { 0.0 } else { -self.m2() * dk * phi * phi / sum };
+        Jump::Transmit { theta_dot: after, phi_dot: phi_dot + ratio * change }
     }
 
     /// The state `t` \[s\] after `from` within a cell of stiffness `k` \[N m\], underdamped, Eqs. (12), (13).
@@ -243,20 +206,12 @@ impl GearPair {
         let theta_dot = from.theta_dot + ratio * (phi_dot - from.phi_dot);
         let drift = from.theta_dot - ratio * from.phi_dot;
         let theta = from.theta + (drift * t + ratio * (phi - from.phi));
-        State {
-            theta,
-            theta_dot,
-            phi,
-            phi_dot,
-        }
+        State { theta, theta_dot, phi, phi_dot }
     }
 
     /// Kinetic energy T \[J\]
     pub fn kinetic(&self, s: &State) -> f64 {
-        let (v1, v2) = (
-            (s.theta_dot + s.phi_dot) / self.n1,
-            (s.theta_dot - s.phi_dot) / self.n2,
-        );
+        let (v1, v2) = ((s.theta_dot + s.phi_dot) / self.n1, (s.theta_dot - s.phi_dot) / self.n2);
         (self.i1 * v1 * v1 + self.i2 * v2 * v2) / 2.0
     }
 

@@ -29,42 +29,23 @@ pub fn check(model: &mut Model) -> syn::Result<()> {
 /// No name means two things.
 fn names(m: &Model, errors: &mut Vec<Error>) {
     // `new` holds parameters and constants beside these two slices.
-    let mut taken = HashMap::from(
-        ["parameters", "mids"].map(|n| (n.to_string(), "the generated code".to_string())),
-    );
+    let mut taken = HashMap::from(["parameters", "mids"].map(|n| (n.to_string(), "the generated code".to_string())));
     let mut claim = |kind: &str, name: &Ident, derived: Vec<String>| {
         let all = std::iter::once(name.to_string()).chain(derived);
         for one in all {
             if let Some(owner) = taken.get(&one) {
-                errors.push(Error::new(
-                    name.span(),
-                    format!("{kind} `{name}`: `{one}` already belongs to {owner}"),
-                ));
+                errors.push(Error::new(name.span(), format!("{kind} `{name}`: `{one}` already belongs to {owner}")));
                 return;
             }
             taken.insert(one, format!("the {kind} `{name}`"));
         }
     };
-    m.coordinates
-        .iter()
-        .for_each(|c| claim("coordinate", &c.name, vec![speed(&c.name)]));
-    m.parameters
-        .iter()
-        .for_each(|p| claim("parameter", &p.name, vec![]));
+    m.coordinates.iter().for_each(|c| claim("coordinate", &c.name, vec![speed(&c.name)]));
+    m.parameters.iter().for_each(|p| claim("parameter", &p.name, vec![]));
     for name in m.laws.iter().map(|l| &l.name) {
-        claim(
-            "law",
-            name,
-            vec![
-                format!("d{name}"),
-                format!("dd{name}"),
-                format!("{name}_mid"),
-            ],
-        );
+        claim("law", name, vec![format!("d{name}"), format!("dd{name}"), format!("{name}_mid")]);
     }
-    m.constants
-        .iter()
-        .for_each(|c| claim("constant", &c.name, vec![]));
+    m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
     unique("motion", m.motions.iter().map(|x| &x.name), errors);
     unique("torque", m.torques.iter().map(|x| &x.name), errors);
     unique("jump", m.jumps.iter().map(|x| &x.law), errors);
@@ -85,40 +66,20 @@ pub fn unique<'a>(kind: &str, names: impl Iterator<Item = &'a Ident>, errors: &m
 fn numbers(m: &Model, errors: &mut Vec<Error>) {
     for p in &m.parameters {
         let above = |x: f64| {
-            if p.low_included {
-                x >= p.low
-            } else {
-                x > p.low
-            }
+            if p.low_included { x >= p.low } else { x > p.low }
         };
         let below = |x: f64| {
-            if p.high_included {
-                x <= p.high
-            } else {
-                x < p.high
-            }
+            if p.high_included { x <= p.high } else { x < p.high }
         };
         if p.low >= p.high {
-            errors.push(Error::new(
-                p.name.span(),
-                format!("parameter `{}`: its range is empty", p.name),
-            ));
-        } else if !p
-            .default
-            .is_none_or(|x| x.is_finite() && above(x) && below(x))
-        {
-            errors.push(Error::new(
-                p.name.span(),
-                format!("parameter `{}`: its default is out of range", p.name),
-            ));
+            errors.push(Error::new(p.name.span(), format!("parameter `{}`: its range is empty", p.name)));
+        } else if !p.default.is_none_or(|x| x.is_finite() && above(x) && below(x)) {
+            errors.push(Error::new(p.name.span(), format!("parameter `{}`: its default is out of range", p.name)));
         }
     }
     for l in &m.laws {
         if !(l.period.is_finite() && l.period > 0.0) {
-            errors.push(Error::new(
-                l.name.span(),
-                format!("law `{}`: its period is not positive", l.name),
-            ));
+            errors.push(Error::new(l.name.span(), format!("law `{}`: its period is not positive", l.name)));
         }
     }
 }
@@ -140,10 +101,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         }
     }
     for motion in &m.motions {
-        motion
-            .speeds
-            .iter()
-            .for_each(|s| known("a speed", &s.name, &q_dot, errors));
+        motion.speeds.iter().for_each(|s| known("a speed", &s.name, &q_dot, errors));
         unique("speed", motion.speeds.iter().map(|s| &s.name), errors);
     }
     let laws: Vec<String> = m.laws.iter().map(|l| l.name.to_string()).collect();
@@ -152,31 +110,20 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         rows(j.normal.iter().flatten(), &q, errors);
         rows(j.direction.iter().flatten(), &q, errors);
         if j.step.is_none() {
-            errors.push(Error::new(
-                j.law.span(),
-                format!("jump {}: no `step`", j.law),
-            ));
+            errors.push(Error::new(j.law.span(), format!("jump {}: no `step`", j.law)));
         }
     }
 
     rows(&m.work, &q, errors);
     rows(&m.load, &q, errors);
-    for (name, vector, needed) in [
-        ("force", &m.force, true),
-        ("acceleration", &m.acceleration, false),
-    ] {
+    for (name, vector, needed) in [("force", &m.force, true), ("acceleration", &m.acceleration, false)] {
         match vector {
             Some(vector) => {
                 rows(vector, &q, errors);
-                let missing = m
-                    .coordinates
-                    .iter()
-                    .filter(|c| !vector.iter().any(|r| r.name == c.name));
+                let missing = m.coordinates.iter().filter(|c| !vector.iter().any(|r| r.name == c.name));
                 for c in missing {
-                    let message = format!(
-                        "{name}: no row for the coordinate `{0}`; if it is zero, write `{0} {{}}`",
-                        c.name
-                    );
+                    let message =
+                        format!("{name}: no row for the coordinate `{0}`; if it is zero, write `{0} {{}}`", c.name);
                     errors.push(Error::new(c.name.span(), message));
                 }
             }
@@ -187,15 +134,8 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
 
     for c in &m.coordinates {
         // Without a term on the diagonal, M cannot be positive definite.
-        if !m
-            .mass
-            .iter()
-            .any(|e| e.row == c.name && e.column == c.name && !e.sum.is_empty())
-        {
-            let message = format!(
-                "mass: no row for the coordinate `{0}` (at least `{0} {0} {{ .. }}`)",
-                c.name
-            );
+        if !m.mass.iter().any(|e| e.row == c.name && e.column == c.name && !e.sum.is_empty()) {
+            let message = format!("mass: no row for the coordinate `{0}` (at least `{0} {0} {{ .. }}`)", c.name);
             errors.push(Error::new(c.name.span(), message));
         }
     }
@@ -217,31 +157,19 @@ fn known(what: &str, name: &Ident, names: &[String], errors: &mut Vec<Error>) {
 
 fn rows<'a>(rows: impl IntoIterator<Item = &'a Row>, q: &[String], errors: &mut Vec<Error>) {
     let names: Vec<_> = rows.into_iter().map(|r| &r.name).collect();
-    names
-        .iter()
-        .for_each(|name| known("a coordinate", name, q, errors));
+    names.iter().for_each(|name| known("a coordinate", name, q, errors));
     unique("row", names.into_iter(), errors);
 }
 
-fn entries(
-    entries: &[Entry],
-    rows: &[String],
-    columns: &[String],
-    symmetric: bool,
-    errors: &mut Vec<Error>,
-) {
+fn entries(entries: &[Entry], rows: &[String], columns: &[String], symmetric: bool, errors: &mut Vec<Error>) {
     for (i, e) in entries.iter().enumerate() {
         known("a coordinate", &e.row, rows, errors);
         known("a column", &e.column, columns, errors);
         let same = |f: &Entry| {
-            (f.row == e.row && f.column == e.column)
-                || (symmetric && f.row == e.column && f.column == e.row)
+            (f.row == e.row && f.column == e.column) || (symmetric && f.row == e.column && f.column == e.row)
         };
         if entries[..i].iter().any(same) {
-            errors.push(Error::new(
-                e.row.span(),
-                format!("a second entry `{} {}`", e.row, e.column),
-            ));
+            errors.push(Error::new(e.row.span(), format!("a second entry `{} {}`", e.row, e.column)));
         }
     }
 }

@@ -12,31 +12,23 @@ pub fn describe(m: &Model) -> TokenStream {
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
     let coordinates = m.coordinates.iter().map(coordinate);
     let parameters = m.parameters.iter().map(parameter);
-    let laws = m.laws.iter().map(|Law { name, unit, phase, period, doc }| {
+    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, doc }| {
         let (name, phase) = (name.to_string(), phase.to_string());
-        quote!(model::Law { name: #name, unit: #unit, phase: #phase, period: #period, doc: #doc })
+        quote!(model::Law { name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, doc: #doc })
     });
-    let motions = m.motions.iter().map(
-        |Motion {
-             name, unit, doc, ..
-         }| {
-            let name = name.to_string();
-            quote!(model::Motion { name: #name, unit: #unit, doc: #doc })
-        },
-    );
+    let motions = m.motions.iter().map(|Motion { name, unit, doc, .. }| {
+        let name = name.to_string();
+        quote!(model::Motion { name: #name, unit: #unit, doc: #doc })
+    });
     let effects = m.effects.iter().map(|e| {
-        let (name, doc, requires, excludes) = (
-            e.name.to_string(),
-            &e.doc,
-            strings(&e.requires),
-            strings(&e.excludes),
-        );
+        let (name, doc, requires, excludes) = (e.name.to_string(), &e.doc, strings(&e.requires), strings(&e.excludes));
         quote!(model::Effect { name: #name, doc: #doc, requires: #requires, excludes: #excludes })
     });
     let torques = m.torques.iter().map(|Torque { name, doc, .. }| {
         let name = name.to_string();
         quote!(model::Torque { name: #name, doc: #doc })
     });
+    let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
     let (equations, latex) = (joined(&m.text), joined(&m.latex));
     quote! {
         model::Model {
@@ -49,6 +41,7 @@ pub fn describe(m: &Model) -> TokenStream {
             motions: &[#(#motions),*],
             effects: &[#(#effects),*],
             torques: &[#(#torques),*],
+            nonlinear: #nonlinear,
             equations: #equations,
             latex: #latex,
         }
@@ -68,13 +61,7 @@ fn coordinate(c: &Coordinate) -> TokenStream {
 }
 
 fn parameter(p: &Parameter) -> TokenStream {
-    let Parameter {
-        unit,
-        low_included,
-        high_included,
-        doc,
-        ..
-    } = p;
+    let Parameter { unit, low_included, high_included, doc, .. } = p;
     let (name, low, high) = (p.name.to_string(), number(p.low), number(p.high));
     let default = match p.default.map(number) {
         Some(x) => quote!(Some(#x)),
@@ -99,11 +86,7 @@ fn parameter(p: &Parameter) -> TokenStream {
 /// A number as tokens: infinities have no literal, and a negative literal is two tokens.
 fn number(x: f64) -> TokenStream {
     let (minus, size) = (x.is_sign_negative().then(|| quote!(-)), x.abs());
-    if size.is_infinite() {
-        quote!(#minus f64::INFINITY)
-    } else {
-        quote!(#minus #size)
-    }
+    if size.is_infinite() { quote!(#minus f64::INFINITY) } else { quote!(#minus #size) }
 }
 
 fn strings(names: &[Ident]) -> TokenStream {
@@ -112,9 +95,5 @@ fn strings(names: &[Ident]) -> TokenStream {
 }
 
 fn joined(lines: &[LitStr]) -> String {
-    lines
-        .iter()
-        .map(LitStr::value)
-        .collect::<Vec<_>>()
-        .join("\n")
+    lines.iter().map(LitStr::value).collect::<Vec<_>>().join("\n")
 }

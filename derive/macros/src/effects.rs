@@ -29,31 +29,16 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
     let before = errors.len();
     unique(
         "effect or condition",
-        m.effects
-            .iter()
-            .map(|e| &e.name)
-            .chain(m.conditions.iter().map(|c| &c.name)),
+        m.effects.iter().map(|e| &e.name).chain(m.conditions.iter().map(|c| &c.name)),
         errors,
     );
-    let related = m
-        .effects
-        .iter()
-        .flat_map(|e| e.requires.iter().chain(&e.excludes));
-    for name in related.chain(
-        m.conditions
-            .iter()
-            .flat_map(|c| c.effects.iter().map(|(_, name)| name)),
-    ) {
+    let related = m.effects.iter().flat_map(|e| e.requires.iter().chain(&e.excludes));
+    for name in related.chain(m.conditions.iter().flat_map(|c| c.effects.iter().map(|(_, name)| name))) {
         if index(m, name).is_none() {
-            errors.push(Error::new(
-                name.span(),
-                format!("no effect is called `{name}`"),
-            ));
+            errors.push(Error::new(name.span(), format!("no effect is called `{name}`")));
         }
     }
-    if errors.len() == before
-        && (m.effects.len() > MOST_EFFECTS || sets(m).nth(MOST_SETS).is_some())
-    {
+    if errors.len() == before && (m.effects.len() > MOST_EFFECTS || sets(m).nth(MOST_SETS).is_some()) {
         let message = format!(
             "the {} effects combine in more than {MOST_SETS} ways, each compiled by itself: \
              exclude some, or split the model",
@@ -65,17 +50,8 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
 
 /// The sets of effects that contradict nothing, as bits.
 pub fn sets(m: &Model) -> impl Iterator<Item = u32> {
-    let bits = |names: &[Ident]| {
-        names
-            .iter()
-            .filter_map(|n| index(m, n))
-            .fold(0u32, |bits, i| bits | 1 << i)
-    };
-    let rules: Vec<_> = m
-        .effects
-        .iter()
-        .map(|e| (bits(&e.requires), bits(&e.excludes)))
-        .collect();
+    let bits = |names: &[Ident]| names.iter().filter_map(|n| index(m, n)).fold(0u32, |bits, i| bits | 1 << i);
+    let rules: Vec<_> = m.effects.iter().map(|e| (bits(&e.requires), bits(&e.excludes))).collect();
     (0..1u32 << m.effects.len()).filter(move |set| {
         let holds = |(i, (requires, excludes)): (usize, &(u32, u32))| {
             set & 1 << i == 0 || (set & requires == *requires && set & excludes == 0)
@@ -86,9 +62,7 @@ pub fn sets(m: &Model) -> impl Iterator<Item = u32> {
 
 /// A set as a literal with one digit for each effect, the last effect first: `0b11001`.
 pub fn literal(m: &Model, set: u32) -> TokenStream {
-    format!("0b{set:0width$b}", width = m.effects.len().max(1))
-        .parse()
-        .expect("digits")
+    format!("0b{set:0width$b}", width = m.effects.len().max(1)).parse().expect("digits")
 }
 
 /// `const DAMPING: bool = E & 8 != 0;` for each effect, and for each condition its conjunction.

@@ -56,21 +56,13 @@ pub fn emit(m: &Model) -> TokenStream {
 
 /// `struct With<E>`: the numbers of the equations with the effects E.
 fn with(m: &Model) -> TokenStream {
-    let names = || {
-        m.parameters
-            .iter()
-            .map(|p| &p.name)
-            .chain(m.constants.iter().map(|c| &c.name))
-    };
+    let names = || m.parameters.iter().map(|p| &p.name).chain(m.constants.iter().map(|c| &c.name));
     let (fields, values) = (names(), names());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
         let (name, i) = (&p.name, Index::from(i));
         quote!(let #name = parameters[#i];)
     });
-    let constants = m
-        .constants
-        .iter()
-        .map(|Assignment { name, value }| quote!(let #name = #value;));
+    let constants = m.constants.iter().map(|Assignment { name, value }| quote!(let #name = #value;));
     quote! {
         /// The equations with the effects E.
         #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
@@ -92,11 +84,6 @@ fn with(m: &Model) -> TokenStream {
 /// `GearPair` for `gear_pair`.
 fn camel_case(name: &Ident) -> Ident {
     let upper = |word: &str| word[..1].to_uppercase() + &word[1..];
-    let name_in_camel_case: String = name
-        .to_string()
-        .split('_')
-        .filter(|w| !w.is_empty())
-        .map(upper)
-        .collect();
+    let name_in_camel_case: String = name.to_string().split('_').filter(|w| !w.is_empty()).map(upper).collect();
     Ident::new(&name_in_camel_case, name.span())
 }

@@ -13,24 +13,11 @@ use crate::sums::{block, body, by_index, matrix, position, vector};
 /// The functions of `Equations`.
 pub fn functions(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
-    let (kinetic, potential, dissipation) =
-        (body(&m.kinetic), body(&m.potential), body(&m.dissipation));
-    let torque_work = by_index(
-        "torque",
-        format_ident!("i"),
-        m.torques.iter().map(|t| block(&t.work)),
-    );
+    let (kinetic, potential, dissipation) = (body(&m.kinetic), body(&m.potential), body(&m.dissipation));
+    let torque_work = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.work)));
     let work = body(&work(m));
-    let motion = by_index(
-        "motion",
-        format_ident!("i"),
-        m.motions.iter().map(|x| motion(m, x)),
-    );
-    let (mass, damping, stiffness) = (
-        matrix(m, &m.mass),
-        matrix(m, &m.damping),
-        matrix(m, &m.stiffness),
-    );
+    let motion = by_index("motion", format_ident!("i"), m.motions.iter().map(|x| motion(m, x)));
+    let (mass, damping, stiffness) = (matrix(m, &m.mass), matrix(m, &m.damping), matrix(m, &m.stiffness));
     let load = vector(m, &m.load);
     let force = vector(m, m.force.iter().flatten());
     let acceleration = m.acceleration.as_ref().map(|rows| {
@@ -77,10 +64,7 @@ fn work(m: &Model) -> Sum {
         let i = position(m, &row.name);
         row.sum.iter().map(move |t| {
             let force = &t.value;
-            Term {
-                condition: t.condition.clone(),
-                value: syn::parse_quote!((#force) * dq[#i]),
-            }
+            Term { condition: t.condition.clone(), value: syn::parse_quote!((#force) * dq[#i]) }
         })
     });
     terms.collect()
@@ -89,11 +73,7 @@ fn work(m: &Model) -> Sum {
 fn motion(m: &Model, motion: &Motion) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let speeds = motion.speeds.iter().map(|Assignment { name, value }| {
-        let i = m
-            .coordinates
-            .iter()
-            .position(|c| *name == speed(&c.name))
-            .map(Index::from);
+        let i = m.coordinates.iter().position(|c| *name == speed(&c.name)).map(Index::from);
         quote!(q_dot[#i] = #value;)
     });
     quote!({ let mut q_dot = [0.0; #n]; #(#speeds)* q_dot })
@@ -103,10 +83,7 @@ fn motion(m: &Model, motion: &Motion) -> TokenStream {
 fn jacobian(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let entries = m.jacobian.iter().flatten().map(|e| {
-        let by_speed = m
-            .coordinates
-            .iter()
-            .position(|c| e.column == speed(&c.name));
+        let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
         let (which, j) = match by_speed {
             Some(j) => (Index::from(1), Index::from(j)),
             None => (Index::from(0), position(m, &e.column)),

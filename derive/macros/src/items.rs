@@ -11,17 +11,8 @@ impl Parse for Coordinate {
     fn parse(input: ParseStream) -> Result<Self> {
         let (name, unit) = (input.parse()?, input.parse()?);
         word(input, "start")?;
-        let start = if input.parse::<Option<Token![static]>>()?.is_some() {
-            None
-        } else {
-            Some(number(input)?)
-        };
-        Ok(Self {
-            name,
-            unit,
-            start,
-            doc: doc(input)?,
-        })
+        let start = if input.parse::<Option<Token![static]>>()?.is_some() { None } else { Some(number(input)?) };
+        Ok(Self { name, unit, start, doc: doc(input)? })
     }
 }
 
@@ -41,16 +32,7 @@ impl Parse for Parameter {
             word(input, "included")?;
         }
         let high = number(input)?;
-        Ok(Self {
-            name,
-            unit,
-            default,
-            low,
-            low_included,
-            high,
-            high_included,
-            doc: doc(input)?,
-        })
+        Ok(Self { name, unit, default, low, low_included, high, high_included, doc: doc(input)? })
     }
 }
 
@@ -60,35 +42,25 @@ impl Parse for Law {
         word(input, "phase")?;
         let phase = input.parse()?;
         word(input, "period")?;
-        Ok(Self {
-            name,
-            unit,
-            phase,
-            period: number(input)?,
-            doc: doc(input)?,
-        })
+        let period = number(input)?;
+        let rolling = input.peek(Ident);
+        if rolling {
+            word(input, "rolling")?;
+        }
+        Ok(Self { name, unit, phase, period, rolling, doc: doc(input)? })
     }
 }
 
 impl Parse for Motion {
     fn parse(input: ParseStream) -> Result<Self> {
-        Ok(Self {
-            name: input.parse()?,
-            unit: input.parse()?,
-            speeds: list(input)?,
-            doc: doc(input)?,
-        })
+        Ok(Self { name: input.parse()?, unit: input.parse()?, speeds: list(input)?, doc: doc(input)? })
     }
 }
 
 impl Parse for Effect {
     fn parse(input: ParseStream) -> Result<Self> {
-        let mut effect = Self {
-            name: input.parse()?,
-            requires: vec![],
-            excludes: vec![],
-            doc: LitStr::new("", input.span()),
-        };
+        let mut effect =
+            Self { name: input.parse()?, requires: vec![], excludes: vec![], doc: LitStr::new("", input.span()) };
         while input.peek(Ident) {
             let names = match choice(input, &["requires", "excludes"])? {
                 0 => &mut effect.requires,
@@ -108,18 +80,10 @@ impl Parse for Condition {
     fn parse(input: ParseStream) -> Result<Self> {
         let name = input.parse()?;
         input.parse::<Token![=]>()?;
-        let effect = |input: ParseStream| {
-            Ok((
-                input.parse::<Option<Token![!]>>()?.is_none(),
-                input.parse()?,
-            ))
-        };
+        let effect = |input: ParseStream| Ok((input.parse::<Option<Token![!]>>()?.is_none(), input.parse()?));
         let effects = Punctuated::<_, Token![,]>::parse_separated_nonempty_with(input, effect)?;
         input.parse::<Token![;]>()?;
-        Ok(Self {
-            name,
-            effects: effects.into_iter().collect(),
-        })
+        Ok(Self { name, effects: effects.into_iter().collect() })
     }
 }
 
@@ -135,11 +99,7 @@ impl Parse for Assignment {
 
 impl Parse for Torque {
     fn parse(input: ParseStream) -> Result<Self> {
-        Ok(Self {
-            name: input.parse()?,
-            doc: input.parse()?,
-            work: list(input)?,
-        })
+        Ok(Self { name: input.parse()?, doc: input.parse()?, work: list(input)? })
     }
 }
 
@@ -156,19 +116,12 @@ impl Parse for Term {
 
 impl Parse for Row {
     fn parse(input: ParseStream) -> Result<Self> {
-        Ok(Self {
-            name: input.parse()?,
-            sum: list(input)?,
-        })
+        Ok(Self { name: input.parse()?, sum: list(input)? })
     }
 }
 
 impl Parse for Entry {
     fn parse(input: ParseStream) -> Result<Self> {
-        Ok(Self {
-            row: input.parse()?,
-            column: input.parse()?,
-            sum: list(input)?,
-        })
+        Ok(Self { row: input.parse()?, column: input.parse()?, sum: list(input)? })
     }
 }

@@ -19,12 +19,8 @@ pub fn jumps(m: &Model) -> TokenStream {
     let numeric = quote!(equations::compliance(&self.mass(), &self.normal(law)));
     let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(block));
     let numeric = quote!(equations::direction(&self.mass(), &self.normal(law)));
-    let direction = by_law(m, numeric, |_, jump| {
-        jump?.direction.as_ref().map(|rows| vector(m, rows))
-    });
-    let step = by_law(m, quote!(equations::no_such("jump", law)), |_, jump| {
-        jump?.step.as_ref().map(block)
-    });
+    let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows)));
+    let step = by_law(m, quote!(equations::no_such("jump", law)), |_, jump| jump?.step.as_ref().map(block));
     quote! {
         fn normal(&self, law: usize) -> [f64; #n] { #normal }
         fn compliance(&self, law: usize) -> f64 { #compliance }
@@ -35,16 +31,9 @@ pub fn jumps(m: &Model) -> TokenStream {
 }
 
 /// A match over the laws, with an arm for each law of which the file says something.
-fn by_law(
-    m: &Model,
-    otherwise: TokenStream,
-    arm: impl Fn(&Law, Option<&Jump>) -> Option<TokenStream>,
-) -> TokenStream {
+fn by_law(m: &Model, otherwise: TokenStream, arm: impl Fn(&Law, Option<&Jump>) -> Option<TokenStream>) -> TokenStream {
     let arms = m.laws.iter().enumerate().filter_map(|(i, law)| {
-        let (i, arm) = (
-            Index::from(i),
-            arm(law, m.jumps.iter().find(|j| j.law == law.name))?,
-        );
+        let (i, arm) = (Index::from(i), arm(law, m.jumps.iter().find(|j| j.law == law.name))?);
         Some(quote!(#i => { #arm }))
     });
     quote!(match law { #(#arms)* _ => #otherwise })

@@ -22,7 +22,7 @@
 //!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper end is admissible
 //! }
 //! laws {                              // gives k, its slopes dk and ddk along the phase, and k_mid = (max + min)/2
-//!     k "N/m" phase x period 1.0, "stiffness";
+//!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing
 //! }
 //! motions {                           // speeds of the motion of unit size; others are zero
 //!     speed "m/s" { x_dot = 1.0; }, "speed of the mass";
@@ -58,6 +58,7 @@
 //!     damping { x x { damping => C; } }
 //!     load { x { weight => 1.0; } }
 //! }
+//! // nonlinear "k*x^3 in the potential energy";                // instead of `cell`, where there is none
 //! jump k {                            // dk: the step; only `step` is needed, the rest follows from M and the phase
 //!     normal { x { _ => 1.0; } }
 //!     compliance { _ => 1.0/m; }

@@ -26,6 +26,8 @@ pub struct Model {
     pub stiffness: Vec<Entry>,
     pub damping: Vec<Entry>,
     pub load: Vec<Row>,
+    /// What makes a cell nonlinear.
+    pub nonlinear: Option<LitStr>,
     pub jumps: Vec<Jump>,
     pub text: Vec<LitStr>,
     pub latex: Vec<LitStr>,
@@ -53,12 +55,14 @@ pub struct Parameter {
     pub doc: LitStr,
 }
 
-/// `k "N*m" phase theta period 6.28, "doc";`
+/// `k "N*m" phase theta period 6.28 rolling, "doc";`
 pub struct Law {
     pub name: Ident,
     pub unit: LitStr,
     pub phase: Ident,
     pub period: f64,
+    /// Whether whole pitches of the phase change nothing: it may be counted off.
+    pub rolling: bool,
     pub doc: LitStr,
 }
 
@@ -155,6 +159,7 @@ impl Model {
             stiffness: vec![],
             damping: vec![],
             load: vec![],
+            nonlinear: None,
             jumps: vec![],
             text: vec![],
             latex: vec![],

@@ -34,6 +34,10 @@ impl Model {
                 self.source = Some(input.parse()?);
                 input.parse::<Token![;]>()?;
             }
+            "nonlinear" => {
+                self.nonlinear = Some(input.parse()?);
+                input.parse::<Token![;]>()?;
+            }
             "coordinates" => self.coordinates = list(input)?,
             "parameters" => self.parameters = list(input)?,
             "laws" => self.laws = list(input)?,
@@ -41,18 +45,10 @@ impl Model {
             "effects" => self.effects = list(input)?,
             "conditions" => self.conditions = list(input)?,
             "constants" => self.constants = list(input)?,
-            "energies" => parts(
-                input,
-                &["kinetic", "potential", "dissipation"],
-                |part, input| {
-                    *[
-                        &mut self.kinetic,
-                        &mut self.potential,
-                        &mut self.dissipation,
-                    ][part] = list(input)?;
-                    Ok(())
-                },
-            )?,
+            "energies" => parts(input, &["kinetic", "potential", "dissipation"], |part, input| {
+                *[&mut self.kinetic, &mut self.potential, &mut self.dissipation][part] = list(input)?;
+                Ok(())
+            })?,
             "torques" => self.torques = list(input)?,
             "work" => self.work = list(input)?,
             "mass" => self.mass = list(input)?,
@@ -71,10 +67,7 @@ impl Model {
             "text" => self.text = lines(input)?,
             "latex" => self.latex = lines(input)?,
             _ => {
-                return Err(Error::new(
-                    block.span(),
-                    format!("no block is called `{block}`"),
-                ));
+                return Err(Error::new(block.span(), format!("no block is called `{block}`")));
             }
         }
         Ok(())
@@ -83,26 +76,16 @@ impl Model {
 
 impl Parse for Jump {
     fn parse(input: ParseStream) -> Result<Self> {
-        let mut jump = Self {
-            law: input.parse()?,
-            normal: None,
-            compliance: None,
-            direction: None,
-            step: None,
-        };
-        parts(
-            input,
-            &["normal", "compliance", "direction", "step"],
-            |part, input| {
-                match part {
-                    0 => jump.normal = Some(list(input)?),
-                    1 => jump.compliance = Some(list(input)?),
-                    2 => jump.direction = Some(list(input)?),
-                    _ => jump.step = Some(list(input)?),
-                }
-                Ok(())
-            },
-        )?;
+        let mut jump = Self { law: input.parse()?, normal: None, compliance: None, direction: None, step: None };
+        parts(input, &["normal", "compliance", "direction", "step"], |part, input| {
+            match part {
+                0 => jump.normal = Some(list(input)?),
+                1 => jump.compliance = Some(list(input)?),
+                2 => jump.direction = Some(list(input)?),
+                _ => jump.step = Some(list(input)?),
+            }
+            Ok(())
+        })?;
         Ok(jump)
     }
 }

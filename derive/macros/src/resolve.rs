@@ -22,33 +22,19 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
 
     // The work of a constant torque is its displacement's: the coordinates stand for their changes.
     let torques = Scope::of(m, "torques").coordinates(m, "dq");
-    m.torques
-        .iter_mut()
-        .for_each(|t| torques.sum(&mut t.work, errors));
+    m.torques.iter_mut().for_each(|t| torques.sum(&mut t.work, errors));
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);
     let motions = Scope::of(m, "motions");
-    m.motions
-        .iter_mut()
-        .flat_map(|x| &mut x.speeds)
-        .for_each(|s| motions.expression(&mut s.value, errors));
+    m.motions.iter_mut().flat_map(|x| &mut x.speeds).for_each(|s| motions.expression(&mut s.value, errors));
 
     let mass = Scope::of(m, "mass");
     entries(&mut m.mass, &mass, errors);
-    let force = Scope::of(m, "force")
-        .coordinates(m, "q")
-        .speeds(m)
-        .laws(m, 1);
+    let force = Scope::of(m, "force").coordinates(m, "q").speeds(m).laws(m, 1);
     rows(m.force.iter_mut().flatten(), &force, errors);
-    let acceleration = Scope::of(m, "acceleration")
-        .coordinates(m, "q")
-        .speeds(m)
-        .laws(m, 1);
+    let acceleration = Scope::of(m, "acceleration").coordinates(m, "q").speeds(m).laws(m, 1);
     rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
-    let jacobian = Scope::of(m, "jacobian")
-        .coordinates(m, "q")
-        .speeds(m)
-        .laws(m, 2);
+    let jacobian = Scope::of(m, "jacobian").coordinates(m, "q").speeds(m).laws(m, 2);
     entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
 
     let stiffness = Scope::of(m, "cell stiffness").laws(m, 0);
@@ -58,16 +44,10 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     rows(&mut m.load, &cell, errors);
 
     let impulse = Scope::of(m, "the impulse of a jump");
-    let steps: Vec<_> = m
-        .jumps
-        .iter()
-        .map(|j| Scope::of(m, "step").coordinates(m, "q").step(&j.law))
-        .collect();
+    let steps: Vec<_> = m.jumps.iter().map(|j| Scope::of(m, "step").coordinates(m, "q").step(&j.law)).collect();
     for (j, step) in m.jumps.iter_mut().zip(steps) {
         rows(j.normal.iter_mut().flatten(), &impulse, errors);
-        j.compliance
-            .iter_mut()
-            .for_each(|sum| impulse.sum(sum, errors));
+        j.compliance.iter_mut().for_each(|sum| impulse.sum(sum, errors));
         rows(j.direction.iter_mut().flatten(), &impulse, errors);
         j.step.iter_mut().for_each(|sum| step.sum(sum, errors));
     }
@@ -77,12 +57,6 @@ fn rows<'a>(rows: impl IntoIterator<Item = &'a mut Row>, scope: &Scope, errors: 
     rows.into_iter().for_each(|r| scope.sum(&mut r.sum, errors));
 }
 
-fn entries<'a>(
-    entries: impl IntoIterator<Item = &'a mut Entry>,
-    scope: &Scope,
-    errors: &mut Vec<Error>,
-) {
-    entries
-        .into_iter()
-        .for_each(|e| scope.sum(&mut e.sum, errors));
+fn entries<'a>(entries: impl IntoIterator<Item = &'a mut Entry>, scope: &Scope, errors: &mut Vec<Error>) {
+    entries.into_iter().for_each(|e| scope.sum(&mut e.sum, errors));
 }

@@ -22,8 +22,7 @@ const METHODS: [(&str, usize); 10] = [
     ("recip", 0),
 ];
 
-const PIECEWISE: &str =
-    "a piecewise thing: equations are smooth in every cell, and what switches is a law";
+const PIECEWISE: &str = "a piecewise thing: equations are smooth in every cell, and what switches is a law";
 
 /// The names that expressions of one block may use, and what each becomes.
 pub struct Scope {
@@ -35,16 +34,8 @@ pub struct Scope {
 impl Scope {
     /// Parameters and constants: what every equation may use.
     pub fn of(model: &Model, block: &str) -> Self {
-        let numbers = model
-            .parameters
-            .iter()
-            .map(|p| &p.name)
-            .chain(model.constants.iter().map(|c| &c.name));
-        let conditions = model
-            .effects
-            .iter()
-            .map(|e| &e.name)
-            .chain(model.conditions.iter().map(|c| &c.name));
+        let numbers = model.parameters.iter().map(|p| &p.name).chain(model.constants.iter().map(|c| &c.name));
+        let conditions = model.effects.iter().map(|e| &e.name).chain(model.conditions.iter().map(|c| &c.name));
         Self {
             block: block.to_string(),
             names: numbers.map(|n| (n.to_string(), quote!(self.#n))).collect(),
@@ -56,11 +47,7 @@ impl Scope {
     ///
     /// They are computed where parameters are still plain variables, so only the mid values change their names.
     pub fn of_constants(model: &Model) -> Self {
-        let mut scope = Self {
-            block: "constants".to_string(),
-            names: BTreeMap::new(),
-            conditions: vec![],
-        };
+        let mut scope = Self { block: "constants".to_string(), names: BTreeMap::new(), conditions: vec![] };
         model.parameters.iter().for_each(|p| scope.declare(&p.name));
         scope.add(model.laws.iter().map(|l| format!("{}_mid", l.name)), "mids");
         scope
@@ -112,10 +99,7 @@ impl Scope {
             if let Some(c) = &term.condition
                 && !self.conditions.iter().any(|known| c == known)
             {
-                let message = format!(
-                    "`{c}` is no effect or condition; there are: {}",
-                    self.conditions.join(", ")
-                );
+                let message = format!("`{c}` is no effect or condition; there are: {}", self.conditions.join(", "));
                 errors.push(Error::new(c.span(), message));
             }
             self.expression(&mut term.value, errors);
@@ -137,28 +121,18 @@ impl Scope {
             },
             Expr::MethodCall(call) => {
                 self.expression(&mut call.receiver, errors);
-                if !METHODS
-                    .iter()
-                    .any(|(name, n)| call.method == name && call.args.len() == *n)
-                {
+                if !METHODS.iter().any(|(name, n)| call.method == name && call.args.len() == *n) {
                     errors.push(method_error(&call.method));
                 } else if call.method != "powi" {
-                    call.args
-                        .iter_mut()
-                        .for_each(|e| self.expression(e, errors));
+                    call.args.iter_mut().for_each(|e| self.expression(e, errors));
                 } else if !is_integer(&call.args[0]) {
-                    errors.push(Error::new_spanned(
-                        &call.args[0],
-                        "`powi` takes an integer; for others there is `powf`",
-                    ));
+                    errors
+                        .push(Error::new_spanned(&call.args[0], "`powi` takes an integer; for others there is `powf`"));
                 }
             }
             Expr::Lit(lit) if matches!(lit.lit, Lit::Float(_)) => {}
             Expr::Lit(lit) if matches!(lit.lit, Lit::Int(_)) => {
-                errors.push(Error::new_spanned(
-                    lit,
-                    "an integer; write it with a point: `2.0`",
-                ));
+                errors.push(Error::new_spanned(lit, "an integer; write it with a point: `2.0`"));
             }
             Expr::If(_) | Expr::Match(_) => errors.push(Error::new_spanned(e, PIECEWISE)),
             Expr::Path(path) if path.path.get_ident().is_some() => {
@@ -168,23 +142,14 @@ impl Scope {
                     None => errors.push(self.unknown(&name)),
                 }
             }
-            _ => errors.push(Error::new_spanned(
-                e,
-                "not of the grammar: numbers, names, + - * /, methods such as `sqrt`",
-            )),
+            _ => errors
+                .push(Error::new_spanned(e, "not of the grammar: numbers, names, + - * /, methods such as `sqrt`")),
         }
     }
 
     fn unknown(&self, name: &Ident) -> Error {
         let allowed: Vec<_> = self.names.keys().map(String::as_str).collect();
-        Error::new(
-            name.span(),
-            format!(
-                "`{name}` is unknown in {}; allowed: {}",
-                self.block,
-                allowed.join(", ")
-            ),
-        )
+        Error::new(name.span(), format!("`{name}` is unknown in {}; allowed: {}", self.block, allowed.join(", ")))
     }
 }
 
@@ -203,14 +168,10 @@ fn is_integer(e: &Expr) -> bool {
 
 fn method_error(method: &Ident) -> Error {
     let message = match method.to_string().as_str() {
-        "abs" | "signum" | "max" | "min" | "clamp" | "floor" | "ceil" | "round" => {
-            PIECEWISE.to_string()
-        }
+        "abs" | "signum" | "max" | "min" | "clamp" | "floor" | "ceil" | "round" => PIECEWISE.to_string(),
         _ => {
             let allowed = METHODS.map(|(name, _)| name).join(", ");
-            format!(
-                "`{method}` with these arguments is not a method of the grammar; allowed: {allowed}"
-            )
+            format!("`{method}` with these arguments is not a method of the grammar; allowed: {allowed}")
         }
     };
     Error::new(method.span(), message)

@@ -32,45 +32,21 @@ pub fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
 pub fn body(sum: &Sum) -> TokenStream {
     let (first, rest) = match &sum[..] {
         [] => return quote!(0.0),
-        [
-            Term {
-                condition: None,
-                value,
-            },
-        ] => return quote!(#value),
-        [
-            Term {
-                condition: None,
-                value,
-            },
-            rest @ ..,
-        ] => (quote!(#value), rest),
+        [Term { condition: None, value }] => return quote!(#value),
+        [Term { condition: None, value }, rest @ ..] => (quote!(#value), rest),
         all => (quote!(0.0), all),
     };
-    let terms =
-        rest.iter().map(
-            |Term { condition, value }| match condition.as_ref().map(constant) {
-                Some(condition) => quote!(if Self::#condition { sum += #value; }),
-                None => quote!(sum += #value;),
-            },
-        );
+    let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(constant) {
+        Some(condition) => quote!(if Self::#condition { sum += #value; }),
+        None => quote!(sum += #value;),
+    });
     quote!(let mut sum = #first; #(#terms)* sum)
 }
 
 /// A sum as an expression.
 pub fn block(sum: &Sum) -> TokenStream {
     let body = body(sum);
-    if matches!(
-        &sum[..],
-        [] | [Term {
-            condition: None,
-            ..
-        }]
-    ) {
-        body
-    } else {
-        quote!({ #body })
-    }
+    if matches!(&sum[..], [] | [Term { condition: None, .. }]) { body } else { quote!({ #body }) }
 }
 
 /// `match i { 0 => .., 1 => .., _ => no_such("torque", i) }`
@@ -84,10 +60,5 @@ pub fn by_index(kind: &str, i: Ident, arms: impl Iterator<Item = TokenStream>) -
 
 /// The index of a coordinate; `check` has seen to it that there is one.
 pub fn position(m: &Model, name: &Ident) -> Index {
-    Index::from(
-        m.coordinates
-            .iter()
-            .position(|c| c.name == *name)
-            .expect("checked"),
-    )
+    Index::from(m.coordinates.iter().position(|c| c.name == *name).expect("checked"))
 }

@@ -21,21 +21,16 @@ fn tokens(file: &str) -> TokenStream {
 /// The errors of the sample with `good` replaced by `bad`: the text to which each points, and its message.
 fn errors(good: &str, bad: &str) -> Vec<(String, String)> {
     assert!(FILE.contains(good), "{good}");
-    let result =
-        syn::parse2(tokens(&FILE.replacen(good, bad, 1))).and_then(|mut m: Model| check(&mut m));
+    let result = syn::parse2(tokens(&FILE.replacen(good, bad, 1))).and_then(|mut m: Model| check(&mut m));
     let errors = result.expect_err(bad).into_iter();
-    errors
-        .map(|e| (e.span().source_text().unwrap(), e.to_string()))
-        .collect()
+    errors.map(|e| (e.span().source_text().unwrap(), e.to_string())).collect()
 }
 
 /// One error and no other, at `place`, saying `message`.
 #[track_caller]
 fn refused(good: &str, bad: &str, place: &str, message: &str) {
     let errors = errors(good, bad);
-    let [(found, text)] = &errors[..] else {
-        panic!("{errors:#?}")
-    };
+    let [(found, text)] = &errors[..] else { panic!("{errors:#?}") };
     assert_eq!(found, place, "{text}");
     assert!(text.contains(message), "{text}");
 }
@@ -58,12 +53,7 @@ fn unknown_identifier() {
 
 #[test]
 fn identifier_that_the_block_is_not_given() {
-    refused(
-        "C*phi_dot.powi(2)",
-        "C*phi.powi(2)",
-        "phi",
-        "`phi` is unknown in dissipation",
-    );
+    refused("C*phi_dot.powi(2)", "C*phi.powi(2)", "phi", "`phi` is unknown in dissipation");
     refused("M1 = (N1", "M1 = (M2", "M2", "`M2` is unknown in constants");
 }
 
@@ -79,18 +69,8 @@ fn unknown_condition() {
 
 #[test]
 fn unknown_effect() {
-    refused(
-        "!frozen_phase;",
-        "!frozen;",
-        "frozen",
-        "no effect is called `frozen`",
-    );
-    refused(
-        "excludes(frozen_phase)",
-        "excludes(frozen)",
-        "frozen",
-        "no effect is called `frozen`",
-    );
+    refused("!frozen_phase;", "!frozen;", "frozen", "no effect is called `frozen`");
+    refused("excludes(frozen_phase)", "excludes(frozen)", "frozen", "no effect is called `frozen`");
 }
 
 #[test]
@@ -106,52 +86,28 @@ fn duplicate_coordinate() {
 #[test]
 fn name_that_a_law_takes() {
     let errors = errors("M1 = ", "dk = 1.0; M1 = ");
-    assert_eq!(
-        errors[0],
-        (
-            "dk".into(),
-            "constant `dk`: `dk` already belongs to the law `k`".into()
-        )
-    );
+    assert_eq!(errors[0], ("dk".into(), "constant `dk`: `dk` already belongs to the law `k`".into()));
 }
 
 #[test]
 fn missing_mass_row() {
-    refused(
-        "phi phi { _ => I1/N1.powi(2) + I2/N2.powi(2); }",
-        "",
-        "phi",
-        "mass: no row for the coordinate `phi`",
-    );
+    refused("phi phi { _ => I1/N1.powi(2) + I2/N2.powi(2); }", "", "phi", "mass: no row for the coordinate `phi`");
 }
 
 #[test]
 fn missing_force_row() {
-    refused(
-        "theta { jump_terms => -dk*phi.powi(2); }",
-        "",
-        "theta",
-        "force: no row for the coordinate `theta`",
-    );
+    refused("theta { jump_terms => -dk*phi.powi(2); }", "", "theta", "force: no row for the coordinate `theta`");
 }
 
 #[test]
 fn second_entry_of_a_symmetric_matrix() {
-    refused(
-        "phi phi { _ => I1",
-        "phi theta { _ => I1; } phi phi { _ => I1",
-        "phi",
-        "a second entry",
-    );
+    refused("phi phi { _ => I1", "phi theta { _ => I1; } phi phi { _ => I1", "phi", "a second entry");
 }
 
 #[test]
 fn piecewise_expressions() {
     for (bad, place) in [
-        (
-            "if phi > 0.0 { k } else { 0.0 }",
-            "if phi > 0.0 { k } else { 0.0 }",
-        ),
+        ("if phi > 0.0 { k } else { 0.0 }", "if phi > 0.0 { k } else { 0.0 }"),
         ("k*(phi > 0.0)", "phi > 0.0"),
         ("k*phi.abs()", "abs"),
         ("match k { _ => 0.0 }", "match k { _ => 0.0 }"),
@@ -162,82 +118,35 @@ fn piecewise_expressions() {
 
 #[test]
 fn integers_and_calls() {
-    refused(
-        "_ => k*phi.powi(2)",
-        "_ => 2*k",
-        "2",
-        "write it with a point",
-    );
-    refused(
-        "_ => k*phi.powi(2)",
-        "_ => k.powi(2.0)",
-        "2.0",
-        "`powi` takes an integer",
-    );
-    refused(
-        "_ => k*phi.powi(2)",
-        "_ => f(k)",
-        "f(k)",
-        "not of the grammar",
-    );
-    refused(
-        "_ => k*phi.powi(2)",
-        "_ => k.sinh()",
-        "sinh",
-        "not a method of the grammar",
-    );
+    refused("_ => k*phi.powi(2)", "_ => 2*k", "2", "write it with a point");
+    refused("_ => k*phi.powi(2)", "_ => k.powi(2.0)", "2.0", "`powi` takes an integer");
+    refused("_ => k*phi.powi(2)", "_ => f(k)", "f(k)", "not of the grammar");
+    refused("_ => k*phi.powi(2)", "_ => k.sinh()", "sinh", "not a method of the grammar");
 }
 
 #[test]
 fn blocks() {
     refused("cell {", "cells {", "cells", "no block is called `cells`");
     refused("work {", "text {} work {", "text", "a second `text`");
-    refused(
-        "step { _ => dk*phi.powi(2); }",
-        "",
-        "k",
-        "jump k: no `step`",
-    );
+    refused("step { _ => dk*phi.powi(2); }", "", "k", "jump k: no `step`");
 }
 
 #[test]
 fn ranges() {
-    refused(
-        "default 0.0, from 0.0",
-        "default 0.0, open 0.0",
-        "zeta",
-        "default is out of range",
-    );
-    refused(
-        "from 0.0 to inf",
-        "from 1.0 to 0.0",
-        "zeta",
-        "its range is empty",
-    );
-    refused(
-        "from 0.0 to inf",
-        "0.0 to inf",
-        "0.0",
-        "expected `open` or `from`",
-    );
+    refused("default 0.0, from 0.0", "default 0.0, open 0.0", "zeta", "default is out of range");
+    refused("from 0.0 to inf", "from 1.0 to 0.0", "zeta", "its range is empty");
+    refused("from 0.0 to inf", "0.0 to inf", "0.0", "expected `open` or `from`");
 }
 
 #[test]
 fn too_many_effects() {
     let many: String = (0..11).map(|i| format!("e{i} \"\"; ")).collect();
-    refused(
-        "effects {",
-        &format!("effects {{ {many}"),
-        "gear_pair",
-        "in more than 1024 ways",
-    );
+    refused("effects {", &format!("effects {{ {many}"), "gear_pair", "in more than 1024 ways");
 }
 
 #[test]
 fn all_errors_at_once() {
-    let all = errors("I1*(theta_dot", "nought.abs()*2*I1*(nix")
-        .into_iter()
-        .map(|(place, _)| place);
+    let all = errors("I1*(theta_dot", "nought.abs()*2*I1*(nix").into_iter().map(|(place, _)| place);
     assert_eq!(all.collect::<Vec<_>>(), ["nought", "abs", "2", "nix"]);
 }
 

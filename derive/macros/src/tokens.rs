@@ -20,9 +20,7 @@ pub fn list<T: Parse>(input: ParseStream) -> Result<Vec<T>> {
 pub fn lines(input: ParseStream) -> Result<Vec<LitStr>> {
     let inner;
     braced!(inner in input);
-    Ok(Punctuated::<LitStr, Token![;]>::parse_terminated(&inner)?
-        .into_iter()
-        .collect())
+    Ok(Punctuated::<LitStr, Token![;]>::parse_terminated(&inner)?.into_iter().collect())
 }
 
 /// `{ NAME {..} NAME {..} }`, each name one of `names` and at most once; `store` takes what stands behind it.
@@ -56,11 +54,7 @@ pub fn doc(input: ParseStream) -> Result<LitStr> {
 
 /// A number, `inf`, or either with a minus.
 pub fn number(input: ParseStream) -> Result<f64> {
-    let sign = if input.parse::<Option<Token![-]>>()?.is_some() {
-        -1.0
-    } else {
-        1.0
-    };
+    let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1.0 } else { 1.0 };
     if peek_word(input, "inf") {
         word(input, "inf")?;
         return Ok(sign * f64::INFINITY);
@@ -80,18 +74,10 @@ pub fn word(input: ParseStream, expected: &str) -> Result<()> {
 /// Which of `words` comes next.
 pub fn choice(input: ParseStream, words: &[&str]) -> Result<usize> {
     let expected = || format!("expected `{}`", words.join("` or `"));
-    let found = input
-        .call(Ident::parse_any)
-        .map_err(|e| Error::new(e.span(), expected()))?;
-    words
-        .iter()
-        .position(|w| found == w)
-        .ok_or_else(|| Error::new(found.span(), expected()))
+    let found = input.call(Ident::parse_any).map_err(|e| Error::new(e.span(), expected()))?;
+    words.iter().position(|w| found == w).ok_or_else(|| Error::new(found.span(), expected()))
 }
 
 pub fn peek_word(input: ParseStream, expected: &str) -> bool {
-    input
-        .fork()
-        .parse::<Ident>()
-        .is_ok_and(|found| found == expected)
+    input.fork().parse::<Ident>().is_ok_and(|found| found == expected)
 }

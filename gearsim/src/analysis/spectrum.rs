@@ -35,10 +35,7 @@ impl Spectrum {
     /// Power [unit^2] between two frequencies [Hz], both included.
     pub fn power(&self, low: f64, high: f64) -> f64 {
         let within = |f: f64| (low..=high).contains(&f);
-        let sum: f64 = (self.frequency.iter().zip(&self.density))
-            .filter(|&(&f, _)| within(f))
-            .map(|(_, p)| p)
-            .sum();
+        let sum: f64 = (self.frequency.iter().zip(&self.density)).filter(|&(&f, _)| within(f)).map(|(_, p)| p).sum();
         sum * self.resolution()
     }
 }
@@ -47,9 +44,7 @@ impl Spectrum {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SpectrumError {
     /// Too few samples.
-    #[error(
-        "a spectrum needs at least 4 samples, there are {samples}; record longer or at a higher rate"
-    )]
+    #[error("a spectrum needs at least 4 samples, there are {samples}; record longer or at a higher rate")]
     TooShort {
         /// The samples there are.
         samples: usize,
@@ -94,11 +89,7 @@ const SHORT: usize = 256;
 /// The longest even segment that still gives four of them, or all of a short signal (fewer than 256 samples).
 pub fn segment_length(samples: usize) -> usize {
     // Four segments overlapping by half cover 2.5 of their length.
-    if samples < SHORT {
-        samples
-    } else {
-        samples * 2 / 5 / 2 * 2
-    }
+    if samples < SHORT { samples } else { samples * 2 / 5 / 2 * 2 }
 }
 
 /// Power spectral density of `x` [unit], sampled at `rate` [Hz], from segments of `segment` samples.
@@ -111,19 +102,13 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         return Err(SpectrumError::TooShort { samples: x.len() });
     }
     if segment < 4 || segment > x.len() {
-        return Err(SpectrumError::BadSegment {
-            segment,
-            samples: x.len(),
-        });
+        return Err(SpectrumError::BadSegment { segment, samples: x.len() });
     }
     if !(rate > 0.0 && rate.is_finite()) {
         return Err(SpectrumError::BadRate { rate });
     }
     if let Some(index) = x.iter().position(|v| !v.is_finite()) {
-        return Err(SpectrumError::NotFinite {
-            index,
-            value: x[index],
-        });
+        return Err(SpectrumError::NotFinite { index, value: x[index] });
     }
 
     let window = hann(segment);
@@ -140,10 +125,7 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         }
         // It fails only on buffers of the wrong length, and these are its own.
         if fft.process(&mut input, &mut output).is_err() {
-            return Err(SpectrumError::BadSegment {
-                segment,
-                samples: x.len(),
-            });
+            return Err(SpectrumError::BadSegment { segment, samples: x.len() });
         }
         for (p, c) in density.iter_mut().zip(&output) {
             *p += scale * c.norm_sqr();
@@ -151,34 +133,18 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         segments += 1;
     }
 
-    let nyquist = if segment.is_multiple_of(2) {
-        Some(density.len() - 1)
-    } else {
-        None
-    };
+    let nyquist = if segment.is_multiple_of(2) { Some(density.len() - 1) } else { None };
     for (m, p) in density.iter_mut().enumerate() {
-        let sides = if m == 0 || Some(m) == nyquist {
-            1.0
-        } else {
-            2.0
-        };
+        let sides = if m == 0 || Some(m) == nyquist { 1.0 } else { 2.0 };
         *p *= sides / segments as f64;
     }
-    let frequency = (0..density.len())
-        .map(|m| m as f64 * rate / segment as f64)
-        .collect();
-    Ok(Spectrum {
-        frequency,
-        density,
-        segments,
-    })
+    let frequency = (0..density.len()).map(|m| m as f64 * rate / segment as f64).collect();
+    Ok(Spectrum { frequency, density, segments })
 }
 
 /// The periodic Hann window of length `n`.
 fn hann(n: usize) -> Vec<f64> {
-    (0..n)
-        .map(|i| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2))
-        .collect()
+    (0..n).map(|i| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2)).collect()
 }
 
 /// The rows of `run` that are evenly spaced samples, and their rate [Hz].
@@ -188,30 +154,19 @@ fn hann(n: usize) -> Vec<f64> {
 pub fn uniform_samples(run: &Trajectory) -> Result<(Vec<usize>, f64), SpectrumError> {
     let mut rows: Vec<usize> = run.samples().collect();
     if rows.len() < 4 {
-        return Err(SpectrumError::TooShort {
-            samples: rows.len(),
-        });
+        return Err(SpectrumError::TooShort { samples: rows.len() });
     }
     let expected = run.t[rows[1]] - run.t[rows[0]];
     let step = |pair: &[usize]| run.t[pair[1]] - run.t[pair[0]];
     // Times far from zero carry rounding errors larger than any fixed fraction of a step.
-    let even = |step: f64, t: f64| {
-        (step - expected).abs() <= 1e-6 * expected + 4.0 * f64::EPSILON * t.abs()
-    };
+    let even = |step: f64, t: f64| (step - expected).abs() <= 1e-6 * expected + 4.0 * f64::EPSILON * t.abs();
     if let [.., a, b] = rows[..]
         && !even(step(&[a, b]), run.t[b])
     {
         rows.pop();
     }
-    if let Some(pair) = rows
-        .windows(2)
-        .find(|pair| !even(step(pair), run.t[pair[1]]))
-    {
-        return Err(SpectrumError::Uneven {
-            t: run.t[pair[1]],
-            step: step(pair),
-            expected,
-        });
+    if let Some(pair) = rows.windows(2).find(|pair| !even(step(pair), run.t[pair[1]])) {
+        return Err(SpectrumError::Uneven { t: run.t[pair[1]], step: step(pair), expected });
     }
     let duration = run.t[rows[rows.len() - 1]] - run.t[rows[0]];
     Ok((rows.clone(), (rows.len() - 1) as f64 / duration))

@@ -3,7 +3,7 @@
 //! K x = omega² M x gives mass-normalised shapes X with Xᵀ M X = 1; q = q_0 + X dxi, and each xi_i moves as a
 //! [`Mode`] with sigma_i = (Xᵀ C X)_ii / 2. Rigid-body modes (omega = 0) are exact: K has no part in them.
 
-use nalgebra::{Cholesky, SMatrix, SVector, SymmetricEigen, Const, ToTypenum, DimSub, U1, DimDiff, DefaultAllocator, allocator::Allocator};
+use nalgebra::{Cholesky, DMatrix, DVector, SMatrix, SVector, SymmetricEigen};
 
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
@@ -26,37 +26,40 @@ pub struct Cell<const N: usize> {
 
 /// Frequencies below this fraction of the highest are rigid-body modes blurred by rounding.
 const RIGID: f64 = 1e-14;
+/// Damping below this fraction of the strongest is rounding.
+const UNDAMPED: f64 = 1e-15;
 /// Largest damping between two modes, relative to that within them, taken for rounding.
 const COUPLED: f64 = 1e-10;
 
-impl<const N: usize> Cell<N>
-where
-    Const<N>: ToTypenum + DimSub<U1>,
-    DefaultAllocator: Allocator<DimDiff<Const<N>, U1>>,
-{
+impl<const N: usize> Cell<N> {
     /// The cell of `equations` with law values `k`.
     ///
     /// # Errors
     /// Where M is not positive definite, K is not positive semidefinite, or C couples the modes.
     pub fn new(equations: &dyn Equations<N>, k: &[f64]) -> Result<Self, Refusal> {
-        let matrix = |rows: [[f64; N]; N]| SMatrix::<f64, N, N>::from_fn(|i, j| rows[i][j]);
+        let matrix = |rows: [[f64; N]; N]| DMatrix::<f64>::from_fn(N, N, |i, j| rows[i][j]);
         let (m, c, stiffness) = (matrix(equations.mass()), matrix(equations.damping()), matrix(equations.stiffness(k)));
-        let load = SVector::from(equations.load());
-        if [&m, &c, &stiffness].iter().any(|a| a.iter().any(|x| !x.is_finite())) || load.iter().any(|x| !x.is_finite()) {
+        let load = DVector::from_fn(N, |i, _| equations.load()[i]);
+        if [&m, &c, &stiffness].iter().any(|a| a.iter().any(|x| !x.is_finite())) || load.iter().any(|x| !x.is_finite())
+        {
             return Err(Refusal::Overflow);
         }
+        if m.diagonal().iter().any(|d| *d <= 0.0) {
+            return Err(Refusal::Mass);
+        }
         // Scaled to a unit diagonal, so that inertias of any ratio keep their digits.
-        let scale = SMatrix::<f64, N, N>::from_diagonal(&m.diagonal().map(|d| 1.0 / d.sqrt()));
-        let l = Cholesky::new(scale * m * scale).ok_or(Refusal::Mass)?;
-        let inverse = l.l().solve_lower_triangular(&SMatrix::identity()).ok_or(Refusal::Mass)? * scale;
-        let a = inverse * stiffness * inverse.transpose();
-        let eigen = SymmetricEigen::new(0.5 * (a + a.transpose()));
+        let scale = DMatrix::from_diagonal(&m.diagonal().map(|d| 1.0 / d.sqrt()));
+        let l = Cholesky::new(&scale * &m * &scale).ok_or(Refusal::Mass)?;
+        let inverse = l.l().solve_lower_triangular(&DMatrix::identity(N, N)).ok_or(Refusal::Mass)? * &scale;
+        let a = &inverse * &stiffness * inverse.transpose();
+        let eigen = SymmetricEigen::new(0.5 * (&a + a.transpose()));
         let highest = eigen.eigenvalues.amax();
-        let mut order: [usize; N] = std::array::from_fn(|i| i);
+        let mut order: Vec<usize> = (0..N).collect();
         order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
 
-        let shapes = inverse.transpose() * SMatrix::from_fn(|i, j| eigen.eigenvectors[(i, order[j])]);
-        let damping = shapes.transpose() * c * shapes;
+        let shapes = inverse.transpose() * DMatrix::from_fn(N, N, |i, j| eigen.eigenvectors[(i, order[j])]);
+        let damping = shapes.transpose() * c * &shapes;
+        let strongest = damping.diagonal().amax();
         let mut springs = shapes.transpose() * stiffness;
         let mut modes = [Mode::new(0.0, 0.0); N];
         for i in 0..N {
@@ -69,14 +72,22 @@ where
                 return Err(Refusal::Unstable { omega2 });
             }
             let coupling = (0..N).filter(|&j| j != i).map(|j| damping[(i, j)].abs()).fold(0.0, f64::max);
-            if coupling > COUPLED * damping.diagonal().amax() {
-                return Err(Refusal::CoupledDamping { coupling: coupling / damping.diagonal().amax() });
+            if coupling > COUPLED * strongest {
+                return Err(Refusal::CoupledDamping { coupling: coupling / strongest });
             }
             // A rounding error's worth of damping is none: an undamped mode must keep its energy.
             let sigma = 0.5 * damping[(i, i)];
-            modes[i] = Mode::new(if sigma.abs() <= 1e-15 * damping.diagonal().amax() { 0.0 } else { sigma }, omega2);
+            modes[i] = Mode::new(if sigma <= UNDAMPED * strongest { 0.0 } else { sigma }, omega2);
         }
-        Ok(Cell { modes, momentum: shapes.transpose() * m, springs, load: shapes.transpose() * load, shapes })
+        let (momentum, load) = (shapes.transpose() * m, shapes.transpose() * load);
+        let fixed = |a: &DMatrix<f64>| SMatrix::from_fn(|i, j| a[(i, j)]);
+        Ok(Cell {
+            modes,
+            shapes: fixed(&shapes),
+            momentum: fixed(&momentum),
+            springs: fixed(&springs),
+            load: SVector::from_fn(|i, _| load[i]),
+        })
     }
 
     /// The motion from the state (q, q') on, for as long as the cell lasts.

@@ -138,9 +138,19 @@ impl<const N: usize> Search<'_, N> {
         for _ in 0..100 {
             let point = self.at(t, cost);
             let (f, r) = (gap - sign * self.moved(&point), sign * self.rate(&point));
-            if f > 0.0 { low = t } else { high = t }
+            if f > 0.0 {
+                low = t
+            } else {
+                high = t
+            }
             let newton = t + f / r;
-            let next = if newton > low && newton < high { newton } else if f == 0.0 { t } else { 0.5 * (low + high) };
+            let next = if newton > low && newton < high {
+                newton
+            } else if f == 0.0 {
+                t
+            } else {
+                0.5 * (low + high)
+            };
             if (next - t).abs() <= 4.0 * f64::EPSILON * t || f == 0.0 {
                 return (t < self.horizon).then_some(Crossing { t, side, point });
             }
@@ -160,7 +170,10 @@ impl<const N: usize> Search<'_, N> {
             let moved = point.as_ref().map_or(0.0, |p| self.moved(p));
             let (rate, acceleration, bound) = self.rates(point.as_ref());
             let reach = self.reach(point.as_ref());
-            let sides = [(Side::Upper, self.up - moved, rate, acceleration), (Side::Lower, self.down + moved, -rate, -acceleration)];
+            let sides = [
+                (Side::Upper, self.up - moved, rate, acceleration),
+                (Side::Lower, self.down + moved, -rate, -acceleration),
+            ];
             let mut h = f64::INFINITY;
             for (side, gap, r, a) in sides {
                 if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
@@ -185,7 +198,13 @@ impl<const N: usize> Search<'_, N> {
                     return Ok(self.newton(side, full, t + gap / r, bracket, cost));
                 }
                 let root = (r * r + 2.0 * bound * gap).sqrt();
-                let safe = if r > 0.0 { 2.0 * gap / (r + root) } else if bound > 0.0 { (root - r) / bound } else { f64::INFINITY };
+                let safe = if r > 0.0 {
+                    2.0 * gap / (r + root)
+                } else if bound > 0.0 {
+                    (root - r) / bound
+                } else {
+                    f64::INFINITY
+                };
                 // At rest on the boundary: nothing bounds the step but the jerk; a tolerance's worth is safe.
                 let safe = if safe == 0.0 { (2.0 * tolerance / bound).sqrt() } else { safe };
                 let sign = if side == Side::Upper { 1.0 } else { -1.0 };

@@ -30,14 +30,7 @@ pub trait Equations<const N: usize>: Send + Sync {
         solve(&self.mass(), &self.force(q, q_dot, k, dk))
     }
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation); `ddk` = d²k/ds².
-    fn jacobian(
-        &self,
-        q: &[f64; N],
-        q_dot: &[f64; N],
-        k: &[f64],
-        dk: &[f64],
-        ddk: &[f64],
-    ) -> [[[f64; N]; N]; 2];
+    fn jacobian(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64], ddk: &[f64]) -> [[[f64; N]; N]; 2];
 
     /// Mass matrix M (N x N).
     fn mass(&self) -> [[f64; N]; N];

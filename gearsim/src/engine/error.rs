@@ -6,15 +6,25 @@
 pub enum Refusal {
     #[error("the effects of the scene contradict one another")]
     Effects,
-    #[error("the mass matrix is not positive definite with these numbers: an inertia is zero, negative, or lost beside another by rounding")]
+    #[error("the equations are not linear between two steps ({terms}), and only linear cells are simulated so far")]
+    Nonlinear { terms: &'static str },
+    #[error("the model has {laws} stepping stiffnesses; one is simulated so far")]
+    SeveralLaws { laws: usize },
+    #[error(
+        "the mass matrix is not positive definite with these numbers: an inertia is zero, negative, or lost beside another by rounding"
+    )]
     Mass,
     #[error("a matrix of the equations overflows with these numbers: check the parameters' magnitudes")]
     Overflow,
     #[error("the stiffness is negative in some direction (omega^2 = {omega2:e} 1/s^2): the model would fly apart")]
     Unstable { omega2: f64 },
-    #[error("the damping couples the modes of a cell (by {coupling:.1e} of the largest): only modal damping is simulated")]
+    #[error(
+        "the damping couples the modes of a cell (by {coupling:.1e} of the largest): only modal damping is simulated"
+    )]
     CoupledDamping { coupling: f64 },
-    #[error("the static equilibrium of {coordinates} is not determined: nothing holds it. Give a value in [start] instead of \"static\"")]
+    #[error(
+        "the static equilibrium of {coordinates} is not determined: nothing holds it. Give a value in [start] instead of \"static\""
+    )]
     NoEquilibrium { coordinates: String },
 }
 
@@ -22,9 +32,13 @@ pub enum Refusal {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)]
 pub enum Stop {
-    #[error("at t = {t} s the state is no longer finite ({state}) in cell {cell}: the motion grew beyond what numbers can hold")]
+    #[error(
+        "at t = {t} s the state is no longer finite ({state}) in cell {cell}: the motion grew beyond what numbers can hold"
+    )]
     NotFinite { t: f64, state: String, cell: usize },
-    #[error("at t = {t} s, {events} events followed one another within {span:e} s ({state}, cell {cell}): a tooth is pressed against a step that it cannot climb")]
+    #[error(
+        "at t = {t} s, {events} events followed one another within {span:e} s ({state}, cell {cell}): a tooth is pressed against a step that it cannot climb"
+    )]
     Cascade { t: f64, events: usize, span: f64, state: String, cell: usize },
     #[error("at t = {t} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})")]
     Search { t: f64, steps: usize, state: String, cell: usize },

@@ -31,6 +31,11 @@ pub struct Surface<const N: usize> {
 }
 
 impl<const N: usize> Surface<N> {
+    /// No surface: for models without a stepping law.
+    pub fn none() -> Self {
+        Surface { normal: SVector::zeros(), compliance: 0.0, direction: SVector::zeros(), law: 0 }
+    }
+
     /// The surface of law `law`.
     pub fn new(equations: &dyn Equations<N>, law: usize) -> Self {
         Surface {
@@ -42,9 +47,15 @@ impl<const N: usize> Surface<N> {
     }
 
     /// Changes the speeds at a step of the law by `dk`.
-    pub fn pass(&self, equations: &dyn Equations<N>, q: &[f64; N], q_dot: &mut SVector<f64, N>, dk: f64) -> Passage {
+    pub fn pass(
+        &self,
+        equations: &dyn Equations<N>,
+        q: &SVector<f64, N>,
+        q_dot: &mut SVector<f64, N>,
+        dk: f64,
+    ) -> Passage {
         let v = self.normal.dot(q_dot);
-        let lost = 2.0 * self.compliance * equations.step(self.law, q, dk);
+        let lost = 2.0 * self.compliance * equations.step(self.law, &q.data.0[0], dk);
         let square = v * v - lost;
         if square < 0.0 {
             *q_dot += self.direction * (-2.0 * v);

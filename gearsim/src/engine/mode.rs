@@ -105,7 +105,8 @@ impl Mode {
             return self.series(t);
         }
         // The decayed cosine less one, and the decayed S1, give S2 = (1 - e^{-sigma t}(C + sigma S))/omega².
-        let from_increments = |cosine_less_one: f64, s1: f64| Response { s1, s2: (-cosine_less_one - sigma * s1) / omega2 };
+        let from_increments =
+            |cosine_less_one: f64, s1: f64| Response { s1, s2: (-cosine_less_one - sigma * s1) / omega2 };
         match kind {
             Kind::Rigid | Kind::Undamped { .. } => self.response(t),
             Kind::Under { w } => {
@@ -150,7 +151,13 @@ impl Mode {
     #[inline]
     pub fn bound(&self, y: f64, y_dot: f64) -> f64 {
         match self.kind {
-            Kind::Rigid => if y_dot == 0.0 { y.abs() } else { f64::INFINITY },
+            Kind::Rigid => {
+                if y_dot == 0.0 {
+                    y.abs()
+                } else {
+                    f64::INFINITY
+                }
+            }
             Kind::Undamped { w } | Kind::Under { w } => {
                 let b = (y_dot + self.sigma * y) / w;
                 let (envelope, simple) = ((y * y + b * b).sqrt(), y.abs() + y_dot.abs() / self.omega2.sqrt());

@@ -37,15 +37,21 @@ pub struct Recorder<'a, const N: usize> {
 
 impl<'a, const N: usize> Recorder<'a, N> {
     /// A recorder of a run that starts at `start` with law values `k`.
-    pub fn new(model: &'static Model, equations: &'a dyn Equations<N>, pitch: [f64; N], start: State<N>, k: &[f64]) -> Self {
-        let energy_at_start = equations.kinetic(start.q_dot.as_ref()) + equations.potential(&start.q.into(), k);
+    pub fn new(
+        model: &'static Model,
+        equations: &'a dyn Equations<N>,
+        pitch: [f64; N],
+        start: State<N>,
+        k: &[f64],
+    ) -> Self {
+        let energy_at_start = equations.kinetic(&start.q_dot.into()) + equations.potential(&start.q.into(), k);
         Recorder { equations, pitch, start, energy_at_start, trajectory: Trajectory::new(model) }
     }
 
     /// Adds a row.
     pub fn row(&mut self, t: f64, moment: Moment, state: &State<N>, k: &[f64], dissipated: f64) {
         let q: [f64; N] = state.q.into();
-        let (kinetic, strain) = (self.equations.kinetic(state.q_dot.as_ref()), self.equations.potential(&q, k));
+        let (kinetic, strain) = (self.equations.kinetic(&state.q_dot.into()), self.equations.potential(&q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
         let moved: [f64; N] = std::array::from_fn(|i| {
             (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (q[i] - self.start.q[i])

@@ -1,9 +1,9 @@
 //! The run: solve a cell, locate its end, jump; the six steps of Oh, Grosh & Barber (2005), for any number of
 //! coordinates, levels a pitch, and both directions of rotation.
 
-use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SVector, ToTypenum, U1, allocator::Allocator};
+use nalgebra::SVector;
 
-use crate::engine::cell::{Cell, Flight};
+use crate::engine::cell::{Cell, Flight, Point};
 use crate::engine::clock::Clock;
 use crate::engine::crossing::{Cost, Search, Side};
 use crate::engine::equations::{Equations, Switching};
@@ -34,14 +34,17 @@ pub struct Simulation<'a, const N: usize> {
     /// The pitch of the stepping law, and its geometry.
     pitch: Pitch,
     surface: Surface<N>,
-    /// Coordinate that is the phase.
+    /// Coordinate that is the phase, and whether its whole pitches are counted off.
     phase: usize,
+    rolling: bool,
     /// The modes of every cell of a pitch, worked out once.
     cells: Vec<Cell<N>>,
     participation: Vec<SVector<f64, N>>,
     /// Angular speed of the frozen phase, and the phase itself at t = 0.
     frozen: Option<Frozen>,
     t_end: f64,
+    /// Whole pitches that the phase has gone.
+    pitches: i64,
 
     /// Time.
     pub clock: Clock,
@@ -61,6 +64,7 @@ pub struct Simulation<'a, const N: usize> {
 #[derive(Debug, Clone, Copy)]
 struct Frozen {
     speed: f64,
+    /// Remainder and pitches at t = 0.
     origin: f64,
     pitches: i64,
 }
@@ -78,34 +82,52 @@ const CASCADE_SPAN: f64 = 1e-9;
 /// Events of a cascade that end the run.
 const CASCADE_EVENTS: u64 = 10_000;
 
-impl<'a, const N: usize> Simulation<'a, N>
-where
-    Const<N>: ToTypenum + DimSub<U1>,
-    DefaultAllocator: Allocator<DimDiff<Const<N>, U1>>,
-{
+impl<'a, const N: usize> Simulation<'a, N> {
     /// Prepares a scene: its cells, its start.
     ///
     /// # Errors
     /// Where the numbers do not make a system that can be simulated.
     pub fn new(model: &Model, equations: &'a dyn Equations<N>, scene: &Scene) -> Result<Self, Refusal> {
-        let (law, stiffness) = (&model.laws[0], &scene.laws[0]);
-        let switching = equations.switching(0);
-        let pitch = match switching {
-            Switching::Never => Pitch::constant(stiffness.mid(), law.period),
-            _ => Pitch::new(stiffness, law.period),
+        if !model.nonlinear.is_empty() {
+            return Err(Refusal::Nonlinear { terms: model.nonlinear });
+        }
+        let (switching, pitch, surface, phase, rolling) = match model.laws {
+            [] => (Switching::Never, Pitch::none(), Surface::none(), 0, false),
+            [law] => {
+                let switching = equations.switching(0);
+                let pitch = match switching {
+                    Switching::Never => Pitch::constant(scene.laws[0].mid(), law.period),
+                    _ => Pitch::new(&scene.laws[0], law.period),
+                };
+                let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
+                (switching, pitch, Surface::new(equations, 0), phase, law.rolling)
+            }
+            laws => return Err(Refusal::SeveralLaws { laws: laws.len() }),
         };
-        let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
-        let surface = Surface::new(equations, 0);
-        let cells = (0..pitch.cells()).map(|c| Cell::new(equations, &[pitch.level(c)])).collect::<Result<Vec<_>, _>>()?;
+        let cells =
+            (0..pitch.cells()).map(|c| Cell::new(equations, &[pitch.level(c)])).collect::<Result<Vec<_>, _>>()?;
         let participation = cells.iter().map(|c| c.participation(&surface.normal)).collect();
-        let (state, cell) = start::begin(equations, scene, &pitch, phase)?;
-        let frozen = (switching == Switching::ByTime)
-            .then(|| Frozen { speed: state.q_dot[phase], origin: state.q[phase], pitches: 0 });
+        let (state, pitches, cell) = start::begin(equations, scene, &pitch, phase, rolling)?;
+        let frozen = (switching == Switching::ByTime).then(|| Frozen {
+            speed: state.q_dot[phase],
+            origin: pitch.locate(state.q[phase], state.q_dot[phase]).1,
+            pitches,
+        });
         Ok(Simulation {
-            equations, switching, pitch, surface, phase, cells, participation, frozen,
+            equations,
+            switching,
+            pitch,
+            surface,
+            phase,
+            rolling,
+            cells,
+            participation,
+            frozen,
+            pitches,
             t_end: scene.t_end,
             clock: Clock::default(),
-            state, cell,
+            state,
+            cell,
             dissipated: 0.0,
             counts: Counts::default(),
             cascade: (0.0, 0),
@@ -117,21 +139,26 @@ where
     ///
     /// # Errors
     /// Where the run cannot go on; what was recorded until then is in the recorder.
-    pub fn run(&mut self, mut recorder: Option<(&mut Recorder<'_, N>, f64, bool)>, watch: &mut dyn FnMut(f64)) -> Result<(), Stop> {
+    pub fn run(
+        &mut self,
+        mut recorder: Option<(&mut Recorder<'_, N>, f64, bool)>,
+        watch: &mut dyn FnMut(f64),
+    ) -> Result<(), Stop> {
         let mut sample = 0;
         loop {
-            // Solve: the motion in this cell, in closed form. (Its modes are copied out of nothing: no allocation.)
-            let cell = &self.cells[self.cell];
-            let flight = cell.flight(&self.state.q, &self.state.q_dot);
+            // Solve: the motion in this cell, in closed form.
+            let flight = self.cells[self.cell].flight(&self.state.q, &self.state.q_dot);
             // Locate: the first boundary it meets.
-            let (t, end, point) = self.locate(&flight)?;
+            let mut cost = self.counts.cost;
+            let (t, end, point) = self.locate(&flight, &mut cost)?;
             if let Some((recorder, rate, _)) = &mut recorder {
                 self.samples(&flight, t, *rate, &mut sample, recorder);
             }
             // Propagate to it.
             let (dq, dv) = flight.increments(&point.unwrap_or_else(|| flight.at(t)));
             let lost = flight.dissipated(t);
-            self.counts.cost.evaluations += u64::from(point.is_none());
+            cost.evaluations += u64::from(point.is_none());
+            self.counts.cost = cost;
             self.state.q += dq;
             self.state.q_dot += dv;
             self.dissipated += lost;
@@ -163,7 +190,7 @@ where
 
     /// The end of the flight: time, kind, and the modes there where they are known already.
     #[inline]
-    fn locate(&mut self, flight: &Flight<'_, N>) -> Result<(f64, End, Option<crate::engine::cell::Point<N>>), Stop> {
+    fn locate(&self, flight: &Flight<'_, N>, cost: &mut Cost) -> Result<(f64, End, Option<Point<N>>), Stop> {
         let left = self.clock.until(self.t_end);
         if let Some(frozen) = self.frozen {
             let (t, side) = self.next_switch(frozen);
@@ -173,7 +200,7 @@ where
         if self.switching == Switching::Never {
             return Ok((left, End::Run, None));
         }
-        let (lower, upper) = self.pitch.bounds(self.cell);
+        let (lower, upper) = self.bounds();
         let s = self.state.q[self.phase];
         let search = Search {
             flight,
@@ -182,19 +209,22 @@ where
             up: upper - s,
             horizon: left,
         };
-        match search.first(&mut self.counts.cost) {
+        match search.first(cost) {
             Ok(Some(crossing)) => Ok((crossing.t, End::Step(crossing.side), Some(crossing.point))),
             Ok(None) => Ok((left, End::Run, None)),
-            Err(steps) => {
-                Err(Stop::Search { t: self.clock.now(), steps: steps as usize, state: self.describe(), cell: self.cell })
-            }
+            Err(steps) => Err(Stop::Search {
+                t: self.clock.now(),
+                steps: steps as usize,
+                state: self.describe(),
+                cell: self.cell,
+            }),
         }
     }
 
     /// When the frozen phase next meets a boundary of the present cell.
     fn next_switch(&self, frozen: Frozen) -> (f64, Side) {
         let (lower, upper) = self.pitch.bounds(self.cell);
-        let travelled = frozen.pitches as f64 * self.pitch.period();
+        let travelled = (self.pitches - frozen.pitches) as f64 * self.pitch.period();
         match frozen.speed {
             w if w > 0.0 => ((travelled + (upper - frozen.origin)) / w, Side::Upper),
             w if w < 0.0 => ((travelled + (lower - frozen.origin)) / w, Side::Lower),
@@ -202,10 +232,21 @@ where
         }
     }
 
+    /// Boundaries of the present cell, in the coordinate that is the phase.
+    #[inline]
+    fn bounds(&self) -> (f64, f64) {
+        let (lower, upper) = self.pitch.bounds(self.cell);
+        if self.rolling {
+            return (lower, upper);
+        }
+        let before = self.pitches as f64 * self.pitch.period();
+        (before + lower, before + upper)
+    }
+
     /// Puts the phase exactly on the boundary that it met.
     fn snap(&mut self, side: Side) {
         if self.frozen.is_none() {
-            let (lower, upper) = self.pitch.bounds(self.cell);
+            let (lower, upper) = self.bounds();
             self.state.q[self.phase] = if side == Side::Upper { upper } else { lower };
         }
     }
@@ -217,7 +258,7 @@ where
         let passage = match self.switching {
             Switching::WithJump => {
                 let dk = self.pitch.level(beyond) - self.pitch.level(self.cell);
-                self.surface.pass(self.equations, self.state.q.as_ref(), &mut self.state.q_dot, dk)
+                self.surface.pass(self.equations, &self.state.q, &mut self.state.q_dot, dk)
             }
             _ => Passage::Transmitted,
         };
@@ -227,12 +268,10 @@ where
         }
         self.counts.cell_changes += 1;
         self.cell = beyond;
-        match &mut self.frozen {
-            Some(frozen) => frozen.pitches += turn,
-            None => {
-                self.state.q[self.phase] = entered;
-                self.state.turns[self.phase] += turn;
-            }
+        self.pitches += turn;
+        if self.rolling && self.frozen.is_none() {
+            self.state.q[self.phase] = entered;
+            self.state.turns[self.phase] += turn;
         }
     }
 
@@ -286,6 +325,6 @@ where
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.
     pub fn turn_lengths(&self) -> [f64; N] {
-        std::array::from_fn(|i| if i == self.phase { self.pitch.period() } else { 0.0 })
+        std::array::from_fn(|i| if self.rolling && i == self.phase { self.pitch.period() } else { 0.0 })
     }
 }

@@ -9,7 +9,7 @@ use crate::engine::record::State;
 use crate::model::Start;
 use crate::scene::Scene;
 
-/// The state at the start, and the cell it is in.
+/// The state at the start, the whole pitches its phase has gone, and the cell it is in.
 ///
 /// Speeds are those given, else those of the rigid motions. Coordinates said to be static are where their forces
 /// balance, K q = f in their rows, the other coordinates given.
@@ -18,7 +18,8 @@ pub fn begin<const N: usize>(
     scene: &Scene,
     pitch: &Pitch,
     phase: usize,
-) -> Result<(State<N>, usize), Refusal> {
+    rolling: bool,
+) -> Result<(State<N>, i64, usize), Refusal> {
     let mut q_dot = SVector::<f64, N>::zeros();
     for (i, size) in scene.start.motions.iter().enumerate() {
         q_dot += SVector::from(equations.motion(i)) * *size;
@@ -32,10 +33,12 @@ pub fn begin<const N: usize>(
         Start::At(x) => x,
         Start::Static => 0.0,
     });
-    let (count, rest, cell) = pitch.locate(q[phase], q_dot[phase]);
-    q[phase] = rest;
+    let (pitches, rest, cell) = pitch.locate(q[phase], q_dot[phase]);
     let mut turns = [0; N];
-    turns[phase] = count;
+    if rolling {
+        q[phase] = rest;
+        turns[phase] = pitches;
+    }
 
     let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i] == Start::Static).collect();
     let (stiffness, load) = (equations.stiffness(&[pitch.level(cell)]), equations.load());
@@ -50,5 +53,5 @@ pub fn begin<const N: usize>(
     for (i, x) in free.iter().zip(balanced.iter()) {
         q[*i] = *x;
     }
-    Ok((State { q, q_dot, turns }, cell))
+    Ok((State { q, q_dot, turns }, pitches, cell))
 }

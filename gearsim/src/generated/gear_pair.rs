@@ -98,7 +98,7 @@ equations! {
         T0 "N*m" required, open -inf to inf, "balanced torque: T0 N1 drives, T0 N2 loads";
     }
     laws {
-        k "N*m" phase theta period 6.283185307179586, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
+        k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -140,6 +140,7 @@ equations! {
         }
     }
     work {
+        theta {}
         phi {
             torques => 2.0*T0;
         }

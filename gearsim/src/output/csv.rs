@@ -10,8 +10,7 @@ use super::table::{Table, Values};
 /// Writes `table` to `sink`. Errors: [`OutputError::Sink`], [`OutputError::Format`].
 pub fn write(table: &Table, sink: impl Write) -> Result<(), OutputError> {
     let mut csv = csv::Writer::from_writer(sink);
-    csv.write_record(table.columns().iter().map(|c| &c.name))
-        .map_err(failed)?;
+    csv.write_record(table.columns().iter().map(|c| &c.name)).map_err(failed)?;
     let mut cell = String::new();
     for row in 0..table.rows() {
         for column in table.columns() {
@@ -57,16 +56,8 @@ mod tests {
             f64::NAN,
         ];
         let mut table = Table::default();
-        table
-            .push("x", "J", Values::Number(numbers.clone()))
-            .unwrap();
-        table
-            .push(
-                "word",
-                "",
-                Values::Text(vec!["a, \"b\"".into(); numbers.len()]),
-            )
-            .unwrap();
+        table.push("x", "J", Values::Number(numbers.clone())).unwrap();
+        table.push("word", "", Values::Text(vec!["a, \"b\"".into(); numbers.len()])).unwrap();
         let mut file = vec![];
         write(&table, &mut file).unwrap();
 

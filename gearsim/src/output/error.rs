@@ -68,19 +68,13 @@ pub enum OutputError {
 impl OutputError {
     /// A [`OutputError::Format`] with `why` in words.
     pub(crate) fn format(format: &'static str, why: impl std::fmt::Display) -> Self {
-        OutputError::Format {
-            format,
-            why: why.to_string(),
-        }
+        OutputError::Format { format, why: why.to_string() }
     }
 
     /// Names `path` in an error of a sink; leaves other errors as they are.
     pub(crate) fn at(self, path: &Path) -> Self {
         match self {
-            OutputError::Sink(source) => OutputError::Write {
-                path: path.to_owned(),
-                source,
-            },
+            OutputError::Sink(source) => OutputError::Write { path: path.to_owned(), source },
             other => other,
         }
     }
@@ -91,15 +85,10 @@ fn reason(error: &io::Error) -> String {
     use io::ErrorKind::*;
     match error.kind() {
         PermissionDenied => "permission denied; choose another folder with --out".into(),
-        ReadOnlyFilesystem => {
-            "the file system is read-only; choose another folder with --out".into()
-        }
-        NotADirectory | AlreadyExists => {
-            "a part of the path is a file, not a folder; choose another with --out".into()
-        }
+        ReadOnlyFilesystem => "the file system is read-only; choose another folder with --out".into(),
+        NotADirectory | AlreadyExists => "a part of the path is a file, not a folder; choose another with --out".into(),
         StorageFull | QuotaExceeded => {
-            "no space left; free some, record at a lower rate, or choose another folder with --out"
-                .into()
+            "no space left; free some, record at a lower rate, or choose another folder with --out".into()
         }
         InvalidFilename => "the name is not valid here; choose another with --out".into(),
         _ => error.to_string(),

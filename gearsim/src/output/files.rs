@@ -27,10 +27,7 @@ impl OutputFolder {
             return Err(OutputError::NotAFolder { path });
         }
         create_folder(&path)?;
-        Ok(OutputFolder {
-            path,
-            files: vec![],
-        })
+        Ok(OutputFolder { path, files: vec![] })
     }
 
     /// Where it is.
@@ -57,10 +54,7 @@ impl OutputFolder {
         let path = self.resolve(name)?;
         let folder = path.parent().unwrap_or(&self.path);
         create_folder(folder)?;
-        let failed = |source: io::Error| OutputError::Write {
-            path: path.clone(),
-            source,
-        };
+        let failed = |source: io::Error| OutputError::Write { path: path.clone(), source };
 
         let mut sink = BufWriter::new(temporary_in(folder).map_err(failed)?);
         fill(&mut sink).map_err(|e| e.at(&path))?;
@@ -82,23 +76,16 @@ impl OutputFolder {
 
     /// The full path of `name`, which must stay inside the folder.
     fn resolve(&self, name: &str) -> Result<PathBuf, OutputError> {
-        let inside = Path::new(name)
-            .components()
-            .all(|c| matches!(c, Component::Normal(_)));
+        let inside = Path::new(name).components().all(|c| matches!(c, Component::Normal(_)));
         if name.is_empty() || !inside {
-            return Err(OutputError::BadName {
-                name: name.to_owned(),
-            });
+            return Err(OutputError::BadName { name: name.to_owned() });
         }
         Ok(self.path.join(name))
     }
 }
 
 fn create_folder(path: &Path) -> Result<(), OutputError> {
-    std::fs::create_dir_all(path).map_err(|source| OutputError::CreateFolder {
-        path: path.to_owned(),
-        source,
-    })
+    std::fs::create_dir_all(path).map_err(|source| OutputError::CreateFolder { path: path.to_owned(), source })
 }
 
 /// A temporary file that others may read once it has its final name, as far as the umask allows.
@@ -118,10 +105,8 @@ mod tests {
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<_> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|e| e.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let mut names: Vec<_> =
+            std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }
@@ -134,10 +119,7 @@ mod tests {
         folder.write_bytes("summary.json", b"1").unwrap();
         folder.write_bytes("summary.json", b"2").unwrap();
         assert_eq!(folder.files(), ["plots/energy.svg", "summary.json"]);
-        assert_eq!(
-            std::fs::read(folder.path().join("summary.json")).unwrap(),
-            b"2"
-        );
+        assert_eq!(std::fs::read(folder.path().join("summary.json")).unwrap(), b"2");
         assert_eq!(names(folder.path()), ["plots", "summary.json"]);
     }
 
@@ -155,10 +137,7 @@ mod tests {
 
         folder.write_bytes("trajectory.csv", b"whole").unwrap();
         assert!(folder.write("trajectory.csv", fail).is_err());
-        assert_eq!(
-            std::fs::read(root.path().join("trajectory.csv")).unwrap(),
-            b"whole"
-        );
+        assert_eq!(std::fs::read(root.path().join("trajectory.csv")).unwrap(), b"whole");
         assert_eq!(names(root.path()), ["trajectory.csv"]);
     }
 
@@ -167,13 +146,7 @@ mod tests {
         let root = tempfile::tempdir().unwrap();
         let mut folder = OutputFolder::create(root.path()).unwrap();
         for name in ["", "../x", "/etc/x", "a/../../x"] {
-            assert!(
-                matches!(
-                    folder.write_bytes(name, b""),
-                    Err(OutputError::BadName { .. })
-                ),
-                "{name}"
-            );
+            assert!(matches!(folder.write_bytes(name, b""), Err(OutputError::BadName { .. })), "{name}");
         }
     }
 
@@ -183,16 +156,8 @@ mod tests {
         let file = root.path().join("file");
         std::fs::write(&file, "").unwrap();
         let at = OutputFolder::create(&file).unwrap_err().to_string();
-        assert!(
-            at.contains("it is a file; choose another with --out"),
-            "{at}"
-        );
-        let below = OutputFolder::create(file.join("deeper"))
-            .unwrap_err()
-            .to_string();
-        assert!(
-            below.starts_with("cannot create folder") && below.contains("--out"),
-            "{below}"
-        );
+        assert!(at.contains("it is a file; choose another with --out"), "{at}");
+        let below = OutputFolder::create(file.join("deeper")).unwrap_err().to_string();
+        assert!(below.starts_with("cannot create folder") && below.contains("--out"), "{below}");
     }
 }

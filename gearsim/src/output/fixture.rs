@@ -9,32 +9,17 @@ pub(crate) static MODEL: Model = Model {
     title: "An oscillator with a stepped stiffness",
     source: "none",
     coordinates: &[
-        Coordinate {
-            name: "theta",
-            unit: "rad",
-            doc: "mean rotation",
-            start: Start::At(0.0),
-        },
-        Coordinate {
-            name: "phi",
-            unit: "rad",
-            doc: "relative deflection",
-            start: Start::Static,
-        },
+        Coordinate { name: "theta", unit: "rad", doc: "mean rotation", start: Start::At(0.0) },
+        Coordinate { name: "phi", unit: "rad", doc: "relative deflection", start: Start::Static },
     ],
     parameters: &[],
     laws: &[],
     motions: &[],
     effects: &[],
+    nonlinear: "",
     torques: &[
-        Torque {
-            name: "drive",
-            doc: "on the driving gear",
-        },
-        Torque {
-            name: "load",
-            doc: "on the driven gear",
-        },
+        Torque { name: "drive", doc: "on the driving gear" },
+        Torque { name: "load", doc: "on the driven gear" },
     ],
     equations: "",
     latex: "",
@@ -55,10 +40,7 @@ const SPEED: f64 = 754.0;
 ///
 /// T = (INERTIA theta'^2 + MASS phi'^2)/2, V = k phi^2/2, W = FORCE (phi - phi_0), D = DAMPING phi'^2/2.
 pub(crate) fn oscillator(n: usize) -> Trajectory {
-    let levels = [
-        1.33 * MASS * REFERENCE.powi(2),
-        0.67 * MASS * REFERENCE.powi(2),
-    ];
+    let levels = [1.33 * MASS * REFERENCE.powi(2), 0.67 * MASS * REFERENCE.powi(2)];
     let (dt, mut level, mut next) = (1.0 / RATE, 0, 6.04e-3);
     let phi_0 = FORCE / levels[0];
     let mut x = [0.0, SPEED, phi_0, 0.0, 0.0];

@@ -29,29 +29,19 @@ pub fn write<'a>(
     provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
     sink: impl Write + Send,
 ) -> Result<(), OutputError> {
-    let provenance = provenance
-        .into_iter()
-        .map(|(name, value)| KeyValue::new(name.to_owned(), value.to_owned()))
-        .collect();
+    let provenance =
+        provenance.into_iter().map(|(name, value)| KeyValue::new(name.to_owned(), value.to_owned())).collect();
     let properties = WriterProperties::builder()
         .set_created_by(concat!("gearsim ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_compression(Compression::SNAPPY)
         .set_key_value_metadata(Some(provenance))
         .build();
-    let schema = Arc::new(Schema::new(
-        table.columns().iter().map(field).collect::<Vec<_>>(),
-    ));
-    let mut writer =
-        ArrowWriter::try_new(sink, schema.clone(), Some(properties)).map_err(failed)?;
+    let schema = Arc::new(Schema::new(table.columns().iter().map(field).collect::<Vec<_>>()));
+    let mut writer = ArrowWriter::try_new(sink, schema.clone(), Some(properties)).map_err(failed)?;
     for start in (0..table.rows()).step_by(ROWS_AT_ONCE) {
         let rows = start..table.rows().min(start + ROWS_AT_ONCE);
-        let arrays = table
-            .columns()
-            .iter()
-            .map(|c| array(&c.values, rows.clone()))
-            .collect();
-        let batch = RecordBatch::try_new(schema.clone(), arrays)
-            .map_err(|e| OutputError::format("Parquet", e))?;
+        let arrays = table.columns().iter().map(|c| array(&c.values, rows.clone())).collect();
+        let batch = RecordBatch::try_new(schema.clone(), arrays).map_err(|e| OutputError::format("Parquet", e))?;
         writer.write(&batch).map_err(failed)?;
     }
     writer.close().map_err(failed)?;
@@ -63,13 +53,9 @@ pub type TableAndProvenance = (Table, Vec<(String, String)>);
 
 /// Reads a file written by [`write()`]. Errors: [`OutputError::Read`].
 pub fn read(path: &Path) -> Result<TableAndProvenance, OutputError> {
-    let failed = |why: String| OutputError::Read {
-        path: path.to_owned(),
-        why,
-    };
+    let failed = |why: String| OutputError::Read { path: path.to_owned(), why };
     let file = File::open(path).map_err(|e| failed(e.to_string()))?;
-    let builder =
-        ParquetRecordBatchReaderBuilder::try_new(file).map_err(|e| failed(e.to_string()))?;
+    let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|e| failed(e.to_string()))?;
     let schema = builder.schema().clone();
     let provenance = builder.metadata().file_metadata().key_value_metadata();
     let provenance = provenance
@@ -88,8 +74,7 @@ pub fn read(path: &Path) -> Result<TableAndProvenance, OutputError> {
     for batch in builder.build().map_err(|e| failed(e.to_string()))? {
         let batch = batch.map_err(|e| failed(e.to_string()))?;
         for (values, array) in columns.iter_mut().zip(batch.columns()) {
-            append(values, array)
-                .ok_or_else(|| failed(format!("unexpected column type {}", array.data_type())))?;
+            append(values, array).ok_or_else(|| failed(format!("unexpected column type {}", array.data_type())))?;
         }
     }
     let mut table = Table::default();
@@ -105,8 +90,7 @@ fn field(column: &Column) -> Field {
         Values::Number(_) => DataType::Float64,
         Values::Text(_) => DataType::Utf8,
     };
-    Field::new(&column.name, data_type, false)
-        .with_metadata([("unit".to_owned(), column.unit.clone())].into())
+    Field::new(&column.name, data_type, false).with_metadata([("unit".to_owned(), column.unit.clone())].into())
 }
 
 fn array(values: &Values, rows: std::ops::Range<usize>) -> ArrayRef {
@@ -156,16 +140,8 @@ mod tests {
         let file = tempfile::NamedTempFile::new().unwrap();
         write(&table, [("scene", "test"), ("commit", "")], &file).unwrap();
         let (back, provenance) = read(file.path()).unwrap();
-        assert!(
-            back == table,
-            "{} columns, {} rows",
-            back.columns().len(),
-            back.rows()
-        );
-        let pairs: Vec<_> = provenance
-            .iter()
-            .map(|(n, v)| (n.as_str(), v.as_str()))
-            .collect();
+        assert!(back == table, "{} columns, {} rows", back.columns().len(), back.rows());
+        let pairs: Vec<_> = provenance.iter().map(|(n, v)| (n.as_str(), v.as_str())).collect();
         assert_eq!(pairs, [("scene", "test"), ("commit", "")]);
     }
 

@@ -99,8 +99,7 @@ pub struct Provenance {
 impl Summary {
     /// The text of `summary.json`. Errors: [`OutputError::Format`].
     pub fn json(&self) -> Result<String, OutputError> {
-        let text =
-            serde_json::to_string_pretty(self).map_err(|e| OutputError::format("JSON", e))?;
+        let text = serde_json::to_string_pretty(self).map_err(|e| OutputError::format("JSON", e))?;
         Ok(text + "\n")
     }
 }
@@ -186,12 +185,7 @@ impl Named {
 
 impl<N: Into<String>> FromIterator<(N, f64)> for Named {
     fn from_iter<I: IntoIterator<Item = (N, f64)>>(pairs: I) -> Self {
-        Named(
-            pairs
-                .into_iter()
-                .map(|(name, x)| (name.into(), Number(x)))
-                .collect(),
-        )
+        Named(pairs.into_iter().map(|(name, x)| (name.into(), Number(x))).collect())
     }
 }
 
@@ -241,11 +235,7 @@ mod tests {
             cell_changes: 12,
             reflections: 0,
             energy: Energy::at_end(&run).unwrap(),
-            counts: Counts {
-                function_evaluations: 1,
-                root_steps: 2,
-                grazes: 3,
-            },
+            counts: Counts { function_evaluations: 1, root_steps: 2, grazes: 3 },
             cpu_seconds: Number(0.01),
             completed: false,
             stopped_by: Some("stalled".into()),
@@ -276,9 +266,7 @@ mod tests {
     fn what_is_not_finite_is_a_word() {
         let mut odd = summary();
         odd.cpu_seconds = Number(f64::NEG_INFINITY);
-        odd.parameters = [("cap", f64::INFINITY), ("x", f64::NAN)]
-            .into_iter()
-            .collect();
+        odd.parameters = [("cap", f64::INFINITY), ("x", f64::NAN)].into_iter().collect();
         let text = odd.json().unwrap();
         assert!(text.contains(r#""cpu_seconds": "-inf""#), "{text}");
         let back: Summary = serde_json::from_str(&text).unwrap();

@@ -61,17 +61,9 @@ impl Table {
     pub fn push(&mut self, name: &str, unit: &str, values: Values) -> Result<(), OutputError> {
         if !self.columns.is_empty() && values.len() != self.rows() {
             let (rows, expected) = (values.len(), self.rows());
-            return Err(OutputError::Ragged {
-                column: name.to_owned(),
-                rows,
-                expected,
-            });
+            return Err(OutputError::Ragged { column: name.to_owned(), rows, expected });
         }
-        self.columns.push(Column {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            values,
-        });
+        self.columns.push(Column { name: name.to_owned(), unit: unit.to_owned(), values });
         Ok(())
     }
 
@@ -125,9 +117,6 @@ mod tests {
     fn columns_of_different_length_are_refused() {
         let mut run = oscillator(100);
         run.work.pop();
-        assert!(matches!(
-            Table::of_trajectory(&run),
-            Err(OutputError::Ragged { .. })
-        ));
+        assert!(matches!(Table::of_trajectory(&run), Err(OutputError::Ragged { .. })));
     }
 }

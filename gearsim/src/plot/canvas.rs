@@ -26,32 +26,14 @@ pub fn draw(figure: &Figure) -> String {
     let height = HEIGHTS[figure.panels.len().clamp(1, HEIGHTS.len()) - 1];
     let mut y = 28.0;
     let mut body = String::new();
-    text(
-        &mut body,
-        (LEFT, y),
-        "start",
-        16.0,
-        "font-weight=\"bold\"",
-        &figure.title,
-    );
+    text(&mut body, (LEFT, y), "start", 16.0, "font-weight=\"bold\"", &figure.title);
     if let Some(subtitle) = &figure.subtitle {
         y += 19.0;
-        text(
-            &mut body,
-            (LEFT, y),
-            "start",
-            SMALL,
-            "fill=\"#555\"",
-            subtitle,
-        );
+        text(&mut body, (LEFT, y), "start", SMALL, "fill=\"#555\"", subtitle);
     }
     y += 10.0;
 
-    let x = figure
-        .panels
-        .iter()
-        .flat_map(|p| &p.series)
-        .flat_map(|s| s.x.iter().copied());
+    let x = figure.panels.iter().flat_map(|p| &p.series).flat_map(|s| s.x.iter().copied());
     let x = Ruler::new(&figure.x, extremes(x), 10, 0.0);
     for (i, panel) in figure.panels.iter().enumerate() {
         let last = i + 1 == figure.panels.len();
@@ -60,14 +42,7 @@ pub fn draw(figure: &Figure) -> String {
         y += height + GAP;
     }
     y += 14.0;
-    text(
-        &mut body,
-        (LEFT + FRAME / 2.0, y + 10.0),
-        "middle",
-        TEXT,
-        "",
-        &x.label(&figure.x),
-    );
+    text(&mut body, (LEFT + FRAME / 2.0, y + 10.0), "middle", TEXT, "", &x.label(&figure.x));
     let total = y + 24.0;
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{total}\" \
@@ -79,11 +54,7 @@ pub fn draw(figure: &Figure) -> String {
 
 /// Names the curves above a frame, in as many rows as they need; returns where the frame begins.
 fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
-    let named: Vec<_> = panel
-        .series
-        .iter()
-        .filter(|s| !s.label.is_empty())
-        .collect();
+    let named: Vec<_> = panel.series.iter().filter(|s| !s.label.is_empty()).collect();
     if named.is_empty() {
         return top + 4.0;
     }
@@ -94,14 +65,7 @@ fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
             (x, y) = (LEFT, y + LEGEND_ROW);
         }
         polyline(out, &[(x, y), (x + SAMPLE, y)], series);
-        text(
-            out,
-            (x + SAMPLE + 8.0, y + 4.3),
-            "start",
-            SMALL,
-            "",
-            &series.label,
-        );
+        text(out, (x + SAMPLE + 8.0, y + 4.3), "start", SMALL, "", &series.label);
         x += width;
     }
     y + 12.0
@@ -112,12 +76,10 @@ fn frame(out: &mut String, panel: &Panel, x: &Ruler, last: bool, top: f64, heigh
     // Only what lies within the x axis may stretch the y axis.
     let visible = |s: &Series, i: usize| (-1e-9..=1.0 + 1e-9).contains(&x.place(s.x[i]));
     let logarithmic = panel.y.scale == Scale::Log10;
-    let values = panel.series.iter().flat_map(|s| {
-        (0..s.y.len())
-            .filter(|&i| visible(s, i))
-            .map(|i| s.y[i])
-            .filter(|&v| !logarithmic || v > 0.0)
-    });
+    let values = panel
+        .series
+        .iter()
+        .flat_map(|s| (0..s.y.len()).filter(|&i| visible(s, i)).map(|i| s.y[i]).filter(|&v| !logarithmic || v > 0.0));
     let y = Ruler::new(&panel.y, extremes(values), (height / 32.0) as usize, 0.05);
     let (bottom, right) = (top + height, LEFT + FRAME);
 
@@ -177,10 +139,7 @@ fn curve(out: &mut String, points: &[(f64, f64)], series: &Series) {
     let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
     for piece in points.split(|p| !finite(p)) {
         // One point more on either side, so that the line goes on to the edge.
-        let (Some(first), Some(last)) = (
-            piece.iter().position(inside),
-            piece.iter().rposition(inside),
-        ) else {
+        let (Some(first), Some(last)) = (piece.iter().position(inside), piece.iter().rposition(inside)) else {
             continue;
         };
         let piece = &piece[first.saturating_sub(1)..piece.len().min(last + 2)];
@@ -229,8 +188,7 @@ fn text(out: &mut String, at: (f64, f64), anchor: &str, size: f64, extra: &str, 
 /// Width of `words` in units of the font size, a little too large rather than too small.
 fn ems(words: &str) -> f64 {
     let width = |c: char| match c {
-        'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '[' | ']'
-        | '\'' | '|' => 0.4,
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '[' | ']' | '\'' | '|' => 0.4,
         'm' | 'w' | 'M' | 'W' | '=' | '+' | '−' | '<' | '>' => 0.95,
         c if c.is_uppercase() => 0.76,
         _ => 0.64,
@@ -242,22 +200,14 @@ fn ems(words: &str) -> f64 {
 fn markup(words: &str) -> String {
     let mut out = String::new();
     let mut rest = words;
-    while let Some((before, (index, after))) = rest
-        .split_once("_{")
-        .and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    while let Some((before, (index, after))) =
+        rest.split_once("_{").and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
     {
         let (before, index) = (escape(before), escape(index));
-        let _ = write!(
-            out,
-            "{before}<tspan dy=\"3\" font-size=\"10\">{index}</tspan>"
-        );
+        let _ = write!(out, "{before}<tspan dy=\"3\" font-size=\"10\">{index}</tspan>");
         // What follows must come up again.
         if let Some(next) = after.chars().next() {
-            let _ = write!(
-                out,
-                "<tspan dy=\"-3\">{}</tspan>",
-                escape(&next.to_string())
-            );
+            let _ = write!(out, "<tspan dy=\"-3\">{}</tspan>", escape(&next.to_string()));
         }
         rest = &after[after.chars().next().map_or(0, char::len_utf8)..];
     }
@@ -265,8 +215,5 @@ fn markup(words: &str) -> String {
 }
 
 fn escape(words: &str) -> String {
-    words
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -44,25 +44,16 @@ mod tests {
 
     #[test]
     fn extremes_and_ends_survive_in_every_column() {
-        let points: Vec<_> = (0..100_000)
-            .map(|i| i as f64 * 0.004)
-            .map(|x| (x, (x * 7.0).sin() * x))
-            .collect();
+        let points: Vec<_> = (0..100_000).map(|i| i as f64 * 0.004).map(|x| (x, (x * 7.0).sin() * x)).collect();
         let kept = decimate(&points);
         assert!(kept.len() <= 6 * 401);
-        assert_eq!(
-            (kept[0], kept[kept.len() - 1]),
-            (points[0], points[points.len() - 1])
-        );
+        assert_eq!((kept[0], kept[kept.len() - 1]), (points[0], points[points.len() - 1]));
         assert!(kept.windows(2).all(|pair| pair[0].0 <= pair[1].0));
         for column in points.chunk_by(|a, b| a.0.floor() == b.0.floor()) {
             let high = column.iter().map(|p| p.1).fold(f64::MIN, f64::max);
             let low = column.iter().map(|p| p.1).fold(f64::MAX, f64::min);
             for y in [low, high] {
-                assert!(
-                    kept.iter()
-                        .any(|p| p.1 == y && p.0.floor() == column[0].0.floor())
-                );
+                assert!(kept.iter().any(|p| p.1 == y && p.0.floor() == column[0].0.floor()));
             }
         }
     }
@@ -82,10 +73,7 @@ mod tests {
         let points: Vec<_> = (0..100).map(step).collect();
         assert_eq!(points[50].0, points[51].0);
         let kept = decimate(&points);
-        assert!(
-            kept.windows(2).any(|pair| pair == [points[50], points[51]]),
-            "{kept:?}"
-        );
+        assert!(kept.windows(2).any(|pair| pair == [points[50], points[51]]), "{kept:?}");
         assert!(kept.len() <= 6);
     }
 }

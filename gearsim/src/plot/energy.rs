@@ -15,17 +15,8 @@ pub const PLOT: Plot = Plot {
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let run = first(PLOT.name, runs)?;
-    let panels = if runs.len() == 1 {
-        alone(run)
-    } else {
-        overlaid(runs)
-    };
-    Ok(Figure {
-        title: "Energy".into(),
-        subtitle: Some(scenes(runs)),
-        x: Axis::linear("time t", "s"),
-        panels,
-    })
+    let panels = if runs.len() == 1 { alone(run) } else { overlaid(runs) };
+    Ok(Figure { title: "Energy".into(), subtitle: Some(scenes(runs)), x: Axis::linear("time t", "s"), panels })
 }
 
 /// One run: U over U(0) less what damping took; the parts; the residual.
@@ -42,9 +33,7 @@ fn alone(run: &Run<'_>) -> Vec<Panel> {
             y: Axis::linear("energy", "J"),
             series: vec![
                 series(0, "U = T + V − W", &|i| recorded.energy(i)),
-                series(1, "U(0) − dissipated", &|i| {
-                    start - recorded.dissipated[i]
-                }),
+                series(1, "U(0) − dissipated", &|i| start - recorded.dissipated[i]),
             ],
         },
         Panel {
@@ -57,10 +46,7 @@ fn alone(run: &Run<'_>) -> Vec<Panel> {
         },
         Panel {
             y: Axis::linear("residual", "J"),
-            series: vec![Series {
-                style: Style::PLAIN,
-                ..series(0, "", &|i| recorded.residual[i])
-            }],
+            series: vec![Series { style: Style::PLAIN, ..series(0, "", &|i| recorded.residual[i]) }],
         },
     ]
 }
@@ -79,8 +65,5 @@ fn overlaid(runs: &[Run<'_>]) -> Vec<Panel> {
     let mut residual = panel("residual", &|run, i| run.trajectory.residual[i]);
     // The legend above holds for both.
     residual.unnamed();
-    vec![
-        panel("energy U = T + V − W", &|run, i| run.trajectory.energy(i)),
-        residual,
-    ]
+    vec![panel("energy U = T + V − W", &|run, i| run.trajectory.energy(i)), residual]
 }

@@ -36,9 +36,7 @@ pub struct Panel {
 impl Panel {
     /// Takes the names off the curves, where another panel has them.
     pub fn unnamed(&mut self) {
-        self.series
-            .iter_mut()
-            .for_each(|series| series.label.clear());
+        self.series.iter_mut().for_each(|series| series.label.clear());
     }
 }
 
@@ -58,28 +56,17 @@ pub struct Axis {
 impl Axis {
     /// A linear axis as long as its data.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis {
-            label: label.into(),
-            unit: unit.into(),
-            scale: Scale::Linear,
-            range: None,
-        }
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, range: None }
     }
 
     /// A logarithmic axis as long as its data. Values that have no logarithm leave gaps.
     pub fn log10(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis {
-            scale: Scale::Log10,
-            ..Axis::linear(label, unit)
-        }
+        Axis { scale: Scale::Log10, ..Axis::linear(label, unit) }
     }
 
     /// The same axis between `low` and `high`.
     pub fn between(self, low: f64, high: f64) -> Self {
-        Axis {
-            range: Some((low, high)),
-            ..self
-        }
+        Axis { range: Some((low, high)), ..self }
     }
 }
 
@@ -108,12 +95,7 @@ pub struct Series {
 impl Series {
     /// A curve in the `index`-th style.
     pub fn new(index: usize, label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
-        Series {
-            label: label.into(),
-            x,
-            y,
-            style: Style::nth(index),
-        }
+        Series { label: label.into(), x, y, style: Style::nth(index) }
     }
 }
 
@@ -130,26 +112,14 @@ pub struct Style {
 
 impl Style {
     /// A thin solid black line, for a curve on its own.
-    pub const PLAIN: Style = Style {
-        colour: "#000000",
-        dashes: &[],
-        width: 1.3,
-    };
+    pub const PLAIN: Style = Style { colour: "#000000", dashes: &[], width: 1.3 };
 
     /// The `index`-th of a series of styles that differ in colour, to the colour-blind too, and in their dashes.
     ///
     /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), dark ones first, yellow left out.
     pub fn nth(index: usize) -> Self {
-        const COLOURS: [&str; 7] = [
-            "#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
-        ];
-        const DASHES: [&[f64]; 5] = [
-            &[],
-            &[7.0, 3.0],
-            &[1.8, 4.0],
-            &[8.0, 2.5, 1.8, 2.5],
-            &[12.0, 4.0],
-        ];
+        const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+        const DASHES: [&[f64]; 5] = [&[], &[7.0, 3.0], &[1.8, 4.0], &[8.0, 2.5, 1.8, 2.5], &[12.0, 4.0]];
         Style {
             colour: COLOURS[index % COLOURS.len()],
             dashes: DASHES[index % DASHES.len()],
@@ -165,11 +135,7 @@ impl Figure {
         for series in self.panels.iter().flat_map(|p| &p.series) {
             let (x, y) = (series.x.len(), series.y.len());
             if x != y {
-                return Err(PlotError::Ragged {
-                    series: series.label.clone(),
-                    x,
-                    y,
-                });
+                return Err(PlotError::Ragged { series: series.label.clone(), x, y });
             }
         }
         Ok(canvas::draw(self))
@@ -179,17 +145,10 @@ impl Figure {
     ///
     /// Errors: [`PlotError::Ragged`], [`PlotError::Render`].
     pub fn png(&self) -> Result<Vec<u8>, PlotError> {
-        let failed = |why: String| PlotError::Render {
-            title: self.title.clone(),
-            why,
-        };
-        let options = usvg::Options {
-            fontdb: FONTS.clone(),
-            font_family: "DejaVu Sans".into(),
-            ..usvg::Options::default()
-        };
-        let tree =
-            usvg::Tree::from_str(&self.svg()?, &options).map_err(|e| failed(e.to_string()))?;
+        let failed = |why: String| PlotError::Render { title: self.title.clone(), why };
+        let options =
+            usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
+        let tree = usvg::Tree::from_str(&self.svg()?, &options).map_err(|e| failed(e.to_string()))?;
         let size = tree.size().to_int_size().scale_by(PNG_SCALE);
         let pixels = size.and_then(|s| tiny_skia::Pixmap::new(s.width(), s.height()));
         let mut pixels = pixels.ok_or_else(|| failed("it has no size".into()))?;
@@ -211,7 +170,5 @@ static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
 pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values
         .filter(|v| v.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-            (low.min(v), high.max(v))
-        })
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }

@@ -89,18 +89,12 @@ pub enum PlotError {
 
 /// The plot called `name`. Errors: [`PlotError::Unknown`].
 pub fn find(name: &str) -> Result<&'static Plot, PlotError> {
-    let unknown = || PlotError::Unknown {
-        name: name.to_owned(),
-    };
+    let unknown = || PlotError::Unknown { name: name.to_owned() };
     PLOTS.iter().find(|p| p.name == name).ok_or_else(unknown)
 }
 
 fn names() -> String {
-    PLOTS
-        .iter()
-        .map(|p| format!("`{}`", p.name))
-        .collect::<Vec<_>>()
-        .join(", ")
+    PLOTS.iter().map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ")
 }
 
 /// The first of `runs`, all of which recorded something; else why plot `plot` has nothing to show.
@@ -111,30 +105,16 @@ fn first<'a, 'r>(plot: &'static str, runs: &'r [Run<'a>]) -> Result<&'r Run<'a>,
             return Err(nothing(format!("run `{}` recorded nothing", run.label)));
         }
         if !whole(run.trajectory) {
-            return Err(nothing(format!(
-                "the columns of run `{}` differ in length",
-                run.label
-            )));
+            return Err(nothing(format!("the columns of run `{}` differ in length", run.label)));
         }
     }
-    runs.first()
-        .ok_or_else(|| nothing("there is no run".into()))
+    runs.first().ok_or_else(|| nothing("there is no run".into()))
 }
 
 /// Whether every column has one entry a row.
 fn whole(run: &Trajectory) -> bool {
-    let single = [
-        &run.kinetic,
-        &run.strain,
-        &run.work,
-        &run.dissipated,
-        &run.residual,
-    ];
-    let columns = single
-        .into_iter()
-        .chain(&run.q)
-        .chain(&run.q_dot)
-        .chain(&run.torque_work);
+    let single = [&run.kinetic, &run.strain, &run.work, &run.dissipated, &run.residual];
+    let columns = single.into_iter().chain(&run.q).chain(&run.q_dot).chain(&run.torque_work);
     let coordinates = run.model.coordinates.len();
     run.moment.len() == run.len()
         && run.q.len() == coordinates
@@ -177,11 +157,7 @@ fn symbol(name: &str) -> String {
         "psi" => "ψ",
         latin => latin,
     };
-    if index.is_empty() {
-        greek.to_owned()
-    } else {
-        format!("{greek}_{{{index}}}")
-    }
+    if index.is_empty() { greek.to_owned() } else { format!("{greek}_{{{index}}}") }
 }
 
 #[cfg(test)]

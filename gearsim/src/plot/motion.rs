@@ -1,8 +1,6 @@
 //! The motion: every coordinate against time, with its speed; of one that rolls on, its speed only.
 
-use super::{
-    Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol,
-};
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol};
 use crate::model::Coordinate;
 use crate::trajectory::Trajectory;
 
@@ -20,9 +18,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let (name, unit) = (coordinate.name, coordinate.unit);
         if !runs.iter().any(|run| rolls(run.trajectory, name)) {
             let y = Axis::linear(symbol(name), unit);
-            panels.push(panel(runs, coordinate, coordinate.doc, y, |run, i| {
-                &run.q[i]
-            }));
+            panels.push(panel(runs, coordinate, coordinate.doc, y, |run, i| &run.q[i]));
         }
         let speed = format!("d{}/dt", symbol(name));
         let y = Axis::linear(speed, format!("{unit}/s"));
@@ -33,12 +29,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     if runs.len() > 1 {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
     }
-    Ok(Figure {
-        title: "Motion".into(),
-        subtitle: Some(scenes(runs)),
-        x: Axis::linear("time t", "s"),
-        panels,
-    })
+    Ok(Figure { title: "Motion".into(), subtitle: Some(scenes(runs)), x: Axis::linear("time t", "s"), panels })
 }
 
 /// The curves of one quantity in all runs that have it: named by run, or by `words` if there is one run only.
@@ -56,12 +47,7 @@ fn panel(
             continue;
         };
         let label = if runs.len() > 1 { run.label } else { words };
-        series.push(Series::new(
-            n,
-            label,
-            recorded.t.clone(),
-            quantity(recorded, i).clone(),
-        ));
+        series.push(Series::new(n, label, recorded.t.clone(), quantity(recorded, i).clone()));
     }
     Panel { y, series }
 }

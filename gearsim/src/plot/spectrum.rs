@@ -6,9 +6,7 @@
 use std::f64::consts::TAU;
 
 use super::figure::extremes;
-use super::{
-    Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol,
-};
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol};
 use crate::analysis::spectrum::{Spectrum, segment_length, uniform_samples, welch};
 
 /// Its entry in the registry.
@@ -23,13 +21,8 @@ const LONGEST: f64 = 5.0;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let model = first(PLOT.name, runs)?.trajectory.model;
-    let references: Option<Vec<f64>> = runs
-        .iter()
-        .map(|run| {
-            run.reference_frequency
-                .filter(|wd| *wd > 0.0 && wd.is_finite())
-        })
-        .collect();
+    let references: Option<Vec<f64>> =
+        runs.iter().map(|run| run.reference_frequency.filter(|wd| *wd > 0.0 && wd.is_finite())).collect();
     let mut panels = vec![];
     let mut longest = 0.0_f64;
     let mut segments = 0;
@@ -52,11 +45,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             let frequency: Vec<f64> = spectrum.frequency.iter().map(|f| f / unit).collect();
             longest = longest.max(frequency.last().copied().unwrap_or(0.0));
             segments = spectrum.segments;
-            let label = if runs.len() > 1 {
-                run.label
-            } else {
-                coordinate.doc
-            };
+            let label = if runs.len() > 1 { run.label } else { coordinate.doc };
             series.push(Series::new(n, label, frequency, spectrum.density));
         }
         let label = format!("PSD of {}", symbol(name));
@@ -66,10 +55,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     }
     if panels.is_empty() {
         let why = "every coordinate rolls on".into();
-        return Err(PlotError::Nothing {
-            plot: PLOT.name,
-            why,
-        });
+        return Err(PlotError::Nothing { plot: PLOT.name, why });
     }
     if runs.len() > 1 {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
@@ -78,37 +64,17 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         Some(_) => Axis::linear("frequency ω/ω_{d}", "").between(0.0, longest.min(LONGEST)),
         None => Axis::linear("frequency f", "Hz").between(0.0, longest),
     };
-    let averaged = if segments == 1 {
-        "one segment".into()
-    } else {
-        format!("mean of {segments} segments")
-    };
+    let averaged = if segments == 1 { "one segment".into() } else { format!("mean of {segments} segments") };
     let subtitle = format!("{}; Welch, Hann window, {averaged}", scenes(runs));
-    Ok(Figure {
-        title: "Power spectral density".into(),
-        subtitle: Some(subtitle),
-        x,
-        panels,
-    })
+    Ok(Figure { title: "Power spectral density".into(), subtitle: Some(subtitle), x, panels })
 }
 
 /// Ends the axis 12 decades below the highest peak, where there is nothing but rounding and leakage.
 fn legible(axis: Axis, series: &[Series], in_units_of_wd: bool) -> Axis {
-    let end = if in_units_of_wd {
-        LONGEST
-    } else {
-        f64::INFINITY
-    };
-    let shown = series
-        .iter()
-        .flat_map(|s| s.x.iter().zip(&s.y))
-        .filter(|&(&x, _)| x <= end);
+    let end = if in_units_of_wd { LONGEST } else { f64::INFINITY };
+    let shown = series.iter().flat_map(|s| s.x.iter().zip(&s.y)).filter(|&(&x, _)| x <= end);
     let (lowest, peak) = extremes(shown.map(|(_, &y)| y).filter(|&y| y > 0.0));
-    if lowest < 1e-12 * peak {
-        axis.between(1e-12 * peak, 3.0 * peak)
-    } else {
-        axis
-    }
+    if lowest < 1e-12 * peak { axis.between(1e-12 * peak, 3.0 * peak) } else { axis }
 }
 
 /// Spectrum of coordinate `i` of `run`, from its evenly spaced samples.

@@ -4,30 +4,16 @@ use super::*;
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
 
 fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
-    Run {
-        label,
-        trajectory,
-        reference_frequency: Some(REFERENCE),
-        scene: "two_steps",
-    }
+    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps" }
 }
 
 #[test]
 fn every_plot_names_what_it_shows() {
     let recorded = oscillator(4000);
     let expected: [(&str, &[&str]); 3] = [
-        (
-            "energy",
-            &["U = T + V − W", "dissipated", "residual [", "time t [s]"],
-        ),
-        (
-            "motion",
-            &["φ [rad]", "dφ/dt [rad/s]", "dθ/dt [", "time t [s]"],
-        ),
-        (
-            "spectrum",
-            &["PSD of φ [rad²/Hz]", "frequency ω/ω<tspan", "10⁻"],
-        ),
+        ("energy", &["U = T + V − W", "dissipated", "residual [", "time t [s]"]),
+        ("motion", &["φ [rad]", "dφ/dt [rad/s]", "dθ/dt [", "time t [s]"]),
+        ("spectrum", &["PSD of φ [rad²/Hz]", "frequency ω/ω<tspan", "10⁻"]),
     ];
     for (name, words) in expected {
         let figure = (find(name).unwrap().draw)(&[run("exact", &recorded)]).unwrap();
@@ -46,10 +32,7 @@ fn every_plot_names_what_it_shows() {
 fn overlaid_runs_are_named_once() {
     let (a, b) = (oscillator(4000), oscillator(3000));
     for plot in PLOTS {
-        let svg = (plot.draw)(&[run("exact", &a), run("classical", &b)])
-            .unwrap()
-            .svg()
-            .unwrap();
+        let svg = (plot.draw)(&[run("exact", &a), run("classical", &b)]).unwrap().svg().unwrap();
         assert_eq!(svg.matches(">classical<").count(), 1, "{}", plot.name);
     }
 }
@@ -58,10 +41,7 @@ fn overlaid_runs_are_named_once() {
 fn a_long_run_stays_a_small_picture() {
     let recorded = oscillator(300_000);
     for plot in PLOTS {
-        let svg = (plot.draw)(&[run("exact", &recorded)])
-            .unwrap()
-            .svg()
-            .unwrap();
+        let svg = (plot.draw)(&[run("exact", &recorded)]).unwrap().svg().unwrap();
         assert!(svg.len() < 1_000_000, "{}: {} bytes", plot.name, svg.len());
     }
 }
@@ -71,10 +51,7 @@ fn values_that_are_not_finite_leave_gaps() {
     let mut recorded = oscillator(1000);
     recorded.kinetic[300] = f64::NAN;
     recorded.residual[500] = f64::INFINITY;
-    let svg = (energy::PLOT.draw)(&[run("exact", &recorded)])
-        .unwrap()
-        .svg()
-        .unwrap();
+    let svg = (energy::PLOT.draw)(&[run("exact", &recorded)]).unwrap().svg().unwrap();
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
 }
 
@@ -91,27 +68,13 @@ fn there_is_an_error_for_what_cannot_be_drawn() {
         assert!((plot.draw)(&[run("exact", &ragged)]).is_err());
     }
     let short = oscillator(3);
-    assert!(matches!(
-        (spectrum::PLOT.draw)(&[run("exact", &short)]),
-        Err(PlotError::Spectrum { .. })
-    ));
+    assert!(matches!((spectrum::PLOT.draw)(&[run("exact", &short)]), Err(PlotError::Spectrum { .. })));
     let message = find("spectra").unwrap_err().to_string();
-    assert_eq!(
-        message,
-        "there is no plot `spectra`; there are `energy`, `motion`, `spectrum`"
-    );
+    assert_eq!(message, "there is no plot `spectra`; there are `energy`, `motion`, `spectrum`");
     let series = Series::new(0, "odd", vec![0.0], vec![]);
-    let panel = Panel {
-        y: Axis::linear("y", "1"),
-        series: vec![series],
-    };
+    let panel = Panel { y: Axis::linear("y", "1"), series: vec![series] };
     let x = Axis::linear("x", "1");
-    let figure = Figure {
-        title: String::new(),
-        subtitle: None,
-        x,
-        panels: vec![panel],
-    };
+    let figure = Figure { title: String::new(), subtitle: None, x, panels: vec![panel] };
     assert!(matches!(figure.svg(), Err(PlotError::Ragged { .. })));
 }
 
@@ -129,27 +92,14 @@ fn look() {
         other.residual[i] += drift;
         other.q[1][i] *= 1.2;
     }
-    let (exact, other) = (
-        run("exact", &exact),
-        run("rigid kinematic, Eqs. (4), (5)", &other),
-    );
-    let third = Run {
-        label: "classical, Eq. (6)",
-        ..exact
-    };
+    let (exact, other) = (run("exact", &exact), run("rigid kinematic, Eqs. (4), (5)", &other));
+    let third = Run { label: "classical, Eq. (6)", ..exact };
     let long = oscillator(200_000);
     let long = run("exact", &long);
-    let plain = Run {
-        reference_frequency: None,
-        ..exact
-    };
+    let plain = Run { reference_frequency: None, ..exact };
     for plot in PLOTS {
-        let cases: [(&str, &[Run<'_>]); 4] = [
-            ("long", &[long]),
-            ("one", &[exact]),
-            ("three", &[exact, other, third]),
-            ("plain", &[plain]),
-        ];
+        let cases: [(&str, &[Run<'_>]); 4] =
+            [("long", &[long]), ("one", &[exact]), ("three", &[exact, other, third]), ("plain", &[plain])];
         for (case, runs) in cases {
             let figure = (plot.draw)(runs).unwrap();
             let file = |end: &str| folder.join(format!("{}_{case}.{end}", plot.name));

@@ -42,15 +42,7 @@ impl Ruler {
         if scale == Scale::Log10 {
             step = step.ceil();
         }
-        let mut ruler = Ruler {
-            scale,
-            low,
-            high,
-            step,
-            offset: 0.0,
-            exponent: 0,
-            decimals: 0,
-        };
+        let mut ruler = Ruler { scale, low, high, step, offset: 0.0, exponent: 0, decimals: 0 };
         if scale == Scale::Linear {
             ruler.shorten();
         }
@@ -62,9 +54,7 @@ impl Ruler {
         let mut size = self.low.abs().max(self.high.abs());
         if size > 1e4 * self.step {
             self.offset = round_to(self.low, 10.0 * self.step);
-            size = (self.low - self.offset)
-                .abs()
-                .max((self.high - self.offset).abs());
+            size = (self.low - self.offset).abs().max((self.high - self.offset).abs());
         }
         let magnitude = size.log10().floor() as i32;
         if !(-2..5).contains(&magnitude) {
@@ -87,9 +77,7 @@ impl Ruler {
 
     /// Places of the ticks between 0 and 1, and the numbers beside them.
     pub fn ticks(&self) -> Vec<(f64, String)> {
-        self.multiples(self.step)
-            .map(|x| (self.fraction(x), self.number(x)))
-            .collect()
+        self.multiples(self.step).map(|x| (self.fraction(x), self.number(x))).collect()
     }
 
     /// Places of the small ticks between them: the whole decades of a logarithmic axis, fifths of a linear one.
@@ -109,11 +97,7 @@ impl Ruler {
             let sign = if self.offset < 0.0 { '+' } else { '−' };
             label += format!(" {sign} {} {unit}", self.offset.abs()).trim_end();
         }
-        let power = if self.exponent == 0 {
-            String::new()
-        } else {
-            power_of_ten(self.exponent)
-        };
+        let power = if self.exponent == 0 { String::new() } else { power_of_ten(self.exponent) };
         match (power.is_empty(), unit.is_empty()) {
             (true, true) => label,
             (false, true) => format!("{label} / {power}"),
@@ -123,10 +107,7 @@ impl Ruler {
 
     fn multiples(&self, step: f64) -> impl Iterator<Item = f64> {
         let slack = 1e-9 * (self.high - self.low) / step;
-        let (first, last) = (
-            (self.low / step - slack).ceil(),
-            (self.high / step + slack).floor(),
-        );
+        let (first, last) = ((self.low / step - slack).ceil(), (self.high / step + slack).floor());
         // A step that does not change the value would never end.
         let count = (last - first + 1.0).clamp(0.0, 1000.0) as usize;
         (0..count).map(move |i| (first + i as f64) * step)
@@ -161,9 +142,7 @@ fn length(scale: Scale, x: f64) -> f64 {
 /// The nearest of 1, 2, 2.5, 5, 10 times a power of ten that is no smaller than `x`.
 fn nice(x: f64) -> f64 {
     let power = 10f64.powi(x.log10().floor() as i32);
-    let factor = [1.0, 2.0, 2.5, 5.0]
-        .into_iter()
-        .find(|f| f * power >= x * (1.0 - 1e-9));
+    let factor = [1.0, 2.0, 2.5, 5.0].into_iter().find(|f| f * power >= x * (1.0 - 1e-9));
     factor.unwrap_or(10.0) * power
 }
 
@@ -201,23 +180,14 @@ mod tests {
 
     fn numbers(axis: &Axis, extremes: (f64, f64)) -> (Vec<String>, String) {
         let ruler = Ruler::new(axis, extremes, 5, 0.0);
-        (
-            ruler.ticks().into_iter().map(|t| t.1).collect(),
-            ruler.label(axis),
-        )
+        (ruler.ticks().into_iter().map(|t| t.1).collect(), ruler.label(axis))
     }
 
     #[test]
     fn ticks_are_round_and_short() {
         let t = Axis::linear("time t", "s");
-        assert_eq!(
-            numbers(&t, (0.0, 0.1)).0,
-            ["0.00", "0.02", "0.04", "0.06", "0.08", "0.10"]
-        );
-        assert_eq!(
-            numbers(&t, (-1.0, 1.0)).0,
-            ["−1.0", "−0.5", "0.0", "0.5", "1.0"]
-        );
+        assert_eq!(numbers(&t, (0.0, 0.1)).0, ["0.00", "0.02", "0.04", "0.06", "0.08", "0.10"]);
+        assert_eq!(numbers(&t, (-1.0, 1.0)).0, ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
     }
 
     #[test]
@@ -243,12 +213,7 @@ mod tests {
     #[test]
     fn hopeless_data_still_give_an_axis() {
         let u = Axis::linear("U", "J");
-        for extremes in [
-            (0.0, 0.0),
-            (7.0, 7.0),
-            (f64::INFINITY, f64::NEG_INFINITY),
-            (1e300, 1e300),
-        ] {
+        for extremes in [(0.0, 0.0), (7.0, 7.0), (f64::INFINITY, f64::NEG_INFINITY), (1e300, 1e300)] {
             let ruler = Ruler::new(&u, extremes, 5, 0.05);
             assert!((2..20).contains(&ruler.ticks().len()), "{ruler:?}");
         }

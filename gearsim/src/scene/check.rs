@@ -5,32 +5,13 @@ use super::error::{Report, did_you_mean};
 use super::{Scene, effects, field, keys, laws, output, parameters, start};
 use crate::model::Model;
 
-const KEYS: [&str; 8] = [
-    "about",
-    "model",
-    "effects",
-    "parameters",
-    "laws",
-    "start",
-    "run",
-    "output",
-];
+const KEYS: [&str; 8] = ["about", "model", "effects", "parameters", "laws", "start", "run", "output"];
 
 /// Reads a scene without name and hash; `end` is where tables would be added. `None` only if something is reported.
-pub(super) fn scene(
-    root: &Node,
-    end: &Place,
-    models: &[&'static Model],
-    report: &mut Report,
-) -> Option<Scene> {
+pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report: &mut Report) -> Option<Scene> {
     let entries = field::table("", root, report)?;
-    let required = [
-        ("model", "model = \"...\""),
-        ("effects", "effects = []  # or some names"),
-    ];
-    let lacking = required
-        .into_iter()
-        .filter(|(key, _)| keys::get(entries, key).is_none());
+    let required = [("model", "model = \"...\""), ("effects", "effects = []  # or some names")];
+    let lacking = required.into_iter().filter(|(key, _)| keys::get(entries, key).is_none());
     let lacking: Vec<_> = lacking.map(|(key, line)| (key, line.to_string())).collect();
     keys::missing(&lacking, "the scene", &root.place, report);
 
@@ -72,36 +53,21 @@ fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
     if let Some(model) = model {
         let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name);
         let motions = model.motions.iter().map(|motion| motion.name);
-        homes.push((
-            "parameters",
-            model.parameters.iter().map(|p| p.name).collect(),
-        ));
+        homes.push(("parameters", model.parameters.iter().map(|p| p.name).collect()));
         homes.push(("laws", model.laws.iter().map(|law| law.name).collect()));
         homes.push(("start", coordinates.chain(motions).collect()));
     }
     for Entry { key, place, .. } in keys::unknown(entries, &KEYS) {
         let home = homes.iter().find(|(_, keys)| keys.contains(&key.as_str()));
         let (label, help) = match home {
-            Some((table, _)) => (
-                "in the wrong place",
-                format!("it belongs to [{table}]: `{table}.{key}`"),
-            ),
+            Some((table, _)) => ("in the wrong place", format!("it belongs to [{table}]: `{table}.{key}`")),
             None => ("unknown key", keys::choices(key, &KEYS)),
         };
-        report.add(
-            place,
-            format!("the top of a scene has no `{key}`"),
-            label,
-            help,
-        );
+        report.add(place, format!("the top of a scene has no `{key}`"), label, help);
     }
 }
 
-fn read_model(
-    node: &Node,
-    models: &[&'static Model],
-    report: &mut Report,
-) -> Option<&'static Model> {
+fn read_model(node: &Node, models: &[&'static Model], report: &mut Report) -> Option<&'static Model> {
     let name = field::text("model", node, report)?;
     let found = models.iter().copied().find(|model| model.name == name);
     if found.is_none() {
@@ -113,12 +79,7 @@ fn read_model(
         for model in models {
             help.push_str(&format!("\n{}: {}", model.name, model.title));
         }
-        report.add(
-            &node.place,
-            format!("there is no model `{name}`"),
-            "unknown model",
-            help,
-        );
+        report.add(&node.place, format!("there is no model `{name}`"), "unknown model", help);
     }
     found
 }

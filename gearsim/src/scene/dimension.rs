@@ -61,8 +61,7 @@ impl Dimension {
     /// torsional stiffness). In what is made of angle and time alone it decides: 1/s is not rad/s.
     pub fn fits(self, expected: Dimension) -> bool {
         let alone = self.m == 0 && self.kg == 0;
-        (self.m, self.kg, self.s) == (expected.m, expected.kg, expected.s)
-            && (!alone || self.rad == expected.rad)
+        (self.m, self.kg, self.s) == (expected.m, expected.kg, expected.s) && (!alone || self.rad == expected.rad)
     }
 
     /// What it is called, e.g. "a torque or energy"; else its base units.
@@ -76,30 +75,13 @@ impl Dimension {
 
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let powers = [
-            ("kg", self.kg),
-            ("m", self.m),
-            ("s", self.s),
-            ("rad", self.rad),
-        ];
+        let powers = [("kg", self.kg), ("m", self.m), ("s", self.s), ("rad", self.rad)];
         let term = |(name, power): (&str, i32)| match power {
             1 => name.to_string(),
             _ => format!("{name}^{power}"),
         };
-        let above: Vec<_> = powers
-            .into_iter()
-            .filter(|(_, power)| *power > 0)
-            .map(term)
-            .collect();
-        write!(
-            f,
-            "{}",
-            if above.is_empty() {
-                "1".to_string()
-            } else {
-                above.join("*")
-            }
-        )?;
+        let above: Vec<_> = powers.into_iter().filter(|(_, power)| *power > 0).map(term).collect();
+        write!(f, "{}", if above.is_empty() { "1".to_string() } else { above.join("*") })?;
         powers
             .into_iter()
             .filter(|(_, power)| *power < 0)

@@ -51,31 +51,23 @@ pub(super) struct Origin {
 
 impl Origin {
     pub(super) fn place(self, span: Range<usize>) -> Place {
-        Place {
-            source: self.source,
-            span: span.start + self.offset..span.end + self.offset,
-        }
+        Place { source: self.source, span: span.start + self.offset..span.end + self.offset }
     }
 
     fn node(self, spanned: &Spanned<DeValue>) -> Node {
         let value = match spanned.get_ref() {
             DeValue::String(text) => Value::Text(text.to_string()),
             // The parser has checked the digits; what still does not fit is refused as not finite.
-            DeValue::Integer(x) => Value::Number(
-                i128::from_str_radix(x.as_str(), x.radix()).map_or(f64::NAN, |x| x as f64),
-            ),
+            DeValue::Integer(x) => {
+                Value::Number(i128::from_str_radix(x.as_str(), x.radix()).map_or(f64::NAN, |x| x as f64))
+            }
             DeValue::Float(x) => Value::Number(x.as_str().parse().unwrap_or(f64::NAN)),
             DeValue::Boolean(flag) => Value::Flag(*flag),
             DeValue::Datetime(_) => Value::Date,
-            DeValue::Array(items) => {
-                Value::Array(items.iter().map(|item| self.node(item)).collect())
-            }
+            DeValue::Array(items) => Value::Array(items.iter().map(|item| self.node(item)).collect()),
             DeValue::Table(table) => Value::Table(self.entries(table)),
         };
-        Node {
-            value,
-            place: self.place(spanned.span()),
-        }
+        Node { value, place: self.place(spanned.span()) }
     }
 
     fn entries(self, table: &DeTable) -> Vec<Entry> {
@@ -90,11 +82,7 @@ impl Origin {
     fn error(self, error: &Error, length: usize, report: &mut Report) {
         let span = error.span().unwrap_or(length..length);
         // What the parser expected is about tokens; the help below is about scenes.
-        let message = error
-            .message()
-            .split(", expected ")
-            .next()
-            .unwrap_or_default();
+        let message = error.message().split(", expected ").next().unwrap_or_default();
         let says = |words: &[&str]| words.iter().any(|word| message.contains(word));
         let help = if says(&[UNQUOTED]) {
             "put it in quotes: quantities with units are text, as in \"10 N*m\""
@@ -105,12 +93,7 @@ impl Origin {
         } else {
             "lines are KEY = VALUE or [TABLE]; all of the format is at https://toml.io"
         };
-        report.add(
-            &self.place(span),
-            format!("not valid TOML: {message}"),
-            "here",
-            help,
-        );
+        report.add(&self.place(span), format!("not valid TOML: {message}"), "here", help);
     }
 }
 
@@ -124,18 +107,12 @@ pub(super) fn read(text: &str, origin: Origin, report: &mut Report) -> Option<No
     for error in &errors {
         origin.error(error, text.len(), report);
         // What follows any other error is mostly its echo.
-        if ![UNQUOTED, DUPLICATE]
-            .iter()
-            .any(|slip| error.message().contains(slip))
-        {
+        if ![UNQUOTED, DUPLICATE].iter().any(|slip| error.message().contains(slip)) {
             break;
         }
     }
     // Keys that are missing at the top have to be written there, before the first table.
-    let root = Node {
-        value: Value::Table(origin.entries(table.get_ref())),
-        place: origin.place(0..0),
-    };
+    let root = Node { value: Value::Table(origin.entries(table.get_ref())), place: origin.place(0..0) };
     errors.is_empty().then_some(root)
 }
 

@@ -14,24 +14,13 @@ impl Effects {
 
     /// The names of the effects, in the model's order.
     pub fn names(self, model: &Model) -> Vec<&'static str> {
-        model
-            .effects
-            .iter()
-            .enumerate()
-            .filter(|(i, _)| self.contains(*i))
-            .map(|(_, effect)| effect.name)
-            .collect()
+        model.effects.iter().enumerate().filter(|(i, _)| self.contains(*i)).map(|(_, effect)| effect.name).collect()
     }
 
     /// The set of these effects of the model; `None` if it does not have one of them.
-    pub fn from_names<'a>(
-        names: impl IntoIterator<Item = &'a str>,
-        model: &Model,
-    ) -> Option<Effects> {
+    pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
         let index = |name| model.effects.iter().position(|effect| effect.name == name);
-        names
-            .into_iter()
-            .try_fold(Effects(0), |set, name| Some(set.with(index(name)?)))
+        names.into_iter().try_fold(Effects(0), |set, name| Some(set.with(index(name)?)))
     }
 
     fn with(self, i: usize) -> Effects {
@@ -47,12 +36,7 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
         let effect = &model.effects[i];
         let name = effect.name;
         let has = |other: &&&str| chosen.iter().any(|j| allowed[*j] == **other);
-        let lacking: Vec<_> = effect
-            .requires
-            .iter()
-            .filter(|other| !has(other))
-            .copied()
-            .collect();
+        let lacking: Vec<_> = effect.requires.iter().filter(|other| !has(other)).copied().collect();
         if !lacking.is_empty() {
             let message = format!("effect `{name}` needs {}", list(&lacking));
             let help = format!("add {}, or leave out `{name}`", list(&lacking));
@@ -60,10 +44,7 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
         }
         for other in chosen[..n].iter().map(|j| &model.effects[*j]) {
             if effect.excludes.contains(&other.name) || other.excludes.contains(&name) {
-                let message = format!(
-                    "effects `{}` and `{name}` contradict each other",
-                    other.name
-                );
+                let message = format!("effects `{}` and `{name}` contradict each other", other.name);
                 let help = format!("leave out `{}` or `{name}`", other.name);
                 report.add(&node.place, message, "not both", help);
             }

@@ -4,8 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use miette::{
-    Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan, ThemeCharacters,
-    ThemeStyles,
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan, ThemeCharacters, ThemeStyles,
 };
 
 use super::document::Place;
@@ -35,17 +34,8 @@ pub struct SceneErrors {
 impl SceneErrors {
     /// A scene that could not be read at all.
     pub(super) fn unreadable(scene: &str, message: String, help: &str) -> SceneErrors {
-        let problem = Problem {
-            message,
-            label: String::new(),
-            help: help.to_string(),
-            span: None,
-            text: None,
-        };
-        SceneErrors {
-            scene: scene.to_string(),
-            problems: vec![problem],
-        }
+        let problem = Problem { message, label: String::new(), help: help.to_string(), span: None, text: None };
+        SceneErrors { scene: scene.to_string(), problems: vec![problem] }
     }
 
     /// The problems, in the order in which they are shown.
@@ -57,25 +47,16 @@ impl SceneErrors {
     pub fn render(&self, width: usize, color: bool) -> String {
         let theme = GraphicalTheme {
             characters: ThemeCharacters::unicode(),
-            styles: if color {
-                ThemeStyles::ansi()
-            } else {
-                ThemeStyles::none()
-            },
+            styles: if color { ThemeStyles::ansi() } else { ThemeStyles::none() },
         };
-        let handler = GraphicalReportHandler::new_themed(theme)
-            .with_width(width)
-            .with_links(false);
+        let handler = GraphicalReportHandler::new_themed(theme).with_width(width).with_links(false);
         let mut text = format!("{self}\n");
         for problem in &self.problems {
             text.push('\n');
             let start = text.len();
             if handler.render_report(&mut text, problem).is_err() {
                 text.truncate(start);
-                text.push_str(&format!(
-                    "  {}\n  help: {}\n",
-                    problem.message, problem.help
-                ));
+                text.push_str(&format!("  {}\n  help: {}\n", problem.message, problem.help));
             }
         }
         text
@@ -102,10 +83,7 @@ pub(super) struct Report {
 
 impl Report {
     pub(super) fn new() -> Report {
-        Report {
-            sources: Vec::new(),
-            problems: Vec::new(),
-        }
+        Report { sources: Vec::new(), problems: Vec::new() }
     }
 
     /// Adds a text that problems may point into, and returns its number.
@@ -116,10 +94,7 @@ impl Report {
 
     /// The text at a place.
     pub(super) fn text(&self, place: &Place) -> &str {
-        self.sources
-            .get(place.source)
-            .and_then(|s| s.inner().get(place.span.clone()))
-            .unwrap_or_default()
+        self.sources.get(place.source).and_then(|s| s.inner().get(place.span.clone())).unwrap_or_default()
     }
 
     /// Adds a problem: `message` says what is wrong, `label` is written at the place, `help` says what to do.
@@ -145,26 +120,16 @@ impl Report {
     }
 
     pub(super) fn into_errors(mut self, scene: &str) -> SceneErrors {
-        self.problems
-            .sort_by_key(|(place, _)| (place.source, place.span.start));
-        SceneErrors {
-            scene: scene.to_string(),
-            problems: self.problems.into_iter().map(|(_, p)| p).collect(),
-        }
+        self.problems.sort_by_key(|(place, _)| (place.source, place.span.start));
+        SceneErrors { scene: scene.to_string(), problems: self.problems.into_iter().map(|(_, p)| p).collect() }
     }
 }
 
 /// The candidate that `word` was most likely meant to be, if any is close.
-pub(super) fn did_you_mean<'a>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub(super) fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
-    let (distance, candidate) = candidates
-        .into_iter()
-        .map(|c| (distance(c), c))
-        .min_by_key(|(d, _)| *d)?;
+    let (distance, candidate) = candidates.into_iter().map(|c| (distance(c), c)).min_by_key(|(d, _)| *d)?;
     (distance <= word.chars().count() / 3).then_some(candidate)
 }
 

@@ -14,12 +14,7 @@ pub(super) fn wrong_type(path: &str, node: &Node, expected: &str, help: &str, re
         Value::Array(_) => "an array",
         Value::Table(_) => "a table",
     };
-    report.add(
-        &node.place,
-        format!("`{path}` must be {expected}, not {found}"),
-        found,
-        help,
-    );
+    report.add(&node.place, format!("`{path}` must be {expected}, not {found}"), found, help);
 }
 
 pub(super) fn text<'a>(path: &str, node: &'a Node, report: &mut Report) -> Option<&'a str> {
@@ -36,34 +31,17 @@ pub(super) fn flag(path: &str, node: &Node, report: &mut Report) -> Option<bool>
     match node.value {
         Value::Flag(flag) => Some(flag),
         _ => {
-            wrong_type(
-                path,
-                node,
-                "true or false",
-                "write true or false, without quotes",
-                report,
-            );
+            wrong_type(path, node, "true or false", "write true or false, without quotes", report);
             None
         }
     }
 }
 
-pub(super) fn array<'a>(
-    path: &str,
-    node: &'a Node,
-    example: &str,
-    report: &mut Report,
-) -> Option<&'a [Node]> {
+pub(super) fn array<'a>(path: &str, node: &'a Node, example: &str, report: &mut Report) -> Option<&'a [Node]> {
     match &node.value {
         Value::Array(items) => Some(items),
         _ => {
-            wrong_type(
-                path,
-                node,
-                "an array",
-                &format!("write for example {example}"),
-                report,
-            );
+            wrong_type(path, node, "an array", &format!("write for example {example}"), report);
             None
         }
     }
@@ -73,26 +51,14 @@ pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Opti
     match &node.value {
         Value::Table(entries) => Some(entries),
         _ => {
-            wrong_type(
-                path,
-                node,
-                "a table",
-                &format!("write [{path}], and its keys on the lines below"),
-                report,
-            );
+            wrong_type(path, node, "a table", &format!("write [{path}], and its keys on the lines below"), report);
             None
         }
     }
 }
 
 /// Reads an array of distinct names out of `allowed`, as indices; `noun` is what one of them is.
-pub(super) fn names(
-    path: &str,
-    node: &Node,
-    noun: &str,
-    allowed: &[&str],
-    report: &mut Report,
-) -> Option<Vec<usize>> {
+pub(super) fn names(path: &str, node: &Node, noun: &str, allowed: &[&str], report: &mut Report) -> Option<Vec<usize>> {
     let example = format!("{:?}", &allowed[..allowed.len().min(2)]);
     let items = array(path, node, &example, report)?;
     let mut chosen = Vec::new();
@@ -108,12 +74,7 @@ pub(super) fn names(
                 choices(name, allowed),
             ),
             Some(index) if chosen.contains(&index) => {
-                report.add(
-                    &item.place,
-                    format!("`{name}` is named twice in `{path}`"),
-                    "again",
-                    "name it once",
-                );
+                report.add(&item.place, format!("`{name}` is named twice in `{path}`"), "again", "name it once");
             }
             Some(index) => chosen.push(index),
         }

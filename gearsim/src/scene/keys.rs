@@ -5,32 +5,19 @@ use super::error::{Report, did_you_mean, list};
 
 /// The value of a key, if it is there.
 pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
-    entries
-        .iter()
-        .find(|entry| entry.key == key)
-        .map(|entry| &entry.node)
+    entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node)
 }
 
 /// The entries whose keys are not allowed.
-pub(super) fn unknown<'a>(
-    entries: &'a [Entry],
-    allowed: &[&str],
-) -> impl Iterator<Item = &'a Entry> {
-    entries
-        .iter()
-        .filter(|entry| !allowed.contains(&entry.key.as_str()))
+pub(super) fn unknown<'a>(entries: &'a [Entry], allowed: &[&str]) -> impl Iterator<Item = &'a Entry> {
+    entries.iter().filter(|entry| !allowed.contains(&entry.key.as_str()))
 }
 
 /// Reports the keys of a table that mean nothing.
 pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
     for entry in unknown(entries, allowed) {
         let message = format!("{title} has no `{}`", entry.key);
-        report.add(
-            &entry.place,
-            message,
-            "unknown key",
-            choices(&entry.key, allowed),
-        );
+        report.add(&entry.place, message, "unknown key", choices(&entry.key, allowed));
     }
 }
 

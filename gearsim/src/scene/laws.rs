@@ -18,11 +18,7 @@ impl Stiffness {
     /// Average over one pitch [unit of the law].
     pub fn mean(&self) -> f64 {
         let width: f64 = self.steps.iter().map(|step| step.width).sum();
-        self.steps
-            .iter()
-            .map(|step| step.value * step.width)
-            .sum::<f64>()
-            / width
+        self.steps.iter().map(|step| step.value * step.width).sum::<f64>() / width
     }
 }
 
@@ -67,33 +63,19 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn new(law: &'a Law, model: &Model) -> Reader<'a> {
-        let phase = model
-            .coordinates
-            .iter()
-            .find(|coordinate| coordinate.name == law.phase);
+        let phase = model.coordinates.iter().find(|coordinate| coordinate.name == law.phase);
         let path = format!("laws.{}.steps", law.name);
-        Reader {
-            law,
-            phase: phase.map_or("rad", |coordinate| coordinate.unit),
-            path,
-        }
+        Reader { law, phase: phase.map_or("rad", |coordinate| coordinate.unit), path }
     }
 
     /// What to write if the law is missing.
     fn table(&self) -> String {
-        format!(
-            "[laws.{}]  # {}\nsteps = {}",
-            self.law.name,
-            self.law.doc,
-            self.steps()
-        )
+        format!("[laws.{}]  # {}\nsteps = {}", self.law.name, self.law.doc, self.steps())
     }
 
     fn steps(&self) -> String {
         let (value, width) = (self.law.unit, self.phase);
-        format!(
-            "[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]"
-        )
+        format!("[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]")
     }
 
     fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
@@ -102,41 +84,24 @@ impl<'a> Reader<'a> {
         keys::known(entries, &format!("[{table}]"), &["steps"], report);
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());
-            keys::missing(
-                &[("steps", line)],
-                &format!("[{table}]"),
-                &node.place,
-                report,
-            );
+            keys::missing(&[("steps", line)], &format!("[{table}]"), &node.place, report);
             return None;
         };
         let items = field::array(&self.path, steps, &self.steps(), report)?;
         let Some((last, before)) = items.split_last() else {
             let help = format!("write for example {}", self.steps());
-            report.add(
-                &steps.place,
-                format!("`{}` is empty", self.path),
-                "no step",
-                help,
-            );
+            report.add(&steps.place, format!("`{}` is empty", self.path), "no step", help);
             return None;
         };
-        let mut levels: Vec<_> = (before.iter().enumerate())
-            .map(|(i, step)| self.step(i, step, false, report))
-            .collect();
+        let mut levels: Vec<_> =
+            (before.iter().enumerate()).map(|(i, step)| self.step(i, step, false, report)).collect();
         levels.push(self.step(before.len(), last, true, report));
         let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
         self.fill(&levels, last, report)
     }
 
     /// A level and its width, which only the last step may leave out.
-    fn step(
-        &self,
-        i: usize,
-        node: &Node,
-        last: bool,
-        report: &mut Report,
-    ) -> Option<(f64, Option<f64>)> {
+    fn step(&self, i: usize, node: &Node, last: bool, report: &mut Report) -> Option<(f64, Option<f64>)> {
         let path = format!("{}.{i}", self.path);
         let entries = field::table(&path, node, report)?;
         keys::known(entries, &format!("`{path}`"), &["value", "width"], report);
@@ -176,27 +141,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
-    fn fill(
-        &self,
-        levels: &[(f64, Option<f64>)],
-        last: &Node,
-        report: &mut Report,
-    ) -> Option<Stiffness> {
+    fn fill(&self, levels: &[(f64, Option<f64>)], last: &Node, report: &mut Report) -> Option<Stiffness> {
         let pitch = self.law.period;
         let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
         let rest = pitch - given;
         let open = levels.iter().any(|(_, width)| width.is_none());
-        let sum = format!(
-            "add up to {} {unit}, one pitch is {} {unit}",
-            short(given),
-            short(pitch),
-            unit = self.phase
-        );
+        let sum = format!("add up to {} {unit}, one pitch is {} {unit}", short(given), short(pitch), unit = self.phase);
         if open && rest <= 0.0 {
-            let message = format!(
-                "`{}` leaves nothing of the pitch to its last step",
-                self.path
-            );
+            let message = format!("`{}` leaves nothing of the pitch to its last step", self.path);
             let help = format!("the widths before it {sum}\nmake them narrower");
             report.add(&last.place, message, "no room for this", help);
             return None;
@@ -204,11 +156,7 @@ impl<'a> Reader<'a> {
         if !open && (rest / pitch).abs() > PITCH_TOLERANCE {
             let message = format!("the widths of `{}` do not add up to one pitch", self.path);
             let help = format!("they {sum}\nleave out the last width: it is then the rest");
-            let label = if rest > 0.0 {
-                "too narrow together"
-            } else {
-                "too wide together"
-            };
+            let label = if rest > 0.0 { "too narrow together" } else { "too wide together" };
             let width = match &last.value {
                 Value::Table(entries) => keys::get(entries, "width"),
                 _ => None,
@@ -216,13 +164,8 @@ impl<'a> Reader<'a> {
             report.add(&width.unwrap_or(last).place, message, label, help);
             return None;
         }
-        let step = |&(value, width): &(f64, Option<f64>)| Step {
-            value,
-            width: width.unwrap_or(rest),
-        };
-        Some(Stiffness {
-            steps: levels.iter().map(step).collect(),
-        })
+        let step = |&(value, width): &(f64, Option<f64>)| Step { value, width: width.unwrap_or(rest) };
+        Some(Stiffness { steps: levels.iter().map(step).collect() })
     }
 }
 

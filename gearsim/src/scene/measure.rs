@@ -25,29 +25,14 @@ pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report)
             }
         },
         _ => {
-            let example = if unit == "1" {
-                "0.5".to_string()
-            } else {
-                format!("\"10 {unit}\"")
-            };
-            wrong_type(
-                path,
-                node,
-                "a quantity",
-                &format!("write for example {example}"),
-                report,
-            );
+            let example = if unit == "1" { "0.5".to_string() } else { format!("\"10 {unit}\"") };
+            wrong_type(path, node, "a quantity", &format!("write for example {example}"), report);
             return None;
         }
     };
     let Ok(expected) = Unit::parse(unit) else {
         let message = format!("the model measures `{path}` in `{unit}`, which is no unit");
-        report.add(
-            &node.place,
-            message,
-            "cannot be read",
-            "mend the model, or use another",
-        );
+        report.add(&node.place, message, "cannot be read", "mend the model, or use another");
         return None;
     };
     if !quantity.value.is_finite() {
@@ -74,10 +59,7 @@ fn unreadable(path: &str, node: &Node, text: &str, error: UnitError, report: &mu
     let place = match report.text(&node.place).find(text) {
         Some(offset) => {
             let start = node.place.span.start + offset;
-            Place {
-                span: start + error.span.start..start + error.span.end,
-                ..node.place
-            }
+            Place { span: start + error.span.start..start + error.span.end, ..node.place }
         }
         None => node.place.clone(),
     };
@@ -85,24 +67,12 @@ fn unreadable(path: &str, node: &Node, text: &str, error: UnitError, report: &mu
     report.add(&place, message, "not understood", error.help);
 }
 
-fn misfit(
-    path: &str,
-    node: &Node,
-    quantity: Quantity,
-    unit: &str,
-    expected: Dimension,
-    report: &mut Report,
-) {
+fn misfit(path: &str, node: &Node, quantity: Quantity, unit: &str, expected: Dimension, report: &mut Report) {
     let what = expected.describe();
     let written = report.text(&node.place).trim_matches(['"', '\'']).trim();
     if quantity.bare {
         let help = format!("write for example \"{written} {unit}\"");
-        return report.add(
-            &node.place,
-            format!("`{path}` is {what}: give a unit"),
-            "no unit",
-            help,
-        );
+        return report.add(&node.place, format!("`{path}` is {what}: give a unit"), "no unit", help);
     }
     let help = match (quantity.dimension, expected) {
         (FREQUENCY, ANGULAR_SPEED) => "write rpm, rev/s or rad/s".to_string(),
@@ -110,9 +80,6 @@ fn misfit(
         (_, Dimension::NONE) => "write a number without a unit".to_string(),
         _ => format!("write it in {unit}, with or without prefixes"),
     };
-    let message = format!(
-        "`{path}` is {what}, but \"{written}\" is {}",
-        quantity.dimension.describe()
-    );
+    let message = format!("`{path}` is {what}, but \"{written}\" is {}", quantity.dimension.describe());
     report.add(&node.place, message, format!("expected {unit}"), help);
 }

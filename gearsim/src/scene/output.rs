@@ -17,11 +17,7 @@ const DEFAULT_SAMPLES: f64 = 1e4;
 const MIN_END: f64 = 1e-300;
 
 /// Reads the end of the run [s]; what to add goes to `absent` if there is no `[run]`.
-pub(super) fn read_run(
-    entries: &[Entry],
-    absent: &mut Vec<(&str, String)>,
-    report: &mut Report,
-) -> Option<f64> {
+pub(super) fn read_run(entries: &[Entry], absent: &mut Vec<(&str, String)>, report: &mut Report) -> Option<f64> {
     let Some(run) = keys::get(entries, "run") else {
         absent.push(("[run]", "[run]\nt_end = \"... s\"".to_string()));
         return None;
@@ -64,12 +60,7 @@ pub(super) fn read(entries: &[Entry], t_end: Option<f64>, report: &mut Report) -
         None => t_end.map(|t_end| DEFAULT_SAMPLES / t_end),
     };
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
-    Some(Output {
-        rate: rate?,
-        events: events?,
-        plots,
-        csv: csv?,
-    })
+    Some(Output { rate: rate?, events: events?, plots, csv: csv? })
 }
 
 fn read_rate(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64> {

@@ -12,36 +12,16 @@ const OPTION: &str = "--set ";
 /// Writes an override into the tree. What is wrong with its form is reported; its value is checked with the scene.
 pub(super) fn apply(root: &mut Node, text: &str, report: &mut Report) {
     let source = report.source("command line", &format!("{OPTION}{text}"));
-    let origin = Origin {
-        source,
-        offset: OPTION.len(),
-    };
+    let origin = Origin { source, offset: OPTION.len() };
     let Some((path, value)) = text.split_once('=') else {
         let help = "write --set KEY=VALUE, e.g. --set run.t_end=\"1 s\"";
-        return report.add(
-            &origin.place(0..text.len()),
-            "an override without a value",
-            "no `=`",
-            help,
-        );
+        return report.add(&origin.place(0..text.len()), "an override without a value", "no `=`", help);
     };
     let Some(keys) = keys(path, origin) else {
         let help = "write the key as in the file, its tables before it: parameters.T0, laws.k.steps.0.value";
-        return report.add(
-            &origin.place(0..path.len()),
-            "an override of no possible key",
-            "not a key",
-            help,
-        );
+        return report.add(&origin.place(0..path.len()), "an override of no possible key", "not a key", help);
     };
-    if let Some(node) = read_value(
-        value,
-        Origin {
-            source,
-            offset: OPTION.len() + path.len() + 1,
-        },
-        report,
-    ) {
+    if let Some(node) = read_value(value, Origin { source, offset: OPTION.len() + path.len() + 1 }, report) {
         set(root, &keys, node, report);
     }
 }
@@ -66,18 +46,10 @@ fn keys(path: &str, origin: Origin) -> Option<Vec<(&str, Place)>> {
 fn read_value(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
     let trimmed = text.trim();
     let start = text.len() - text.trim_start().len();
-    let origin = Origin {
-        offset: origin.offset + start,
-        ..origin
-    };
+    let origin = Origin { offset: origin.offset + start, ..origin };
     let place = origin.place(0..trimmed.len());
     if trimmed.is_empty() {
-        report.add(
-            &place,
-            "an override without a value",
-            "nothing after `=`",
-            "write --set KEY=VALUE",
-        );
+        report.add(&place, "an override without a value", "nothing after `=`", "write --set KEY=VALUE");
         return None;
     }
     match document::read_value(trimmed, origin) {
@@ -86,10 +58,7 @@ fn read_value(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
             document::report_value(&error, trimmed, origin, report);
             None
         }
-        Err(_) => Some(Node {
-            value: Value::Text(trimmed.to_string()),
-            place,
-        }),
+        Err(_) => Some(Node { value: Value::Text(trimmed.to_string()), place }),
     }
 }
 
@@ -100,21 +69,11 @@ fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, report: &mut Report
     };
     match &mut node.value {
         Value::Table(entries) => {
-            let index = entries
-                .iter()
-                .position(|entry| entry.key == *key)
-                .unwrap_or_else(|| {
-                    let node = Node {
-                        value: Value::Table(Vec::new()),
-                        place: place.clone(),
-                    };
-                    entries.push(Entry {
-                        key: key.to_string(),
-                        place: place.clone(),
-                        node,
-                    });
-                    entries.len() - 1
-                });
+            let index = entries.iter().position(|entry| entry.key == *key).unwrap_or_else(|| {
+                let node = Node { value: Value::Table(Vec::new()), place: place.clone() };
+                entries.push(Entry { key: key.to_string(), place: place.clone(), node });
+                entries.len() - 1
+            });
             if rest.is_empty() {
                 entries[index].place = place.clone();
             }
@@ -122,34 +81,20 @@ fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, report: &mut Report
         }
         Value::Array(items) => {
             let count = items.len();
-            match key
-                .parse::<usize>()
-                .ok()
-                .and_then(|index| items.get_mut(index))
-            {
+            match key.parse::<usize>().ok().and_then(|index| items.get_mut(index)) {
                 Some(item) => set(item, rest, value, report),
                 None => {
                     let help = match count {
                         0 => "set the whole array: --set KEY=[...]".to_string(),
                         _ => format!("its entries are numbered from 0 to {}", count - 1),
                     };
-                    report.add(
-                        place,
-                        format!("no entry `{key}` in an array of {count}"),
-                        "no such entry",
-                        help,
-                    );
+                    report.add(place, format!("no entry `{key}` in an array of {count}"), "no such entry", help);
                 }
             }
         }
         _ => {
             let help = "leave out what follows the key of the value";
-            report.add(
-                place,
-                format!("nothing can be set by `{key}` inside a single value"),
-                "too deep",
-                help,
-            );
+            report.add(place, format!("nothing can be set by `{key}` inside a single value"), "too deep", help);
         }
     }
 }

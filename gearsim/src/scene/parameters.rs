@@ -13,28 +13,19 @@ pub(super) fn read(
     report: &mut Report,
 ) -> Option<Vec<f64>> {
     let node = keys::get(entries, "parameters");
-    let given = node.map_or(Some(&[][..]), |node| {
-        field::table("parameters", node, report)
-    })?;
+    let given = node.map_or(Some(&[][..]), |node| field::table("parameters", node, report))?;
     let names: Vec<_> = model.parameters.iter().map(|p| p.name).collect();
     keys::known(given, "[parameters]", &names, report);
 
     let needed = |p: &&Parameter| p.default.is_none() && keys::get(given, p.name).is_none();
-    let lines = model
-        .parameters
-        .iter()
-        .filter(needed)
-        .map(|p| (p.name, example(p)));
+    let lines = model.parameters.iter().filter(needed).map(|p| (p.name, example(p)));
     let lines: Vec<_> = lines.collect();
     match node {
         Some(node) => keys::missing(&lines, "[parameters]", &node.place, report),
         None if lines.is_empty() => {}
         None => {
             let lines: Vec<_> = lines.into_iter().map(|(_, line)| line).collect();
-            absent.push((
-                "[parameters]",
-                format!("[parameters]\n{}", lines.join("\n")),
-            ));
+            absent.push(("[parameters]", format!("[parameters]\n{}", lines.join("\n"))));
         }
     }
     let values: Vec<_> = (model.parameters.iter())
@@ -68,11 +59,7 @@ fn value(parameter: &Parameter, node: &Node, report: &mut Report) -> Option<f64>
 
 /// What a value in the range must do.
 fn describe(range: &Range, unit: &str) -> String {
-    let unit = if unit == "1" {
-        String::new()
-    } else {
-        format!(" {unit}")
-    };
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let low = match (range.low, range.low_included) {
         (f64::NEG_INFINITY, _) => None,
         (0.0, true) => Some("not be negative".to_string()),

@@ -20,11 +20,7 @@ pub struct Quantity {
 impl Quantity {
     /// A number without a unit.
     pub fn bare(value: f64) -> Quantity {
-        Quantity {
-            value,
-            dimension: Dimension::NONE,
-            bare: true,
-        }
+        Quantity { value, dimension: Dimension::NONE, bare: true }
     }
 
     /// Reads a number and its unit, e.g. `300 rpm`. The value may overflow to infinity.
@@ -34,37 +30,25 @@ impl Quantity {
         let rest = &text[end..];
         if rest.starts_with(',') {
             let message = "a comma in a number".to_string();
-            return Err(UnitError {
-                span: end..end + 1,
-                message,
-                help: "write a decimal point".to_string(),
-            });
+            return Err(UnitError { span: end..end + 1, message, help: "write a decimal point".to_string() });
         }
         let unit = Unit::parse(rest).map_err(|mut error| {
             error.span = error.span.start + end..error.span.end + end;
             error
         })?;
         // Every text of this form is a number to f64, so the error is unreachable; NaN would be refused later.
-        let decimal: f64 = format!("{mantissa}e{}", exponent + i64::from(unit.decimal))
-            .parse()
-            .unwrap_or(f64::NAN);
+        let decimal: f64 = format!("{mantissa}e{}", exponent + i64::from(unit.decimal)).parse().unwrap_or(f64::NAN);
         let value = match (unit.numerator, unit.denominator) {
             (1.0, 1.0) => decimal,
             (numerator, denominator) => decimal * numerator / denominator,
         };
-        Ok(Quantity {
-            value,
-            dimension: unit.dimension,
-            bare: rest.trim().is_empty(),
-        })
+        Ok(Quantity { value, dimension: unit.dimension, bare: rest.trim().is_empty() })
     }
 }
 
 /// The decimal number at `start`: its mantissa, its power of ten, and where it ends.
 fn number(text: &str, start: usize) -> Result<(&str, i64, usize), UnitError> {
-    let skip = |from: usize, what: fn(char) -> bool| {
-        from + text[from..].chars().take_while(|c| what(*c)).count()
-    };
+    let skip = |from: usize, what: fn(char) -> bool| from + text[from..].chars().take_while(|c| what(*c)).count();
     let digit = |c: char| c.is_ascii_digit();
     let sign = |at: usize| at + usize::from(text[at..].starts_with(['+', '-']));
 
@@ -75,30 +59,20 @@ fn number(text: &str, start: usize) -> Result<(&str, i64, usize), UnitError> {
     }
     let mantissa = &text[start..end];
     if !mantissa.contains(|c: char| c.is_ascii_digit()) {
-        let message = if text.trim().is_empty() {
-            "no number"
-        } else {
-            "does not begin with a number"
-        };
+        let message = if text.trim().is_empty() { "no number" } else { "does not begin with a number" };
         let help = "write a number and a unit, e.g. \"10 N*m\"";
-        return Err(UnitError {
-            span: 0..text.len(),
-            message: message.into(),
-            help: help.into(),
-        });
+        return Err(UnitError { span: 0..text.len(), message: message.into(), help: help.into() });
     }
     if text[end..].starts_with(['e', 'E']) {
         let digits = sign(end + 1);
         let after = skip(digits, digit);
         if after > digits {
             // Beyond i32 the number is 0 or infinite whatever its mantissa.
-            let exponent = text[end + 1..after].parse::<i32>().unwrap_or(
-                if text[end + 1..].starts_with('-') {
-                    i32::MIN
-                } else {
-                    i32::MAX
-                },
-            );
+            let exponent = text[end + 1..after].parse::<i32>().unwrap_or(if text[end + 1..].starts_with('-') {
+                i32::MIN
+            } else {
+                i32::MAX
+            });
             return Ok((mantissa, exponent.into(), after));
         }
     }

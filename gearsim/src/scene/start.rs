@@ -12,12 +12,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
     let places: Vec<_> = model.coordinates.iter().map(|c| c.name).collect();
     let speeds: Vec<_> = places.iter().map(|name| format!("{name}_dot")).collect();
     let motions = model.motions.iter().map(|motion| motion.name);
-    let allowed: Vec<_> = places
-        .iter()
-        .copied()
-        .chain(speeds.iter().map(String::as_str))
-        .chain(motions)
-        .collect();
+    let allowed: Vec<_> = places.iter().copied().chain(speeds.iter().map(String::as_str)).chain(motions).collect();
     keys::known(given, "[start]", &allowed, report);
 
     // A key that is not there is `Some(None)`; one that is there and wrong is `None`.
@@ -25,10 +20,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
         None => Some(None),
         Some(node) if is_static(node) => {
             let message = format!("`start.{name}` cannot be \"static\"");
-            let help = format!(
-                "write a speed, e.g. \"1 {unit}\"; static can be {}",
-                list(&places)
-            );
+            let help = format!("write a speed, e.g. \"1 {unit}\"; static can be {}", list(&places));
             report.add(&node.place, message, "a speed", help);
             None
         }
@@ -37,22 +29,15 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
     let q_dot: Vec<_> = (model.coordinates.iter().zip(&speeds))
         .map(|(coordinate, name)| speed(name, &format!("{}/s", coordinate.unit)))
         .collect();
-    let motions: Vec<_> = (model.motions.iter())
-        .map(|motion| speed(motion.name, motion.unit).map(Option::unwrap_or_default))
-        .collect();
+    let motions: Vec<_> =
+        (model.motions.iter()).map(|motion| speed(motion.name, motion.unit).map(Option::unwrap_or_default)).collect();
     let q: Vec<_> = (model.coordinates.iter())
         .map(|coordinate| match keys::get(given, coordinate.name) {
             None => Some(coordinate.start),
             Some(node) if is_static(node) => Some(Start::Static),
-            Some(Node {
-                value: Value::Text(text),
-                place,
-            }) if text.trim_start().starts_with(char::is_alphabetic) => {
+            Some(Node { value: Value::Text(text), place }) if text.trim_start().starts_with(char::is_alphabetic) => {
                 let message = format!("`start.{}` cannot be \"{text}\"", coordinate.name);
-                let help = format!(
-                    "write \"static\", or a quantity: \"0.1 {}\"",
-                    coordinate.unit
-                );
+                let help = format!("write \"static\", or a quantity: \"0.1 {}\"", coordinate.unit);
                 report.add(place, message, "neither static nor a quantity", help);
                 None
             }

@@ -7,8 +7,7 @@ use super::error::did_you_mean;
 use super::unit::Unit;
 
 /// The symbols, for people.
-pub(super) const KNOWN: &str =
-    "m g s N J W Pa Hz rad, with prefixes n u m c d k M G T; min h deg rev rpm %";
+pub(super) const KNOWN: &str = "m g s N J W Pa Hz rad, with prefixes n u m c d k M G T; min h deg rev rpm %";
 
 const PREFIXES: [(&str, i32); 11] = [
     ("n", -9),
@@ -52,32 +51,19 @@ const OTHER: [(&str, i32, f64, f64, Dimension); 8] = [
 
 /// The unit of a symbol. Whole symbols come first: `min` is a minute, `m` a metre, `h` an hour.
 pub(super) fn find(symbol: &str) -> Option<Unit> {
-    let prefixed = || {
-        PREFIXES
-            .iter()
-            .find_map(|(prefix, decimal)| si(symbol.strip_prefix(prefix)?, *decimal))
-    };
+    let prefixed = || PREFIXES.iter().find_map(|(prefix, decimal)| si(symbol.strip_prefix(prefix)?, *decimal));
     other(symbol).or_else(|| si(symbol, 0)).or_else(prefixed)
 }
 
 fn si(symbol: &str, prefix: i32) -> Option<Unit> {
     let (_, decimal, dimension) = SI.into_iter().find(|unit| unit.0 == symbol)?;
-    Some(Unit {
-        dimension,
-        decimal: decimal + prefix,
-        ..Unit::ONE
-    })
+    Some(Unit { dimension, decimal: decimal + prefix, ..Unit::ONE })
 }
 
 fn other(symbol: &str) -> Option<Unit> {
     let unit = OTHER.into_iter().find(|unit| unit.0 == symbol)?;
     let (_, decimal, numerator, denominator, dimension) = unit;
-    Some(Unit {
-        dimension,
-        decimal,
-        numerator,
-        denominator,
-    })
+    Some(Unit { dimension, decimal, numerator, denominator })
 }
 
 /// What may have been meant by an unknown symbol: by `KHz` kHz, by `degs` deg, by `Nmm` N*mm.
@@ -92,10 +78,7 @@ pub(super) fn meant(symbol: &str) -> Option<String> {
         .find(|name| name.to_lowercase() == symbol.to_lowercase());
     let product = || {
         let mut pairs = symbol.char_indices().map(|(i, _)| symbol.split_at(i));
-        pairs
-            .find(|(a, b)| find(a).and(find(b)).is_some())
-            .map(|(a, b)| format!("{a}*{b}"))
+        pairs.find(|(a, b)| find(a).and(find(b)).is_some()).map(|(a, b)| format!("{a}*{b}"))
     };
-    case.or_else(|| did_you_mean(symbol, whole()).map(str::to_string))
-        .or_else(product)
+    case.or_else(|| did_you_mean(symbol, whole()).map(str::to_string)).or_else(product)
 }

@@ -38,12 +38,7 @@ const MAX_POWER: i32 = 9;
 
 impl Unit {
     /// The unit of a plain number.
-    pub const ONE: Unit = Unit {
-        dimension: Dimension::NONE,
-        decimal: 0,
-        numerator: 1.0,
-        denominator: 1.0,
-    };
+    pub const ONE: Unit = Unit { dimension: Dimension::NONE, decimal: 0, numerator: 1.0, denominator: 1.0 };
 
     /// Reads a unit; the empty text is [`Unit::ONE`], and `/s` means `1/s`.
     pub fn parse(text: &str) -> Result<Unit, UnitError> {
@@ -58,11 +53,7 @@ impl Unit {
                 at = next;
             } else if matches!(c, '*' | '.' | '·' | '⋅' | '/') {
                 if operator.is_some() || (factors == 0 && c != '/') {
-                    return Err(error(
-                        at..next,
-                        "a unit is missing before this",
-                        "write for example N*m or rad/s",
-                    ));
+                    return Err(error(at..next, "a unit is missing before this", "write for example N*m or rad/s"));
                 }
                 operator = Some((c, at..next));
                 at = next;
@@ -71,30 +62,18 @@ impl Unit {
                 let (power, end) = power(text, symbol.end)?;
                 let divide = matches!(operator.take(), Some(('/', _)));
                 if divided && !divide {
-                    let message = format!(
-                        "unclear whether `{}` is above or below the `/`",
-                        &text[symbol.clone()]
-                    );
-                    return Err(error(
-                        symbol,
-                        message,
-                        "put all products before the first `/`, as in N*m*s/rad",
-                    ));
+                    let message = format!("unclear whether `{}` is above or below the `/`", &text[symbol.clone()]);
+                    return Err(error(symbol, message, "put all products before the first `/`, as in N*m*s/rad"));
                 }
                 divided |= divide;
                 factors += 1;
-                let factor =
-                    symbol::find(&text[symbol.clone()]).ok_or_else(|| unknown(text, symbol))?;
+                let factor = symbol::find(&text[symbol.clone()]).ok_or_else(|| unknown(text, symbol))?;
                 unit = unit.times(factor, if divide { -power } else { power });
                 at = end;
             }
         }
         match operator {
-            Some((_, span)) => Err(error(
-                span,
-                "a unit is missing after this",
-                "write for example N*m or rad/s",
-            )),
+            Some((_, span)) => Err(error(span, "a unit is missing after this", "write for example N*m or rad/s")),
             None => Ok(unit),
         }
     }
@@ -116,9 +95,7 @@ impl Unit {
 /// The bytes of the symbol that begins at `at`: letters, or one of `%`, `°`, `1`.
 fn symbol_at(text: &str, at: usize) -> Result<Range<usize>, UnitError> {
     let rest = &text[at..];
-    let letters = rest
-        .find(|c: char| !c.is_alphabetic())
-        .unwrap_or(rest.len());
+    let letters = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
     if letters > 0 {
         return Ok(at..at + letters);
     }
@@ -150,36 +127,23 @@ fn power(text: &str, at: usize) -> Result<(i32, usize), UnitError> {
         end += c.len_utf8();
     }
     if !caret && rest.starts_with(|c: char| c.is_ascii_digit()) {
-        return Err(error(
-            at..end,
-            "a number in the middle of a unit",
-            format!("write powers as ^{digits}"),
-        ));
+        return Err(error(at..end, "a number in the middle of a unit", format!("write powers as ^{digits}")));
     }
     match digits.parse() {
         Ok(power) if (-MAX_POWER..=MAX_POWER).contains(&power) => Ok((power, end)),
         Err(_) if !caret && digits.is_empty() => Ok((1, at)),
-        _ => Err(error(
-            at..end,
-            "not a power that a unit can have",
-            "write a small whole number: ^2, ^-1",
-        )),
+        _ => Err(error(at..end, "not a power that a unit can have", "write a small whole number: ^2, ^-1")),
     }
 }
 
 fn unknown(text: &str, span: Range<usize>) -> UnitError {
     let name = &text[span.clone()];
-    let mut help =
-        symbol::meant(name).map_or(String::new(), |meant| format!("did you mean {meant}?\n"));
+    let mut help = symbol::meant(name).map_or(String::new(), |meant| format!("did you mean {meant}?\n"));
     help.push_str("known: ");
     help.push_str(symbol::KNOWN);
     error(span.clone(), format!("unknown unit `{name}`"), help)
 }
 
 fn error(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> UnitError {
-    UnitError {
-        span,
-        message: message.into(),
-        help: help.into(),
-    }
+    UnitError { span, message: message.into(), help: help.into() }
 }

@@ -23,10 +23,7 @@ impl Ramp {
             Self::Linear => (inside, if s > 0.0 && s < 1.0 { 1.0 } else { 0.0 }),
             Self::Smooth => {
                 let (s, rest) = (inside, 1.0 - inside);
-                (
-                    s * s * s * (10.0 - s * (15.0 - 6.0 * s)),
-                    30.0 * s * s * rest * rest,
-                )
+                (s * s * s * (10.0 - s * (15.0 - 6.0 * s)), 30.0 * s * s * rest * rest)
             }
         }
     }
@@ -37,15 +34,8 @@ impl GearPair {
     fn nearest_step(&self, theta: f64) -> (f64, f64) {
         let local = theta - PITCH * (theta / PITCH).floor();
         let up = self.k2 - self.k1;
-        let steps = [
-            (local, -up),
-            (local - self.width1, up),
-            (local - PITCH, -up),
-        ];
-        steps
-            .into_iter()
-            .min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
-            .expect("three steps")
+        let steps = [(local, -up), (local - self.width1, up), (local - PITCH, -up)];
+        steps.into_iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("three steps")
     }
 
     /// k \[N m\] and dk/dtheta \[N m/rad\] with ramps of width `eps` \[rad\].
@@ -57,14 +47,7 @@ impl GearPair {
     }
 
     /// The motion over \[0, `t_end`\] \[s\] with ramps of width `eps` \[rad\]; `fineness` divides every step (1: about 1e-9).
-    pub fn solve_ramp(
-        &self,
-        ramp: Ramp,
-        eps: f64,
-        from: State,
-        t_end: f64,
-        fineness: f64,
-    ) -> State {
+    pub fn solve_ramp(&self, ramp: Ramp, eps: f64, from: State, t_end: f64, fineness: f64) -> State {
         let rate = |y: [f64; 4]| {
             let (k, dk) = self.ramped(ramp, eps, y[0]);
             let (phi_ddot, theta_ddot) = self.exact(k, dk, y[2], y[3]);
@@ -88,11 +71,6 @@ impl GearPair {
             y = along(y, mean, h);
             t += h;
         }
-        State {
-            theta: y[0],
-            theta_dot: y[1],
-            phi: y[2],
-            phi_dot: y[3],
-        }
+        State { theta: y[0], theta_dot: y[1], phi: y[2], phi_dot: y[3] }
     }
 }

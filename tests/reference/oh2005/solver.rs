@@ -55,12 +55,7 @@ pub(super) struct Motion<'a> {
 
 impl<'a> Motion<'a> {
     pub(super) fn new(pair: &'a GearPair, k: f64, width: f64, from: State) -> Self {
-        Self {
-            pair,
-            k,
-            width,
-            from,
-        }
+        Self { pair, k, width, from }
     }
 
     pub(super) fn at(&self, t: f64) -> State {
@@ -94,18 +89,12 @@ impl<'a> Motion<'a> {
                     let s = self.at(t);
                     (s.theta_dot, self.pair.newtonian(self.k, s.phi, s.phi_dot).1)
                 });
-                if let Some(found) =
-                    self.leaves(left, turn, self.at(turn).theta, state.theta_dot > 0.0)
-                {
+                if let Some(found) = self.leaves(left, turn, self.at(turn).theta, state.theta_dot > 0.0) {
                     return Some(found);
                 }
                 left = turn;
             }
-            let rising = if end.theta_dot == 0.0 {
-                state.theta_dot > 0.0
-            } else {
-                end.theta_dot > 0.0
-            };
+            let rising = if end.theta_dot == 0.0 { state.theta_dot > 0.0 } else { end.theta_dot > 0.0 };
             if let Some(found) = self.leaves(left, right, end.theta, rising) {
                 return Some(found);
             }
@@ -145,11 +134,7 @@ fn root(mut left: f64, mut right: f64, rising: bool, f: impl Fn(f64) -> (f64, f6
             right = t
         }
         let newton = t - value / slope;
-        let next = if newton > left && newton < right {
-            newton
-        } else {
-            0.5 * (left + right)
-        };
+        let next = if newton > left && newton < right { newton } else { 0.5 * (left + right) };
         if (next - t).abs() <= 2.0 * f64::EPSILON * t.abs() || next <= left || next >= right {
             return next;
         }
@@ -164,26 +149,12 @@ impl GearPair {
     /// A touch of the boundary without crossing it is no event. Panics unless every cell is underdamped.
     pub fn solve(&self, theta0: f64, theta_dot0: f64, phi0: f64, phi_dot0: f64, t_end: f64) -> Run {
         let sigma = self.zeta * self.w0();
-        assert!(
-            self.m2() * self.k1.min(self.k2) > sigma * sigma,
-            "underdamped cells only: {self:?}"
-        );
+        assert!(self.m2() * self.k1.min(self.k2) > sigma * sigma, "underdamped cells only: {self:?}");
         let (mut cell, theta) = self.locate(theta0);
-        let mut state = State {
-            theta,
-            theta_dot: theta_dot0,
-            phi: phi0,
-            phi_dot: phi_dot0,
-        };
+        let mut state = State { theta, theta_dot: theta_dot0, phi: phi0, phi_dot: phi_dot0 };
         let (mut t, mut lost) = (0.0, 0.0);
-        let mut run = Run {
-            events: Vec::new(),
-            end: state,
-            end_cell: cell,
-            end_local: theta,
-            cell_changes: 0,
-            reflections: 0,
-        };
+        let mut run =
+            Run { events: Vec::new(), end: state, end_cell: cell, end_local: theta, cell_changes: 0, reflections: 0 };
         loop {
             // solve
             let (k, width) = (self.k(cell), self.width(cell));
@@ -202,41 +173,21 @@ impl GearPair {
             (t, lost) = (sum, (dt + lost) - (sum - t));
             // jump
             let beyond = if upwards { cell + 1 } else { cell - 1 };
-            let (kind, cell_to) = match self.jump(
-                self.k(beyond) - k,
-                state.phi,
-                state.theta_dot,
-                state.phi_dot,
-            ) {
+            let (kind, cell_to) = match self.jump(self.k(beyond) - k, state.phi, state.theta_dot, state.phi_dot) {
                 Jump::Transmit { theta_dot, phi_dot } => {
                     let theta = if upwards { 0.0 } else { self.width(beyond) };
-                    state = State {
-                        theta,
-                        theta_dot,
-                        phi_dot,
-                        ..state
-                    };
+                    state = State { theta, theta_dot, phi_dot, ..state };
                     run.cell_changes += 1;
                     (Kind::Transmit, beyond)
                 }
                 Jump::Reflect { theta_dot, phi_dot } => {
                     let theta = if upwards { width } else { 0.0 };
-                    state = State {
-                        theta,
-                        theta_dot,
-                        phi_dot,
-                        ..state
-                    };
+                    state = State { theta, theta_dot, phi_dot, ..state };
                     run.reflections += 1;
                     (Kind::Reflect, cell)
                 }
             };
-            run.events.push(Event {
-                t,
-                kind,
-                cell_from: cell,
-                cell_to,
-            });
+            run.events.push(Event { t, kind, cell_from: cell, cell_to });
             cell = cell_to;
         }
     }

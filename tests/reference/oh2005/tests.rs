@@ -34,12 +34,7 @@ fn mesh_frequency_ratios_are_those_printed() {
 #[test]
 fn closed_form_satisfies_the_equations() {
     let pair = GearPair::paper(0.1, 10.0);
-    let from = State {
-        theta: 0.3,
-        theta_dot: 700.0,
-        phi: 2e-3,
-        phi_dot: -40.0,
-    };
+    let from = State { theta: 0.3, theta_dot: 700.0, phi: 2e-3, phi_dot: -40.0 };
     let (t, h) = (3.1e-4, 1e-8);
     let [before, now, after] = [t - h, t, t + h].map(|t| pair.closed_form(pair.k1, from, t));
     let (phi_ddot, theta_ddot) = pair.newtonian(pair.k1, now.phi, now.phi_dot);
@@ -51,45 +46,14 @@ fn closed_form_satisfies_the_equations() {
 #[test]
 fn jump_keeps_the_energy() {
     let pair = GearPair::paper(0.0, 10.0);
-    let before = State {
-        theta: 0.0,
-        theta_dot: 900.0,
-        phi: 7e-3,
-        phi_dot: 55.0,
-    };
-    for (dk, speed) in [
-        (1350.0, 900.0),
-        (1350.0, -900.0),
-        (-1350.0, 900.0),
-        (1350.0, 20.0),
-        (1350.0, -20.0),
-    ] {
-        let before = State {
-            theta_dot: speed,
-            ..before
-        };
+    let before = State { theta: 0.0, theta_dot: 900.0, phi: 7e-3, phi_dot: 55.0 };
+    for (dk, speed) in [(1350.0, 900.0), (1350.0, -900.0), (-1350.0, 900.0), (1350.0, 20.0), (1350.0, -20.0)] {
+        let before = State { theta_dot: speed, ..before };
         let (after, k) = match pair.jump(dk, before.phi, speed, before.phi_dot) {
-            Jump::Transmit { theta_dot, phi_dot } => (
-                State {
-                    theta_dot,
-                    phi_dot,
-                    ..before
-                },
-                1430.0 + dk,
-            ),
-            Jump::Reflect { theta_dot, phi_dot } => (
-                State {
-                    theta_dot,
-                    phi_dot,
-                    ..before
-                },
-                1430.0,
-            ),
+            Jump::Transmit { theta_dot, phi_dot } => (State { theta_dot, phi_dot, ..before }, 1430.0 + dk),
+            Jump::Reflect { theta_dot, phi_dot } => (State { theta_dot, phi_dot, ..before }, 1430.0),
         };
-        let (u, v) = (
-            pair.energy(1430.0, &before, 0.0),
-            pair.energy(k, &after, 0.0),
-        );
+        let (u, v) = (pair.energy(1430.0, &before, 0.0), pair.energy(k, &after, 0.0));
         assert!((u / v - 1.0).abs() < 1e-14, "{dk} {speed}: {u} {v}");
     }
 }
@@ -101,10 +65,8 @@ fn undamped_energy_is_kept_through_transmission_and_reflection() {
         let pair = GearPair::paper(0.0, t0);
         let from = pair.start(rpm);
         let run = run(&pair, from, 0.5);
-        let (first, last) = (
-            pair.energy(pair.k1, &from, from.phi),
-            pair.energy(pair.k(run.end_cell), &run.end, from.phi),
-        );
+        let (first, last) =
+            (pair.energy(pair.k1, &from, from.phi), pair.energy(pair.k(run.end_cell), &run.end, from.phi));
         assert!((last / first - 1.0).abs() < 1e-11, "{rpm}: {first} {last}");
         assert_eq!(run.events.len() as u64, run.cell_changes + run.reflections);
         reflections += run.reflections;
@@ -123,12 +85,7 @@ fn fast_solver_agrees_with_the_safe_one() {
             (safe.cell_changes, safe.reflections, safe.end_cell),
             (fast.cell_changes, fast.reflections, fast.end_cell)
         );
-        assert!(
-            distance(&fast.end, &safe.end) < 1e-11,
-            "{rpm} {zeta}: {:?} {:?}",
-            fast.end,
-            safe.end
-        );
+        assert!(distance(&fast.end, &safe.end) < 1e-11, "{rpm} {zeta}: {:?} {:?}", fast.end, safe.end);
     }
 }
 
@@ -137,21 +94,8 @@ fn reversed_velocities_lead_back() {
     let pair = GearPair::paper(0.0, 10.0);
     let s = pair.start(600.0);
     let there = run(&pair, s, 0.02).end;
-    let back = run(
-        &pair,
-        State {
-            theta_dot: -there.theta_dot,
-            phi_dot: -there.phi_dot,
-            ..there
-        },
-        0.02 - 1e-9,
-    )
-    .end;
-    let back = State {
-        theta_dot: -back.theta_dot,
-        phi_dot: -back.phi_dot,
-        ..back
-    };
+    let back = run(&pair, State { theta_dot: -there.theta_dot, phi_dot: -there.phi_dot, ..there }, 0.02 - 1e-9).end;
+    let back = State { theta_dot: -back.theta_dot, phi_dot: -back.phi_dot, ..back };
     let expected = pair.closed_form(pair.k1, s, 1e-9);
     assert!(distance(&back, &expected) < 1e-10, "{back:?} {expected:?}");
 }
@@ -161,10 +105,7 @@ fn reversed_velocities_lead_back() {
 fn ramps_converge_to_the_jump() {
     let pair = GearPair::paper(0.05, 10.0);
     for (rpm, kind) in [(600.0, Kind::Transmit), (20.0, Kind::Reflect)] {
-        let start = State {
-            theta: 1.0,
-            ..pair.start(rpm)
-        };
+        let start = State { theta: 1.0, ..pair.start(rpm) };
         let t_end = 1.2 / start.theta_dot;
         let exact = run(&pair, start, t_end);
         assert_eq!(exact.events[0].kind, kind);
@@ -173,10 +114,7 @@ fn ramps_converge_to_the_jump() {
                 let end = pair.solve_ramp(ramp, eps, start, t_end, 1.0);
                 distance(&end, &exact.end)
             });
-            assert!(
-                errors[1] < 0.2 * errors[0] && errors[2] < 0.2 * errors[1],
-                "{rpm} {ramp:?}: {errors:?}"
-            );
+            assert!(errors[1] < 0.2 * errors[0] && errors[2] < 0.2 * errors[1], "{rpm} {ramp:?}: {errors:?}");
         }
     }
 }
@@ -185,11 +123,7 @@ fn ramps_converge_to_the_jump() {
 #[test]
 #[ignore = "measures, proves nothing"]
 fn cost_per_cell_change() {
-    for (rpm, zeta, t_end) in [
-        (300.0, 0.1, 10.0),
-        (600.0, 0.05, 10.0),
-        (4500.0, 0.05, 10.0),
-    ] {
+    for (rpm, zeta, t_end) in [(300.0, 0.1, 10.0), (600.0, 0.05, 10.0), (4500.0, 0.05, 10.0)] {
         let pair = GearPair::paper(zeta, 10.0);
         let s = pair.start(rpm);
         let clock = std::time::Instant::now();
@@ -201,10 +135,7 @@ fn cost_per_cell_change() {
             (clock.elapsed().as_nanos() as f64, fast)
         };
         let runs = [(); 9].map(|()| lean());
-        let (least, fast) = runs
-            .into_iter()
-            .min_by(|a, b| a.0.total_cmp(&b.0))
-            .expect("nine runs");
+        let (least, fast) = runs.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).expect("nine runs");
         let events = fast.cell_changes + fast.reflections;
         let lean = least / events as f64;
         println!(

@@ -51,39 +51,19 @@ impl<T: Scalar> Law<T> {
     /// Panics unless sigma and omega2 are at least 0.
     pub fn new(sigma: T, omega2: T) -> Self {
         let zero = T::exact(0.0);
-        assert!(
-            sigma >= zero && omega2 >= zero,
-            "damping and stiffness must not be negative"
-        );
+        assert!(sigma >= zero && omega2 >= zero, "damping and stiffness must not be negative");
         let excess = sigma.clone() * sigma.clone() - omega2.clone();
-        let rate = if excess < zero {
-            -excess.clone()
-        } else {
-            excess.clone()
-        }
-        .root();
-        Self {
-            sigma,
-            omega2,
-            excess,
-            rate,
-        }
+        let rate = if excess < zero { -excess.clone() } else { excess.clone() }.root();
+        Self { sigma, omega2, excess, rate }
     }
 
     /// The responses at time `t` \[s\].
     pub fn response(&self, t: &T) -> Response<T> {
         if self.sigma.approx() == 0.0 && self.omega2.approx() == 0.0 || t.approx() == 0.0 {
             let step = (t.clone() * t.clone()).scaled(-1);
-            return Response {
-                rate: T::exact(1.0),
-                impulse: t.clone(),
-                step,
-            };
+            return Response { rate: T::exact(1.0), impulse: t.clone(), step };
         }
-        let (damping, stiffness) = (
-            self.sigma.clone() * t.clone(),
-            self.omega2.clone() * t.clone() * t.clone(),
-        );
+        let (damping, stiffness) = (self.sigma.clone() * t.clone(), self.omega2.clone() * t.clone() * t.clone());
         if 2.0 * damping.approx() + stiffness.approx() <= 0.5 {
             return series(t, &damping.scaled(1), &stiffness);
         }
@@ -120,11 +100,7 @@ impl<T: Scalar> Law<T> {
         let damped = self.sigma.clone() * s.clone();
         let rest = decay.clone() * (c.clone() + damped.clone());
         let step = (T::exact(1.0) - rest) / self.omega2.clone();
-        Response {
-            rate: decay.clone() * (c - damped),
-            impulse: decay * s,
-            step,
-        }
+        Response { rate: decay.clone() * (c - damped), impulse: decay * s, step }
     }
 
     fn overdamped(&self, t: &T) -> Response<T> {
@@ -137,17 +113,10 @@ impl<T: Scalar> Law<T> {
         let impulse = (late.clone() - early.clone()) / apart.clone();
         // int_0^t e^{-rate s} ds for either rate
         let short = slow.clone() * t.clone();
-        let lasting = if short.approx() < 0.125 {
-            mean_decay(&short) * t.clone()
-        } else {
-            (T::exact(1.0) - late) / slow
-        };
+        let lasting =
+            if short.approx() < 0.125 { mean_decay(&short) * t.clone() } else { (T::exact(1.0) - late) / slow };
         let passing = (T::exact(1.0) - early) / fast;
-        Response {
-            rate,
-            impulse,
-            step: (lasting - passing) / apart,
-        }
+        Response { rate, impulse, step: (lasting - passing) / apart }
     }
 }
 
@@ -167,14 +136,10 @@ fn series<T: Scalar>(t: &T, damping: &T, stiffness: &T) -> Response<T> {
     // E1' = sum d_n with d_(n+2) (n+1)(n+2) = -(2 sigma t (n+1) d_(n+1) + omega2 t^2 d_n), integrated term by term
     let one = T::exact(1.0);
     let (mut last, mut term) = (one.clone(), -damping.clone());
-    let (mut rate, mut impulse, mut step) = (
-        one.clone() + term.clone(),
-        one.clone() + term.over(2),
-        one.over(2) + term.over(6),
-    );
+    let (mut rate, mut impulse, mut step) =
+        (one.clone() + term.clone(), one.clone() + term.over(2), one.over(2) + term.over(6));
     for n in 0..250 {
-        let next = -((damping.clone() * term.clone()).over(n + 2)
-            + (stiffness.clone() * last).over((n + 1) * (n + 2)));
+        let next = -((damping.clone() * term.clone()).over(n + 2) + (stiffness.clone() * last).over((n + 1) * (n + 2)));
         (last, term) = (term, next);
         if last.approx().abs().max(term.approx().abs()) <= T::NEGLIGIBLE {
             break;
@@ -183,11 +148,7 @@ fn series<T: Scalar>(t: &T, damping: &T, stiffness: &T) -> Response<T> {
         impulse = impulse + term.over(n + 3);
         step = step + term.over((n + 3) * (n + 4));
     }
-    Response {
-        rate,
-        impulse: impulse * t.clone(),
-        step: step * t.clone() * t.clone(),
-    }
+    Response { rate, impulse: impulse * t.clone(), step: step * t.clone() * t.clone() }
 }
 
 /// A mode prepared for evaluation.
@@ -206,23 +167,12 @@ impl<T: Scalar> Motion<T> {
     /// A mode from state (x, v) under the force g.
     pub fn new(law: Law<T>, force: T, x: T, v: T, weight: T) -> Self {
         let push = force.clone() - law.omega2.clone() * x.clone();
-        Self {
-            law,
-            force,
-            x,
-            v,
-            weight,
-            push,
-        }
+        Self { law, force, x, v, weight, push }
     }
 
     /// xi and xi' at time `t` \[s\].
     pub fn state(&self, t: &T) -> (T, T) {
-        let Response {
-            rate,
-            impulse,
-            step,
-        } = self.law.response(t);
+        let Response { rate, impulse, step } = self.law.response(t);
         let x = self.x.clone() + (self.v.clone() * impulse.clone() + self.push.clone() * step);
         (x, self.v.clone() * rate + self.push.clone() * impulse)
     }
@@ -230,13 +180,7 @@ impl<T: Scalar> Motion<T> {
     /// The same motion with its time counted from `t` \[s\].
     pub(super) fn moved(&self, t: &T) -> Self {
         let (x, v) = self.state(t);
-        Self::new(
-            self.law.clone(),
-            self.force.clone(),
-            x,
-            v,
-            self.weight.clone(),
-        )
+        Self::new(self.law.clone(), self.force.clone(), x, v, self.weight.clone())
     }
 
     /// xi, xi', xi'' at time `t` \[s\].
@@ -258,24 +202,11 @@ impl<T: Scalar> Motion<T> {
     /// The same in `f64`.
     pub(super) fn rounded(&self) -> Motion<f64> {
         // sigma^2 - omega2 rounded once, not the difference of rounded numbers
-        let [sigma, omega2, excess, rate] = [
-            &self.law.sigma,
-            &self.law.omega2,
-            &self.law.excess,
-            &self.law.rate,
-        ]
-        .map(T::approx);
-        let law = Law {
-            sigma,
-            omega2,
-            excess,
-            rate,
-        };
+        let [sigma, omega2, excess, rate] =
+            [&self.law.sigma, &self.law.omega2, &self.law.excess, &self.law.rate].map(T::approx);
+        let law = Law { sigma, omega2, excess, rate };
         let [force, x, v, weight] = [&self.force, &self.x, &self.v, &self.weight].map(T::approx);
         let rounded = Motion::new(law, force, x, v, weight);
-        Motion {
-            push: self.push.approx(),
-            ..rounded
-        }
+        Motion { push: self.push.approx(), ..rounded }
     }
 }

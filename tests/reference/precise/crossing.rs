@@ -61,34 +61,20 @@ impl<const BITS: usize> Surface<'_, BITS> {
                 *sum = sum.clone() - m.weight.clone() * term;
             }
         }
-        if self.sign < 0.0 {
-            sum.map(|x| -x)
-        } else {
-            sum
-        }
+        if self.sign < 0.0 { sum.map(|x| -x) } else { sum }
     }
 
     fn exact_local(&self, t: f64) -> Local {
         let gap = self.exact(&Real::exact(t)).map(|x| x.approx());
-        Local {
-            gap,
-            error: gap.map(|x| x.abs() * 1e-15),
-        }
+        Local { gap, error: gap.map(|x| x.abs() * 1e-15) }
     }
 
     /// The first crossing in \[0, `t_max`\] \[s\].
     pub fn first_crossing(&self, t_max: f64) -> Crossing<BITS> {
         let rough = Rough::new(self);
-        let mut search = Search {
-            surface: self,
-            rough,
-            near_miss: f64::INFINITY,
-        };
+        let mut search = Search { surface: self, rough, near_miss: f64::INFINITY };
         let root = search.run(t_max);
-        Crossing {
-            root,
-            near_miss: search.near_miss,
-        }
+        Crossing { root, near_miss: search.near_miss }
     }
 }
 
@@ -125,11 +111,7 @@ impl<const BITS: usize> Search<'_, BITS> {
                 Verdict::Falling | Verdict::Concave => self.end(a, b),
                 Verdict::Convex => self.minimum(a, b),
                 Verdict::Open => {
-                    assert!(
-                        !exhausted,
-                        "undecided at t = {a}: {:?}",
-                        self.surface.exact_local(m)
-                    );
+                    assert!(!exhausted, "undecided at t = {a}: {:?}", self.surface.exact_local(m));
                     pieces.push((m, b, self.rough.third(m).min(third)));
                     pieces.push((a, m, third));
                     None
@@ -176,11 +158,7 @@ impl<const BITS: usize> Search<'_, BITS> {
                 right = t
             }
             let newton = t - at.gap[1] / at.gap[2];
-            let next = if newton >= left && newton <= right {
-                newton
-            } else {
-                0.5 * (left + right)
-            };
+            let next = if newton >= left && newton <= right { newton } else { 0.5 * (left + right) };
             if next == t {
                 break;
             }
@@ -204,11 +182,7 @@ impl<const BITS: usize> Search<'_, BITS> {
             let [gap, slope, bend] = self.surface.exact(&t);
             if gap.is_negative() && gap.magnitude() > self.rough.magnitude() - digits {
                 let near = (gap.scaled(1) / bend).abs().root();
-                let start = if slope.is_negative() {
-                    t.clone() - near.clone()
-                } else {
-                    t.clone() - near
-                };
+                let start = if slope.is_negative() { t.clone() - near.clone() } else { t.clone() - near };
                 return Some(self.refine(a, t, Some(start)));
             }
             if slope.is_negative() {
@@ -254,37 +228,15 @@ pub(super) fn prepared<const BITS: usize>(m: &Mode) -> Motion<Real<BITS>> {
 ///
 /// A start beyond the level, or on it and leading beyond, is a crossing at 0. Panics unless sigma and omega2 are at least
 /// 0 and all numbers finite.
-pub fn first_crossing_with<const BITS: usize>(
-    modes: &[Mode],
-    level: f64,
-    t_max: f64,
-) -> Crossing<BITS> {
+pub fn first_crossing_with<const BITS: usize>(modes: &[Mode], level: f64, t_max: f64) -> Crossing<BITS> {
     let motions = modes.iter().map(prepared::<BITS>).collect::<Vec<_>>();
-    Surface {
-        motions: &motions,
-        level: Real::exact(level),
-        sign: 1.0,
-    }
-    .first_crossing(t_max)
+    Surface { motions: &motions, level: Real::exact(level), sign: 1.0 }.first_crossing(t_max)
 }
 
 /// [`first_crossing_with`] 50 digits. Inputs are taken as the binary numbers that they are.
 pub fn first_crossing(modes: &[Mode], level: f64, t_max: f64) -> Option<Root> {
     let found = first_crossing_with::<192>(modes, level, t_max);
-    let Found {
-        t,
-        tangency,
-        states,
-    } = found.root?;
-    let slope = -modes
-        .iter()
-        .zip(states)
-        .map(|(m, (_, v))| m.weight * v.approx())
-        .sum::<f64>();
-    Some(Root {
-        t: t.pair(),
-        slope,
-        tangency,
-        near_miss: found.near_miss,
-    })
+    let Found { t, tangency, states } = found.root?;
+    let slope = -modes.iter().zip(states).map(|(m, (_, v))| m.weight * v.approx()).sum::<f64>();
+    Some(Root { t: t.pair(), slope, tangency, near_miss: found.near_miss })
 }

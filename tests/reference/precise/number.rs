@@ -74,24 +74,13 @@ pub struct Real<const BITS: usize> {
 impl<const BITS: usize> Real<BITS> {
     fn new(m: IBig, e: i64) -> Self {
         let excess = m.bit_len().saturating_sub(BITS);
-        if excess == 0 {
-            Self { m, e }
-        } else {
-            Self {
-                m: m >> excess,
-                e: e + excess as i64,
-            }
-        }
+        if excess == 0 { Self { m, e } } else { Self { m: m >> excess, e: e + excess as i64 } }
     }
 
     /// x as a multiple of 2^-`places`, truncated.
     pub(super) fn fixed(&self, places: i64) -> IBig {
         let shift = self.e + places;
-        if shift >= 0 {
-            &self.m << shift as usize
-        } else {
-            &self.m >> (-shift) as usize
-        }
+        if shift >= 0 { &self.m << shift as usize } else { &self.m >> (-shift) as usize }
     }
 
     /// m 2^-`places`
@@ -101,11 +90,7 @@ impl<const BITS: usize> Real<BITS> {
 
     /// Position of the leading binary digit: |x| < 2^magnitude.
     pub(super) fn magnitude(&self) -> i64 {
-        if self.m.is_zero() {
-            i64::MIN / 4
-        } else {
-            self.e + self.m.bit_len() as i64
-        }
+        if self.m.is_zero() { i64::MIN / 4 } else { self.e + self.m.bit_len() as i64 }
     }
 
     /// Exactly zero.
@@ -120,11 +105,7 @@ impl<const BITS: usize> Real<BITS> {
 
     /// |x|
     pub fn abs(&self) -> Self {
-        if self.is_negative() {
-            -self.clone()
-        } else {
-            self.clone()
-        }
+        if self.is_negative() { -self.clone() } else { self.clone() }
     }
 
     /// The number as a sum of two `f64`: 32 digits.
@@ -147,23 +128,13 @@ impl<const BITS: usize> Scalar for Real<BITS> {
     fn exact(x: f64) -> Self {
         assert!(x.is_finite(), "not a number to calculate with: {x}");
         if x == 0.0 {
-            return Self {
-                m: IBig::ZERO,
-                e: 0,
-            };
+            return Self { m: IBig::ZERO, e: 0 };
         }
         let (bits, exponent) = (x.to_bits(), (x.to_bits() >> 52 & 0x7ff) as i64);
         let fraction = bits & ((1 << 52) - 1);
-        let (m, e) = if exponent == 0 {
-            (fraction, -1074)
-        } else {
-            (fraction | 1 << 52, exponent - 1075)
-        };
+        let (m, e) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
         let m = IBig::from(m);
-        Self {
-            m: if x < 0.0 { -m } else { m },
-            e,
-        }
+        Self { m: if x < 0.0 { -m } else { m }, e }
     }
 
     fn approx(&self) -> f64 {
@@ -173,11 +144,7 @@ impl<const BITS: usize> Scalar for Real<BITS> {
         let top = |i: usize| words.get(i).copied().unwrap_or(0);
         let (word, bit) = (excess / 64, excess % 64);
         let low = top(word) >> bit;
-        let m = if bit == 0 {
-            low
-        } else {
-            low | top(word + 1) << (64 - bit)
-        };
+        let m = if bit == 0 { low } else { low | top(word + 1) << (64 - bit) };
         let e = self.e + excess as i64;
         let x = m as f64 * power_of_two(e / 2) * power_of_two(e - e / 2);
         if sign == Sign::Negative { -x } else { x }
@@ -189,10 +156,7 @@ impl<const BITS: usize> Scalar for Real<BITS> {
     }
 
     fn scaled(&self, n: i32) -> Self {
-        Self {
-            m: self.m.clone(),
-            e: self.e + i64::from(n),
-        }
+        Self { m: self.m.clone(), e: self.e + i64::from(n) }
     }
 
     fn root(&self) -> Self {
@@ -216,11 +180,7 @@ impl<const BITS: usize> Scalar for Real<BITS> {
 impl<const BITS: usize> Add for Real<BITS> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let (high, low) = if self.magnitude() >= other.magnitude() {
-            (self, other)
-        } else {
-            (other, self)
-        };
+        let (high, low) = if self.magnitude() >= other.magnitude() { (self, other) } else { (other, self) };
         if low.is_zero() || high.magnitude() - low.magnitude() > BITS as i64 + 2 {
             return high;
         }
@@ -235,10 +195,7 @@ impl<const BITS: usize> Add for Real<BITS> {
 impl<const BITS: usize> Neg for Real<BITS> {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            m: -self.m,
-            e: self.e,
-        }
+        Self { m: -self.m, e: self.e }
     }
 }
 
@@ -272,15 +229,10 @@ impl<const BITS: usize> PartialEq for Real<BITS> {
 
 impl<const BITS: usize> PartialOrd for Real<BITS> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        let apart =
-            self.m.sign() != other.m.sign() || (self.magnitude() - other.magnitude()).abs() > 1;
+        let apart = self.m.sign() != other.m.sign() || (self.magnitude() - other.magnitude()).abs() > 1;
         if apart && !self.is_zero() && !other.is_zero() {
             let larger = self.m.sign() != other.m.sign() || self.magnitude() > other.magnitude();
-            return Some(if larger != self.is_negative() {
-                Ordering::Greater
-            } else {
-                Ordering::Less
-            });
+            return Some(if larger != self.is_negative() { Ordering::Greater } else { Ordering::Less });
         }
         let difference = self.clone() - other.clone();
         Some(match (difference.is_zero(), difference.is_negative()) {

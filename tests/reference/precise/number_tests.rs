@@ -21,24 +21,10 @@ fn elementary_functions_agree_with_those_of_dashu() {
                 (real.exponential(), dashu.exp()),
                 (sin, dashu.sin()),
                 (cos, dashu.cos()),
-                (
-                    square_root.clone(),
-                    Dashu::try_from(x.abs())
-                        .unwrap()
-                        .with_precision(300)
-                        .value()
-                        .sqrt(),
-                ),
-                (
-                    Real::exact(1.0) / real.clone(),
-                    Dashu::try_from(1.0).unwrap().with_precision(300).value() / &dashu,
-                ),
+                (square_root.clone(), Dashu::try_from(x.abs()).unwrap().with_precision(300).value().sqrt()),
+                (Real::exact(1.0) / real.clone(), Dashu::try_from(1.0).unwrap().with_precision(300).value() / &dashu),
                 (square_root * real.clone() - real, {
-                    let root = Dashu::try_from(x.abs())
-                        .unwrap()
-                        .with_precision(300)
-                        .value()
-                        .sqrt();
+                    let root = Dashu::try_from(x.abs()).unwrap().with_precision(300).value().sqrt();
                     root * &dashu - dashu
                 }),
             ];

@@ -27,30 +27,17 @@ struct Around<const BITS: usize> {
 
 impl<const BITS: usize> Surface<'_, BITS> {
     fn around(&self, t: &Real<BITS>) -> Around<BITS> {
-        Around {
-            t: t.clone(),
-            motions: self.motions.iter().map(|m| m.moved(t)).collect(),
-        }
+        Around { t: t.clone(), motions: self.motions.iter().map(|m| m.moved(t)).collect() }
     }
 
     /// The crossing at `t`, with the states there.
     pub(super) fn found(&self, t: Real<BITS>, tangency: bool) -> Found<BITS> {
         let states = self.motions.iter().map(|m| m.state(&t)).collect();
-        Found {
-            t,
-            tangency,
-            states,
-        }
+        Found { t, tangency, states }
     }
 
     /// The one crossing in (a, b\], where gap > 0 just after a and gap(b) <= 0, starting from `t`.
-    pub(super) fn refine(
-        &self,
-        rough: &Rough,
-        a: f64,
-        b: Real<BITS>,
-        mut t: Real<BITS>,
-    ) -> Found<BITS> {
+    pub(super) fn refine(&self, rough: &Rough, a: f64, b: Real<BITS>, mut t: Real<BITS>) -> Found<BITS> {
         let (mut left, mut right) = (Real::exact(a), b);
         let digits = BITS as i64 - 16;
         let close = 2f64.powi(-20) / rough.rate();
@@ -59,20 +46,11 @@ impl<const BITS: usize> Surface<'_, BITS> {
             if !(t > left && t <= right) {
                 t = (left.clone() + right.clone()).scaled(-1);
             }
-            let near = around
-                .take()
-                .filter(|n| (t.clone() - n.t.clone()).approx().abs() < close);
+            let near = around.take().filter(|n| (t.clone() - n.t.clone()).approx().abs() < close);
             let near = near.unwrap_or_else(|| self.around(&t));
-            let moved = Surface {
-                motions: &near.motions,
-                level: self.level.clone(),
-                sign: self.sign,
-            };
+            let moved = Surface { motions: &near.motions, level: self.level.clone(), sign: self.sign };
             let [gap, slope, bend] = moved.exact(&(t.clone() - near.t.clone()));
-            let ended = |t: Real<BITS>| Found {
-                t: t.clone(),
-                ..moved.found(t - near.t.clone(), false)
-            };
+            let ended = |t: Real<BITS>| Found { t: t.clone(), ..moved.found(t - near.t.clone(), false) };
             if gap.is_zero() {
                 return ended(t);
             }
@@ -98,9 +76,6 @@ impl<const BITS: usize> Surface<'_, BITS> {
             }
             (t, around) = (next, Some(near));
         }
-        panic!(
-            "Newton's iteration did not end between {a} and {}",
-            right.approx()
-        )
+        panic!("Newton's iteration did not end between {a} and {}", right.approx())
     }
 }

@@ -21,29 +21,18 @@ pub(super) struct Rough {
 impl Rough {
     pub(super) fn new<const BITS: usize>(surface: &Surface<'_, BITS>) -> Self {
         let motions = surface.motions.iter().map(Motion::rounded).collect();
-        Self {
-            motions,
-            level: surface.level.approx(),
-            sign: surface.sign,
-        }
+        Self { motions, level: surface.level.approx(), sign: surface.sign }
     }
 
     /// Binary magnitude of the terms that make up the gap.
     pub(super) fn magnitude(&self) -> i64 {
-        let scale = self
-            .motions
-            .iter()
-            .map(|m| (m.weight * m.x).abs())
-            .fold(self.level.abs(), f64::max);
+        let scale = self.motions.iter().map(|m| (m.weight * m.x).abs()).fold(self.level.abs(), f64::max);
         scale.max(f64::MIN_POSITIVE).log2().ceil() as i64
     }
 
     /// The greatest rate \[1/s\] of the modes.
     pub(super) fn rate(&self) -> f64 {
-        let each = self
-            .motions
-            .iter()
-            .map(|m| 2.0 * m.law.sigma + m.law.omega2.sqrt());
+        let each = self.motions.iter().map(|m| 2.0 * m.law.sigma + m.law.omega2.sqrt());
         each.fold(f64::MIN_POSITIVE, f64::max)
     }
 
@@ -58,10 +47,7 @@ impl Rough {
                 error[i] += m.weight.abs() * errors[i];
             }
         }
-        Local {
-            gap: gap.map(|x| self.sign * x),
-            error,
-        }
+        Local { gap: gap.map(|x| self.sign * x), error }
     }
 
     /// A bound on |gap'''| from `t` on.
@@ -100,21 +86,13 @@ impl Rough {
     /// Whether the gap is certain to rise all the way to `t_max`.
     pub(super) fn rises(&self, t_max: f64) -> bool {
         let (low, high) = self.speeds(t_max);
-        if self.sign > 0.0 {
-            high < 0.0
-        } else {
-            low > 0.0
-        }
+        if self.sign > 0.0 { high < 0.0 } else { low > 0.0 }
     }
 
     /// Whether the gap is certain to fall all the way to `t_max`.
     pub(super) fn falls(&self, t_max: f64) -> bool {
         let (low, high) = self.speeds(t_max);
-        if self.sign > 0.0 {
-            low > 0.0
-        } else {
-            high < 0.0
-        }
+        if self.sign > 0.0 { low > 0.0 } else { high < 0.0 }
     }
 
     /// About the one crossing in (a, b\]: where all digits begin.
@@ -126,11 +104,7 @@ impl Rough {
                 if at.gap[0] > 0.0 { left = t } else { right = t }
             }
             let newton = t - at.gap[0] / at.gap[1];
-            let next = if newton > left && newton < right {
-                newton
-            } else {
-                0.5 * (left + right)
-            };
+            let next = if newton > left && newton < right { newton } else { 0.5 * (left + right) };
             if (next - t).abs() <= 1e-15 * next.abs() {
                 return next;
             }
@@ -151,9 +125,5 @@ fn errors(m: &Motion<f64>, t: f64) -> [f64; 3] {
     let push = m.push.abs() + 1e-2 * (m.force.abs() + (omega2 * m.x).abs());
     let e0 = turns * (m.x.abs() + m.v.abs() * impulse + push * step);
     let e1 = turns * (m.v.abs() + push * impulse);
-    [
-        e0,
-        e1,
-        ROUNDING * (m.force.abs() + push) + 2.0 * sigma * e1 + omega2 * e0,
-    ]
+    [e0, e1, ROUNDING * (m.force.abs() + push) + 2.0 * sigma * e1 + omega2 * e0]
 }

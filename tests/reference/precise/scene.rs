@@ -83,10 +83,7 @@ impl<const BITS: usize> Pair<BITS> {
         let real = Real::<BITS>::exact;
         let squared = |n: f64| real(n) * real(n);
         let (one, two) = (squared(p.n1) / real(p.i1), squared(p.n2) / real(p.i2));
-        let (m1, m2) = (
-            (one.clone() - two.clone()).scaled(-1),
-            (one + two).scaled(-1),
-        );
+        let (m1, m2) = ((one.clone() - two.clone()).scaled(-1), (one + two).scaled(-1));
         let k = [p.k1, p.k2].map(real);
         let k0 = (k[0].clone() + k[1].clone()).scaled(-1);
         let sigma = real(p.zeta) * (m2.clone() * k0).root();
@@ -94,15 +91,7 @@ impl<const BITS: usize> Pair<BITS> {
         let width = [real(p.width1), real(PITCH) - real(p.width1)];
         let ratio = m1 / m2.clone();
         let drift = Law::new(real(0.0), real(0.0));
-        Self {
-            m2,
-            ratio,
-            t0: real(p.t0),
-            k,
-            width,
-            oscillator,
-            drift,
-        }
+        Self { m2, ratio, t0: real(p.t0), k, width, oscillator, drift }
     }
 
     /// theta = x + (M1/M2) y with x'' = 0 and y = phi - phi_0: the start is then on the end of a cell without rounding.
@@ -112,41 +101,25 @@ impl<const BITS: usize> Pair<BITS> {
         let push = self.m2.clone() * (self.t0.clone() - self.k[side].clone() * s.phi.clone());
         let law = self.oscillator[side].clone();
         [
-            Motion::new(
-                self.drift.clone(),
-                zero(),
-                s.theta.clone(),
-                v,
-                Real::exact(1.0),
-            ),
+            Motion::new(self.drift.clone(), zero(), s.theta.clone(), v, Real::exact(1.0)),
             Motion::new(law, push, zero(), s.phi_dot.clone(), self.ratio.clone()),
         ]
     }
 
     /// The point at which the modes are in `states`.
     fn at(&self, from: &Point<BITS>, states: &[(Real<BITS>, Real<BITS>)]) -> Point<BITS> {
-        let [(x, v), (y, phi_dot)] = states else {
-            panic!("two modes")
-        };
+        let [(x, v), (y, phi_dot)] = states else { panic!("two modes") };
         let theta = x.clone() + self.ratio.clone() * y.clone();
         let theta_dot = v.clone() + self.ratio.clone() * phi_dot.clone();
-        Point {
-            theta,
-            theta_dot,
-            phi: from.phi.clone() + y.clone(),
-            phi_dot: phi_dot.clone(),
-        }
+        Point { theta, theta_dot, phi: from.phi.clone() + y.clone(), phi_dot: phi_dot.clone() }
     }
 
     /// U = T + V - 2 T0 phi; T from M1, M2: with a, b = M2 +- M1 it is (theta' + phi')^2/(2 a) + (theta' - phi')^2/(2 b).
     fn energy(&self, side: usize, s: &Point<BITS>) -> Real<BITS> {
         let m1 = self.ratio.clone() * self.m2.clone();
-        let [first, second] = [
-            s.theta_dot.clone() + s.phi_dot.clone(),
-            s.theta_dot.clone() - s.phi_dot.clone(),
-        ];
-        let kinetic = first.clone() * first / (self.m2.clone() + m1.clone())
-            + second.clone() * second / (self.m2.clone() - m1);
+        let [first, second] = [s.theta_dot.clone() + s.phi_dot.clone(), s.theta_dot.clone() - s.phi_dot.clone()];
+        let kinetic =
+            first.clone() * first / (self.m2.clone() + m1.clone()) + second.clone() * second / (self.m2.clone() - m1);
         let potential = self.k[side].clone() * s.phi.clone() * s.phi.clone();
         kinetic.scaled(-1) + potential - (self.t0.clone() * s.phi.clone()).scaled(1)
     }
@@ -169,11 +142,7 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
     let (mut cell, _) = pair.locate(start.theta);
     let below = |cell: i64| {
         let pitches = Real::exact(cell.div_euclid(2) as f64) * Real::exact(PITCH);
-        if side(cell) == 0 {
-            pitches
-        } else {
-            pitches + p.width[0].clone()
-        }
+        if side(cell) == 0 { pitches } else { pitches + p.width[0].clone() }
     };
     let mut s = Point {
         theta: Real::exact(start.theta) - below(cell),
@@ -192,22 +161,9 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
         // locate: the upper end, then the lower one before it
         let left = until.clone() - t.clone();
         let horizon = left.approx() * (1.0 + 1e-15);
-        let upper = Surface {
-            motions: &modes,
-            level: p.width[here].clone(),
-            sign: 1.0,
-        }
-        .first_crossing(horizon);
-        let before = upper
-            .root
-            .as_ref()
-            .map_or(horizon, |f| f.t.approx() * (1.0 + 1e-15));
-        let lower = Surface {
-            motions: &modes,
-            level: Real::exact(0.0),
-            sign: -1.0,
-        }
-        .first_crossing(before);
+        let upper = Surface { motions: &modes, level: p.width[here].clone(), sign: 1.0 }.first_crossing(horizon);
+        let before = upper.root.as_ref().map_or(horizon, |f| f.t.approx() * (1.0 + 1e-15));
+        let lower = Surface { motions: &modes, level: Real::exact(0.0), sign: -1.0 }.first_crossing(before);
         near_miss = near_miss.min(upper.near_miss).min(lower.near_miss);
         let found = match (upper.root, lower.root) {
             (Some(up), Some(low)) if up.t < low.t => Some((up, true)),
@@ -220,70 +176,31 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
             let last = p.energy(here, &s);
             let change = ((last - first.clone()) / first).approx();
             let theta = (below(cell) + s.theta.clone()).pair();
-            let [theta_dot, phi, phi_dot, local] =
-                [&s.theta_dot, &s.phi, &s.phi_dot, &s.theta].map(Real::pair);
-            let end = End {
-                theta,
-                theta_dot,
-                phi,
-                phi_dot,
-                cell,
-                local,
-            };
-            return Run {
-                events,
-                end,
-                cell_changes,
-                reflections,
-                energy_change: change,
-                narrowest,
-                near_miss,
-            };
+            let [theta_dot, phi, phi_dot, local] = [&s.theta_dot, &s.phi, &s.phi_dot, &s.theta].map(Real::pair);
+            let end = End { theta, theta_dot, phi, phi_dot, cell, local };
+            return Run { events, end, cell_changes, reflections, energy_change: change, narrowest, near_miss };
         };
-        assert!(
-            !found.tangency,
-            "theta touches the end of cell {cell} without crossing it, to all digits"
-        );
+        assert!(!found.tangency, "theta touches the end of cell {cell} without crossing it, to all digits");
         s = p.at(&s, &found.states);
         t = t + found.t;
         // jump, Eqs. (9), (11)
         let beyond = if upwards { cell + 1 } else { cell - 1 };
-        let work = p.m2.clone()
-            * (p.k[side(beyond)].clone() - p.k[here].clone())
-            * s.phi.clone()
-            * s.phi.clone();
+        let work = p.m2.clone() * (p.k[side(beyond)].clone() - p.k[here].clone()) * s.phi.clone() * s.phi.clone();
         let square = s.theta_dot.clone() * s.theta_dot.clone() - work;
-        narrowest = narrowest.min(
-            (square.clone() / (s.theta_dot.clone() * s.theta_dot.clone()))
-                .abs()
-                .approx(),
-        );
+        narrowest = narrowest.min((square.clone() / (s.theta_dot.clone() * s.theta_dot.clone())).abs().approx());
         let (kind, cell_to, after) = if square.is_negative() {
             reflections += 1;
-            s.theta = if upwards {
-                p.width[here].clone()
-            } else {
-                Real::exact(0.0)
-            };
+            s.theta = if upwards { p.width[here].clone() } else { Real::exact(0.0) };
             (Kind::Reflect, cell, -s.theta_dot.clone())
         } else {
             cell_changes += 1;
-            s.theta = if upwards {
-                Real::exact(0.0)
-            } else {
-                p.width[side(beyond)].clone()
-            };
+            s.theta = if upwards { Real::exact(0.0) } else { p.width[side(beyond)].clone() };
             let speed = square.root();
             (Kind::Transmit, beyond, if upwards { speed } else { -speed })
         };
         s.phi_dot = s.phi_dot.clone() + p.ratio.clone() * (after.clone() - s.theta_dot.clone());
         s.theta_dot = after;
-        events.push(Event {
-            t: t.pair(),
-            kind,
-            cell_from: cell,
-            cell_to,
-        });
+        events.push(Event { t: t.pair(), kind, cell_from: cell, cell_to });
         cell = cell_to;
     }
 }

@@ -20,39 +20,17 @@ fn hand_written_solver_and_two_precisions_agree_on_the_scenes_of_the_paper() {
             let pair = GearPair::paper(zeta, 10.0);
             let start = pair.start(rpm);
             let [few, many] = [50, 70].map(|digits| scene(&pair, &start, t_end, digits));
-            let plain = pair.solve(
-                start.theta,
-                start.theta_dot,
-                start.phi,
-                start.phi_dot,
-                t_end,
-            );
+            let plain = pair.solve(start.theta, start.theta_dot, start.phi, start.phi_dot, t_end);
             let of = |e: &Event| (e.kind, e.cell_from, e.cell_to);
-            assert_eq!(
-                few.events.iter().map(of).collect::<Vec<_>>(),
-                many.events.iter().map(of).collect::<Vec<_>>()
-            );
-            let events = plain
-                .events
-                .iter()
-                .map(|e| (e.kind, e.cell_from, e.cell_to));
-            assert_eq!(
-                few.events.iter().map(of).collect::<Vec<_>>(),
-                events.collect::<Vec<_>>()
-            );
+            assert_eq!(few.events.iter().map(of).collect::<Vec<_>>(), many.events.iter().map(of).collect::<Vec<_>>());
+            let events = plain.events.iter().map(|e| (e.kind, e.cell_from, e.cell_to));
+            assert_eq!(few.events.iter().map(of).collect::<Vec<_>>(), events.collect::<Vec<_>>());
             let end = &few.end;
-            let apart =
-                |a: (f64, f64), b: (f64, f64)| ((a.0 - b.0) + (a.1 - b.1)).abs() / b.0.abs();
-            assert!(
-                apart(end.theta, many.end.theta) < 1e-30
-                    && apart(end.phi_dot, many.end.phi_dot) < 1e-29
-            );
+            let apart = |a: (f64, f64), b: (f64, f64)| ((a.0 - b.0) + (a.1 - b.1)).abs() / b.0.abs();
+            assert!(apart(end.theta, many.end.theta) < 1e-30 && apart(end.phi_dot, many.end.phi_dot) < 1e-29);
             let state = rounded(end);
             let error = distance(&plain.end, &state);
-            println!(
-                "{rpm} rpm, {t_end} s: {} events, hand-written solver off by {error:.1e}",
-                few.events.len()
-            );
+            println!("{rpm} rpm, {t_end} s: {} events, hand-written solver off by {error:.1e}", few.events.len());
             assert!(error < 1e-11, "{rpm} {t_end}: {error}");
         }
     }
@@ -63,17 +41,8 @@ fn energy_is_kept_to_45_digits_without_damping() {
     for (rpm, t0) in [(600.0, 10.0), (60.0, 10.0), (20.0, 30.0)] {
         let pair = GearPair::paper(0.0, t0);
         let run = scene(&pair, &pair.start(rpm), 0.2, 50);
-        println!(
-            "{rpm}: {} events, {} reflections, {:.1e}",
-            run.events.len(),
-            run.reflections,
-            run.energy_change
-        );
-        assert!(
-            run.energy_change.abs() < 1e-45,
-            "{rpm}: {}",
-            run.energy_change
-        );
+        println!("{rpm}: {} events, {} reflections, {:.1e}", run.events.len(), run.reflections, run.energy_change);
+        assert!(run.energy_change.abs() < 1e-45, "{rpm}: {}", run.energy_change);
     }
 }
 
@@ -85,19 +54,11 @@ fn random_scenes_agree_with_the_hand_written_solver() {
     let mut noise = Noise(5);
     let (mut events, mut reflections, mut beyond, mut safe, mut worst) = (0, 0, 0, 0, 0f64);
     for case in 0..120 {
-        let zeta = if case % 3 == 0 {
-            0.0
-        } else {
-            0.7 * noise.next()
-        };
+        let zeta = if case % 3 == 0 { 0.0 } else { 0.7 * noise.next() };
         let pair = GearPair::paper(zeta, 10f64.powf(2.5 * noise.next()));
         let rpm = 10f64.powf(0.5 + 3.2 * noise.next()) * if case % 2 == 0 { 1.0 } else { -1.0 };
         let (theta, phi_dot) = (6.0 * noise.next(), 50.0 * noise.next());
-        let start = State {
-            theta,
-            phi_dot,
-            ..pair.start(rpm)
-        };
+        let start = State { theta, phi_dot, ..pair.start(rpm) };
         let t_end = 0.05;
         let precise = scene(&pair, &start, t_end, 50);
         let plain = |phi: f64| pair.solve(theta, start.theta_dot, phi, phi_dot, t_end);
@@ -110,11 +71,7 @@ fn random_scenes_agree_with_the_hand_written_solver() {
                 break;
             }
             let c = &precise.events[i];
-            assert_eq!(
-                (a.kind, a.cell_from, a.cell_to),
-                (c.kind, c.cell_from, c.cell_to),
-                "{case} {i}"
-            );
+            assert_eq!((a.kind, a.cell_from, a.cell_to), (c.kind, c.cell_from, c.cell_to), "{case} {i}");
             let error = (a.t - c.t.0).abs();
             worst = worst.max(error / (growth + 1e-14));
             events += 1;
@@ -131,10 +88,7 @@ fn random_scenes_agree_with_the_hand_written_solver() {
     println!(
         "{events} events, {reflections} reflections, {safe} safe, {beyond} scenes chaotic, {worst:.1e} of the disturbance"
     );
-    assert!(
-        events > 1000 && reflections > 50 && worst < 1.0,
-        "{events} {reflections} {worst}"
-    );
+    assert!(events > 1000 && reflections > 50 && worst < 1.0, "{events} {reflections} {worst}");
 }
 
 /// theta swings up to the end of its cell and just reaches it, or just fails to: the start speed at which it does is
@@ -142,35 +96,20 @@ fn random_scenes_agree_with_the_hand_written_solver() {
 #[test]
 fn grazing_the_end_of_a_cell() {
     let pair = GearPair::paper(0.05, 10.0);
-    let start = |theta_dot: f64| State {
-        theta: 1.725,
-        theta_dot,
-        phi_dot: 100.0,
-        ..pair.start(0.0)
-    };
+    let start = |theta_dot: f64| State { theta: 1.725, theta_dot, phi_dot: 100.0, ..pair.start(0.0) };
     let t_end = 3e-4;
     let (mut short, mut far) = (0.0, 150.0);
     while far - short > 2e-14 * far {
         let middle = 0.5 * (short + far);
         let reached = !scene(&pair, &start(middle), t_end, 50).events.is_empty();
-        if reached {
-            far = middle
-        } else {
-            short = middle
-        }
+        if reached { far = middle } else { short = middle }
     }
     for k in 1..=13 {
         for sign in [-1.0, 1.0] {
             let start = start(far * (1.0 + sign * 10f64.powi(-k)));
             let precise = scene(&pair, &start, t_end, 50);
             assert_eq!(precise.events.is_empty(), sign < 0.0, "{k} {sign}");
-            let plain = pair.solve(
-                start.theta,
-                start.theta_dot,
-                start.phi,
-                start.phi_dot,
-                t_end,
-            );
+            let plain = pair.solve(start.theta, start.theta_dot, start.phi, start.phi_dot, t_end);
             assert_eq!(plain.events.len(), precise.events.len(), "{k} {sign}");
             // the event is as ill-conditioned as a double root, the state after it less so
             let error = distance(&plain.end, &rounded(&precise.end));
@@ -180,12 +119,7 @@ fn grazing_the_end_of_a_cell() {
 }
 
 fn rounded(end: &super::scene::End) -> State {
-    State {
-        theta: end.theta.0,
-        theta_dot: end.theta_dot.0,
-        phi: end.phi.0,
-        phi_dot: end.phi_dot.0,
-    }
+    State { theta: end.theta.0, theta_dot: end.theta_dot.0, phi: end.phi.0, phi_dot: end.phi_dot.0 }
 }
 
 /// `cargo test -p gearsim-tests -- --ignored --nocapture cost_of`

@@ -11,10 +11,7 @@ pub struct Noise(pub u64);
 
 impl Noise {
     pub fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let mixed = (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
         (mixed >> 11) as f64 / (1u64 << 53) as f64
     }
@@ -25,11 +22,7 @@ impl Noise {
 fn responses_satisfy_their_equation() {
     let mut noise = Noise(2);
     for case in 0..400 {
-        let omega2 = if case % 5 == 0 {
-            0.0
-        } else {
-            10f64.powf(8.0 * noise.next() - 4.0)
-        };
+        let omega2 = if case % 5 == 0 { 0.0 } else { 10f64.powf(8.0 * noise.next() - 4.0) };
         let sigma = match case % 4 {
             0 => 0.0,
             1 => omega2.sqrt() * (1.0 + (noise.next() - 0.5) * 10f64.powf(-16.0 * noise.next())),
@@ -42,80 +35,42 @@ fn responses_satisfy_their_equation() {
         let motion = Motion::new(law, g, x, v, Real::exact(1.0));
         // the flow over t/3 and then 2t/3 is that over t
         let t = Real::exact(t);
-        let (first, second) = (
-            t.clone() / Real::exact(3.0),
-            t.clone() - t.clone() / Real::exact(3.0),
-        );
+        let (first, second) = (t.clone() / Real::exact(3.0), t.clone() - t.clone() / Real::exact(3.0));
         let (x, v) = motion.state(&first);
-        let halfway = Motion::new(
-            motion.law.clone(),
-            motion.force.clone(),
-            x,
-            v,
-            Real::exact(1.0),
-        );
+        let halfway = Motion::new(motion.law.clone(), motion.force.clone(), x, v, Real::exact(1.0));
         let [whole, parts] = [motion.state(&t), halfway.state(&second)];
         let scale = whole.0.approx().abs() + 1.0;
-        assert!(
-            (whole.0 - parts.0).approx().abs() / scale < 1e-100,
-            "{sigma} {omega2} {}",
-            t.approx()
-        );
+        assert!((whole.0 - parts.0).approx().abs() / scale < 1e-100, "{sigma} {omega2} {}", t.approx());
         // xi(t + h) - xi(t - h) = 2 h xi' + O(h^3)
         let h = Real::exact(2f64.powi(-100));
-        let ahead =
-            motion.state(&(t.clone() + h.clone())).0 - motion.state(&(t.clone() - h.clone())).0;
+        let ahead = motion.state(&(t.clone() + h.clone())).0 - motion.state(&(t.clone() - h.clone())).0;
         let slope = (ahead / h.scaled(1)) - motion.state(&t).1;
-        assert!(
-            slope.approx().abs() < 1e-30 * (1.0 + sigma * sigma + omega2).powi(2),
-            "{sigma} {omega2}"
-        );
+        assert!(slope.approx().abs() < 1e-30 * (1.0 + sigma * sigma + omega2).powi(2), "{sigma} {omega2}");
         // and f64 stays within the bounds claimed for it
         let rounded = motion.rounded().state(&t.approx());
-        assert!(
-            (rounded.0 - motion.state(&t).0.approx()).abs() < 1e-10 * scale,
-            "{sigma} {omega2} {}",
-            t.approx()
-        );
+        assert!((rounded.0 - motion.state(&t).0.approx()).abs() < 1e-10 * scale, "{sigma} {omega2} {}", t.approx());
     }
 }
 
 fn mode(sigma: f64, omega2: f64, force: f64, x: f64, v: f64) -> Mode {
-    Mode {
-        sigma,
-        omega2,
-        force,
-        x,
-        v,
-        weight: 1.0,
-    }
+    Mode { sigma, omega2, force, x, v, weight: 1.0 }
 }
 
 #[test]
 fn known_crossings() {
     // sin t = 1/2, free fall, first-order approach 1 - e^{-2 t} = 3/4
     let cases = [
-        (
-            mode(0.0, 1.0, 0.0, 0.0, 1.0),
-            0.5,
-            std::f64::consts::FRAC_PI_6,
-        ),
+        (mode(0.0, 1.0, 0.0, 0.0, 1.0), 0.5, std::f64::consts::FRAC_PI_6),
         (mode(0.0, 0.0, 2.0, 0.0, 0.0), 9.0, 3.0),
         (mode(1.0, 0.0, 0.0, 0.0, 2.0), 0.75, 4f64.ln() / 2.0),
     ];
     for (mode, level, t) in cases {
         let root = first_crossing(&[mode], level, 100.0).expect("a crossing");
-        assert!(
-            (root.t.0 - t).abs() < 1e-15 && !root.tangency,
-            "{root:?} {t}"
-        );
+        assert!((root.t.0 - t).abs() < 1e-15 && !root.tangency, "{root:?} {t}");
     }
     assert_eq!(first_crossing(&[cases[0].0], 1.0 + 1e-15, 1e4), None);
     let touch = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, 1.0)], 1.0, 10.0).expect("a tangency");
-    assert!(
-        touch.tangency && (touch.t.0 - std::f64::consts::FRAC_PI_2).abs() < 1e-15,
-        "{touch:?}"
-    );
+    assert!(touch.tangency && (touch.t.0 - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{touch:?}");
     // critically damped t e^{-t} = 1/e at t = 1: touched within the rounding of the level alone
     let e = (-1f64).exp();
     assert!(first_crossing(&[mode(1.0, 1.0, 0.0, 0.0, 1.0)], e * (1.0 - 1e-15), 10.0).is_some());
@@ -124,16 +79,11 @@ fn known_crossings() {
 
 #[test]
 fn starts_on_the_level() {
-    let leaving =
-        first_crossing(&[mode(0.0, 1.0, 0.0, 0.5, 1.0)], 0.5, 10.0).expect("beyond at once");
+    let leaving = first_crossing(&[mode(0.0, 1.0, 0.0, 0.5, 1.0)], 0.5, 10.0).expect("beyond at once");
     assert_eq!(leaving.t, (0.0, 0.0));
-    let returning = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, -1.0)], 0.0, 10.0)
-        .expect("back after half a turn");
+    let returning = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, -1.0)], 0.0, 10.0).expect("back after half a turn");
     assert!((returning.t.0 - std::f64::consts::PI).abs() < 1e-15);
-    assert_eq!(
-        first_crossing(&[mode(0.0, 0.0, -1.0, 0.0, 0.0)], 0.0, 10.0),
-        None
-    );
+    assert_eq!(first_crossing(&[mode(0.0, 0.0, -1.0, 0.0, 0.0)], 0.0, 10.0), None);
 }
 
 /// 1 - depth just above the crest of two modes: crossed if the crest is higher, missed if it is lower.
@@ -143,29 +93,15 @@ fn grazing_to_every_depth() {
         for sign in [1.0, -1.0] {
             // sin t - (1 - t) drifts up to the crest of sin at pi/2; the level is exact there to 2^-100
             let depth = sign * 10f64.powi(-k);
-            let modes = [
-                mode(0.0, 1.0, 0.0, 0.0, 1.0),
-                Mode {
-                    weight: depth,
-                    ..mode(0.0, 0.0, 0.0, 1.0, 0.0)
-                },
-            ];
+            let modes = [mode(0.0, 1.0, 0.0, 0.0, 1.0), Mode { weight: depth, ..mode(0.0, 0.0, 0.0, 1.0, 0.0) }];
             let found = first_crossing_with::<256>(&modes, 1.0, 3.0);
             assert_eq!(found.root.is_some(), sign > 0.0, "{k} {sign}");
             if let Some(Found { t, tangency, .. }) = found.root {
                 // 1 - sin t = depth
                 let expected = std::f64::consts::FRAC_PI_2 - 2.0 * (depth / 2.0).sqrt().asin();
-                assert!(
-                    !tangency && (t.approx() - expected).abs() < 2e-15,
-                    "{k}: {} {expected}",
-                    t.approx()
-                );
+                assert!(!tangency && (t.approx() - expected).abs() < 2e-15, "{k}: {} {expected}", t.approx());
             } else {
-                assert!(
-                    (found.near_miss / depth.abs() - 1.0).abs() < 0.02,
-                    "{k} {}",
-                    found.near_miss
-                );
+                assert!((found.near_miss / depth.abs() - 1.0).abs() < 0.02, "{k} {}", found.near_miss);
             }
         }
     }
@@ -180,20 +116,14 @@ fn random_cells_agree_across_precisions_and_with_samples() {
         let modes = random_cell(&mut noise, 1 + case % 4);
         let level = modes.iter().map(|m| m.weight * m.x).sum::<f64>() + 2.0 * noise.next();
         let few = first_crossing_with::<192>(&modes, level, 20.0).root;
-        let many = first_crossing_with::<256>(&modes, level, 20.0)
-            .root
-            .map(|f| narrow(&f.t));
+        let many = first_crossing_with::<256>(&modes, level, 20.0).root.map(|f| narrow(&f.t));
         assert_eq!(few.is_some(), many.is_some());
         let rough: Vec<Motion<f64>> = modes.iter().map(Motion::from).collect();
         let gap = |t: f64| level - rough.iter().map(|m| m.weight * m.state(&t).0).sum::<f64>();
         let until = few.as_ref().map_or(20.0, |f| f.t.approx());
         for i in 1..400 {
             let t = until * f64::from(i) / 400.0;
-            assert!(
-                gap(t) > -1e-11,
-                "{case}: gap {} at {t} before {until}",
-                gap(t)
-            );
+            assert!(gap(t) > -1e-11, "{case}: gap {} at {t} before {until}", gap(t));
         }
         if let (Some(Found { t: a, .. }), Some(b)) = (few, many) {
             crossed += 1;
@@ -219,27 +149,12 @@ fn narrow(x: &Real<256>) -> Real<192> {
 /// One mode to many, a third without damping, half of the first without stiffness.
 pub fn random_cell(noise: &mut Noise, n: usize) -> Vec<Mode> {
     let each = |i: usize| {
-        let omega2 = if i == 0 && noise.next() < 0.5 {
-            0.0
-        } else {
-            10f64.powf(4.0 * noise.next() - 1.0)
-        };
-        let damping = if noise.next() < 0.3 {
-            0.0
-        } else {
-            10f64.powf(4.0 * noise.next() - 3.0)
-        };
+        let omega2 = if i == 0 && noise.next() < 0.5 { 0.0 } else { 10f64.powf(4.0 * noise.next() - 1.0) };
+        let damping = if noise.next() < 0.3 { 0.0 } else { 10f64.powf(4.0 * noise.next() - 3.0) };
         let sigma = damping * omega2.sqrt();
         let mut even = || 2.0 * noise.next() - 1.0;
         let force = even() * omega2;
-        Mode {
-            sigma,
-            omega2,
-            force,
-            x: even(),
-            v: even() * omega2.sqrt().max(0.3),
-            weight: even(),
-        }
+        Mode { sigma, omega2, force, x: even(), v: even() * omega2.sqrt().max(0.3), weight: even() }
     };
     (0..n).map(each).collect()
 }
@@ -253,13 +168,7 @@ fn cost_of_cells() {
         let cells: Vec<_> = (0..1000).map(|_| random_cell(&mut noise, n)).collect();
         let clock = std::time::Instant::now();
         let level = |c: &[Mode]| c.iter().map(|m| m.weight * m.x).sum::<f64>() + 1.0;
-        let crossed = cells
-            .iter()
-            .filter(|c| first_crossing(c, level(c), 20.0).is_some())
-            .count();
-        println!(
-            "{n} modes: {:.1} us a cell, {crossed} crossings of 1000",
-            clock.elapsed().as_secs_f64() * 1e3
-        );
+        let crossed = cells.iter().filter(|c| first_crossing(c, level(c), 20.0).is_some()).count();
+        println!("{n} modes: {:.1} us a cell, {crossed} crossings of 1000", clock.elapsed().as_secs_f64() * 1e3);
     }
 }

@@ -8,30 +8,22 @@ use crate::trajectory::Moment;
 fn white(n: usize) -> Vec<f64> {
     let mut state = 42_u64;
     let mut uniform = || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 11) as f64 / (1_u64 << 53) as f64
     };
-    (0..n)
-        .map(|_| (0..12).map(|_| uniform()).sum::<f64>() - 6.0)
-        .collect()
+    (0..n).map(|_| (0..12).map(|_| uniform()).sum::<f64>() - 6.0).collect()
 }
 
 #[test]
 fn a_sine_has_half_its_amplitude_squared() {
     let (amplitude, rate) = (3.0, 1000.0);
     // Between two frequencies of the grid, with an offset that the mean takes away.
-    let x: Vec<f64> = (0..8192)
-        .map(|i| 5.0 + amplitude * (2.0 * std::f64::consts::PI * 123.456 * i as f64 / rate).sin())
-        .collect();
+    let x: Vec<f64> =
+        (0..8192).map(|i| 5.0 + amplitude * (2.0 * std::f64::consts::PI * 123.456 * i as f64 / rate).sin()).collect();
     let spectrum = welch(&x, rate, segment_length(x.len())).unwrap();
     assert_eq!(spectrum.segments, 4);
     let power = spectrum.power(110.0, 137.0);
-    assert!(
-        (power / (0.5 * amplitude * amplitude) - 1.0).abs() < 0.01,
-        "{power}"
-    );
+    assert!((power / (0.5 * amplitude * amplitude) - 1.0).abs() < 0.01, "{power}");
     assert!(spectrum.power(0.0, 50.0) < 1e-4);
 }
 
@@ -40,16 +32,9 @@ fn white_noise_is_flat_at_twice_its_variance_over_the_rate() {
     let (rate, x) = (500.0, white(1 << 17));
     let spectrum = welch(&x, rate, 512).unwrap();
     for (low, high) in [(10.0, 80.0), (80.0, 160.0), (160.0, 240.0)] {
-        let bins = spectrum
-            .frequency
-            .iter()
-            .filter(|f| (low..=high).contains(*f))
-            .count();
+        let bins = spectrum.frequency.iter().filter(|f| (low..=high).contains(*f)).count();
         let mean = spectrum.power(low, high) / (bins as f64 * spectrum.resolution());
-        assert!(
-            (mean / (2.0 / rate) - 1.0).abs() < 0.03,
-            "{mean} at {low}..{high} Hz"
-        );
+        assert!((mean / (2.0 / rate) - 1.0).abs() < 0.03, "{mean} at {low}..{high} Hz");
     }
 }
 
@@ -60,8 +45,7 @@ fn the_integral_is_the_mean_square_of_the_windowed_signal() {
         let spectrum = welch(&x, 10.0, n).unwrap();
         let (mean, window) = (x.iter().sum::<f64>() / n as f64, hann(n));
         let square = |(x, w): (&f64, &f64)| ((x - mean) * w).powi(2);
-        let expected = x.iter().zip(&window).map(square).sum::<f64>()
-            / window.iter().map(|w| w * w).sum::<f64>();
+        let expected = x.iter().zip(&window).map(square).sum::<f64>() / window.iter().map(|w| w * w).sum::<f64>();
         let power = spectrum.power(0.0, 5.0);
         assert!((power / expected - 1.0).abs() < 1e-12, "{power} {expected}");
     }
@@ -88,10 +72,7 @@ fn a_last_row_between_two_samples_is_left_out() {
     assert_eq!(uniform_samples(&run).unwrap(), whole);
     let middle = whole.0[200];
     run.t[middle] += 0.1 / RATE;
-    assert!(matches!(
-        uniform_samples(&run),
-        Err(SpectrumError::Uneven { .. })
-    ));
+    assert!(matches!(uniform_samples(&run), Err(SpectrumError::Uneven { .. })));
 }
 
 #[test]

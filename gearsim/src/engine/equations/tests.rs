@@ -37,10 +37,7 @@ fn constants() -> (f64, f64, f64) {
 fn close(found: &[f64], expected: &[f64]) {
     assert_eq!(found.len(), expected.len());
     for (x, y) in found.iter().zip(expected) {
-        assert!(
-            (x - y).abs() <= 1e-12 * y.abs().max(1e-12),
-            "{found:?} is not {expected:?}"
-        );
+        assert!((x - y).abs() <= 1e-12 * y.abs().max(1e-12), "{found:?} is not {expected:?}");
     }
 }
 
@@ -77,36 +74,18 @@ fn jacobian() {
     let [by_q, by_v] = e.jacobian(&Q, &V, &K, &DK, &DDK);
     let at = |theta: f64, phi: f64, phi_dot: f64| {
         let k = [K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0]];
-        e.acceleration(
-            &[Q[0], Q[1] + phi],
-            &[V[0], V[1] + phi_dot],
-            &k,
-            &[DK[0] + theta * DDK[0]],
-        )
+        e.acceleration(&[Q[0], Q[1] + phi], &[V[0], V[1] + phi_dot], &k, &[DK[0] + theta * DDK[0]])
     };
-    let slope =
-        |[a, b]: [[f64; 2]; 2], h: f64| [(a[0] - b[0]) / (2.0 * h), (a[1] - b[1]) / (2.0 * h)];
+    let slope = |[a, b]: [[f64; 2]; 2], h: f64| [(a[0] - b[0]) / (2.0 * h), (a[1] - b[1]) / (2.0 * h)];
     let near = |found: [f64; 2], expected: [f64; 2]| {
         for (x, y) in found.iter().zip(expected) {
-            assert!(
-                (x - y).abs() < 1e-6 * y.abs(),
-                "{found:?} is not {expected:?}"
-            );
+            assert!((x - y).abs() < 1e-6 * y.abs(), "{found:?} is not {expected:?}");
         }
     };
     let h = 1e-4;
-    near(
-        [by_q[0][0], by_q[1][0]],
-        slope([at(h, 0.0, 0.0), at(-h, 0.0, 0.0)], h),
-    );
-    near(
-        [by_q[0][1], by_q[1][1]],
-        slope([at(0.0, h, 0.0), at(0.0, -h, 0.0)], h),
-    );
-    near(
-        [by_v[0][1], by_v[1][1]],
-        slope([at(0.0, 0.0, h), at(0.0, 0.0, -h)], h),
-    );
+    near([by_q[0][0], by_q[1][0]], slope([at(h, 0.0, 0.0), at(-h, 0.0, 0.0)], h));
+    near([by_q[0][1], by_q[1][1]], slope([at(0.0, h, 0.0), at(0.0, -h, 0.0)], h));
+    near([by_v[0][1], by_v[1][1]], slope([at(0.0, 0.0, h), at(0.0, 0.0, -h)], h));
     assert_eq!([by_v[0][0], by_v[1][0]], [0.0, 0.0]);
 }
 
@@ -133,23 +112,13 @@ fn cell_and_jump() {
 fn absent_terms_are_absent() {
     let mut numbers = NUMBERS;
     (numbers[4], numbers[5]) = (f64::NAN, f64::NAN);
-    for effects in [
-        0,
-        STIFFNESS_STEP | RIGID_KINEMATICS,
-        STIFFNESS_STEP | FROZEN_PHASE,
-    ] {
+    for effects in [0, STIFFNESS_STEP | RIGID_KINEMATICS, STIFFNESS_STEP | FROZEN_PHASE] {
         let e = GearPair::equations(effects, &numbers, &[f64::NAN]).unwrap();
         let (m1, m2, _) = constants();
         let a = e.acceleration(&Q, &V, &K, &[f64::INFINITY]);
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
-        close(
-            &e.force(&Q, &V, &K, &[f64::NAN]),
-            &[0.0, -2.0 * K[0] * Q[1]],
-        );
-        assert_eq!(
-            [e.dissipation(&V), e.work(&Q), e.torque_work(0, &Q)],
-            [0.0; 3]
-        );
+        close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
+        assert_eq!([e.dissipation(&V), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
         let [by_q, by_v] = e.jacobian(&Q, &V, &K, &[f64::NAN], &[f64::NAN]);
         close(by_q.as_flattened(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
         assert_eq!(by_v, [[0.0; 2]; 2]);
@@ -166,10 +135,7 @@ fn sets_of_effects() {
     let switching = |effects| gear_pair(effects).switching(0);
     assert_eq!(switching(DAMPING), Switching::Never);
     assert_eq!(switching(STIFFNESS_STEP), Switching::WithJump);
-    assert_eq!(
-        switching(STIFFNESS_STEP | RIGID_KINEMATICS),
-        Switching::WithoutJump
-    );
+    assert_eq!(switching(STIFFNESS_STEP | RIGID_KINEMATICS), Switching::WithoutJump);
     assert_eq!(switching(STIFFNESS_STEP | FROZEN_PHASE), Switching::ByTime);
 }
 
@@ -182,41 +148,20 @@ fn no_third_torque() {
 #[test]
 fn model() {
     let m = GearPair::MODEL;
-    assert_eq!(
-        (m.name, m.title),
-        ("gear_pair", "Two spur gears on rigid shafts")
-    );
-    assert_eq!(
-        [m.coordinates[0].name, m.coordinates[1].name],
-        ["theta", "phi"]
-    );
-    assert_eq!(
-        (m.coordinates[0].start, m.coordinates[1].start),
-        (Start::At(0.0), Start::Static)
-    );
+    assert_eq!((m.name, m.title), ("gear_pair", "Two spur gears on rigid shafts"));
+    assert_eq!([m.coordinates[0].name, m.coordinates[1].name], ["theta", "phi"]);
+    assert_eq!((m.coordinates[0].start, m.coordinates[1].start), (Start::At(0.0), Start::Static));
     let names: Vec<_> = m.parameters.iter().map(|p| p.name).collect();
     assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0"]);
-    assert_eq!(
-        (m.parameters[0].default, m.parameters[2].default),
-        (Some(24.0), None)
-    );
+    assert_eq!((m.parameters[0].default, m.parameters[2].default), (Some(24.0), None));
     let ranges = [m.parameters[0], m.parameters[4], m.parameters[5]].map(|p| p.range.to_string());
     assert_eq!(ranges, ["(0, inf)", "[0, inf)", "(-inf, inf)"]);
-    assert_eq!(
-        (m.laws[0].name, m.laws[0].phase, m.laws[0].period),
-        ("k", "theta", std::f64::consts::TAU)
-    );
+    assert_eq!((m.laws[0].name, m.laws[0].phase, m.laws[0].period), ("k", "theta", std::f64::consts::TAU));
     assert_eq!((m.motions[0].name, m.motions[0].unit), ("speed", "rad/s"));
-    assert_eq!(
-        (m.effects[2].name, m.effects[2].requires),
-        ("frozen_phase", &["stiffness_step"][..])
-    );
+    assert_eq!((m.effects[2].name, m.effects[2].requires), ("frozen_phase", &["stiffness_step"][..]));
     assert_eq!(m.effects[2].excludes, ["rigid_kinematics"]);
     assert_eq!((m.torques[0].name, m.torques[1].name), ("drive", "load"));
-    assert_eq!(
-        (m.equations.lines().count(), m.latex.lines().count()),
-        (2, 1)
-    );
+    assert_eq!((m.equations.lines().count(), m.latex.lines().count()), (2, 1));
 }
 
 /// A file that says the least: no closed forms, no effects, a law that never steps.
@@ -240,38 +185,14 @@ mod two_masses {
 fn a_file_that_says_the_least() {
     let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
     assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
-    assert_eq!(
-        (
-            e.kinetic(&[1.0, 1.0]),
-            e.dissipation(&[1.0, 1.0]),
-            e.work(&[1.0, 1.0])
-        ),
-        (0.0, 0.0, 0.0)
-    );
+    assert_eq!((e.kinetic(&[1.0, 1.0]), e.dissipation(&[1.0, 1.0]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
     assert_eq!(e.potential(&[2.0, 1.0], &[7.0]), 4.0);
-    assert_eq!(
-        e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]),
-        [-1.0, -6.0]
-    );
+    assert_eq!(e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), [-1.0, -6.0]);
     // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].
-    close(
-        &e.acceleration(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]),
-        &[8.0 / 9.0, -22.0 / 9.0],
-    );
-    assert_eq!(
-        (e.switching(0), e.normal(0)),
-        (Switching::Never, [0.0, 1.0])
-    );
+    close(&e.acceleration(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), &[8.0 / 9.0, -22.0 / 9.0]);
+    assert_eq!((e.switching(0), e.normal(0)), (Switching::Never, [0.0, 1.0]));
     close(&[e.compliance(0)], &[4.0 / 9.0]);
     close(&e.direction(0), &[-0.5, 1.0]);
     let range = two_masses::TwoMasses::MODEL.parameters[0].range;
-    assert_eq!(
-        range,
-        Range {
-            low: 0.0,
-            high: 5.0,
-            low_included: false,
-            high_included: true
-        }
-    );
+    assert_eq!(range, Range { low: 0.0, high: 5.0, low_included: false, high_included: true });
 }

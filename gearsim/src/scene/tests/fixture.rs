@@ -5,20 +5,9 @@ use std::f64::consts::TAU;
 use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Start, Torque};
 use crate::scene::{Scene, SceneErrors};
 
-const POSITIVE: Range = Range {
-    low: 0.0,
-    high: f64::INFINITY,
-    low_included: false,
-    high_included: false,
-};
-const NOT_NEGATIVE: Range = Range {
-    low_included: true,
-    ..POSITIVE
-};
-const ANY: Range = Range {
-    low: f64::NEG_INFINITY,
-    ..POSITIVE
-};
+const POSITIVE: Range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
+const NOT_NEGATIVE: Range = Range { low_included: true, ..POSITIVE };
+const ANY: Range = Range { low: f64::NEG_INFINITY, ..POSITIVE };
 
 const fn parameter(
     name: &'static str,
@@ -27,26 +16,11 @@ const fn parameter(
     range: Range,
     doc: &'static str,
 ) -> Parameter {
-    Parameter {
-        name,
-        unit,
-        default,
-        range,
-        doc,
-    }
+    Parameter { name, unit, default, range, doc }
 }
 
-const fn effect(
-    name: &'static str,
-    requires: &'static [&'static str],
-    excludes: &'static [&'static str],
-) -> Effect {
-    Effect {
-        name,
-        doc: "",
-        requires,
-        excludes,
-    }
+const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {
+    Effect { name, doc: "", requires, excludes }
 }
 
 pub static GEAR_PAIR: Model = Model {
@@ -54,51 +28,20 @@ pub static GEAR_PAIR: Model = Model {
     title: "Two spur gears on rigid shafts",
     source: "Oh, Grosh & Barber (2005)",
     coordinates: &[
-        Coordinate {
-            name: "theta",
-            unit: "rad",
-            doc: "mesh phase",
-            start: Start::At(0.0),
-        },
-        Coordinate {
-            name: "phi",
-            unit: "rad",
-            doc: "mesh deflection",
-            start: Start::Static,
-        },
+        Coordinate { name: "theta", unit: "rad", doc: "mesh phase", start: Start::At(0.0) },
+        Coordinate { name: "phi", unit: "rad", doc: "mesh deflection", start: Start::Static },
     ],
     parameters: &[
-        parameter(
-            "I1",
-            "kg*m^2",
-            None,
-            POSITIVE,
-            "moment of inertia of the driving gear",
-        ),
-        parameter(
-            "I2",
-            "kg*m^2",
-            None,
-            POSITIVE,
-            "moment of inertia of the driven gear",
-        ),
+        parameter("I1", "kg*m^2", None, POSITIVE, "moment of inertia of the driving gear"),
+        parameter("I2", "kg*m^2", None, POSITIVE, "moment of inertia of the driven gear"),
         parameter("N1", "1", Some(24.0), POSITIVE, "teeth of the driving gear"),
         parameter("N2", "1", Some(96.0), POSITIVE, "teeth of the driven gear"),
         parameter("zeta", "1", Some(0.0), NOT_NEGATIVE, "damping ratio"),
         parameter("T0", "N*m", Some(10.0), ANY, "driving torque"),
     ],
-    laws: &[Law {
-        name: "k",
-        unit: "N*m",
-        phase: "theta",
-        period: TAU,
-        doc: "mesh stiffness",
-    }],
-    motions: &[Motion {
-        name: "speed",
-        unit: "rad/s",
-        doc: "rotational speed of the driving gear",
-    }],
+    nonlinear: "",
+    laws: &[Law { rolling: true, name: "k", unit: "N*m", phase: "theta", period: TAU, doc: "mesh stiffness" }],
+    motions: &[Motion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
     effects: &[
         effect("stiffness_step", &[], &[]),
         effect("rigid_kinematics", &["stiffness_step"], &["frozen_phase"]),
@@ -106,16 +49,7 @@ pub static GEAR_PAIR: Model = Model {
         effect("damping", &[], &[]),
         effect("torques", &[], &[]),
     ],
-    torques: &[
-        Torque {
-            name: "drive",
-            doc: "",
-        },
-        Torque {
-            name: "load",
-            doc: "",
-        },
-    ],
+    torques: &[Torque { name: "drive", doc: "" }, Torque { name: "load", doc: "" }],
     equations: "",
     latex: "",
 };
@@ -149,11 +83,5 @@ rate = "20 kHz"
 
 pub fn parse(text: &str, overrides: &[&str]) -> Result<Scene, SceneErrors> {
     let overrides: Vec<_> = overrides.iter().map(|text| text.to_string()).collect();
-    Scene::parse(
-        "energy",
-        "scenes/energy.toml",
-        text,
-        &overrides,
-        &[&GEAR_PAIR],
-    )
+    Scene::parse("energy", "scenes/energy.toml", text, &overrides, &[&GEAR_PAIR])
 }

@@ -3,9 +3,7 @@
 use super::fixture::{SCENE, parse};
 
 fn rendered(text: &str, overrides: &[&str]) -> String {
-    parse(text, overrides)
-        .expect_err("a mistake")
-        .render(100, false)
+    parse(text, overrides).expect_err("a mistake").render(100, false)
 }
 
 #[test]
@@ -21,10 +19,7 @@ fn five_mistakes_at_once() {
 
 #[test]
 fn a_syntax_error() {
-    insta::assert_snapshot!(rendered(
-        &SCENE.replace("width = \"1.73 rad\"", "width = 1.73 rad"),
-        &[]
-    ));
+    insta::assert_snapshot!(rendered(&SCENE.replace("width = \"1.73 rad\"", "width = 1.73 rad"), &[]));
 }
 
 #[test]
@@ -34,10 +29,7 @@ fn an_array_left_open() {
 
 #[test]
 fn a_wrong_dimension_on_the_command_line() {
-    insta::assert_snapshot!(rendered(
-        SCENE,
-        &["parameters.T0=\"20 N\"", "run.t_end=1 sec", "novalue"]
-    ));
+    insta::assert_snapshot!(rendered(SCENE, &["parameters.T0=\"20 N\"", "run.t_end=1 sec", "novalue"]));
 }
 
 #[test]
@@ -81,19 +73,13 @@ fn every_mistake_is_named() {
         ("parameters=3", "must be a table"),
         ("effects=[\"damping\", \"damping\"]", "named twice"),
         ("effects=[\"frozen_phase\"]", "needs `stiffness_step`"),
-        (
-            "effects=[\"stiffness_step\", \"frozen_phase\", \"rigid_kinematics\"]",
-            "contradict each other",
-        ),
+        ("effects=[\"stiffness_step\", \"frozen_phase\", \"rigid_kinematics\"]", "contradict each other"),
         ("effects=damping", "must be an array"),
         ("effects=[1]", "must be text"),
         ("effects=[\"dampning\"]", "there is no effect `dampning`"),
         ("model=7", "must be text"),
         ("run.t_end=0", "`run.t_end` must be positive"),
-        (
-            "run.t_end=1e-320 s",
-            "`run.t_end` must be at least 1e-300 s",
-        ),
+        ("run.t_end=1e-320 s", "`run.t_end` must be at least 1e-300 s"),
         ("run.t_end=-1 s", "`run.t_end` must be positive"),
         ("output.rate=0", "`output.rate` must be positive"),
         ("output.rate=20 rpm", "write Hz"),
@@ -110,10 +96,7 @@ fn every_mistake_is_named() {
         ("laws.k.steps.0.value=-1 N*m", "must not be negative"),
         ("laws.k.steps.0.width=0", "must be positive"),
         ("laws.k.steps.0.width=7 rad", "leaves nothing"),
-        (
-            "laws.k.steps=[{value=\"1 N*m\"},{value=\"2 N*m\"}]",
-            "lacks `width`",
-        ),
+        ("laws.k.steps=[{value=\"1 N*m\"},{value=\"2 N*m\"}]", "lacks `width`"),
         ("laws.k.steps.9.value=1 N*m", "no entry `9`"),
         ("laws.k=1", "must be a table"),
         ("laws.q.steps=[]", "has no `q`"),
@@ -138,9 +121,7 @@ fn depth_has_an_end() {
     assert!(rendered(&format!("{deep}a = 1"), &[]).contains("recursion limit"));
     assert!(rendered(&"[".repeat(100_000), &[]).contains("not valid TOML"));
     assert!(rendered(SCENE, &[&format!("{deep}a=1")]).contains("no possible key"));
-    assert!(
-        rendered(SCENE, &[&format!("about={}", "[".repeat(100_000))]).contains("not valid TOML")
-    );
+    assert!(rendered(SCENE, &[&format!("about={}", "[".repeat(100_000))]).contains("not valid TOML"));
 }
 
 /// Whatever is cut off or put in, the answer is a scene or errors that can be shown.
@@ -148,11 +129,7 @@ fn depth_has_an_end() {
 fn no_text_panics() {
     for cut in (0..=SCENE.len()).filter(|cut| SCENE.is_char_boundary(*cut)) {
         for insert in ["", "\"", "[", "µ", "\n[[laws]]\n", " = 1\n"] {
-            let text = format!(
-                "{}{insert}{}",
-                &SCENE[..cut],
-                if insert.is_empty() { "" } else { &SCENE[cut..] }
-            );
+            let text = format!("{}{insert}{}", &SCENE[..cut], if insert.is_empty() { "" } else { &SCENE[cut..] });
             if let Err(errors) = parse(&text, &[]) {
                 assert!(!errors.problems().is_empty(), "{text}");
                 assert!(!errors.render(80, true).is_empty());

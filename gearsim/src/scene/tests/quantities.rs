@@ -10,11 +10,7 @@ use crate::scene::unit::Unit;
 fn check(text: &str, value: f64, unit: &str) {
     let quantity = Quantity::parse(text).unwrap();
     assert_eq!(quantity.value, value, "{text}");
-    assert_eq!(
-        quantity.dimension,
-        Unit::parse(unit).unwrap().dimension,
-        "{text}"
-    );
+    assert_eq!(quantity.dimension, Unit::parse(unit).unwrap().dimension, "{text}");
 }
 
 #[test]
@@ -79,32 +75,16 @@ fn nonsense_is_refused_at_its_place() {
 
 #[test]
 fn what_was_meant_is_guessed() {
-    for (text, meant) in [
-        ("KHz", "kHz"),
-        ("RPM", "rpm"),
-        ("degs", "deg"),
-        ("Nmm", "N*mm"),
-        ("Kg", "kg"),
-    ] {
+    for (text, meant) in [("KHz", "kHz"), ("RPM", "rpm"), ("degs", "deg"), ("Nmm", "N*mm"), ("Kg", "kg")] {
         let error = Unit::parse(text).expect_err(text);
-        assert!(
-            error.help.contains(&format!("did you mean {meant}?")),
-            "{text}: {}",
-            error.help
-        );
+        assert!(error.help.contains(&format!("did you mean {meant}?")), "{text}: {}", error.help);
     }
 }
 
 #[test]
 fn huge_exponents_do_not_panic() {
-    assert_eq!(
-        Quantity::parse("1e99999999999999999999 m").unwrap().value,
-        f64::INFINITY
-    );
-    assert_eq!(
-        Quantity::parse("1e-99999999999999999999 m").unwrap().value,
-        0.0
-    );
+    assert_eq!(Quantity::parse("1e99999999999999999999 m").unwrap().value, f64::INFINITY);
+    assert_eq!(Quantity::parse("1e-99999999999999999999 m").unwrap().value, 0.0);
 }
 
 #[test]

@@ -11,23 +11,11 @@ fn a_scene_is_read_in_si() {
     let scene = parse(SCENE, &[]).unwrap();
     assert_eq!(scene.name, "energy");
     assert_eq!(scene.about, "Gear pair at 300 rpm");
-    assert_eq!(
-        scene.effects.names(&GEAR_PAIR),
-        ["stiffness_step", "damping", "torques"]
-    );
+    assert_eq!(scene.effects.names(&GEAR_PAIR), ["stiffness_step", "damping", "torques"]);
     assert_eq!(scene.parameters, [2.89e-3, 0.7402, 24.0, 96.0, 0.1, 10.0]);
     assert_eq!(scene.parameter("N2"), Some(96.0));
     assert_eq!(scene.parameter("N3"), None);
-    let steps = vec![
-        Step {
-            value: 1430.0,
-            width: 1.73,
-        },
-        Step {
-            value: 2780.0,
-            width: TAU - 1.73,
-        },
-    ];
+    let steps = vec![Step { value: 1430.0, width: 1.73 }, Step { value: 2780.0, width: TAU - 1.73 }];
     assert_eq!(scene.laws, [Stiffness { steps }]);
     assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
     assert_eq!(scene.start.q_dot, [None, None]);
@@ -49,13 +37,7 @@ fn a_scene_may_say_little() {
     "#;
     let scene = parse(text, &[]).unwrap();
     assert_eq!(scene.effects, Effects(0));
-    assert_eq!(
-        scene.laws[0].steps,
-        [Step {
-            value: 0.0,
-            width: TAU
-        }]
-    );
+    assert_eq!(scene.laws[0].steps, [Step { value: 0.0, width: TAU }]);
     assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
     assert_eq!(scene.output.rate, 5e3);
 }
@@ -80,13 +62,7 @@ fn overrides_replace_add_and_index() {
     assert_eq!(scene.laws[0].steps[0].value, 2000.0);
     assert!(scene.output.csv);
     let scene = parse(SCENE, &[r#"laws.k.steps=[{value="3 N*m"}]"#]).unwrap();
-    assert_eq!(
-        scene.laws[0].steps,
-        [Step {
-            value: 3.0,
-            width: TAU
-        }]
-    );
+    assert_eq!(scene.laws[0].steps, [Step { value: 3.0, width: TAU }]);
 }
 
 #[test]
@@ -100,16 +76,7 @@ fn the_hash_names_text_and_overrides() {
 
 #[test]
 fn a_stiffness_has_two_middles() {
-    let steps = vec![
-        Step {
-            value: 1.0,
-            width: 3.0,
-        },
-        Step {
-            value: 5.0,
-            width: 1.0,
-        },
-    ];
+    let steps = vec![Step { value: 1.0, width: 3.0 }, Step { value: 5.0, width: 1.0 }];
     let stiffness = Stiffness { steps };
     assert_eq!(stiffness.mid(), 3.0);
     assert_eq!(stiffness.mean(), 2.0);

@@ -1,0 +1,80 @@
+//! A whole run of a scene, from its equations to its account.
+
+use std::time::{Duration, Instant};
+
+use crate::engine::cell::Cell;
+use crate::engine::equations::{Derived, Equations};
+use crate::engine::error::{Refusal, Stop};
+use crate::engine::record::Recorder;
+use crate::engine::simulate::{Counts, Simulation};
+use crate::model::Model;
+use crate::scene::Scene;
+use crate::trajectory::{Moment, Trajectory};
+
+/// What a run came to.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Everything recorded; its last row is the state at the end, or where the run had to stop.
+    pub trajectory: Trajectory,
+    /// T + V at the start [J].
+    pub energy_at_start: f64,
+    /// Events and costs.
+    pub counts: Counts,
+    /// Why the run ended before its time, if it did.
+    pub stopped_by: Option<Stop>,
+    /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
+    pub reference_frequency: Option<f64>,
+    /// Time the simulation took [s].
+    pub seconds: f64,
+}
+
+/// A model as the program knows it: its description, and how to run a scene of it.
+#[derive(Clone, Copy)]
+pub struct Entry {
+    /// What scenes and people read.
+    pub model: &'static Model,
+    /// Runs a scene, telling the model time [s] to a watcher as it goes.
+    pub run: fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>,
+}
+
+impl Entry {
+    /// The entry of a derived model.
+    pub const fn new<D: Derived<N>, const N: usize>() -> Entry {
+        Entry { model: &D::MODEL, run: run::<D, N> }
+    }
+}
+
+/// The equations of a scene.
+///
+/// # Errors
+/// Where its effects contradict one another.
+pub fn equations<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn Equations<N>>, Refusal> {
+    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
+    D::equations(scene.effects.0, &scene.parameters, &mids).ok_or(Refusal::Effects)
+}
+
+fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
+    let equations = equations::<D, N>(scene)?;
+    let mut simulation = Simulation::new(scene.model, &*equations, scene)?;
+    let lengths = simulation.turn_lengths();
+    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, &[simulation.stiffness()]);
+    let begin = Instant::now();
+    let stopped_by = simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
+    let seconds = begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64();
+    if stopped_by.is_some() {
+        let (state, k) = (simulation.state, simulation.stiffness());
+        recorder.row(simulation.clock.now(), Moment::Sample, &state, &[k], simulation.dissipated);
+    }
+    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
+    let reference_frequency = Cell::new(&*equations, &mids)
+        .ok()
+        .and_then(|cell| cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0));
+    Ok(Outcome {
+        energy_at_start: recorder.energy_at_start,
+        trajectory: recorder.trajectory,
+        counts: simulation.counts,
+        stopped_by,
+        reference_frequency,
+        seconds,
+    })
+}
