@@ -7,7 +7,8 @@ use crate::jump::{self, Jump};
 use crate::lagrange::{self, Motion, Symbols};
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::slip::Slip;
-use crate::{check, expr, file, proof};
+use crate::expr::{Expr, Kind};
+use crate::{check, expr, file, markers, proof};
 
 /// Everything derived from a model's energies.
 pub struct Derivation<'a> {
@@ -46,10 +47,30 @@ impl Derivation<'_> {
         &self.proofs
     }
 
-    /// The acceleration of coordinate `i` with all effects present, or the force where M was not inverted.
-    pub fn equation(&self, i: usize) -> Atom {
+    /// The acceleration of coordinate `i` (its force, where M was not inverted) in the model's parameters, without the
+    /// terms of the effects and conditions in `absent`.
+    pub fn equation(&self, i: usize, absent: &[&str]) -> Expr {
         let all = self.motion.acceleration.as_ref().unwrap_or(&self.motion.force);
-        crate::markers::all_present(&all[i])
+        let without = absent.iter().fold(all[i].clone(), |e, name| {
+            let marker = Atom::var(expr::symbol(Kind::Marker, name));
+            e.replace(marker.to_pattern()).with(expr::number(0).to_pattern())
+        });
+        self.in_parameters(&without)
+    }
+
+    /// What a step `dk` of law `l` takes from the square of the normal speed, 2 G dV; where M was inverted.
+    pub fn speed_lost(&self, l: usize) -> Option<Expr> {
+        let jump = &self.jumps[l];
+        jump.compliance.as_ref().map(|g| self.in_parameters(&(expr::number(2) * g * &jump.step)))
+    }
+
+    /// The change of the speed of coordinate `i` per change of the normal speed at law `l`; where M was inverted.
+    pub fn direction(&self, l: usize, i: usize) -> Option<Expr> {
+        self.jumps[l].direction.as_ref().map(|d| self.in_parameters(&d[i]))
+    }
+
+    fn in_parameters(&self, e: &Atom) -> Expr {
+        Expr::new(markers::all_present(&proof::exact(&self.motion, e)))
     }
 
     /// The terms of a cell that are not linear, with the energies they come from; empty where all are.

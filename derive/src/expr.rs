@@ -118,6 +118,11 @@ impl Expr {
         Expr::new(symbolica::function!(symbol, argument.atom()))
     }
 
+    /// Whether it is identically zero, as a rational function of its symbols and roots.
+    pub fn is_zero(self) -> bool {
+        crate::mobility::is_zero(&self.atom())
+    }
+
     /// The square.
     pub fn sq(self) -> Expr {
         self.pow(2)
@@ -149,6 +154,12 @@ impl Expr {
 /// The name of the speed of a coordinate.
 pub(crate) fn speed_name(coordinate: &str) -> String {
     format!("{coordinate}_dot")
+}
+
+impl std::fmt::Display for Expr {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&crate::print::print(&crate::tree::Tree::new(&self.atom()), crate::print::Style::Plain))
+    }
 }
 
 /// Half of an expression.

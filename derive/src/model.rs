@@ -143,7 +143,7 @@ impl Model {
             self.effects.extend(mesh_effects());
         }
         self.laws.push(Law { name: name.into(), unit: unit.into(), phase, period, doc: doc.into() });
-        MeshStiffness { value: Expr::var(Kind::Law, name), mid: Expr::var(Kind::Mid, &mid_name(name)) }
+        MeshStiffness { value: Expr::var(Kind::Law, name), slope: Expr::var(Kind::Slope, &format!("d{name}")), mid: Expr::var(Kind::Mid, &mid_name(name)) }
     }
 
     /// A rigid motion by which a scene may state its start: the speeds (coordinate, speed per unit) of the train.
@@ -201,6 +201,8 @@ impl Model {
 pub struct MeshStiffness {
     /// Its present value.
     pub value: Expr,
+    /// Its slope along the phase; derived equations contain it, energies may not.
+    pub slope: Expr,
     /// Its mid value, (max + min)/2 over a pitch.
     pub mid: Expr,
 }

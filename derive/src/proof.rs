@@ -76,7 +76,7 @@ fn tag(what: &str, i: usize, j: usize) -> Atom {
 }
 
 /// Replaces the constants' names by their definitions in parameters.
-fn exact(motion: &Motion, e: &Atom) -> Atom {
+pub(crate) fn exact(motion: &Motion, e: &Atom) -> Atom {
     motion.constants.iter().rev().fold(e.clone(), |e, (name, value)| {
         e.replace(Atom::var(symbol(Kind::Constant, name)).to_pattern()).with(value.to_pattern())
     })
