@@ -1,6 +1,6 @@
 //! `gearsim compare`: one scene under the exact equations and the usual approximations to them.
 
-mod equations;
+pub(super) mod equations;
 mod table;
 
 use clap::Parser;

@@ -1,6 +1,6 @@
 //! `gearsim models`: what can be simulated.
 
-mod detail;
+pub(super) mod detail;
 
 use clap::Parser;
 
@@ -35,7 +35,11 @@ impl Verb for Models {
             None => terminal::say(&all()),
             Some(name) => {
                 let model = find(name)?;
-                terminal::say(&if self.latex { format!("{}\n", model.latex.trim_end()) } else { detail::of(model) });
+                terminal::say(&if self.latex {
+                    format!("{}\n", model.latex.trim_end())
+                } else {
+                    detail::of(model, terminal::width())
+                });
             }
         }
         Ok(())

@@ -24,8 +24,8 @@ pub(super) fn scene(scene: &Scene, width: usize) -> String {
     text + &line("effects", &effects, width)
 }
 
-/// What came of it.
-pub(super) fn run(scene: &Scene, summary: &Summary, width: usize) -> String {
+/// What came of it, with `rows` recorded.
+pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -> String {
     let energy = &summary.energy;
     let reached = match summary.completed {
         true => format!("{} s", number::short(summary.t_end.0)),
@@ -39,7 +39,7 @@ pub(super) fn run(scene: &Scene, summary: &Summary, width: usize) -> String {
         ("reflections", summary.reflections.to_string()),
         ("lost to damping", lost),
         ("unaccounted for", unaccounted(summary)),
-        ("time taken", time(summary)),
+        ("time taken", time(summary, rows)),
     ];
     lines.iter().map(|(name, says)| line(name, says, width)).collect()
 }
@@ -50,7 +50,7 @@ pub(super) fn files(folder: &Path, files: &[String], width: usize) -> String {
 }
 
 /// The coordinates and speeds at the end, with units.
-pub(super) fn state(scene: &Scene, summary: &Summary) -> String {
+fn state(scene: &Scene, summary: &Summary) -> String {
     let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
     let entries = summary.state.0.iter().zip(units);
     let entries = entries.map(|((name, x), unit)| format!("{name} = {} {unit}", number::short(x.0)));
@@ -58,7 +58,7 @@ pub(super) fn state(scene: &Scene, summary: &Summary) -> String {
 }
 
 /// Energy out of nowhere [J], and as a part of the energy at the start.
-pub(super) fn unaccounted(summary: &Summary) -> String {
+fn unaccounted(summary: &Summary) -> String {
     let (residual, start) = (summary.energy.residual.0, summary.energy.at_start.0);
     let mut text = format!("{} J", number::short(residual));
     if start != 0.0 {
@@ -68,9 +68,9 @@ pub(super) fn unaccounted(summary: &Summary) -> String {
 }
 
 /// What the run cost.
-pub(super) fn time(summary: &Summary) -> String {
+fn time(summary: &Summary, rows: usize) -> String {
     let each = per_event(summary).map_or(String::new(), |each| format!(", {each} an event"));
-    number::time(summary.seconds.0) + &each
+    format!("{}{each} (with the recording of {rows} rows)", number::time(summary.seconds.0))
 }
 
 /// What an event cost, if there was one.

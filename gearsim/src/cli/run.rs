@@ -69,7 +69,7 @@ impl Run {
         let width = terminal::width();
         Ok(report::scene(scene, width)
             + "\n"
-            + &report::run(scene, &summary, width)
+            + &report::run(scene, &summary, trajectory.len(), width)
             + "\n"
             + &report::files(folder.path(), folder.files(), width))
     }

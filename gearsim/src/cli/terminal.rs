@@ -7,10 +7,9 @@ const WIDTH: usize = 100;
 /// Columns below which nothing is legible anyway.
 const NARROWEST: usize = 40;
 
-/// Columns of the terminal at stderr.
+/// Columns of the terminal, whichever stream it is at.
 pub(super) fn width() -> usize {
-    let size = terminal_size::terminal_size_of(std::io::stderr());
-    size.map_or(WIDTH, |(width, _)| usize::from(width.0).clamp(NARROWEST, WIDTH))
+    terminal_size::terminal_size().map_or(WIDTH, |(width, _)| usize::from(width.0).clamp(NARROWEST, WIDTH))
 }
 
 /// Whether stderr shows colours: a terminal does, unless asked not to (https://no-color.org).

@@ -1,16 +1,20 @@
 //! Everything about one model, as text.
 
+use crate::cli::terminal;
 use crate::model::{Model, Parameter, Start};
 
 /// A line of a list: what stands in its columns, and what it means.
 type Row = (Vec<String>, String);
 
-/// `model` in detail.
-pub(in crate::cli) fn of(model: &Model) -> String {
+/// Columns that words have at least, however narrow the terminal.
+const NARROWEST: usize = 30;
+
+/// `model` in detail, `width` columns wide where that is possible.
+pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     let mut text = format!("{}  {}\nsource: {}\n", model.name, model.title, model.source);
     let mut add = |title: &str, rows: Vec<Row>| {
         if !rows.is_empty() {
-            text += &format!("\n{title}\n{}", table(&rows));
+            text += &format!("\n{title}\n{}", table(&rows, width));
         }
     };
     add("Coordinates ([start]; their speeds end in _dot)", coordinates(model));
@@ -76,7 +80,7 @@ fn unit(unit: &str) -> String {
 }
 
 /// Columns below one another, and the words after them; more lines of words are put below the first.
-fn table(rows: &[Row]) -> String {
+fn table(rows: &[Row], width: usize) -> String {
     let columns = rows.iter().map(|(cells, _)| cells.len()).max().unwrap_or(0);
     let length = |text: &String| text.chars().count();
     let widths: Vec<_> = (0..columns)
@@ -86,7 +90,8 @@ fn table(rows: &[Row]) -> String {
     for (cells, words) in rows {
         let cells: String = cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}  ")).collect();
         let indent = format!("  {}", " ".repeat(length(&cells)));
-        text += &format!("  {cells}{}\n", words.replace('\n', &format!("\n{indent}")));
+        let words = terminal::wrap(words, width.saturating_sub(indent.len()).max(NARROWEST));
+        text += &format!("  {cells}{}\n", words.trim_end().replace('\n', &format!("\n{indent}")));
     }
     text
 }
