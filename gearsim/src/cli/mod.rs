@@ -50,25 +50,29 @@ impl Command {
 
 /// Simulates gear systems without creating or losing energy
 ///
-/// gearsim reads a scene, a small TOML file: which model of a gear system, which effects it has, its numbers, its
-/// start. Between two steps of the mesh stiffness the motion is solved exactly; every step is found for certain, and
-/// passed by a jump rule that conserves energy. Every run accounts for its energy to the last digit.
+/// gearsim reads a scene, a small TOML file: which model of a gear system, which effects it has, its
+/// numbers, its start. Between two steps of the mesh stiffness the motion is solved exactly; every
+/// step is found for certain, and passed by a jump rule that conserves energy. Every run ends with
+/// the account of its energy.
 #[derive(Parser)]
 #[command(name = "gearsim", version, subcommand_required = true, arg_required_else_help = true)]
-#[command(after_help = "\
-Examples, from the root of the repository (or with `cargo run --release --` for `gearsim`):
-  gearsim run models/scenes/oh2005/energy_300rpm.toml
+#[command(
+    verbatim_doc_comment,
+    after_help = "\
+Examples, from the root of the repository (`gearsim` stands for `cargo run --release --` once installed):
+  cargo run --release -- run models/scenes/oh2005/energy_300rpm.toml
       run a scene; results and plots go to out/energy_300rpm
-  gearsim compare models/scenes/oh2005/energy_300rpm.toml
+  cargo run --release -- compare models/scenes/oh2005/energy_300rpm.toml
       the same under the exact equations and two usual approximations
-  gearsim models gear_pair
+  cargo run --release -- models gear_pair
       what a scene of this model can set
 
 Exit codes:
   0  done
   1  results could not be written
   2  refused: the command line, the scene or its numbers make no sense; nothing was simulated or written
-  3  a run stopped before its end; what it computed until then is written")]
+  3  a run stopped before its end; what it computed until then is written"
+)]
 struct Program;
 
 /// The whole command line.

@@ -32,7 +32,7 @@ impl Progress {
     #[inline]
     pub(super) fn at(&mut self, t: f64) {
         self.events = self.events.wrapping_add(1);
-        if self.events % EVENTS == 0 && self.shown {
+        if self.shown && self.events.is_multiple_of(EVENTS) {
             self.show(t);
         }
     }
