@@ -30,6 +30,24 @@ impl OutputFolder {
         Ok(OutputFolder { path, files: vec![] })
     }
 
+    /// Whether [`OutputFolder::create`] would succeed and the folder could be written to; leaves no trace.
+    ///
+    /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`], [`OutputError::Write`].
+    pub fn probe(path: &Path) -> Result<(), OutputError> {
+        if path.is_dir() {
+            let unwritable = |source| OutputError::Write { path: path.to_owned(), source };
+            return tempfile::tempfile_in(path).map(drop).map_err(unwritable);
+        }
+        if path.exists() {
+            return Err(OutputError::NotAFolder { path: path.to_owned() });
+        }
+        // What will be created is created in the nearest folder above that is there.
+        let above = path.ancestors().skip(1).find(|above| above.exists());
+        let above = above.filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let cannot = |source| OutputError::CreateFolder { path: path.to_owned(), source };
+        tempfile::tempfile_in(above).map(drop).map_err(cannot)
+    }
+
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path

@@ -52,6 +52,7 @@ mod tests;
 pub mod unit;
 
 pub use error::{Problem, SceneErrors};
+pub(crate) use error::{did_you_mean, list};
 
 use crate::model::{Model, Start};
 

@@ -1,0 +1,35 @@
+//! The comparison as a table for the terminal.
+
+use super::Member;
+use crate::cli::{number, report};
+use crate::output::Summary;
+
+/// One column a set of equations, one line a quantity.
+pub(in crate::cli) fn render(members: &[Member], summaries: &[Summary]) -> String {
+    let mut lines = vec![line("", "", members.iter().map(|m| m.set.label.to_owned()).collect())];
+    let mut add = |name: &str, unit: &str, value: &dyn Fn(&Summary) -> String| {
+        lines.push(line(name, unit, summaries.iter().map(value).collect()));
+    };
+    add("simulated", "s", &|s| number::short(s.t_end.0));
+    add("cell changes", "", &|s| s.cell_changes.to_string());
+    add("reflections", "", &|s| s.reflections.to_string());
+    add("energy at start", "J", &|s| number::short(s.energy.at_start.0));
+    add("lost to damping", "J", &|s| number::short(s.energy.dissipated.0));
+    add("unaccounted for", "J", &|s| number::short(s.energy.residual.0));
+    add("  of the start", "", &|s| number::short((s.energy.residual.0 / s.energy.at_start.0).abs()));
+    for coordinate in members.first().map_or(&[][..], |m| m.scene.model.coordinates) {
+        let speed = format!("{}_dot", coordinate.name);
+        let at_end = |name: &str, s: &Summary| s.state.get(name).map_or("-".into(), number::short);
+        add(&format!("{} at end", coordinate.name), coordinate.unit, &|s| at_end(coordinate.name, s));
+        add(&format!("{speed} at end"), &format!("{}/s", coordinate.unit), &|s| at_end(&speed, s));
+    }
+    add("time taken", "", &|s| number::time(s.seconds.0));
+    add("  an event", "", &|s| report::per_event(s).unwrap_or("-".into()));
+    lines.concat()
+}
+
+fn line(name: &str, unit: &str, values: Vec<String>) -> String {
+    let name = if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
+    let values: String = values.iter().map(|value| format!("{value:>18}")).collect();
+    format!("{name:<24}{values}\n")
+}

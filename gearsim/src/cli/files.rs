@@ -1,0 +1,78 @@
+//! The files of a run.
+
+use crate::engine::Outcome;
+use crate::output::summary::{Counts, Energy, Named, Number, Summary};
+use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
+use crate::plot::{self, PlotError, Run};
+use crate::scene::Scene;
+
+use super::provenance;
+
+/// Writes `<name>.parquet`, and `<name>.csv` if `as_csv`.
+pub(super) fn trajectory(
+    folder: &mut OutputFolder,
+    name: &str,
+    as_csv: bool,
+    (scene, overrides): (&Scene, &[String]),
+    outcome: &Outcome,
+) -> Result<(), OutputError> {
+    let table = Table::of_trajectory(&outcome.trajectory)?;
+    let provenance = provenance::pairs(scene, overrides);
+    let pairs = || provenance.iter().map(|(name, value)| (*name, value.as_str()));
+    folder.write(&format!("{name}.parquet"), |sink| parquet::write(&table, pairs(), sink))?;
+    if as_csv {
+        folder.write(&format!("{name}.csv"), |sink| csv::write(&table, sink))?;
+    }
+    Ok(())
+}
+
+/// Writes the plots of `scene` as SVG and PNG. A plot that cannot be drawn costs no run its results: what is wrong
+/// with it is returned.
+pub(super) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
+    let mut warnings = vec![];
+    for name in &scene.output.plots {
+        match draw(name, runs) {
+            Ok((svg, png)) => {
+                folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
+                folder.write_bytes(&format!("{name}.png"), &png)?;
+            }
+            Err(error) => warnings.push(format!("no plot `{name}`: {error}")),
+        }
+    }
+    Ok(warnings)
+}
+
+fn draw(name: &str, runs: &[Run<'_>]) -> Result<(String, Vec<u8>), PlotError> {
+    let figure = (plot::find(name)?.draw)(runs)?;
+    Ok((figure.svg()?, figure.png()?))
+}
+
+/// The summary of a run whose files are `files`.
+pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
+    let (run, counts) = (&outcome.trajectory, &outcome.counts);
+    let none = Number(f64::NAN);
+    let no_energy =
+        Energy { kinetic: none, strain: none, work: none, dissipated: none, residual: none, at_start: none };
+    let parameters = scene.model.parameters.iter().map(|p| p.name).zip(scene.parameters.iter().copied());
+    Summary {
+        scene: scene.name.clone(),
+        model: scene.model.name.into(),
+        effects: scene.effects.names(scene.model).into_iter().map(Into::into).collect(),
+        t_end: Number(run.t.last().copied().unwrap_or(0.0)),
+        state: Named::state(run),
+        cell_changes: counts.cell_changes,
+        reflections: counts.reflections,
+        energy: Energy::at_end(run).unwrap_or(no_energy),
+        counts: Counts {
+            function_evaluations: counts.cost.evaluations,
+            root_steps: counts.cost.steps,
+            grazes: counts.cost.grazes,
+        },
+        seconds: Number(outcome.seconds),
+        completed: outcome.stopped_by.is_none(),
+        stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),
+        parameters: parameters.collect(),
+        files,
+        provenance: provenance::of(scene, overrides),
+    }
+}

@@ -1,0 +1,70 @@
+//! `gearsim models`: what can be simulated.
+
+pub(super) mod detail;
+
+use clap::Parser;
+
+use super::Verb;
+use super::failure::Failure;
+use super::terminal;
+use crate::generated::MODELS;
+use crate::model::Model;
+use crate::scene::{did_you_mean, list};
+
+/// List the models, or tell everything about one
+#[derive(Parser)]
+#[command(
+    name = "models",
+    after_help = "\
+Examples:
+  gearsim models
+  gearsim models gear_pair
+  gearsim models gear_pair --latex"
+)]
+pub(super) struct Models {
+    /// The model to tell about
+    name: Option<String>,
+    /// Print its equations in LaTeX, and nothing else
+    #[arg(long, requires = "name")]
+    latex: bool,
+}
+
+impl Verb for Models {
+    fn run(self) -> Result<(), Failure> {
+        match &self.name {
+            None => terminal::say(&all()),
+            Some(name) => {
+                let model = find(name)?;
+                terminal::say(&if self.latex {
+                    format!("{}\n", model.latex.trim_end())
+                } else {
+                    detail::of(model, terminal::width())
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The model called `name`.
+pub(super) fn find(name: &str) -> Result<&'static Model, Failure> {
+    let names: Vec<_> = MODELS.iter().map(|entry| entry.model.name).collect();
+    let unknown = || {
+        let meant = did_you_mean(name, names.iter().copied()).map(|meant| format!("did you mean `{meant}`? "));
+        let help = format!("{}there is {}", meant.unwrap_or_default(), list(&names));
+        Failure::Impossible { what: format!("there is no model `{name}`"), help }
+    };
+    MODELS.iter().map(|entry| entry.model).find(|model| model.name == name).ok_or_else(unknown)
+}
+
+/// The models, in short.
+pub(super) fn all() -> String {
+    let mut text = String::new();
+    for model in MODELS.iter().map(|entry| entry.model) {
+        let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
+        text += &format!("{}  {}\n", model.name, model.title);
+        text += &format!("  coordinates  {}\n", names(model.coordinates.iter().map(|c| c.name).collect()));
+        text += &format!("  effects      {}\n\n", names(model.effects.iter().map(|e| e.name).collect()));
+    }
+    text + "`gearsim models NAME` tells what a scene of a model can set, and its equations.\n"
+}

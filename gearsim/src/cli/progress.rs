@@ -1,0 +1,61 @@
+//! A progress bar for runs that take long, which costs short ones next to nothing.
+
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Events between two looks at the clock, a power of two: some 0.1 ms.
+const EVENTS: u32 = 1 << 12;
+/// How long a run may take without a bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Steps of a full bar.
+const FULL: u64 = 1000;
+
+/// How far a run is.
+pub(super) struct Progress {
+    t_end: f64,
+    events: u32,
+    shown: bool,
+    begin: Instant,
+    bar: Option<ProgressBar>,
+}
+
+impl Progress {
+    /// Of a run that ends at `t_end` [s]; without a bar if `quiet`, or nobody is looking.
+    pub(super) fn new(t_end: f64, quiet: bool) -> Progress {
+        let shown = !quiet && std::io::stderr().is_terminal();
+        Progress { t_end, events: 0, shown, begin: Instant::now(), bar: None }
+    }
+
+    /// The run has come to `t` [s].
+    #[inline]
+    pub(super) fn at(&mut self, t: f64) {
+        self.events = self.events.wrapping_add(1);
+        if self.shown && self.events.is_multiple_of(EVENTS) {
+            self.show(t);
+        }
+    }
+
+    #[cold]
+    fn show(&mut self, t: f64) {
+        if self.begin.elapsed() < PATIENCE {
+            return;
+        }
+        let bar = self.bar.get_or_insert_with(|| {
+            let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {msg}, {eta} left");
+            let bar = ProgressBar::new(FULL).with_elapsed(self.begin.elapsed());
+            bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        });
+        bar.set_message(format!("t = {t:.3} s of {} s", self.t_end));
+        bar.set_position((t / self.t_end * FULL as f64) as u64);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

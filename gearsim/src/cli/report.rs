@@ -1,0 +1,94 @@
+//! What a run came to, as text for the terminal.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use super::{number, terminal};
+use crate::output::summary::Summary;
+use crate::scene::Scene;
+
+/// Columns before what a line says.
+const INDENT: usize = 18;
+
+/// What was simulated.
+pub(super) fn scene(scene: &Scene, width: usize) -> String {
+    let effects = match &scene.effects.names(scene.model)[..] {
+        [] => "none".to_owned(),
+        names => names.join(", "),
+    };
+    let mut text = line("scene", &scene.name, width);
+    if !scene.about.is_empty() {
+        text += &line("about", &scene.about, width);
+    }
+    text += &line("model", &format!("{}, {}", scene.model.name, scene.model.title), width);
+    text + &line("effects", &effects, width)
+}
+
+/// What came of it, with `rows` recorded.
+pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -> String {
+    let energy = &summary.energy;
+    let reached = match summary.completed {
+        true => format!("{} s", number::short(summary.t_end.0)),
+        false => format!("{} s of {} s: stopped early", number::short(summary.t_end.0), number::short(scene.t_end)),
+    };
+    let lost = format!("{} J of {} J at the start", number::short(energy.dissipated.0), at_start(summary));
+    let lines = [
+        ("simulated", reached),
+        ("end state", state(scene, summary)),
+        ("cell changes", summary.cell_changes.to_string()),
+        ("reflections", summary.reflections.to_string()),
+        ("lost to damping", lost),
+        ("unaccounted for", unaccounted(summary)),
+        ("time taken", time(summary, rows)),
+    ];
+    lines.iter().map(|(name, says)| line(name, says, width)).collect()
+}
+
+/// The files written.
+pub(super) fn files(folder: &Path, files: &[String], width: usize) -> String {
+    line("written to", &format!("{}: {}", folder.display(), files.join(", ")), width)
+}
+
+/// The coordinates and speeds at the end, with units.
+fn state(scene: &Scene, summary: &Summary) -> String {
+    let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
+    let entries = summary.state.0.iter().zip(units);
+    let entries = entries.map(|((name, x), unit)| format!("{name} = {} {unit}", number::short(x.0)));
+    entries.collect::<Vec<_>>().join(", ")
+}
+
+/// Energy out of nowhere [J], and as a part of the energy at the start.
+fn unaccounted(summary: &Summary) -> String {
+    let (residual, start) = (summary.energy.residual.0, summary.energy.at_start.0);
+    let mut text = format!("{} J", number::short(residual));
+    if start != 0.0 {
+        let _ = write!(text, ", {} of the energy at the start", number::short((residual / start).abs()));
+    }
+    text
+}
+
+/// What the run cost.
+fn time(summary: &Summary, rows: usize) -> String {
+    let each = per_event(summary).map_or(String::new(), |each| format!(", {each} an event"));
+    format!("{}{each} (with the recording of {rows} rows)", number::time(summary.seconds.0))
+}
+
+/// What an event cost, if there was one.
+pub(super) fn per_event(summary: &Summary) -> Option<String> {
+    let events = summary.cell_changes + summary.reflections;
+    (events > 0).then(|| number::time(summary.seconds.0 / events as f64))
+}
+
+fn at_start(summary: &Summary) -> String {
+    number::short(summary.energy.at_start.0)
+}
+
+/// A name and what it says, broken at blanks.
+fn line(name: &str, says: &str, width: usize) -> String {
+    let broken = terminal::wrap(says, width.saturating_sub(INDENT).max(1));
+    let mut text = String::new();
+    for (i, part) in broken.lines().enumerate() {
+        let _ = writeln!(text, "{:INDENT$}{part}", if i == 0 { name } else { "" });
+    }
+    text
+}

@@ -1,0 +1,76 @@
+//! `gearsim run`: one scene, its account and its plots.
+
+use clap::Parser;
+
+use super::failure::Failure;
+use super::simulate::{Source, simulate};
+use super::{Verb, files, report, terminal};
+use crate::engine::Outcome;
+use crate::output::OutputFolder;
+use crate::plot;
+use crate::scene::Scene;
+
+/// Run a scene: write its trajectory, its summary and its plots
+#[derive(Parser)]
+#[command(
+    name = "run",
+    after_help = "\
+Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), and every plot as SVG and PNG.
+
+Examples:
+  gearsim run models/scenes/oh2005/energy_300rpm.toml
+  gearsim run models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"600 rpm\" --out out/600rpm
+  gearsim run models/scenes/oh2005/energy_300rpm.toml --set parameters.zeta=0 --set run.t_end=\"1 s\" --csv
+  gearsim run models/scenes/oh2005/energy_300rpm.toml --set 'effects=[\"stiffness_step\"]' --quiet"
+)]
+pub(super) struct Run {
+    #[command(flatten)]
+    source: Source,
+    /// Write the trajectory as CSV too
+    #[arg(long)]
+    csv: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+impl Verb for Run {
+    fn run(self) -> Result<(), Failure> {
+        let scene = self.source.load()?;
+        let path = self.source.folder(&scene, "")?;
+        let outcome = simulate(&scene, self.quiet)?;
+        let mut folder = OutputFolder::create(path)?;
+        let text = self.write(&mut folder, &scene, &outcome)?;
+        if !self.quiet {
+            terminal::say(&text);
+        }
+        match outcome.stopped_by {
+            None => Ok(()),
+            Some(stop) => {
+                let (run, folder) = (format!("scene {}", scene.name), folder.path().to_owned());
+                Err(Failure::Stopped { run, stop: Box::new(stop), folder })
+            }
+        }
+    }
+}
+
+impl Run {
+    /// Writes the files, and tells what the run came to.
+    fn write(&self, folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome) -> Result<String, Failure> {
+        let (overrides, csv) = (&self.source.overrides, self.csv || scene.output.csv);
+        files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
+        let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
+        let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name };
+        for warning in files::plots(folder, scene, &[run])? {
+            terminal::complain(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
+        }
+        let summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
+        folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
+        let width = terminal::width();
+        Ok(report::scene(scene, width)
+            + "\n"
+            + &report::run(scene, &summary, trajectory.len(), width)
+            + "\n"
+            + &report::files(folder.path(), folder.files(), width))
+    }
+}

@@ -1,0 +1,23 @@
+//! Tests of the command line, without a built program.
+
+mod runs;
+mod texts;
+
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+
+use super::Verb;
+use super::failure::Failure;
+
+/// The scene that the tests run.
+fn scene() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml")
+}
+
+/// Runs command `V` on the scene into `out`, with further arguments.
+fn go<V: Verb + Parser>(out: &Path, arguments: &[&str]) -> Result<(), Failure> {
+    let (scene, out) = (scene().display().to_string(), out.display().to_string());
+    let all = ["gearsim", &scene, "--out", &out].into_iter().chain(arguments.iter().copied());
+    V::try_parse_from(all).map_err(Failure::Usage).and_then(V::run)
+}

@@ -1,0 +1,89 @@
+//! What the commands write, and when they refuse to.
+
+use std::path::Path;
+
+use super::go;
+use crate::cli::compare::Compare;
+use crate::cli::failure::Failure;
+use crate::cli::run::Run;
+use crate::engine::Stop;
+use crate::output::{Summary, parquet};
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_run_writes_its_files_and_says_where_they_come_from() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("a/b");
+    go::<Run>(&out, &["--csv", "-q", "--set", "output.plots=[\"energy\"]"]).unwrap();
+    assert_eq!(names(&out), ["energy.png", "energy.svg", "summary.json", "trajectory.csv", "trajectory.parquet"]);
+
+    let text = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let summary: Summary = serde_json::from_str(&text).unwrap();
+    assert!(summary.completed && summary.cell_changes > 0);
+    assert_eq!(summary.provenance.overrides, ["output.plots=[\"energy\"]"]);
+    assert_eq!(summary.files.len(), 4);
+    let (table, pairs) = parquet::read(&out.join("trajectory.parquet")).unwrap();
+    assert!(table.rows() > 2000);
+    let hash = pairs.iter().find(|(name, _)| name == "scene_sha256").map(|(_, value)| value);
+    assert_eq!(hash, Some(&summary.provenance.scene_sha256));
+}
+
+#[test]
+fn a_plot_that_cannot_be_drawn_costs_no_run_its_results() {
+    let root = tempfile::tempdir().unwrap();
+    go::<Run>(root.path(), &["-q", "--set", "output.rate=20 Hz"]).unwrap();
+    assert!(names(root.path()).contains(&"energy.png".into()));
+    assert!(!names(root.path()).contains(&"spectrum.png".into()));
+}
+
+#[test]
+fn what_is_refused_writes_nothing() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    for wrong in ["parameters.T1=3", "parameters.I1=1e-300", "effects=[\"frozen_phase\"]", "t_end"] {
+        let failure = go::<Run>(&out, &["-q", "--set", wrong]).unwrap_err();
+        assert_eq!(failure.code(), 2, "{wrong}: {failure}");
+        let failure = go::<Compare>(&out, &["--set", wrong]).unwrap_err();
+        assert_eq!(failure.code(), 2, "{wrong}: {failure}");
+    }
+    assert_eq!(go::<Run>(&out, &["--nonsense"]).unwrap_err().code(), 2);
+    assert!(names(root.path()).is_empty());
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_found_before_the_run() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    for out in [file.path().to_owned(), file.path().join("below")] {
+        let failure = go::<Run>(&out, &["-q"]).unwrap_err();
+        assert_eq!(failure.code(), 1);
+        assert!(failure.to_string().contains("--out"), "{failure}");
+    }
+}
+
+#[test]
+fn a_comparison_writes_three_runs_and_their_plots() {
+    let root = tempfile::tempdir().unwrap();
+    go::<Compare>(root.path(), &["--set", "output.plots=[\"energy\"]"]).unwrap();
+    let expected = "compare.json energy.png energy.svg trajectory_classical.parquet trajectory_exact.parquet \
+                    trajectory_rigid_kinematic.parquet";
+    assert_eq!(names(root.path()).join(" "), expected);
+    let json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(root.path().join("compare.json")).unwrap()).unwrap();
+    let residual = |i: usize| json["runs"][i]["summary"]["energy"]["residual"].as_f64().unwrap();
+    assert!(residual(0).abs() < 1e-12 && residual(1) > 0.1 && residual(2) > 0.1);
+}
+
+#[test]
+fn a_run_that_stopped_has_an_exit_code_of_its_own() {
+    let stop = Box::new(Stop::Search { t: 0.1, steps: 7, state: "q = [0]".into(), cell: 1 });
+    let failure = Failure::Stopped { run: "scene x".into(), stop, folder: "out/x".into() };
+    assert_eq!(failure.code(), 3);
+    let text = failure.to_string();
+    assert!(text.contains("scene x stopped early: at t = 0.1 s") && text.contains("out/x"), "{text}");
+}

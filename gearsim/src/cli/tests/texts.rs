@@ -1,0 +1,87 @@
+//! What the program says.
+
+use insta::assert_snapshot;
+
+use super::scene;
+use crate::cli::{compare, files, models, program, report, simulate, terminal};
+use crate::generated::MODELS;
+use crate::output::summary::Number;
+use crate::scene::Scene;
+
+/// Columns of the texts.
+const WIDTH: usize = 100;
+
+fn help(command: &str) -> String {
+    let mut program = program();
+    program.build();
+    let command = program.find_subcommand_mut(command).unwrap();
+    command.render_long_help().to_string()
+}
+
+fn load() -> Scene {
+    Scene::load(&scene(), &[], &MODELS.iter().map(|entry| entry.model).collect::<Vec<_>>()).unwrap()
+}
+
+#[test]
+fn help_is_for_newcomers() {
+    assert_snapshot!("help", program().render_long_help());
+    for command in ["run", "compare", "models"] {
+        assert_snapshot!(format!("help_{command}"), help(command));
+    }
+}
+
+#[test]
+fn models_are_listed_and_told_about() {
+    assert_snapshot!("models", models::all());
+    assert_snapshot!("models_gear_pair", models::detail::of(models::find("gear_pair").unwrap(), WIDTH));
+}
+
+#[test]
+fn a_misspelt_model_is_recognised() {
+    let failure = models::find("gear-pair").unwrap_err();
+    assert_eq!(failure.code(), 2);
+    assert!(failure.to_string().contains("did you mean `gear_pair`?"), "{failure}");
+}
+
+#[test]
+fn a_run_ends_with_its_account() {
+    let scene = load();
+    let outcome = simulate::simulate(&scene, true).unwrap();
+    let mut summary = files::summary(&scene, &[], &outcome, vec![]);
+    let residual = summary.energy.residual.0.abs();
+    assert!(residual < 1e-12, "{residual} J");
+    // Times differ from run to run, and the last digits from machine to machine.
+    (summary.seconds, summary.energy.residual) = (Number(23e-6), Number(1e-15));
+    for entry in &mut summary.state.0 {
+        entry.1 = Number((entry.1.0 * 1e6).round() / 1e6);
+    }
+    let text = report::scene(&scene, WIDTH) + &report::run(&scene, &summary, outcome.trajectory.len(), WIDTH);
+    assert_snapshot!("summary", text);
+
+    summary.completed = false;
+    summary.t_end = Number(0.05);
+    assert!(report::run(&scene, &summary, 1, WIDTH).contains("0.05 s of 0.1 s: stopped early"));
+}
+
+#[test]
+fn comparison_needs_the_effects_it_varies() {
+    let scene = load();
+    let sets = compare::equations::all(&scene).unwrap();
+    let names: Vec<_> = sets.iter().map(|(_, scene)| scene.effects.names(scene.model).join(" ")).collect();
+    assert_eq!(names[0], "stiffness_step damping torques");
+    assert_eq!(names[1], "stiffness_step rigid_kinematics damping torques");
+    assert_eq!(names[2], "stiffness_step frozen_phase damping torques");
+
+    let bare = Scene { effects: crate::scene::Effects(0), ..scene };
+    let failure = compare::equations::all(&bare).err().unwrap();
+    assert!(failure.to_string().contains("lacks the effect `stiffness_step`"), "{failure}");
+
+    // A model without the effects that drop terms.
+    let failure = compare::equations::all(&Scene { model: &crate::output::fixture::MODEL, ..bare }).err().unwrap();
+    assert!(failure.to_string().contains("has no effect `rigid_kinematics`"), "{failure}");
+}
+
+#[test]
+fn long_lines_are_broken_where_they_may() {
+    assert_eq!(terminal::wrap("  help: a bc def\nx", 10), "  help: a\n  bc def\nx\n");
+}
