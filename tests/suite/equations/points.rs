@@ -1,0 +1,101 @@
+//! Random points: parameters and states of a gear pair, log-uniform over many decades, the same in every run.
+
+use gearsim::engine::equations::{Derived, Equations};
+use gearsim::generated::gear_pair::GearPair as Generated;
+use gearsim_tests::oh2005::{GearPair, PITCH};
+
+pub const POINTS: usize = 10_000;
+
+pub const STIFFNESS_STEP: u32 = 1;
+pub const RIGID_KINEMATICS: u32 = 2;
+pub const FROZEN_PHASE: u32 = 4;
+pub const DAMPING: u32 = 8;
+pub const TORQUES: u32 = 16;
+
+/// A gear pair and a state of it; `pair` has damping and torque, whatever the effects.
+#[derive(Debug, Clone, Copy)]
+pub struct Point {
+    pair: GearPair,
+    pub theta: f64,
+    pub theta_dot: f64,
+    pub phi: f64,
+    pub phi_dot: f64,
+    /// Present stiffness [N m], one of the two levels.
+    pub k: f64,
+    /// Slope of the stiffness [N m/rad], or its step [N m].
+    pub dk: f64,
+}
+
+impl Point {
+    pub fn q(&self) -> [f64; 2] {
+        [self.theta, self.phi]
+    }
+
+    pub fn q_dot(&self) -> [f64; 2] {
+        [self.theta_dot, self.phi_dot]
+    }
+
+    /// The gear pair by hand, without what the effects leave out.
+    pub fn pair(&self, effects: u32) -> GearPair {
+        let keep = |effect, x| if effects & effect == 0 { 0.0 } else { x };
+        GearPair { zeta: keep(DAMPING, self.pair.zeta), t0: keep(TORQUES, self.pair.t0), ..self.pair }
+    }
+
+    /// The generated equations with the same numbers.
+    pub fn equations(&self, effects: u32) -> Box<dyn Equations<2>> {
+        let p = &self.pair;
+        Generated::equations(effects, &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0], &[p.k0()])
+            .expect("these effects go together")
+    }
+}
+
+/// splitmix64: well-mixed, and the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In [0, 1).
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Log-uniform between two powers of ten.
+    fn positive(&mut self, low: f64, high: f64) -> f64 {
+        10f64.powf(low + (high - low) * self.unit())
+    }
+
+    fn either_sign(&mut self, low: f64, high: f64) -> f64 {
+        let size = self.positive(low, high);
+        if self.bits() & 1 == 0 { size } else { -size }
+    }
+}
+
+/// The first `n` points.
+pub fn points(n: usize) -> impl Iterator<Item = Point> {
+    let mut r = Random(2005);
+    (0..n).map(move |_| {
+        let teeth = |r: &mut Random| r.positive(0.5, 3.0).round();
+        let (n1, n2) = (teeth(&mut r), teeth(&mut r));
+        let (i1, i2) = (r.positive(-8.0, 4.0), r.positive(-8.0, 4.0));
+        let (k1, k2) = (r.positive(-2.0, 8.0), r.positive(-2.0, 8.0));
+        let (zeta, t0) = (r.positive(-6.0, 1.0), r.either_sign(-6.0, 6.0));
+        let width1 = PITCH * (0.1 + 0.8 * r.unit());
+        let pair = GearPair { i1, i2, n1, n2, k1, k2, width1, zeta, t0 };
+        let (k, dk) = if r.bits() & 1 == 0 { (k1, k2 - k1) } else { (k2, k1 - k2) };
+        Point {
+            pair,
+            theta: r.either_sign(-6.0, 6.0),
+            theta_dot: r.either_sign(-4.0, 6.0),
+            phi: r.either_sign(-9.0, 1.0),
+            phi_dot: r.either_sign(-6.0, 5.0),
+            k,
+            dk,
+        }
+    })
+}
