@@ -134,14 +134,7 @@ impl<const N: usize> Search<'_, N> {
     /// Once the root of the local Taylor polynomial is near, the motion is carried there by its series: one evaluation of the
     /// motion in full is mostly enough, two nearly always.
     #[inline]
-    fn newton(
-        &self,
-        side: Side,
-        gap: f64,
-        bracket: (f64, f64),
-        point: &mut Point<N>,
-        cost: &mut Cost,
-    ) -> Option<Side> {
+    fn newton(&self, side: Side, gap: f64, bracket: (f64, f64), point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
         let sign = if side == Side::Upper { 1.0 } else { -1.0 };
         let (mut low, mut high) = bracket;
         for _ in 0..MOST_NEWTON {

@@ -22,8 +22,8 @@ pub struct Mode {
     pub rate: f64,
     /// Bound on S1 at any time [s]; infinite for a rigid mode.
     gain: f64,
-    /// Coefficients of dt², dt³, dt⁴, dt⁵ in S1(dt).
-    series: [f64; 4],
+    /// Coefficients of dt², ..., dt⁶ in S1(dt).
+    series: [f64; 5],
     /// How it moves.
     kind: Kind,
 }
@@ -56,8 +56,8 @@ pub struct Response {
 
 /// Below this product of fastest rate and time the series is used.
 const SHORT: f64 = 0.5;
-/// Up to this product of rate and time five terms of the series suffice: the sixth is below 1e-16 of the first.
-pub const NEAR: f64 = 2e-3;
+/// Up to this product of rate and time six terms of the series suffice: the seventh is below 1e-16 of the first.
+pub const NEAR: f64 = 8e-3;
 /// Relative distance from critical damping within which the root of omega² - sigma² is expanded instead.
 const NEAR_CRITICAL: f64 = 1e-10;
 
@@ -90,7 +90,8 @@ impl Mode {
         let (c2, c3) = (-a, a * a - b);
         let c4 = -a * c3 - b * c2;
         let c5 = -a * c4 - b * c3;
-        let series = [c2 / 2.0, c3 / 6.0, c4 / 24.0, c5 / 120.0];
+        let c6 = -a * c5 - b * c4;
+        let series = [c2 / 2.0, c3 / 6.0, c4 / 24.0, c5 / 120.0, c6 / 720.0];
         Mode { sigma, omega2, rate: omega + 2.0 * sigma, gain, series, kind }
     }
 
@@ -185,9 +186,13 @@ impl Mode {
             return self.response(at.s1 + dt);
         }
         let (a, b) = (2.0 * self.sigma, self.omega2);
-        let [c2, c3, c4, c5] = self.series;
-        let s1 = dt * (1.0 + dt * (c2 + dt * (c3 + dt * (c4 + dt * c5))));
-        let s2 = dt * dt * (0.5 + dt * (c2 * (1.0 / 3.0) + dt * (c3 * 0.25 + dt * (c4 * 0.2 + dt * c5 * (1.0 / 6.0)))));
+        let [c2, c3, c4, c5, c6] = self.series;
+        let s1 = dt * (1.0 + dt * (c2 + dt * (c3 + dt * (c4 + dt * (c5 + dt * c6)))));
+        let s2 = dt
+            * dt
+            * (0.5
+                + dt * (c2 * (1.0 / 3.0)
+                    + dt * (c3 * 0.25 + dt * (c4 * 0.2 + dt * (c5 * (1.0 / 6.0) + dt * c6 * (1.0 / 7.0))))));
         let x = -self.sigma * dt;
         let decay = x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));
         // As a motion of unit speed, S1 has speed 1 - 2 sigma S1 - omega² S2 and force -omega² S1; as one of unit

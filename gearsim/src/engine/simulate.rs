@@ -207,13 +207,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
 
     /// The first boundary that the phase meets.
     #[inline]
-    fn meet(
-        &self,
-        flight: &Flight<'_, N>,
-        horizon: f64,
-        point: &mut Point<N>,
-        cost: &mut Cost,
-    ) -> Result<End, Stop> {
+    fn meet(&self, flight: &Flight<'_, N>, horizon: f64, point: &mut Point<N>, cost: &mut Cost) -> Result<End, Stop> {
         let (lower, upper) = self.bounds();
         let s = self.state.q[self.phase];
         let participation = &self.participation[self.cell];
