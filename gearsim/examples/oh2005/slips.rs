@@ -122,7 +122,7 @@ pub fn slips(known: &Known<'_>) -> Part {
             "a peak near 3.2 wd, 400 times the classical amplitude",
             "not found",
             format!(
-                "at 3.2 wd jumps that the gear can still climb raise the amplitude of the tail by a factor of {} at most, by the \
+                "at 3.2 wd the tail that climbable jumps give has at most {} times the amplitude of the classical one, by the \
                  estimate below; the scan below has no peak",
                 number(tail, 3)
             ),
