@@ -4,8 +4,9 @@
 use std::collections::BTreeMap;
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
+use symbolica::coefficient::CoefficientView;
 
-use crate::expr::{Kind, symbol, symbols};
+use crate::expr::{Kind, is_word, symbol, symbols};
 use crate::markers::{all_present, terms};
 use crate::model::{CONDITIONS, Model, Range, mid_name};
 use crate::print::{Style, print};
@@ -13,9 +14,62 @@ use crate::slip::Slip;
 use crate::tree::Tree;
 
 const SMOOTH: [&str; 4] = ["sin", "cos", "exp", "log"];
-const RUST: [&str; 22] = [
-    "as", "break", "const", "do", "else", "enum", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod",
-    "move", "ref", "self", "static", "type", "use", "where",
+/// Words that generated code cannot have as names: keywords of Rust, and two names of that code itself.
+const RUST: [&str; 54] = [
+    "Self",
+    "abstract",
+    "as",
+    "async",
+    "await",
+    "become",
+    "box",
+    "break",
+    "const",
+    "continue",
+    "crate",
+    "do",
+    "dyn",
+    "else",
+    "enum",
+    "extern",
+    "false",
+    "final",
+    "fn",
+    "for",
+    "gen",
+    "if",
+    "impl",
+    "in",
+    "let",
+    "loop",
+    "macro",
+    "match",
+    "mids",
+    "mod",
+    "move",
+    "mut",
+    "override",
+    "parameters",
+    "priv",
+    "pub",
+    "ref",
+    "return",
+    "self",
+    "static",
+    "struct",
+    "super",
+    "trait",
+    "true",
+    "try",
+    "type",
+    "typeof",
+    "unsafe",
+    "unsized",
+    "use",
+    "virtual",
+    "where",
+    "while",
+    "yield",
 ];
 
 /// Checks a whole model; the first slip found ends it.
@@ -27,14 +81,21 @@ pub(crate) fn check(model: &Model) -> Result<(), Slip> {
     let place = |e: &Atom, place: &str, allowed: &[Kind], why: &'static str| -> Result<(), Slip> {
         functions(model, e.as_view(), place)?;
         for (kind, name) in symbols(e) {
-            let known = match kind {
-                Kind::Marker | Kind::Mobility => true,
-                _ => declared.contains_key(&name) && kind != Kind::Free,
-            };
-            if !known {
-                let declared: Vec<&str> = declared.keys().map(String::as_str).collect();
-                let (model, place) = (model.name.clone(), place.to_string());
-                return Err(Slip::Undeclared { model, symbol: name, place, declared: declared.join(", ") });
+            let derived = matches!(kind, Kind::Marker | Kind::Mobility);
+            match declared.get(&name) {
+                _ if derived => {}
+                Some(what) if *what == what_it_is(kind) => {}
+                Some(_) if kind != Kind::Free => {
+                    let why = "here the name stands for something else; was it declared in another model?";
+                    return Err(Slip::Misplaced { model: model.name.clone(), symbol: name, place: place.into(), why });
+                }
+                _ => {
+                    let usable = |what: &str| USABLE.iter().any(|kind| what_it_is(*kind) == what);
+                    let declared = declared.iter().filter(|(_, what)| usable(what)).map(|(name, _)| name.as_str());
+                    let declared = declared.collect::<Vec<_>>().join(", ");
+                    let (model, place) = (model.name.clone(), place.to_string());
+                    return Err(Slip::Undeclared { model, symbol: name, place, declared });
+                }
             }
             if kind != Kind::Marker && !allowed.contains(&kind) {
                 return Err(Slip::Misplaced { model: model.name.clone(), symbol: name, place: place.into(), why });
@@ -99,25 +160,54 @@ pub(crate) fn check(model: &Model) -> Result<(), Slip> {
         )?;
     }
     for law in &model.laws {
+        if !(law.period.is_finite() && law.period > 0.0) {
+            return Err(Slip::Pitch { model: model.name.clone(), law: law.name.clone(), pitch: law.period });
+        }
         let phase = law.phase.atom();
         let coordinate = matches!(symbols(&phase).as_slice(), [(Kind::Coordinate, name)] if phase == Atom::var(symbol(Kind::Coordinate, name)));
         if !coordinate {
             return Err(Slip::Phase { model: model.name.clone(), law: law.name.clone(), phase: phase.to_string() });
         }
     }
+    for p in &model.parameters {
+        let admissible = |x: f64| match p.range {
+            Range::Any => true,
+            Range::Positive => x > 0.0,
+            Range::NotNegative => x >= 0.0,
+        };
+        if let Some(default) = p.default.filter(|x| !(x.is_finite() && admissible(*x))) {
+            return Err(Slip::Default { model: model.name.clone(), parameter: p.name.clone(), default });
+        }
+    }
     quadratic(model)?;
     dissipative(model)
+}
+
+/// What energies are written in.
+const USABLE: [Kind; 6] = [Kind::Constant, Kind::Parameter, Kind::Mid, Kind::Law, Kind::Coordinate, Kind::Speed];
+
+/// What a symbol of a kind is declared as.
+fn what_it_is(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Coordinate => "a coordinate",
+        Kind::Speed => "a speed",
+        Kind::Parameter => "a parameter",
+        Kind::Constant => "a constant",
+        Kind::Law => "a law",
+        Kind::Mid => "the mid value of a law",
+        Kind::Slope => "the slope of a law",
+        Kind::Curvature => "the curvature of a law",
+        Kind::Marker | Kind::Mobility | Kind::Free => "nothing that is declared",
+    }
 }
 
 /// Every declared name, once, with what it is.
 fn names(model: &Model) -> Result<BTreeMap<String, &'static str>, Slip> {
     let mut all = BTreeMap::new();
     let mut declare = |name: &str, what: &'static str, derived: bool| -> Result<(), Slip> {
-        let word = name.starts_with(|c: char| c.is_ascii_alphabetic())
-            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-            && !RUST.contains(&name)
-            && (derived || !(name.ends_with("_dot") || name.ends_with("_mid")));
-        if !word {
+        let allowed =
+            is_word(name) && !RUST.contains(&name) && (derived || !(name.ends_with("_dot") || name.ends_with("_mid")));
+        if !allowed {
             return Err(Slip::Name { model: model.name.clone(), name: name.into() });
         }
         match all.insert(name.to_string(), what) {
@@ -125,16 +215,20 @@ fn names(model: &Model) -> Result<BTreeMap<String, &'static str>, Slip> {
             Some(first) => Err(Slip::Twice { model: model.name.clone(), name: name.into(), first, second: what }),
         }
     };
-    model.coordinates.iter().try_for_each(|c| declare(&c.name, "a coordinate", false))?;
-    model.speeds().iter().try_for_each(|s| declare(s, "a speed", true))?;
-    model.parameters.iter().try_for_each(|p| declare(&p.name, "a parameter", false))?;
-    model.constants.iter().try_for_each(|(name, _)| declare(name, "a constant", false))?;
+    use Kind::*;
+    let known = what_it_is;
+    declare(&model.name, "the model", false)?;
+    model.coordinates.iter().try_for_each(|c| declare(&c.name, known(Coordinate), false))?;
+    model.speeds().iter().try_for_each(|s| declare(s, known(Speed), true))?;
+    model.parameters.iter().try_for_each(|p| declare(&p.name, known(Parameter), false))?;
+    model.constants.iter().try_for_each(|(name, _)| declare(name, known(Constant), false))?;
     for law in &model.laws {
-        declare(&law.name, "a law", false)?;
-        declare(&mid_name(&law.name), "the mid value of a law", true)?;
-        declare(&format!("d{}", law.name), "the slope of a law", true)?;
-        declare(&format!("dd{}", law.name), "the curvature of a law", true)?;
+        declare(&law.name, known(Law), false)?;
+        declare(&mid_name(&law.name), known(Mid), true)?;
+        declare(&format!("d{}", law.name), known(Slope), true)?;
+        declare(&format!("dd{}", law.name), known(Curvature), true)?;
     }
+    model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;
     model.torques.iter().try_for_each(|t| declare(&t.name, "a torque", false))?;
@@ -143,7 +237,8 @@ fn names(model: &Model) -> Result<BTreeMap<String, &'static str>, Slip> {
 
 fn functions(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {
     match e {
-        AtomView::Num(_) | AtomView::Var(_) => Ok(()),
+        AtomView::Num(_) => numbers(model, e, place),
+        AtomView::Var(_) => Ok(()),
         AtomView::Fun(f) => {
             let symbol = f.get_symbol();
             let name = symbol.get_stripped_name();
@@ -160,6 +255,28 @@ fn functions(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {
         }
         AtomView::Mul(m) => m.iter().try_for_each(|a| functions(model, a, place)),
         AtomView::Add(a) => a.iter().try_for_each(|a| functions(model, a, place)),
+    }
+}
+
+/// Integers up to here have an f64 of their own.
+const EXACT: u64 = 1 << 53;
+
+/// Every number must be rational, finite, and exact in code: a division by zero, say, has left something else.
+pub(crate) fn numbers(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {
+    match e {
+        AtomView::Num(n) => match n.get_coeff_view() {
+            CoefficientView::Natural(n, d, 0, _) if n.unsigned_abs() <= EXACT && d.unsigned_abs() <= EXACT => Ok(()),
+            _ => Err(Slip::Number { model: model.name.clone(), number: e.to_canonical_string(), place: place.into() }),
+        },
+        AtomView::Var(_) => Ok(()),
+        AtomView::Fun(f) => f.iter().try_for_each(|a| numbers(model, a, place)),
+        AtomView::Pow(p) => {
+            let (base, exponent) = p.get_base_exp();
+            numbers(model, base, place)?;
+            numbers(model, exponent, place)
+        }
+        AtomView::Mul(m) => m.iter().try_for_each(|a| numbers(model, a, place)),
+        AtomView::Add(a) => a.iter().try_for_each(|a| numbers(model, a, place)),
     }
 }
 

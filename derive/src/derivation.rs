@@ -3,11 +3,11 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::cell::{self, Cell};
+use crate::expr::{Expr, Kind};
 use crate::jump::{self, Jump};
 use crate::lagrange::{self, Motion, Symbols};
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::slip::Slip;
-use crate::expr::{Expr, Kind};
 use crate::{check, expr, file, markers, proof};
 
 /// Everything derived from a model's energies.
@@ -33,6 +33,10 @@ pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
     let proofs = proof::prove(model, &s, &motion, &jumps)?;
     let cell = cell::derive(&motion, &s);
     let jacobian = jacobian(model, &s, &motion);
+    let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
+    for equation in derived.chain(jumps.iter().map(|j| &j.step)).chain(motion.constants.iter().map(|c| &c.1)) {
+        check::numbers(model, equation.as_view(), "the derived equations")?;
+    }
     Ok(Derivation { model, motion, jacobian, cell, jumps, proofs })
 }
 
@@ -40,6 +44,11 @@ impl Derivation<'_> {
     /// The text of the generated file.
     pub fn file(&self) -> String {
         file::write(self)
+    }
+
+    /// The derived equations as people read them, a line each.
+    pub fn text(&self) -> String {
+        crate::text::write(self).plain().map(|line| format!("{line}\n")).collect()
     }
 
     /// What was proved, a line each.

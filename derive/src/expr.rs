@@ -57,18 +57,37 @@ const KINDS: [(Kind, &str); 11] = [
     (Kind::Free, "free"),
 ];
 
-/// The symbol `name` of a kind.
+/// Namespace of names that are none: they must not reach Symbolica as they are, but the check must be able to quote them.
+const ODD: &str = "odd";
+
+/// The symbol `name` of a kind; of kind [`Kind::Free`], hence refused, where `name` is not a word.
 pub(crate) fn symbol(kind: Kind, name: &str) -> Symbol {
     let namespace = KINDS.iter().find(|k| k.0 == kind).map_or("free", |k| k.1);
-    symbolica::try_symbol!(format!("{namespace}::{name}")).unwrap_or_else(|error| {
-        unreachable!("Symbolica refuses the symbol {namespace}::{name}, whose name was checked: {error:?}")
-    })
+    let symbol = if is_word(name) {
+        symbolica::try_symbol!(format!("{namespace}::{name}"))
+    } else {
+        let digits: String = name.bytes().map(|byte| format!("{byte:02x}")).collect();
+        symbolica::try_symbol!(format!("{ODD}::x{digits}"))
+    };
+    symbol.unwrap_or_else(|error| unreachable!("Symbolica refuses the symbol {namespace}::{name}: {error:?}"))
 }
 
 /// The kind and the name of a symbol.
 pub(crate) fn kind_and_name(symbol: Symbol) -> (Kind, String) {
-    let kind = KINDS.iter().find(|k| k.1 == symbol.get_namespace()).map_or(Kind::Free, |k| k.0);
-    (kind, symbol.get_stripped_name().to_string())
+    let (namespace, name) = (symbol.get_namespace(), symbol.get_stripped_name());
+    let kind = KINDS.iter().find(|k| k.1 == namespace).map_or(Kind::Free, |k| k.0);
+    let name = if namespace == ODD { from_digits(&name[1..]) } else { name.to_string() };
+    (kind, name)
+}
+
+fn from_digits(digits: &str) -> String {
+    let bytes = (0..digits.len()).step_by(2).filter_map(|i| u8::from_str_radix(&digits[i..i + 2], 16).ok());
+    String::from_utf8_lossy(&bytes.collect::<Vec<u8>>()).into_owned()
+}
+
+/// Whether a name starts with a letter and goes on with letters, digits and `_`.
+pub(crate) fn is_word(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
 /// All symbols of an expression with their kinds, sorted by kind and name.

@@ -24,14 +24,14 @@ pub(crate) fn write(d: &Derivation) -> String {
 fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> String {
     let m = d.model;
     let mut lines = vec![
-        format!("Equations of motion of `{}`: {}.", m.name, m.title),
+        format!("Equations of motion of `{}`: {}.", m.name, one_line(&m.title)),
         String::new(),
         format!(
             "Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {}`. Do not edit: change the",
             m.name, m.name
         ),
         "energies and derive again.".into(),
-        format!("Source: {}", m.source),
+        format!("Source: {}", one_line(&m.source)),
     ];
     let mut section = |title: &str, fence: &str, content: &[String]| {
         lines.extend([String::new(), format!("# {title}"), String::new(), format!("```{fence}")]);
@@ -51,6 +51,11 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     lines.push("| --- | --- | --- | --- |".into());
     lines.extend(operations.iter().map(|(name, [a, m, f])| format!("| {name} | {a} | {m} | {f} |")));
     lines.iter().map(|l| format!("//! {l}").trim_end().to_string()).collect::<Vec<_>>().join("\n")
+}
+
+/// A text that cannot end the comment it stands in.
+fn one_line(text: &str) -> String {
+    text.replace(char::is_control, " ")
 }
 
 fn body_operations(d: &Derivation) -> Vec<(String, [usize; 3])> {

@@ -1,15 +1,18 @@
 //! The inverse mass matrix of small models, and the constants that a model names after it.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::{Atom, AtomCore, AtomView};
 
 use crate::expr::{Kind, number, symbol, symbols};
 use crate::lagrange::{Motion, mobility_symbol};
 use crate::markers::{all_present, terms};
 use crate::model::Model;
 use crate::slip::Slip;
+use crate::tree::Tree;
 
 /// Largest number of coordinates for which M is inverted symbolically.
 const LARGEST: usize = 2;
+/// Largest number of coordinates for which the determinant of M is expanded.
+pub(crate) const LARGEST_DETERMINANT: usize = 4;
 
 /// Inverts M where that is small and constant, and works out the constants.
 ///
@@ -20,7 +23,10 @@ pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
     // An inertia that an effect adds has a marker in it: then M is not one matrix, and is left to the engine.
     let fixed = |m: &Atom| symbols(m).iter().all(|s| !matches!(s.0, Kind::Coordinate | Kind::Marker));
     let constant = motion.mass.iter().flatten().all(fixed);
-    let exact = if n <= LARGEST && constant { Some(inverse(model, &motion.mass)?) } else { None };
+    if n <= LARGEST_DETERMINANT {
+        refuse_singular(model, &motion.mass)?;
+    }
+    let exact = if n <= LARGEST && constant { Some(inverse(&motion.mass)) } else { None };
     let mut named = exact.clone();
     for (name, value) in &model.constants {
         let mut value = value.atom();
@@ -58,21 +64,27 @@ fn substitute(exact: &[Vec<Atom>], named: &mut [Vec<Atom>], (i, j): (usize, usiz
     }
 }
 
-fn inverse(model: &Model, mass: &[Vec<Atom>]) -> Result<Vec<Vec<Atom>>, Slip> {
+/// A determinant that is zero with every effect present: some combination of coordinates has no inertia.
+fn refuse_singular(model: &Model, mass: &[Vec<Atom>]) -> Result<(), Slip> {
     let m: Vec<Vec<Atom>> = mass.iter().map(|row| row.iter().map(all_present).collect()).collect();
-    let determinant = determinant(&m);
-    if determinant.is_zero() {
-        let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name.as_str()).collect();
-        return Err(Slip::Singular { model: model.name.clone(), coordinates: coordinates.join(", ") });
+    if !is_zero(&determinant(&m)) {
+        return Ok(());
     }
+    let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name.as_str()).collect();
+    Err(Slip::Singular { model: model.name.clone(), coordinates: coordinates.join(", ") })
+}
+
+/// The inverse of a matrix of one or two rows that is not singular.
+fn inverse(m: &[Vec<Atom>]) -> Vec<Vec<Atom>> {
+    let determinant = determinant(m);
     let entry = |cofactor: Atom| match terms(&determinant).len() {
         1 => (cofactor / &determinant).expand(),
         _ => cofactor / &determinant,
     };
-    Ok(match m.len() {
+    match m.len() {
         1 => vec![vec![entry(number(1))]],
         _ => vec![vec![entry(m[1][1].clone()), entry(-&m[0][1])], vec![entry(-&m[1][0]), entry(m[0][0].clone())]],
-    })
+    }
 }
 
 /// The determinant of a small matrix, expanded along the first row.
@@ -92,7 +104,25 @@ pub(crate) fn determinant(m: &[Vec<Atom>]) -> Atom {
     sum.expand()
 }
 
-/// Whether a rational expression is identically zero.
+/// Whether an expression is identically zero, rational in its symbols and in roots of rational expressions.
 pub(crate) fn is_zero(e: &Atom) -> bool {
-    e.expand().is_zero() || e.together().expand().is_zero()
+    e.expand().is_zero() || e.together().expand().is_zero() || {
+        let e = roots_of_fractions(e.as_view());
+        e.together().expand().is_zero()
+    }
+}
+
+/// Every root's base as one fraction, so that equal roots look alike: sqrt(k/(m/2)) and sqrt(2*k/m).
+fn roots_of_fractions(e: AtomView) -> Atom {
+    match e {
+        AtomView::Pow(p) => {
+            let (base, exponent) = p.get_base_exp();
+            let base = roots_of_fractions(base);
+            let exponent = exponent.to_owned();
+            if matches!(Tree::new(&exponent), Tree::Number(_, 1)) { base } else { base.together() }.pow(&exponent)
+        }
+        AtomView::Mul(m) => m.iter().fold(number(1), |product, factor| product * roots_of_fractions(factor)),
+        AtomView::Add(a) => a.iter().fold(number(0), |sum, term| sum + roots_of_fractions(term)),
+        AtomView::Num(_) | AtomView::Var(_) | AtomView::Fun(_) => e.to_owned(),
+    }
 }

@@ -132,7 +132,7 @@ impl Model {
             |e: Expr| self.coordinates.iter().position(|c| e.atom() == Expr::var(Kind::Coordinate, &c.name).atom());
         match (index(a), index(b)) {
             (Some(i), Some(j)) => Expr::var(Kind::Mobility, &mobility_name(i, j)),
-            _ => Expr::symbol("inverse_mass_of_no_coordinate"),
+            _ => Expr::var(Kind::Mobility, NO_MOBILITY),
         }
     }
 
@@ -143,7 +143,11 @@ impl Model {
             self.effects.extend(mesh_effects());
         }
         self.laws.push(Law { name: name.into(), unit: unit.into(), phase, period, doc: doc.into() });
-        MeshStiffness { value: Expr::var(Kind::Law, name), slope: Expr::var(Kind::Slope, &format!("d{name}")), mid: Expr::var(Kind::Mid, &mid_name(name)) }
+        MeshStiffness {
+            value: Expr::var(Kind::Law, name),
+            slope: Expr::var(Kind::Slope, &format!("d{name}")),
+            mid: Expr::var(Kind::Mid, &mid_name(name)),
+        }
     }
 
     /// A rigid motion by which a scene may state its start: the speeds (coordinate, speed per unit) of the train.
@@ -210,6 +214,9 @@ pub struct MeshStiffness {
 pub(crate) fn mid_name(law: &str) -> String {
     format!("{law}_mid")
 }
+
+/// Stands for the inverse mass of what is no coordinate; no derivation replaces it, so it is refused.
+const NO_MOBILITY: &str = "none";
 
 pub(crate) fn mobility_name(i: usize, j: usize) -> String {
     format!("W{}_{}", i.min(j), i.max(j))

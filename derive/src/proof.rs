@@ -7,14 +7,11 @@ use crate::expr::{Kind, number, symbol};
 use crate::jump::{Jump, response};
 use crate::lagrange::{Motion, Symbols, gradient};
 use crate::markers::{all_present, terms};
-use crate::mobility::{determinant, is_zero};
+use crate::mobility::{LARGEST_DETERMINANT, determinant, is_zero};
 use crate::model::{JUMP_TERMS, Model};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::tree::Tree;
-
-/// Largest mass matrix whose determinants are expanded to prove it positive definite.
-const LARGEST: usize = 4;
 
 /// Proves everything, or says what failed. Each line states what was proved.
 pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump]) -> Result<Vec<String>, Slip> {
@@ -129,7 +126,7 @@ fn definiteness(model: &Model, motion: &Motion) -> String {
     let n = motion.mass.len();
     let minor = |k: usize| determinant(&motion.mass[..k].iter().map(|row| row[..k].to_vec()).collect::<Vec<_>>());
     let posynomial = |e: Atom| !e.is_zero() && terms(&all_present(&e)).iter().all(|t| positive(model, t));
-    if n <= LARGEST && (1..=n).all(|k| posynomial(minor(k))) {
+    if n <= LARGEST_DETERMINANT && (1..=n).all(|k| posynomial(minor(k))) {
         "M is positive definite: every leading minor is a sum of products of positive quantities".into()
     } else {
         "M is positive definite: not decided symbolically; checked for the numbers of every scene".into()

@@ -20,6 +20,10 @@ pub enum Slip {
         "{model}: `{function}` in {place} is not smooth, or not known. Smooth functions are sin, cos, exp, log and sqrt; whatever is piecewise must be one of the declared primitives: m.mesh_stiffness(...)"
     )]
     Function { model: String, function: String, place: String },
+    #[error(
+        "{model}: the number {number} in {place} is not one that code can have: it must be real, finite, rational, and of no more than 53 bits. Was something divided by zero? If it is a quantity, declare it with m.parameter(...)"
+    )]
+    Number { model: String, number: String, place: String },
     #[error("{model}: the kinetic energy must be quadratic in the speeds; this term is not: {term}")]
     NotQuadratic { model: String, term: String },
     #[error(
@@ -36,6 +40,10 @@ pub enum Slip {
     NegativeDissipation { model: String, term: String },
     #[error("{model}: the phase of `{law}` must be one of the coordinates, not {phase}")]
     Phase { model: String, law: String, phase: String },
+    #[error("{model}: the pitch of `{law}` must be a positive number, not {pitch}")]
+    Pitch { model: String, law: String, pitch: f64 },
+    #[error("{model}: the default of `{parameter}`, {default}, is not in its range")]
+    Default { model: String, parameter: String, default: f64 },
     #[error(
         "{model}: m.inverse_mass(...) takes two coordinates, and at most two can be declared: a larger mass matrix is not inverted symbolically"
     )]

@@ -18,7 +18,8 @@ fn rise(t: &gearsim::trajectory::Trajectory) -> f64 {
 fn energy_never_rises_when_damped() {
     for name in ["energy_300rpm", "spectrum_600rpm_exact", "spectrum_4500rpm_exact"] {
         for t0 in torques() {
-            let scene = scene(&format!("oh2005/{name}"), &[format!("parameters.T0={t0} N*m"), "run.t_end=0.1 s".into()]);
+            let scene =
+                scene(&format!("oh2005/{name}"), &[format!("parameters.T0={t0} N*m"), "run.t_end=0.1 s".into()]);
             let outcome = run(&scene);
             let t = &outcome.trajectory;
             // Rounding: a few units of the largest energy in the account.
@@ -26,7 +27,12 @@ fn energy_never_rises_when_damped() {
             let rise = rise(t);
             assert!(rise <= 8.0 * f64::EPSILON * scale, "{name}, T0 = {t0}: U rises by {rise:e} J, scale {scale} J");
             let residual = t.residual.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            println!("{name}, T0 = {t0}: {} changes, {} reflections, residual {:.1e}", outcome.counts.cell_changes, outcome.counts.reflections, residual / scale);
+            println!(
+                "{name}, T0 = {t0}: {} changes, {} reflections, residual {:.1e}",
+                outcome.counts.cell_changes,
+                outcome.counts.reflections,
+                residual / scale
+            );
             assert!(residual < 1e-12 * scale, "{name}, T0 = {t0}: residual {residual:e} J of {scale} J");
         }
     }

@@ -32,8 +32,7 @@ fn paper_scenes_agree_with_the_hand_written_six_steps() {
             assert!(error < 1e-11, "{name}: {what} = {got:e}, by hand {want:e}, error {error:.1e}");
         }
         // The events at which limits were recorded are those of the hand-written solver, at the same times.
-        let times: Vec<f64> =
-            (0..t.len()).filter(|&i| t.moment[i].name() == "before").map(|i| t.t[i]).collect();
+        let times: Vec<f64> = (0..t.len()).filter(|&i| t.moment[i].name() == "before").map(|i| t.t[i]).collect();
         assert_eq!(times.len(), by_hand.events.len());
         for (got, want) in times.iter().zip(&by_hand.events) {
             assert!((got - want.t).abs() < 1e-11 * want.t, "{name}: event at {got}, by hand {}", want.t);

@@ -22,6 +22,8 @@ pub struct Cell<const N: usize> {
     springs: SMatrix<f64, N, N>,
     /// Xᵀ f: modal loads.
     load: SVector<f64, N>,
+    /// Bound on the rates of its modes [1/s].
+    rate: f64,
 }
 
 /// Frequencies below this fraction of the highest are rigid-body modes blurred by rounding.
@@ -81,8 +83,10 @@ impl<const N: usize> Cell<N> {
         }
         let (momentum, load) = (shapes.transpose() * m, shapes.transpose() * load);
         let fixed = |a: &DMatrix<f64>| SMatrix::from_fn(|i, j| a[(i, j)]);
+        let rate = modes.iter().map(|m| m.rate).fold(0.0, f64::max);
         Ok(Cell {
             modes,
+            rate,
             shapes: fixed(&shapes),
             momentum: fixed(&momentum),
             springs: fixed(&springs),
@@ -114,9 +118,13 @@ pub struct Flight<'a, const N: usize> {
     force: SVector<f64, N>,
 }
 
-/// Where a flight has got to: modal increments and speeds.
+/// Where a flight has got to.
 #[derive(Debug, Clone, Copy)]
 pub struct Point<const N: usize> {
+    /// Time from its start [s].
+    pub t: f64,
+    /// What each mode answers to a unit speed and a unit force.
+    responses: [Response; N],
     /// xi(t) - xi(0).
     pub moved: SVector<f64, N>,
     /// xi'(t) - xi'(0).
@@ -129,27 +137,68 @@ impl<'a, const N: usize> Flight<'a, N> {
         &self.cell.modes
     }
 
-    /// Modal speed and acceleration of mode `i` at the start, or at a `point` of the flight.
+    /// Modal speed and acceleration of mode `i` at the start.
     #[inline]
-    pub fn rates(&self, i: usize, point: Option<&Point<N>>) -> (f64, f64) {
-        let mode = &self.cell.modes[i];
-        let (moved, gained) = point.map_or((0.0, 0.0), |p| (p.moved[i], p.gained[i]));
-        let v = self.speed[i] + gained;
-        (v, self.force[i] - mode.omega2 * moved - 2.0 * mode.sigma * v)
+    pub fn rates_at_start(&self, i: usize) -> (f64, f64) {
+        let v = self.speed[i];
+        (v, self.force[i] - 2.0 * self.cell.modes[i].sigma * v)
     }
 
-    /// The modes after the time `t` [s].
+    /// Modal speed and acceleration of mode `i` at a `point` of the flight.
     #[inline]
+    pub fn rates(&self, i: usize, point: &Point<N>) -> (f64, f64) {
+        let mode = &self.cell.modes[i];
+        let v = self.speed[i] + point.gained[i];
+        (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v)
+    }
+
+    /// Where it begins.
+    #[inline]
+    pub fn begin(&self) -> Point<N> {
+        let still = Response { s1: 0.0, s2: 0.0, decay: 0.0 };
+        Point { t: 0.0, responses: [still; N], moved: SVector::zeros(), gained: SVector::zeros() }
+    }
+
+    /// Where it is after the time `t` [s].
     pub fn at(&self, t: f64) -> Point<N> {
-        let mut point = Point { moved: SVector::zeros(), gained: SVector::zeros() };
-        for i in 0..N {
-            let Mode { sigma, omega2, .. } = self.cell.modes[i];
-            let Response { s1, s2 } = self.cell.modes[i].response(t);
-            let (v, f) = (self.speed[i], self.force[i]);
-            point.moved[i] = v * s1 + f * s2;
-            point.gained[i] = (f - 2.0 * sigma * v) * s1 - omega2 * v * s2;
-        }
+        let mut point = self.begin();
+        self.go(&mut point, t);
         point
+    }
+
+    /// Sets `point` to where it is after the time `t` [s]. In place: a point is too large to be handed about.
+    #[inline]
+    pub fn go(&self, point: &mut Point<N>, t: f64) {
+        point.t = t;
+        for i in 0..N {
+            point.responses[i] = self.cell.modes[i].response(t);
+            self.place(point, i);
+        }
+    }
+
+    /// Moves `point` a short time `dt` on, or back: |`dt`| * rate <= [`NEAR`](crate::engine::mode::NEAR).
+    #[inline]
+    pub fn shift(&self, point: &mut Point<N>, dt: f64) {
+        point.t += dt;
+        for i in 0..N {
+            point.responses[i] = self.cell.modes[i].shifted(&point.responses[i], dt);
+            self.place(point, i);
+        }
+    }
+
+    #[inline(always)]
+    fn place(&self, point: &mut Point<N>, i: usize) {
+        let Mode { sigma, omega2, .. } = self.cell.modes[i];
+        let Response { s1, s2, .. } = point.responses[i];
+        let (v, f) = (self.speed[i], self.force[i]);
+        point.moved[i] = v * s1 + f * s2;
+        point.gained[i] = (f - 2.0 * sigma * v) * s1 - omega2 * v * s2;
+    }
+
+    /// Bound on the rates of its modes [1/s].
+    #[inline]
+    pub fn rate(&self) -> f64 {
+        self.cell.rate
     }
 
     /// Increments of q and q' at a point.
@@ -158,14 +207,15 @@ impl<'a, const N: usize> Flight<'a, N> {
         (self.cell.shapes * point.moved, self.cell.shapes * point.gained)
     }
 
-    /// Energy lost to damping in the first `t` seconds [J], by integration of the speeds.
-    pub fn dissipated(&self, t: f64) -> f64 {
+    /// Energy lost to damping until a point [J], by integration of the speeds.
+    #[inline]
+    pub fn dissipated(&self, point: &Point<N>) -> f64 {
         let mut lost = 0.0;
         for i in 0..N {
             let mode = &self.cell.modes[i];
             if mode.sigma > 0.0 {
-                let (v, a) = self.rates(i, None);
-                lost += 2.0 * mode.sigma * mode.speed_squared(v, a, t);
+                let (v, a) = self.rates_at_start(i);
+                lost += 2.0 * mode.sigma * mode.speed_squared(v, a, point.t, &point.responses[i]);
             }
         }
         lost

@@ -13,6 +13,7 @@
 use nalgebra::SVector;
 
 use crate::engine::cell::{Flight, Point};
+use crate::engine::mode::NEAR;
 
 /// Which boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,17 +22,6 @@ pub enum Side {
     Lower,
     /// The one at larger phase.
     Upper,
-}
-
-/// A crossing.
-#[derive(Debug, Clone, Copy)]
-pub struct Crossing<const N: usize> {
-    /// Time from the start of the flight [s].
-    pub t: f64,
-    /// Boundary that is met.
-    pub side: Side,
-    /// The modes there.
-    pub point: Point<N>,
 }
 
 /// What a search costs.
@@ -84,18 +74,26 @@ impl Reach {
 
 /// More steps than this mean that the search is stuck.
 const MOST_STEPS: u64 = 1_000_000;
+/// A bracket is halved to rounding in fewer steps than this.
+const MOST_NEWTON: u64 = 200;
 
 impl<const N: usize> Search<'_, N> {
-    /// The first crossing before the horizon.
+    /// The first boundary met before the horizon, with `point` moved there; else `point` at the horizon. `point` is to be
+    /// at the start.
     ///
     /// # Errors
     /// The number of steps taken, where the search does not end.
-    pub fn first(&self, cost: &mut Cost) -> Result<Option<Crossing<N>>, u64> {
+    pub fn first(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, u64> {
         let (drift, wobble) = self.drift_and_wobble();
-        if drift.abs() > wobble * (1.0 + 1e-12) {
-            return Ok(self.monotone(drift, wobble, cost));
+        let met = if drift.abs() > wobble * (1.0 + 1e-12) {
+            self.monotone(drift, wobble, point, cost)
+        } else {
+            self.march(point, cost)?
+        };
+        if met.is_none() {
+            self.go(point, self.horizon, cost);
         }
-        self.march(cost)
+        Ok(met)
     }
 
     /// Depth to which a touch is told from a crossing [unit of the phase].
@@ -109,67 +107,83 @@ impl<const N: usize> Search<'_, N> {
         let (mut drift, mut wobble) = (0.0, 0.0);
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let c = self.participation[i];
-            let (v, a) = self.flight.rates(i, None);
+            let (v, a) = self.flight.rates_at_start(i);
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
             } else if c != 0.0 {
-                wobble += c.abs() * mode.bound(v, a);
+                wobble += c.abs() * mode.rough_bound(v, a);
             }
         }
         (drift, wobble)
     }
 
     /// The only crossing of a monotone phase: Newton from the steady guess, in a bracket.
-    fn monotone(&self, drift: f64, wobble: f64, cost: &mut Cost) -> Option<Crossing<N>> {
+    fn monotone(&self, drift: f64, wobble: f64, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let (slowest, fastest) = (drift.abs() - wobble, drift.abs() + wobble);
         let bracket = (gap / fastest * (1.0 - 1e-15), gap / slowest * (1.0 + 1e-15));
         if bracket.0 >= self.horizon {
             return None;
         }
-        self.newton(side, gap, gap / drift.abs(), bracket, cost)
+        self.go(point, gap / drift.abs(), cost);
+        self.newton(side, gap, bracket, point, cost)
     }
 
-    /// Newton's method for the one root in a bracket; the root counts if it lies before the horizon.
-    fn newton(&self, side: Side, gap: f64, guess: f64, bracket: (f64, f64), cost: &mut Cost) -> Option<Crossing<N>> {
+    /// Newton's method from `point` for the one root in a bracket; it counts if it lies before the horizon.
+    ///
+    /// Once the root of the local Taylor polynomial is near, the motion is carried there by its series: one evaluation of the
+    /// motion in full is mostly enough, two nearly always.
+    #[inline]
+    fn newton(
+        &self,
+        side: Side,
+        gap: f64,
+        bracket: (f64, f64),
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Option<Side> {
         let sign = if side == Side::Upper { 1.0 } else { -1.0 };
         let (mut low, mut high) = bracket;
-        let mut t = guess.clamp(low, high);
-        for _ in 0..100 {
-            let point = self.at(t, cost);
-            let (f, r) = (gap - sign * self.moved(&point), sign * self.rate(&point));
+        for _ in 0..MOST_NEWTON {
+            let t = point.t;
+            let [s, r, a, j, snap] = self.derivatives(point).map(|x| sign * x);
+            let f = gap - s;
             if f > 0.0 {
                 low = t
             } else {
                 high = t
             }
-            let newton = t + f / r;
-            let next = if newton > low && newton < high {
-                newton
-            } else if f == 0.0 {
-                t
+            // The root of f - r dt - a dt²/2 - j dt³/6 - snap dt⁴/24 by reversion of the series.
+            let (h, inverse) = (f / r, 1.0 / r);
+            let (a, j, snap) =
+                (a * inverse * h * 0.5, j * inverse * h * h * (1.0 / 6.0), snap * inverse * h * h * h * (1.0 / 24.0));
+            let dt = h * (1.0 - a + (2.0 * a * a - j) - (5.0 * a * (a * a - j) + snap));
+            let inside = t + dt >= low && t + dt <= high && a.abs() < 0.1;
+            let angle = dt.abs() * self.flight.rate();
+            if inside && angle <= NEAR {
+                self.flight.shift(point, dt);
+                // What the next terms of the series could add is below rounding.
+                let next = a * a + j.abs();
+                if (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs() <= f64::EPSILON * t {
+                    break;
+                }
+            } else if high - low <= 4.0 * f64::EPSILON * high {
+                break;
             } else {
-                0.5 * (low + high)
-            };
-            if (next - t).abs() <= 4.0 * f64::EPSILON * t || f == 0.0 {
-                return (t < self.horizon).then_some(Crossing { t, side, point });
+                self.go(point, if inside { t + dt } else { 0.5 * (low + high) }, cost);
             }
-            t = next;
         }
-        let point = self.at(t, cost);
-        (t < self.horizon).then_some(Crossing { t, side, point })
+        (point.t < self.horizon).then_some(side)
     }
 
     /// Marches by steps that cannot pass a crossing.
-    fn march(&self, cost: &mut Cost) -> Result<Option<Crossing<N>>, u64> {
+    fn march(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, u64> {
         let tolerance = self.tolerance();
-        let mut t = 0.0;
-        let mut point = None;
         for _ in 0..MOST_STEPS {
             cost.steps += 1;
-            let moved = point.as_ref().map_or(0.0, |p| self.moved(p));
-            let (rate, acceleration, bound) = self.rates(point.as_ref());
-            let reach = self.reach(point.as_ref());
+            let (t, moved) = (point.t, self.moved(point));
+            let (rate, acceleration, bound) = self.rates(point);
+            let reach = self.reach(point);
             let sides = [
                 (Side::Upper, self.up - moved, rate, acceleration),
                 (Side::Lower, self.down + moved, -rate, -acceleration),
@@ -180,8 +194,7 @@ impl<const N: usize> Search<'_, N> {
                     // Here or hereabouts: does it pass, or turn within the tolerance?
                     let depth = if a < 0.0 { gap + r * r / (2.0 * a) } else { f64::NEG_INFINITY };
                     if depth <= -tolerance || a >= 0.0 {
-                        let point = point.unwrap_or_else(|| self.at(0.0, cost));
-                        return Ok((t < self.horizon).then_some(Crossing { t, side, point }));
+                        return Ok((t < self.horizon).then_some(side));
                     }
                     cost.grazes += 1;
                     h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
@@ -195,7 +208,8 @@ impl<const N: usize> Search<'_, N> {
                     }
                     let bracket = (t + 0.5 * gap / r, t + 2.0 * gap / r);
                     let full = if side == Side::Upper { self.up } else { self.down };
-                    return Ok(self.newton(side, full, t + gap / r, bracket, cost));
+                    self.go(point, t + gap / r, cost);
+                    return Ok(self.newton(side, full, bracket, point, cost));
                 }
                 let root = (r * r + 2.0 * bound * gap).sqrt();
                 let safe = if r > 0.0 {
@@ -214,15 +228,14 @@ impl<const N: usize> Search<'_, N> {
             if next >= self.horizon || next.is_nan() {
                 return Ok(None);
             }
-            t = if next > t { next } else { t.next_up() };
-            point = Some(self.at(t, cost));
+            self.go(point, if next > t { next } else { t.next_up() }, cost);
         }
         Err(MOST_STEPS)
     }
 
     /// Rate and acceleration of the phase, and a bound on the latter from here on.
     #[inline]
-    fn rates(&self, point: Option<&Point<N>>) -> (f64, f64, f64) {
+    fn rates(&self, point: &Point<N>) -> (f64, f64, f64) {
         let (mut rate, mut acceleration, mut bound) = (0.0, 0.0, 0.0);
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let c = self.participation[i];
@@ -238,7 +251,7 @@ impl<const N: usize> Search<'_, N> {
     }
 
     /// How far the oscillations carry the phase about its steady course, from here on.
-    fn reach(&self, point: Option<&Point<N>>) -> Reach {
+    fn reach(&self, point: &Point<N>) -> Reach {
         let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let c = self.participation[i];
@@ -261,9 +274,9 @@ impl<const N: usize> Search<'_, N> {
     }
 
     #[inline]
-    fn at(&self, t: f64, cost: &mut Cost) -> Point<N> {
+    fn go(&self, point: &mut Point<N>, t: f64, cost: &mut Cost) {
         cost.evaluations += 1;
-        self.flight.at(t)
+        self.flight.go(point, t);
     }
 
     #[inline]
@@ -271,12 +284,19 @@ impl<const N: usize> Search<'_, N> {
         self.participation.dot(&point.moved)
     }
 
+    /// The phase's way so far, and its first four derivatives.
     #[inline]
-    fn rate(&self, point: &Point<N>) -> f64 {
-        let mut rate = 0.0;
-        for i in 0..N {
-            rate += self.participation[i] * self.flight.rates(i, Some(point)).0;
+    fn derivatives(&self, point: &Point<N>) -> [f64; 5] {
+        let mut sum = [0.0; 5];
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let c = self.participation[i];
+            let (v, a) = self.flight.rates(i, point);
+            let j = -2.0 * mode.sigma * a - mode.omega2 * v;
+            let snap = -2.0 * mode.sigma * j - mode.omega2 * a;
+            for (sum, x) in sum.iter_mut().zip([point.moved[i], v, a, j, snap]) {
+                *sum += c * x;
+            }
         }
-        rate
+        sum
     }
 }

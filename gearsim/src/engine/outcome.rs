@@ -33,9 +33,12 @@ pub struct Outcome {
 pub struct Entry {
     /// What scenes and people read.
     pub model: &'static Model,
-    /// Runs a scene, telling the model time [s] to a watcher as it goes.
-    pub run: fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>,
+    /// How a scene of it is run.
+    pub run: Run,
 }
+
+/// Runs a scene, telling the model time [s] to a watcher as it goes.
+pub type Run = fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>;
 
 impl Entry {
     /// The entry of a derived model.

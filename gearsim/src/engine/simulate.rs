@@ -150,19 +150,19 @@ impl<'a, const N: usize> Simulation<'a, N> {
             let flight = self.cells[self.cell].flight(&self.state.q, &self.state.q_dot);
             // Locate: the first boundary it meets.
             let mut cost = self.counts.cost;
-            let (t, end, point) = self.locate(&flight, &mut cost)?;
+            let mut point = flight.begin();
+            let end = self.locate(&flight, &mut point, &mut cost)?;
             if let Some((recorder, rate, _)) = &mut recorder {
-                self.samples(&flight, t, *rate, &mut sample, recorder);
+                self.samples(&flight, point.t, *rate, &mut sample, recorder);
             }
             // Propagate to it.
-            let (dq, dv) = flight.increments(&point.unwrap_or_else(|| flight.at(t)));
-            let lost = flight.dissipated(t);
-            cost.evaluations += u64::from(point.is_none());
+            let (dq, dv) = flight.increments(&point);
+            let lost = flight.dissipated(&point);
             self.counts.cost = cost;
             self.state.q += dq;
             self.state.q_dot += dv;
             self.dissipated += lost;
-            self.clock.advance(t);
+            self.clock.advance(point.t);
             if !self.state.q.iter().chain(self.state.q_dot.iter()).all(|x| x.is_finite()) {
                 return Err(Stop::NotFinite { t: self.clock.now(), state: self.describe(), cell: self.cell });
             }
@@ -188,30 +188,38 @@ impl<'a, const N: usize> Simulation<'a, N> {
         }
     }
 
-    /// The end of the flight: time, kind, and the modes there where they are known already.
+    /// How the flight ends; `point` is moved to where.
     #[inline]
-    fn locate(&self, flight: &Flight<'_, N>, cost: &mut Cost) -> Result<(f64, End, Option<Point<N>>), Stop> {
+    fn locate(&self, flight: &Flight<'_, N>, point: &mut Point<N>, cost: &mut Cost) -> Result<End, Stop> {
         let left = self.clock.until(self.t_end);
-        if let Some(frozen) = self.frozen {
-            let (t, side) = self.next_switch(frozen);
-            let t = self.clock.until(t).max(0.0);
-            return Ok(if t < left { (t, End::Step(side), None) } else { (left, End::Run, None) });
-        }
-        if self.switching == Switching::Never {
-            return Ok((left, End::Run, None));
-        }
+        let (t, end) = match self.frozen {
+            None if self.switching != Switching::Never => return self.meet(flight, left, point, cost),
+            None => (left, End::Run),
+            Some(frozen) => match self.next_switch(frozen) {
+                (t, side) if t < self.t_end => (self.clock.until(t).max(0.0), End::Step(side)),
+                _ => (left, End::Run),
+            },
+        };
+        cost.evaluations += 1;
+        flight.go(point, t);
+        Ok(end)
+    }
+
+    /// The first boundary that the phase meets.
+    #[inline]
+    fn meet(
+        &self,
+        flight: &Flight<'_, N>,
+        horizon: f64,
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Result<End, Stop> {
         let (lower, upper) = self.bounds();
         let s = self.state.q[self.phase];
-        let search = Search {
-            flight,
-            participation: &self.participation[self.cell],
-            down: s - lower,
-            up: upper - s,
-            horizon: left,
-        };
-        match search.first(cost) {
-            Ok(Some(crossing)) => Ok((crossing.t, End::Step(crossing.side), Some(crossing.point))),
-            Ok(None) => Ok((left, End::Run, None)),
+        let participation = &self.participation[self.cell];
+        let search = Search { flight, participation, down: s - lower, up: upper - s, horizon };
+        match search.first(point, cost) {
+            Ok(met) => Ok(met.map_or(End::Run, End::Step)),
             Err(steps) => Err(Stop::Search {
                 t: self.clock.now(),
                 steps: steps as usize,
@@ -283,9 +291,10 @@ impl<'a, const N: usize> Simulation<'a, N> {
             if tau > t || at >= self.t_end {
                 return;
             }
-            let (dq, dv) = flight.increments(&flight.at(tau.max(0.0)));
+            let point = flight.at(tau.max(0.0));
+            let (dq, dv) = flight.increments(&point);
             let state = State { q: self.state.q + dq, q_dot: self.state.q_dot + dv, turns: self.state.turns };
-            let dissipated = self.dissipated + flight.dissipated(tau.max(0.0));
+            let dissipated = self.dissipated + flight.dissipated(&point);
             recorder.row(at, Moment::Sample, &state, &[self.pitch.level(self.cell)], dissipated);
             *next += 1;
         }
