@@ -1,6 +1,7 @@
 //! The project's chores: `cargo xtask VERB`. One verb, one file.
 
 mod derive;
+mod oh2005;
 
 use clap::{Parser, Subcommand};
 
@@ -16,10 +17,13 @@ struct Arguments {
 enum Verb {
     /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
     Derive(derive::Derive),
+    /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
+    Oh2005(oh2005::Oh2005),
 }
 
 fn main() -> anyhow::Result<()> {
     match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
+        Verb::Oh2005(verb) => verb.run(),
     }
 }
