@@ -26,11 +26,11 @@ The three sets of equations:
   classical        steps at the times of a steady rotation: effect frozen_phase
 Which of them the scene itself names does not matter; its other effects hold for all three.
 
-Writes compare.json, trajectory_exact.parquet and so on, and the scene's plots with the three overlaid.
+Writes compare.json, trajectory_exact.parquet and so on, and the scene's plots, overlaid.
 
 Examples:
   gearsim compare models/scenes/oh2005/energy_300rpm.toml
-  gearsim compare models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"4500 rpm\" --out out/4500rpm"
+  gearsim compare models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"4500 rpm\" --out out/fast"
 )]
 pub(super) struct Compare {
     #[command(flatten)]

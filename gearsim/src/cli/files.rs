@@ -68,7 +68,7 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
             root_steps: counts.cost.steps,
             grazes: counts.cost.grazes,
         },
-        seconds: Number(outcome.seconds),
+        cpu_seconds: Number(outcome.cpu_seconds),
         completed: outcome.stopped_by.is_none(),
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),
         parameters: parameters.collect(),

@@ -59,7 +59,7 @@ impl Command {
 #[command(
     verbatim_doc_comment,
     after_help = "\
-Examples, from the root of the repository (`gearsim` stands for `cargo run --release --` once installed):
+Examples, from the root of the repository:
   cargo run --release -- run models/scenes/oh2005/energy_300rpm.toml
       run a scene; results and plots go to out/energy_300rpm
   cargo run --release -- compare models/scenes/oh2005/energy_300rpm.toml
@@ -70,7 +70,7 @@ Examples, from the root of the repository (`gearsim` stands for `cargo run --rel
 Exit codes:
   0  done
   1  results could not be written
-  2  refused: the command line, the scene or its numbers make no sense; nothing was simulated or written
+  2  refused: the command line, the scene or its numbers make no sense; nothing was run
   3  a run stopped before its end; what it computed until then is written"
 )]
 struct Program;

@@ -70,13 +70,13 @@ fn unaccounted(summary: &Summary) -> String {
 /// What the run cost.
 fn time(summary: &Summary, rows: usize) -> String {
     let each = per_event(summary).map_or(String::new(), |each| format!(", {each} an event"));
-    format!("{}{each} (with the recording of {rows} rows)", number::time(summary.seconds.0))
+    format!("{}{each} (with the recording of {rows} rows)", number::time(summary.cpu_seconds.0))
 }
 
 /// What an event cost, if there was one.
 pub(super) fn per_event(summary: &Summary) -> Option<String> {
     let events = summary.cell_changes + summary.reflections;
-    (events > 0).then(|| number::time(summary.seconds.0 / events as f64))
+    (events > 0).then(|| number::time(summary.cpu_seconds.0 / events as f64))
 }
 
 fn at_start(summary: &Summary) -> String {

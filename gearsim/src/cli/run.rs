@@ -15,12 +15,12 @@ use crate::scene::Scene;
 #[command(
     name = "run",
     after_help = "\
-Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), and every plot as SVG and PNG.
+Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), and plots as SVG and PNG.
 
 Examples:
   gearsim run models/scenes/oh2005/energy_300rpm.toml
   gearsim run models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"600 rpm\" --out out/600rpm
-  gearsim run models/scenes/oh2005/energy_300rpm.toml --set parameters.zeta=0 --set run.t_end=\"1 s\" --csv
+  gearsim run models/scenes/oh2005/energy_300rpm.toml --set run.t_end=\"1 s\" --csv
   gearsim run models/scenes/oh2005/energy_300rpm.toml --set 'effects=[\"stiffness_step\"]' --quiet"
 )]
 pub(super) struct Run {

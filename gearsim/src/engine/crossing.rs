@@ -138,6 +138,7 @@ impl<const N: usize> Search<'_, N> {
         let sign = if side == Side::Upper { 1.0 } else { -1.0 };
         let (mut low, mut high) = bracket;
         for _ in 0..MOST_NEWTON {
+            cost.steps += 1;
             let t = point.t;
             let [s, r, a, j, snap] = self.derivatives(point).map(|x| sign * x);
             let f = gap - s;

@@ -123,7 +123,7 @@ impl Mode {
                 let decay = (-self.sigma * t).exp_m1();
                 let (h, c) = (0.5 * w * t).sin_cos();
                 let e = 1.0 + decay;
-                self.from_increments(decay - 2.0 * h * h * e, 2.0 * h * c * e / w, decay)
+                self.by_increments(decay - 2.0 * h * h * e, 2.0 * h * c * e / w, decay)
             }
             _ => self.heavily_damped_or_short(t),
         }
@@ -131,7 +131,7 @@ impl Mode {
 
     /// S2 from the decayed cosine less one and S1: S2 = (1 - e^{-sigma t} C - sigma S1)/omega².
     #[inline]
-    fn from_increments(&self, cosine_less_one: f64, s1: f64, decay: f64) -> Response {
+    fn by_increments(&self, cosine_less_one: f64, s1: f64, decay: f64) -> Response {
         Response { s1, s2: (-cosine_less_one - self.sigma * s1) / self.omega2, decay }
     }
 
@@ -143,14 +143,14 @@ impl Mode {
             Kind::Critical { d } => {
                 let (decay, dt2) = ((-self.sigma * t).exp_m1(), d * t * t);
                 let e = 1.0 + decay;
-                Response { decay: 0.0, ..self.from_increments(decay - 0.5 * dt2 * e, e * t * (1.0 - dt2 / 6.0), 0.0) }
+                Response { decay: 0.0, ..self.by_increments(decay - 0.5 * dt2 * e, e * t * (1.0 - dt2 / 6.0), 0.0) }
             }
             Kind::Over { kappa, slow, fast } => {
                 let s1 = (-slow * t).exp() * -(-2.0 * kappa * t).exp_m1() / (2.0 * kappa);
                 if kappa > 0.5 * self.sigma {
                     return Response { s1, s2: (decayed(slow, t) - decayed(fast, t)) / (2.0 * kappa), decay: 0.0 };
                 }
-                self.from_increments(0.5 * ((-slow * t).exp_m1() + (-fast * t).exp_m1()), s1, 0.0)
+                self.by_increments(0.5 * ((-slow * t).exp_m1() + (-fast * t).exp_m1()), s1, 0.0)
             }
             Kind::Rigid | Kind::Undamped { .. } | Kind::Under { .. } => self.response(t),
         }

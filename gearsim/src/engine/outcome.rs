@@ -1,6 +1,8 @@
 //! A whole run of a scene, from its equations to its account.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use cpu_time::ThreadTime;
 
 use crate::engine::cell::Cell;
 use crate::engine::equations::{Derived, Equations};
@@ -24,8 +26,8 @@ pub struct Outcome {
     pub stopped_by: Option<Stop>,
     /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
     pub reference_frequency: Option<f64>,
-    /// Time the simulation took [s].
-    pub seconds: f64,
+    /// Processor time that the simulation took, with its recording [s].
+    pub cpu_seconds: f64,
 }
 
 /// A model as the program knows it: its description, and how to run a scene of it.
@@ -61,9 +63,9 @@ fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64))
     let mut simulation = Simulation::new(scene.model, &*equations, scene)?;
     let lengths = simulation.turn_lengths();
     let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, &[simulation.stiffness()]);
-    let begin = Instant::now();
+    let begin = ThreadTime::now();
     let stopped_by = simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
-    let seconds = begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64();
+    let cpu_seconds = begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64();
     if stopped_by.is_some() {
         let (state, k) = (simulation.state, simulation.stiffness());
         recorder.row(simulation.clock.now(), Moment::Sample, &state, &[k], simulation.dissipated);
@@ -78,6 +80,6 @@ fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64))
         counts: simulation.counts,
         stopped_by,
         reference_frequency,
-        seconds,
+        cpu_seconds,
     })
 }

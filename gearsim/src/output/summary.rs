@@ -34,8 +34,8 @@ pub struct Summary {
     pub energy: Energy,
     /// What the solver did.
     pub counts: Counts,
-    /// Time the simulation took, by the clock on the wall [s].
-    pub seconds: Number,
+    /// Processor time that the simulation took, with its recording [s].
+    pub cpu_seconds: Number,
     /// Whether the run got as far as the scene asks.
     pub completed: bool,
     /// Why not, if not.
@@ -236,7 +236,7 @@ mod tests {
             reflections: 0,
             energy: Energy::at_end(&run).unwrap(),
             counts: Counts { function_evaluations: 1, root_steps: 2, grazes: 3 },
-            seconds: Number(0.01),
+            cpu_seconds: Number(0.01),
             completed: false,
             stopped_by: Some("stalled".into()),
             parameters: [("T0", 10.0), ("I1", 1.0 / 3.0)].into_iter().collect(),
@@ -265,10 +265,10 @@ mod tests {
     #[test]
     fn what_is_not_finite_is_a_word() {
         let mut odd = summary();
-        odd.seconds = Number(f64::NEG_INFINITY);
+        odd.cpu_seconds = Number(f64::NEG_INFINITY);
         odd.parameters = [("cap", f64::INFINITY), ("x", f64::NAN)].into_iter().collect();
         let text = odd.json().unwrap();
-        assert!(text.contains(r#""seconds": "-inf""#), "{text}");
+        assert!(text.contains(r#""cpu_seconds": "-inf""#), "{text}");
         let back: Summary = serde_json::from_str(&text).unwrap();
         assert_eq!(back.parameters.get("cap"), Some(f64::INFINITY));
         assert!(back.parameters.get("x").unwrap().is_nan());

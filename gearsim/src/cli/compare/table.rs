@@ -23,7 +23,7 @@ pub(in crate::cli) fn render(members: &[Member], summaries: &[Summary]) -> Strin
         add(&format!("{} at end", coordinate.name), coordinate.unit, &|s| at_end(coordinate.name, s));
         add(&format!("{speed} at end"), &format!("{}/s", coordinate.unit), &|s| at_end(&speed, s));
     }
-    add("time taken", "", &|s| number::time(s.seconds.0));
+    add("time taken", "", &|s| number::time(s.cpu_seconds.0));
     add("  an event", "", &|s| report::per_event(s).unwrap_or("-".into()));
     lines.concat()
 }

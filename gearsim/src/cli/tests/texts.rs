@@ -12,7 +12,7 @@ use crate::scene::Scene;
 const WIDTH: usize = 100;
 
 fn help(command: &str) -> String {
-    let mut program = program();
+    let mut program = program().term_width(WIDTH);
     program.build();
     let command = program.find_subcommand_mut(command).unwrap();
     command.render_long_help().to_string()
@@ -24,7 +24,7 @@ fn load() -> Scene {
 
 #[test]
 fn help_is_for_newcomers() {
-    assert_snapshot!("help", program().render_long_help());
+    assert_snapshot!("help", program().term_width(WIDTH).render_long_help());
     for command in ["run", "compare", "models"] {
         assert_snapshot!(format!("help_{command}"), help(command));
     }
@@ -51,7 +51,7 @@ fn a_run_ends_with_its_account() {
     let residual = summary.energy.residual.0.abs();
     assert!(residual < 1e-12, "{residual} J");
     // Times differ from run to run, and the last digits from machine to machine.
-    (summary.seconds, summary.energy.residual) = (Number(23e-6), Number(1e-15));
+    (summary.cpu_seconds, summary.energy.residual) = (Number(23e-6), Number(1e-15));
     for entry in &mut summary.state.0 {
         entry.1 = Number((entry.1.0 * 1e6).round() / 1e6);
     }

@@ -119,7 +119,9 @@ fn absent_terms_are_absent() {
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
         close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
         assert_eq!([e.dissipation(&V), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
-        let [by_q, by_v] = e.jacobian(&Q, &V, &K, &[f64::NAN], &[f64::NAN]);
+        // Rigid kinematics keeps the moving phase: there the accelerations change with theta by the slope of k.
+        let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
+        let [by_q, by_v] = e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]);
         close(by_q.as_flattened(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
         assert_eq!(by_v, [[0.0; 2]; 2]);
         assert_eq!((e.damping(), e.load()), ([[0.0; 2]; 2], [0.0; 2]));
@@ -148,7 +150,7 @@ fn no_third_torque() {
 #[test]
 fn model() {
     let m = GearPair::MODEL;
-    assert_eq!((m.name, m.title), ("gear_pair", "Two spur gears on rigid shafts"));
+    assert_eq!((m.name, m.title), ("gear_pair", "two spur gears on rigid shafts"));
     assert_eq!([m.coordinates[0].name, m.coordinates[1].name], ["theta", "phi"]);
     assert_eq!((m.coordinates[0].start, m.coordinates[1].start), (Start::At(0.0), Start::Static));
     let names: Vec<_> = m.parameters.iter().map(|p| p.name).collect();
@@ -161,7 +163,7 @@ fn model() {
     assert_eq!((m.effects[2].name, m.effects[2].requires), ("frozen_phase", &["stiffness_step"][..]));
     assert_eq!(m.effects[2].excludes, ["rigid_kinematics"]);
     assert_eq!((m.torques[0].name, m.torques[1].name), ("drive", "load"));
-    assert_eq!((m.equations.lines().count(), m.latex.lines().count()), (2, 1));
+    assert!(m.equations.contains("theta'' = ") && m.latex.contains(r"\ddot{\theta} = "));
 }
 
 /// A file that says the least: no closed forms, no effects, a law that never steps.
