@@ -2,9 +2,12 @@
 //!
 //! # How to add a model, in five minutes
 //!
-//! 1. Write `models/src/my_train.rs` with one function that describes it to a [`Model`]:
+//! 1. Write `models/src/my_train.rs` with one function that describes it to a [`Model`] (`use gearsim_derive::{Model,
+//!    Range, Start, half};`):
+//!    - `m.title(text)`, `m.source(text)`: what it is, in one line, and where it comes from.
 //!    - `m.parameter(name, unit, default, range, doc)`, `m.coordinate(name, unit, start, doc)`: declare symbols. They
 //!      come back as expressions to calculate with: `+ - * /`, `.sq()`, `.sqrt()`, `.dot()` for the time derivative.
+//!      Numbers are integers: a half is `half(...)`, any other quantity a parameter with a default.
 //!    - `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`: the energies.
 //!      Call them as often as there are bodies, springs, dampers, torques.
 //!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate; its levels are the
@@ -13,10 +16,12 @@
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect.
 //!    - `m.constant(name, value)`: a name for a recurring constant, where you want to see it in the equations.
 //!    - `m.motion(name, unit, speeds, doc)`: how a scene may state its speed in one number.
-//! 2. Add it to [`MODELS`] below: one line.
+//! 2. Declare it below, `pub mod my_train;`, and add it to [`MODELS`]: one line.
 //! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and
 //!    writes `gearsim/src/generated/my_train.rs`; read its head. A slip is refused with the name of the culprit.
-//! 4. Add the model to the list in `gearsim/src/generated/mod.rs`: one line.
+//!    Cells that are not linear are derived and named, but the engine runs linear ones only, and one stiffness law.
+//! 4. Declare the file in `gearsim/src/generated/mod.rs`, `#[rustfmt::skip] pub mod my_train;`, and add it to the list
+//!    there: `Entry::new::<my_train::MyTrain, 2>()` for two coordinates.
 //! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it:
 //!    `cargo run --release -- run models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene
 //!    can set.

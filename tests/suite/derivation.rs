@@ -10,6 +10,8 @@ mod paper;
 mod files;
 #[path = "derivation/gear_pair.rs"]
 mod gear_pair;
+#[path = "derivation/newcomer.rs"]
+mod newcomer;
 #[path = "derivation/odd.rs"]
 mod odd;
 #[path = "derivation/slips.rs"]
@@ -36,6 +38,9 @@ fn main() -> ExitCode {
         ("derived_jump_rule_is_the_papers", gear_pair::jump_rule_is_the_papers),
         ("a_wrong_equation_is_told_from_the_derived_one", gear_pair::wrong_equations_are_told),
         ("derived_equations_read_as_before", gear_pair::equations_read_as_before),
+        ("a_newcomers_file_is_what_the_energies_say", newcomer::file_is_current),
+        ("nonlinear_cells_are_named", newcomer::nonlinear_cells_are_named),
+        ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),
         ("every_slip_is_refused_by_name", slips::every_slip_is_refused_by_name),
         ("no_input_makes_the_derivation_panic", odd::no_input_panics),
     ];

@@ -1,8 +1,8 @@
 //! The summary of each paper scene, as it was accepted: what a run came to, without what depends on the machine.
 //!
 //! Rounded to nine significant digits: the engine agrees with two references to 1e-11, and other processors' exp and
-//! sincos differ in the last place; a state that may be near zero, to the places of its largest value. What is zero but for rounding is shown as a bound on it. The scenes are settled by
-//! damping or short enough for rounding not to grow.
+//! sincos differ in the last place; a state, to the places of its largest value. What is zero but for rounding is shown
+//! as a bound on it. The scenes are settled by damping or short enough for rounding not to grow.
 
 mod common;
 

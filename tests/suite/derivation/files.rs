@@ -80,7 +80,7 @@ pub fn committed_files_are_current() {
 }
 
 /// The first line, from 1 on, in which two texts differ.
-fn first_difference<'a>(a: &'a str, b: &'a str) -> Option<(usize, (&'a str, &'a str))> {
+pub fn first_difference<'a>(a: &'a str, b: &'a str) -> Option<(usize, (&'a str, &'a str))> {
     if a == b {
         return None;
     }

@@ -1,0 +1,80 @@
+//! Small models that a newcomer might write: one that is run elsewhere, one with nonlinear cells, one of three rotors.
+
+use gearsim_derive::{Model, Range, Start, derive, half};
+
+use crate::files::first_difference;
+
+#[path = "../newcomer/model.rs"]
+mod model;
+
+/// Set, writes the file instead of comparing it.
+const ACCEPT: &str = "GEARSIM_ACCEPT";
+
+/// The file that `tests/suite/newcomer.rs` expands and runs is the one that the energies give.
+pub fn file_is_current() {
+    let derived = derive(&Model::new("spring_rotor", model::spring_rotor)).expect("the model is sound").file();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/suite/newcomer/spring_rotor.rs");
+    if std::env::var_os(ACCEPT).is_some() {
+        std::fs::write(path, &derived).expect("the file can be written");
+    }
+    let committed = std::fs::read_to_string(path).unwrap_or_default();
+    if let Some((line, (a, b))) = first_difference(&derived, &committed) {
+        panic!(
+            "tests/suite/newcomer/spring_rotor.rs, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
+             Mend with: {ACCEPT}=1 cargo test -p gearsim-tests --test derivation"
+        );
+    }
+}
+
+/// A cell that is not linear says which terms of which energy make it so; the proofs hold all the same.
+pub fn nonlinear_cells_are_named() {
+    let model = Model::new("pendulum", |m| {
+        let [mass, l, g, s] = ["m", "l", "g", "s"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
+        let x = m.coordinate("x", "rad", Start::At(0.1), "angle");
+        let psi = m.coordinate("psi", "rad", Start::At(0.0), "angle of the wheel that switches");
+        m.kinetic(half(mass * l.sq() * x.dot().sq()));
+        m.kinetic(half(s * psi.dot().sq()));
+        let k = m.mesh_stiffness("k", "N*m", psi, 1.0, "");
+        m.potential(half(k.value * x.sq()));
+        m.potential(s * x.pow(4));
+        m.potential(-mass * g * l * gearsim_derive::Expr::function("cos", x));
+    });
+    let d = derive(&model).expect("nonlinear is no slip");
+    let mut terms = d.nonlinear_terms().to_vec();
+    terms.sort();
+    assert_eq!(terms, ["-g*l*m*cos(x) in the potential energy", "s*x^4 in the potential energy"]);
+    assert!(d.text().contains("nonlinear: s*x^4 in the potential energy"), "{}", d.text());
+    assert!(d.file().contains("nonlinear \"") && !d.file().contains("cell {"), "{}", d.file());
+    proved(
+        d.proofs(),
+        &["d/dt (q'.dT/dq' - T + V)", "at a step of k: T+ - T-", "M is symmetric", "M is positive definite: every"],
+    );
+}
+
+/// Three coordinates: M is left to be factored, cells are linear, proofs hold.
+pub fn three_coordinates_are_proved() {
+    let model = Model::new("three_rotors", |m| {
+        let inertias = ["J1", "J2", "J3"].map(|name| m.parameter(name, "kg*m^2", None, Range::Positive, ""));
+        let shaft = m.parameter("s", "N*m", None, Range::Positive, "");
+        let c = m.parameter("c", "N*m*s", None, Range::NotNegative, "");
+        let [a, b, d] = ["a", "b", "d"].map(|name| m.coordinate(name, "rad", Start::At(0.0), ""));
+        for (inertia, q) in inertias.into_iter().zip([a, a + b, a + b + d]) {
+            m.kinetic(half(inertia * q.dot().sq()));
+        }
+        let k = m.mesh_stiffness("k", "N*m", a, 1.0, "");
+        m.potential(half(k.value * b.sq()));
+        m.potential(half(shaft * d.sq()));
+        m.effect("damping", "", |m| m.dissipation(half(c * d.dot().sq())));
+    });
+    let derivation = derive(&model).expect("the model is sound");
+    assert!(derivation.nonlinear_terms().is_empty(), "{:?}", derivation.nonlinear_terms());
+    assert!(derivation.speed_lost(0).is_none() && derivation.direction(0, 1).is_none(), "M is not inverted");
+    proved(derivation.proofs(), &["d/dt (q'.dT/dq' - T + V)", "M is symmetric", "M is positive definite: every"]);
+    insta::assert_snapshot!("three_rotors", derivation.text());
+}
+
+fn proved(proofs: &[String], claims: &[&str]) {
+    for claim in claims {
+        assert!(proofs.iter().any(|p| p.starts_with(claim)), "not proved: {claim}, but {proofs:#?}");
+    }
+}
