@@ -4,13 +4,24 @@
 //! thread, and `xtask` starts it only after the last one ended.
 
 use std::path::PathBuf;
+use std::process::ExitCode;
 use std::time::Instant;
 
 use anyhow::{Context, bail};
 use gearsim_derive::{Model, derive};
 use gearsim_models::MODELS;
 
-fn main() -> anyhow::Result<()> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> anyhow::Result<()> {
     let (flags, names): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|a| a.starts_with("--"));
     let check = match flags.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => false,
