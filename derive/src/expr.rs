@@ -149,7 +149,7 @@ impl Expr {
 
     /// An integer power.
     pub fn pow(self, n: i64) -> Expr {
-        Expr::new(self.atom().pow(&number(n)))
+        Expr::new(self.atom().pow(number(n)))
     }
 
     /// The square root.
@@ -163,7 +163,7 @@ impl Expr {
         let mut rate = number(0);
         for (kind, name) in symbols(&e) {
             if kind == Kind::Coordinate {
-                rate = rate + e.derivative(symbol(kind, &name)) * Atom::var(symbol(Kind::Speed, &speed_name(&name)));
+                rate += e.derivative(symbol(kind, &name)) * Atom::var(symbol(Kind::Speed, &speed_name(&name)));
             }
         }
         Expr::new(rate)

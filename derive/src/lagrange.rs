@@ -62,7 +62,7 @@ pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &
         let through = law.phase.atom().derivative(s.q[i]);
         if !through.is_zero() {
             let marker = Atom::var(symbol(Kind::Marker, marker));
-            g = g + marker
+            g += marker
                 * (e.derivative(s.law[l]) * Atom::var(s.slope[l])
                     + e.derivative(s.slope[l]) * Atom::var(s.curvature[l]))
                 * through;
@@ -78,9 +78,9 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
     let momentum: Vec<Atom> = s.v.iter().map(|v| kinetic.derivative(*v)).collect();
     let mass: Vec<Vec<Atom>> =
         (0..n).map(|i| (0..n).map(|j| momentum[i].derivative(s.v[j]).expand()).collect()).collect();
-    for i in 0..n {
-        if mass[i].iter().all(|m| m.is_zero()) {
-            let coordinate = model.coordinates[i].name.clone();
+    for (row, coordinate) in mass.iter().zip(&model.coordinates) {
+        if row.iter().all(|m| m.is_zero()) {
+            let coordinate = coordinate.name.clone();
             return Err(Slip::Massless { model: model.name.clone(), coordinate });
         }
     }

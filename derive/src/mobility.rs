@@ -99,7 +99,7 @@ pub(crate) fn determinant(m: &[Vec<Atom>]) -> Atom {
             .map(|row| row.iter().enumerate().filter(|(c, _)| *c != j).map(|(_, a)| a.clone()).collect())
             .collect();
         let sign = if j % 2 == 0 { 1 } else { -1 };
-        sum = sum + number(sign) * &m[0][j] * determinant(&minor);
+        sum += number(sign) * &m[0][j] * determinant(&minor);
     }
     sum.expand()
 }

@@ -27,7 +27,7 @@ pub(crate) fn print(tree: &Tree, style: Style) -> String {
 
 fn sum(terms: &[Tree], style: Style) -> String {
     if let Some((n, d)) = common_coefficient(terms) {
-        let bare: Vec<Tree> = terms.iter().map(|t| with_sign_of(t)).collect();
+        let bare: Vec<Tree> = terms.iter().map(with_sign_of).collect();
         let inner = format!("({})", sum(&bare, style));
         return match (n, d, style) {
             (1, d, Style::Latex) => format!("\\frac{{1}}{{{d}}} {inner}"),

@@ -14,6 +14,7 @@ use crate::slip::Slip;
 use crate::tree::Tree;
 
 /// Proves everything, or says what failed. Each line states what was proved.
+#[allow(clippy::needless_range_loop)] // rows and columns by index, as matrices are written
 pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump]) -> Result<Vec<String>, Slip> {
     let mut proved = vec![];
     let mut claim = |what: &str, rest: Atom| -> Result<(), Slip> {
@@ -36,10 +37,10 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
             for j in 0..n {
                 let one = number(i64::from(i == j));
                 let product = (0..n).fold(number(0), |sum, k| sum + &motion.mass[i][k] * &w[k][j]);
-                rest = rest + tag("m", i, j) * (product - one);
+                rest += tag("m", i, j) * (product - one);
             }
             let inertia = (0..n).fold(number(0), |sum, j| sum + &motion.mass[i][j] * exact(motion, &a[j]));
-            rest = rest + tag("a", i, 0) * (inertia - exact(motion, &motion.force[i]));
+            rest += tag("a", i, 0) * (inertia - exact(motion, &motion.force[i]));
         }
         claim("M M⁻¹ = 1, and M q'' = F for the accelerations as printed", rest)?;
     }
@@ -90,7 +91,7 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
         rate = rate
             + &v * hamiltonian.derivative(s.q[i])
             + &v * jump(gradient(model, s, &motion.potential, i, JUMP_TERMS));
-        rate = rate + &v * jump(motion.force[i].clone());
+        rate += &v * jump(motion.force[i].clone());
         rate = rate - &v * &motion.external[i] + &v * motion.dissipation.derivative(s.v[i]);
     }
     rate.expand()

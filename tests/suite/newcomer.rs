@@ -134,13 +134,9 @@ fn its_effects_are_chosen_by_the_scene() {
     let last = t.len() - 1;
     let (time, w) = (t.t[last], (26.0 / J2).sqrt());
     let expected = [1.5 * time + 0.3 / J1 * time * time / 2.0, 0.8 / w * (w * time).sin()];
-    for i in 0..2 {
-        assert!(
-            (t.q[i][last] - expected[i]).abs() < 1e-13 * (1.0 + expected[i].abs()),
-            "{} {}",
-            t.q[i][last],
-            expected[i]
-        );
+    for (q, expected) in t.q.iter().zip(expected) {
+        let error = (q[last] - expected).abs();
+        assert!(error < 1e-13 * (1.0 + expected.abs()), "{} is not {expected}", q[last]);
     }
     assert!((t.work[last] - 0.3 * (expected[0] - t.q[0][0])).abs() < 1e-12, "{}", t.work[last]);
 }

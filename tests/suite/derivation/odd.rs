@@ -4,8 +4,11 @@ use gearsim_derive::{Expr, Model, Range, Start, derive, half};
 
 use crate::slips::oscillator;
 
-/// Odd models, each with a name: they may be sound or refused, but not more.
-const ODD: &[(&str, fn(&mut Model))] = &[
+/// What is odd, and the model.
+type Row = (&'static str, fn(&mut Model));
+
+/// They may be sound or refused, but not more.
+const ODD: &[Row] = &[
     ("nothing at all", |_| {}),
     ("energies without coordinates", |m| m.kinetic(Expr::symbol("x").sq())),
     ("a coordinate without energies", |m| {
@@ -13,7 +16,7 @@ const ODD: &[(&str, fn(&mut Model))] = &[
     }),
     ("energies that are zero", |m| {
         let x = m.coordinate("x", "m", Start::Static, "");
-        m.kinetic(0 * x.dot());
+        m.kinetic(x.dot() + -x.dot());
         m.potential(0.into());
         m.dissipation(0.into());
         m.torque("none", 0.into(), 0.into(), "");
@@ -58,7 +61,7 @@ const ODD: &[(&str, fn(&mut Model))] = &[
     }),
     ("divisions by zero", |m| {
         let o = oscillator(m);
-        m.potential(o.x / (o.s - o.s));
+        m.potential(o.x / (o.s + -o.s));
         m.kinetic(o.x.dot().sq() / 0);
         m.constant("c", Expr::from(0).pow(-1));
         m.constant("d", Expr::from(0) / 0);
