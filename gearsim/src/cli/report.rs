@@ -41,7 +41,29 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         ("unaccounted for", unaccounted(summary)),
         ("time taken", time(summary, rows)),
     ];
-    lines.iter().map(|(name, says)| line(name, says, width)).collect()
+    lines.iter().map(|(name, says)| line(name, says, width)).collect::<String>() + &rare(summary, width)
+}
+
+/// What does not happen in most runs.
+fn rare(summary: &Summary, width: usize) -> String {
+    let counts = &summary.counts;
+    let mut text = String::new();
+    if counts.holds > 0 {
+        let ignored = number::short(counts.ignored.0);
+        text += &line("held at a step", &format!("{} times, with {ignored} J of bounces ignored", counts.holds), width);
+    }
+    if counts.grazes > 0 {
+        text += &line("steps touched", &format!("{} times without passing, to within rounding", counts.grazes), width);
+    }
+    if counts.ambiguous > 0 {
+        let says = format!(
+            "{} times two meshes met their steps together and the order matters: the result is one of several. Shift \
+             the start a little, either way, to see the others",
+            counts.ambiguous
+        );
+        text += &line("not unique", &says, width);
+    }
+    text
 }
 
 /// The files written.

@@ -1,12 +1,13 @@
 //! A linear cell: M q'' + C q' + K q = f with constant matrices, taken apart into modes once.
 //!
-//! K x = omega² M x gives mass-normalised shapes X with Xᵀ M X = 1; q = q_0 + X dxi, and each xi_i moves as a
-//! [`Mode`] with sigma_i = (Xᵀ C X)_ii / 2. Rigid-body modes (omega = 0) are exact: K has no part in them.
+//! With mass-normalised shapes X ([`modal`](crate::engine::modal)), q = q_0 + X dxi, and each xi_i moves as a [`Mode`].
+//! Rigid-body modes are exact: K has no part in them.
 
-use nalgebra::{Cholesky, DMatrix, DVector, SMatrix, SVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
+use crate::engine::modal::{Matrices, Modal, root_of};
 use crate::engine::mode::{Mode, Response};
 
 /// The modes of one cell.
@@ -23,75 +24,61 @@ pub struct Cell<const N: usize> {
     /// Xᵀ f: modal loads.
     load: SVector<f64, N>,
     /// Bound on the rates of its modes [1/s].
-    rate: f64,
+    pub rate: f64,
 }
-
-/// Frequencies below this fraction of the highest are rigid-body modes blurred by rounding.
-const RIGID: f64 = 1e-14;
-/// Damping below this fraction of the strongest is rounding.
-const UNDAMPED: f64 = 1e-15;
-/// Largest damping between two modes, relative to that within them, taken for rounding.
-const COUPLED: f64 = 1e-10;
 
 impl<const N: usize> Cell<N> {
     /// The cell of `equations` with law values `k`.
     ///
     /// # Errors
-    /// Where M is not positive definite, K is not positive semidefinite, or C couples the modes.
+    /// Those of [`Modal::of`].
     pub fn new(equations: &dyn Equations<N>, k: &[f64]) -> Result<Self, Refusal> {
-        let matrix = |rows: [[f64; N]; N]| DMatrix::<f64>::from_fn(N, N, |i, j| rows[i][j]);
-        let (m, c, stiffness) = (matrix(equations.mass()), matrix(equations.damping()), matrix(equations.stiffness(k)));
-        let load = DVector::from_fn(N, |i, _| equations.load()[i]);
-        if [&m, &c, &stiffness].iter().any(|a| a.iter().any(|x| !x.is_finite())) || load.iter().any(|x| !x.is_finite())
-        {
-            return Err(Refusal::Overflow);
-        }
-        if m.diagonal().iter().any(|d| *d <= 0.0) {
-            return Err(Refusal::Mass);
-        }
-        // Scaled to a unit diagonal, so that inertias of any ratio keep their digits.
-        let scale = DMatrix::from_diagonal(&m.diagonal().map(|d| 1.0 / d.sqrt()));
-        let l = Cholesky::new(&scale * &m * &scale).ok_or(Refusal::Mass)?;
-        let inverse = l.l().solve_lower_triangular(&DMatrix::identity(N, N)).ok_or(Refusal::Mass)? * &scale;
-        let a = &inverse * &stiffness * inverse.transpose();
-        let eigen = SymmetricEigen::new(0.5 * (&a + a.transpose()));
-        let highest = eigen.eigenvalues.amax();
-        let mut order: Vec<usize> = (0..N).collect();
-        order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+        let modal = Modal::of(&matrices(equations, k)?)?;
+        Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
+    }
 
-        let shapes = inverse.transpose() * DMatrix::from_fn(N, N, |i, j| eigen.eigenvectors[(i, order[j])]);
-        let damping = shapes.transpose() * c * &shapes;
-        let strongest = damping.diagonal().amax();
-        let mut springs = shapes.transpose() * stiffness;
-        let mut modes = [Mode::new(0.0, 0.0); N];
-        for i in 0..N {
-            let mut omega2 = eigen.eigenvalues[order[i]];
-            if omega2.abs() <= RIGID * highest {
-                omega2 = 0.0;
-                springs.row_mut(i).fill(0.0);
-            }
-            if omega2 < 0.0 {
-                return Err(Refusal::Unstable { omega2 });
-            }
-            let coupling = (0..N).filter(|&j| j != i).map(|j| damping[(i, j)].abs()).fold(0.0, f64::max);
-            if coupling > COUPLED * strongest {
-                return Err(Refusal::CoupledDamping { coupling: coupling / strongest });
-            }
-            // A rounding error's worth of damping is none: an undamped mode must keep its energy.
-            let sigma = 0.5 * damping[(i, i)];
-            modes[i] = Mode::new(if sigma <= UNDAMPED * strongest { 0.0 } else { sigma }, omega2);
+    /// The cell in which the speeds along `normals` (N, one a column) are held at zero.
+    ///
+    /// # Errors
+    /// Those of [`Modal::of`].
+    pub fn held(equations: &dyn Equations<N>, k: &[f64], normals: &DMatrix<f64>) -> Result<Self, Refusal> {
+        let full = matrices(equations, k)?;
+        // Z spans the motions that are left, orthonormal: q' = Z u, and M, C, K, f are seen through it.
+        let q = normals.clone().insert_columns(normals.ncols(), N, 0.0);
+        let q = (q + DMatrix::from_fn(N, normals.ncols() + N, |i, j| f64::from(u8::from(i + normals.ncols() == j))))
+            .qr()
+            .q();
+        let z = q.columns(normals.ncols(), N - normals.ncols()).into_owned();
+        let seen = |a: &DMatrix<f64>| z.transpose() * a * &z;
+        let mass = seen(&full.mass);
+        let (_, inverse) = root_of(&mass)?;
+        let modal = Modal::of(&Matrices {
+            mobility: inverse.transpose() * inverse,
+            mass,
+            damping: seen(&full.damping),
+            stiffness: seen(&full.stiffness),
+            load: z.transpose() * &full.load,
+        })?;
+        let shapes = &z * &modal.shapes;
+        Ok(Self::from_modal(
+            &modal,
+            &shapes,
+            &(&modal.momentum * z.transpose()),
+            &(shapes.transpose() * full.stiffness),
+        ))
+    }
+
+    /// With N modes; those that are not there are at rest for ever.
+    fn from_modal(modal: &Modal, shapes: &DMatrix<f64>, momentum: &DMatrix<f64>, springs: &DMatrix<f64>) -> Self {
+        let rows = |a: &DMatrix<f64>| SMatrix::from_fn(|i, j| if i < a.nrows() { a[(i, j)] } else { 0.0 });
+        Cell {
+            modes: std::array::from_fn(|i| modal.modes.get(i).copied().unwrap_or(Mode::new(0.0, 0.0))),
+            rate: modal.modes.iter().map(|m| m.rate).fold(0.0, f64::max),
+            shapes: SMatrix::from_fn(|i, j| if j < shapes.ncols() { shapes[(i, j)] } else { 0.0 }),
+            momentum: rows(momentum),
+            springs: rows(springs),
+            load: SVector::from_fn(|i, _| modal.load.get(i).copied().unwrap_or(0.0)),
         }
-        let (momentum, load) = (shapes.transpose() * m, shapes.transpose() * load);
-        let fixed = |a: &DMatrix<f64>| SMatrix::from_fn(|i, j| a[(i, j)]);
-        let rate = modes.iter().map(|m| m.rate).fold(0.0, f64::max);
-        Ok(Cell {
-            modes,
-            rate,
-            shapes: fixed(&shapes),
-            momentum: fixed(&momentum),
-            springs: fixed(&springs),
-            load: SVector::from_fn(|i, _| load[i]),
-        })
     }
 
     /// The motion from the state (q, q') on, for as long as the cell lasts.
@@ -106,6 +93,20 @@ impl<const N: usize> Cell<N> {
     pub fn participation(&self, normal: &SVector<f64, N>) -> SVector<f64, N> {
         self.shapes.transpose() * normal
     }
+}
+
+/// M, M⁻¹, C, K, f of `equations` with law values `k`.
+fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<Matrices, Refusal> {
+    let matrix = |rows: [[f64; N]; N]| DMatrix::<f64>::from_fn(N, N, |i, j| rows[i][j]);
+    let mass = matrix(equations.mass());
+    let (_, inverse) = root_of(&mass)?;
+    Ok(Matrices {
+        mobility: inverse.transpose() * inverse,
+        mass,
+        damping: matrix(equations.damping()),
+        stiffness: matrix(equations.stiffness(k)),
+        load: DVector::from_row_slice(&equations.load()),
+    })
 }
 
 /// The motion in a cell from a given state on.

@@ -4,16 +4,16 @@
 //! in one of two ways. If the steady part of its speed outweighs all that the oscillations can do, s is monotone: the
 //! crossing is the only one, and Newton in a bracket finds it. Otherwise the search marches: with |s''| <= B from here
 //! on, no boundary at distance f, approached at the rate r, is reached before the first root of f - r h - B h²/2. A
-//! march by that step never passes a crossing, and leaves a boundary it starts on (f = 0, r < 0) by itself. Where the
-//! oscillations cannot reach as far as the boundary, the march goes at once to where they first could.
+//! march by that step never passes a crossing, and leaves a boundary it starts on (f = 0, r < 0) by itself; leaving at
+//! rest (r = 0), it goes by the higher derivatives. Where the oscillations cannot reach as far as the boundary, the march
+//! goes at once to where they first could.
 //!
 //! Depth: a boundary touched to within [`Search::tolerance`] (a few roundings of s) without passing is a graze: no
 //! event, counted.
 
-use nalgebra::SVector;
-
-use crate::engine::cell::{Flight, Point};
+use crate::engine::cell::Point;
 use crate::engine::mode::NEAR;
+use crate::engine::signal::Signal;
 
 /// Which boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +22,14 @@ pub enum Side {
     Lower,
     /// The one at larger phase.
     Upper,
+}
+
+impl Side {
+    /// The direction in which it lies.
+    #[inline]
+    pub fn sign(self) -> f64 {
+        if self == Side::Upper { 1.0 } else { -1.0 }
+    }
 }
 
 /// What a search costs.
@@ -35,41 +43,17 @@ pub struct Cost {
     pub grazes: u64,
 }
 
-/// The phase of one law along a flight, between two boundaries.
+/// A signal between two boundaries.
 #[derive(Debug)]
 pub struct Search<'a, const N: usize> {
-    /// The motion.
-    pub flight: &'a Flight<'a, N>,
-    /// Participation of the modes in the phase, c (N).
-    pub participation: &'a SVector<f64, N>,
-    /// Distance to the lower boundary, >= 0.
+    /// What is watched.
+    pub signal: Signal<'a, N>,
+    /// Distance to the lower boundary, >= 0; may be infinite.
     pub down: f64,
-    /// Distance to the upper boundary, >= 0.
+    /// Distance to the upper boundary, >= 0; may be infinite.
     pub up: f64,
     /// No crossing at or after this time is sought [s].
     pub horizon: f64,
-}
-
-/// The phase as a steady course and what swings about it.
-struct Reach {
-    /// Speed of the course.
-    drift: f64,
-    /// Bound on the swing.
-    amplitude: f64,
-    /// The swing now.
-    deviation: f64,
-}
-
-impl Reach {
-    /// Time before which a boundary at distance `gap` in the direction `sign` is out of reach.
-    fn time(&self, gap: f64, sign: f64) -> f64 {
-        let clear = (gap + sign * self.deviation - self.amplitude) * (1.0 - 1e-12);
-        match (clear > 0.0, sign * self.drift > 0.0) {
-            (true, true) => clear / self.drift.abs(),
-            (true, false) => f64::INFINITY,
-            _ => 0.0,
-        }
-    }
 }
 
 /// More steps than this mean that the search is stuck.
@@ -78,43 +62,24 @@ const MOST_STEPS: u64 = 1_000_000;
 const MOST_NEWTON: u64 = 200;
 
 impl<const N: usize> Search<'_, N> {
-    /// The first boundary met before the horizon, with `point` moved there; else `point` at the horizon. `point` is to be
-    /// at the start.
+    /// The first boundary met before the horizon, with `point` moved there; else `point` is anywhere. `point` is to be at
+    /// the start.
     ///
     /// # Errors
     /// The number of steps taken, where the search does not end.
-    pub fn first(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, u64> {
-        let (drift, wobble) = self.drift_and_wobble();
-        let met = if drift.abs() > wobble * (1.0 + 1e-12) {
-            self.monotone(drift, wobble, point, cost)
-        } else {
-            self.march(point, cost)?
-        };
-        if met.is_none() {
-            self.go(point, self.horizon, cost);
-        }
-        Ok(met)
-    }
-
-    /// Depth to which a touch is told from a crossing [unit of the phase].
-    pub fn tolerance(&self) -> f64 {
-        4.0 * f64::EPSILON * (self.up + self.down)
-    }
-
-    /// Steady part of the phase's speed, and a bound on the rest.
     #[inline]
-    fn drift_and_wobble(&self) -> (f64, f64) {
-        let (mut drift, mut wobble) = (0.0, 0.0);
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let c = self.participation[i];
-            let (v, a) = self.flight.rates_at_start(i);
-            if mode.is_rigid() && a == 0.0 {
-                drift += c * v;
-            } else if c != 0.0 {
-                wobble += c.abs() * mode.rough_bound(v, a);
-            }
+    pub fn first(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, u64> {
+        let (drift, wobble) = self.signal.drift_and_wobble();
+        if drift.abs() > wobble * (1.0 + 1e-12) {
+            return Ok(self.monotone(drift, wobble, point, cost));
         }
-        (drift, wobble)
+        self.march(point, cost)
+    }
+
+    /// Depth to which a touch is told from a crossing [unit of the signal].
+    pub fn tolerance(&self) -> f64 {
+        let width = [self.up, self.down].into_iter().filter(|x| x.is_finite()).sum::<f64>();
+        4.0 * f64::EPSILON * width
     }
 
     /// The only crossing of a monotone phase: Newton from the steady guess, in a bracket.
@@ -135,12 +100,12 @@ impl<const N: usize> Search<'_, N> {
     /// motion in full is mostly enough, two nearly always.
     #[inline]
     fn newton(&self, side: Side, gap: f64, bracket: (f64, f64), point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
-        let sign = if side == Side::Upper { 1.0 } else { -1.0 };
+        let sign = side.sign();
         let (mut low, mut high) = bracket;
         for _ in 0..MOST_NEWTON {
             cost.steps += 1;
             let t = point.t;
-            let [s, r, a, j, snap] = self.derivatives(point).map(|x| sign * x);
+            let [s, r, a, j, snap] = self.signal.derivatives(point).map(|x| sign * x);
             let f = gap - s;
             if f > 0.0 {
                 low = t
@@ -153,9 +118,9 @@ impl<const N: usize> Search<'_, N> {
                 (a * inverse * h * 0.5, j * inverse * h * h * (1.0 / 6.0), snap * inverse * h * h * h * (1.0 / 24.0));
             let dt = h * (1.0 - a + (2.0 * a * a - j) - (5.0 * a * (a * a - j) + snap));
             let inside = t + dt >= low && t + dt <= high && a.abs() < 0.1;
-            let angle = dt.abs() * self.flight.rate();
+            let angle = dt.abs() * self.signal.flight.rate();
             if inside && angle <= NEAR {
-                self.flight.shift(point, dt);
+                self.signal.flight.shift(point, dt);
                 // What the next terms of the series could add is below rounding.
                 let next = a * a + j.abs();
                 if (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs() <= f64::EPSILON * t {
@@ -175,15 +140,17 @@ impl<const N: usize> Search<'_, N> {
         let tolerance = self.tolerance();
         for _ in 0..MOST_STEPS {
             cost.steps += 1;
-            let (t, moved) = (point.t, self.moved(point));
-            let (rate, acceleration, bound) = self.rates(point);
-            let reach = self.reach(point);
-            let sides = [
-                (Side::Upper, self.up - moved, rate, acceleration),
-                (Side::Lower, self.down + moved, -rate, -acceleration),
-            ];
+            let t = point.t;
+            let [moved, rate, acceleration, jerk, _] = self.signal.derivatives(point);
+            let bounds = self.signal.bounds(point);
+            let reach = self.signal.reach(point);
             let mut h = f64::INFINITY;
-            for (side, gap, r, a) in sides {
+            for (side, full) in [(Side::Upper, self.up), (Side::Lower, self.down)] {
+                if full.is_infinite() {
+                    continue;
+                }
+                let sign = side.sign();
+                let (gap, r, a, j) = (full - sign * moved, sign * rate, sign * acceleration, sign * jerk);
                 if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
                     // Here or hereabouts: does it pass, or turn within the tolerance?
                     let depth = if a < 0.0 { gap + r * r / (2.0 * a) } else { f64::NEG_INFINITY };
@@ -194,29 +161,18 @@ impl<const N: usize> Search<'_, N> {
                     h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
                     continue;
                 }
-                let gap = gap.max(0.0);
+                let (gap, bound) = (gap.max(0.0), bounds[0]);
                 if r > 0.0 && 2.0 * bound * gap < 0.99 * r * r {
                     // One root, simple, before anything else can happen.
                     if gap / (r + (2.0 * bound * gap).sqrt()) > self.horizon - t {
                         continue;
                     }
                     let bracket = (t + 0.5 * gap / r, t + 2.0 * gap / r);
-                    let full = if side == Side::Upper { self.up } else { self.down };
                     self.go(point, t + gap / r, cost);
                     return Ok(self.newton(side, full, bracket, point, cost));
                 }
-                let root = (r * r + 2.0 * bound * gap).sqrt();
-                let safe = if r > 0.0 {
-                    2.0 * gap / (r + root)
-                } else if bound > 0.0 {
-                    (root - r) / bound
-                } else {
-                    f64::INFINITY
-                };
-                // At rest on the boundary: nothing bounds the step but the jerk; a tolerance's worth is safe.
-                let safe = if safe == 0.0 { (2.0 * tolerance / bound).sqrt() } else { safe };
-                let sign = if side == Side::Upper { 1.0 } else { -1.0 };
-                h = h.min(safe.max(reach.time(gap, sign)));
+                let clear = clear_of(gap, r, a, j, bounds, tolerance);
+                h = h.min(clear.max(reach.time(gap, sign)));
             }
             let next = t + h;
             if next >= self.horizon || next.is_nan() {
@@ -227,70 +183,30 @@ impl<const N: usize> Search<'_, N> {
         Err(MOST_STEPS)
     }
 
-    /// Rate and acceleration of the phase, and a bound on the latter from here on.
-    #[inline]
-    fn rates(&self, point: &Point<N>) -> (f64, f64, f64) {
-        let (mut rate, mut acceleration, mut bound) = (0.0, 0.0, 0.0);
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let c = self.participation[i];
-            if c == 0.0 {
-                continue;
-            }
-            let (v, a) = self.flight.rates(i, point);
-            rate += c * v;
-            acceleration += c * a;
-            bound += c.abs() * mode.bound(a, -2.0 * mode.sigma * a - mode.omega2 * v);
-        }
-        (rate, acceleration, bound * (1.0 + 1e-12))
-    }
-
-    /// How far the oscillations carry the phase about its steady course, from here on.
-    fn reach(&self, point: &Point<N>) -> Reach {
-        let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let c = self.participation[i];
-            if c == 0.0 {
-                continue;
-            }
-            let (v, a) = self.flight.rates(i, point);
-            if mode.is_rigid() && a == 0.0 {
-                reach.drift += c * v;
-            } else if mode.omega2 > 0.0 {
-                // Deviation from equilibrium, -(spring force)/omega², with the spring force a + 2 sigma v.
-                let y = -(a + 2.0 * mode.sigma * v) / mode.omega2;
-                reach.deviation += c * y;
-                reach.amplitude += c.abs() * mode.bound(y, v);
-            } else {
-                reach.amplitude = f64::INFINITY;
-            }
-        }
-        reach
-    }
-
     #[inline]
     fn go(&self, point: &mut Point<N>, t: f64, cost: &mut Cost) {
         cost.evaluations += 1;
-        self.flight.go(point, t);
+        self.signal.flight.go(point, t);
     }
+}
 
-    #[inline]
-    fn moved(&self, point: &Point<N>) -> f64 {
-        self.participation.dot(&point.moved)
-    }
-
-    /// The phase's way so far, and its first four derivatives.
-    #[inline]
-    fn derivatives(&self, point: &Point<N>) -> [f64; 5] {
-        let mut sum = [0.0; 5];
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let c = self.participation[i];
-            let (v, a) = self.flight.rates(i, point);
-            let j = -2.0 * mode.sigma * a - mode.omega2 * v;
-            let snap = -2.0 * mode.sigma * j - mode.omega2 * a;
-            for (sum, x) in sum.iter_mut().zip([point.moved[i], v, a, j, snap]) {
-                *sum += c * x;
-            }
-        }
-        sum
-    }
+/// A time for which a boundary at distance `gap`, approached at rate `r`, acceleration `a` and jerk `j`, is not met;
+/// `bounds` are those on the second, third and fourth derivative.
+fn clear_of(gap: f64, r: f64, a: f64, j: f64, bounds: [f64; 3], tolerance: f64) -> f64 {
+    // The first root of gap - r h - B h²/2.
+    let root = (r * r + 2.0 * bounds[0] * gap).sqrt();
+    let second = if r > 0.0 {
+        2.0 * gap / (r + root)
+    } else if bounds[0] > 0.0 {
+        (root - r) / bounds[0]
+    } else {
+        f64::INFINITY
+    };
+    // Leaving it: what the first derivatives give outweighs the bound on the next.
+    let leaving = |d: f64, bound: f64| if bound > 0.0 { -d / bound } else { f64::INFINITY };
+    let third = if r <= 0.0 && a < 0.0 { 3.0 * leaving(a, bounds[1]) } else { 0.0 };
+    let fourth = if r <= 0.0 && a <= 0.0 && j < 0.0 { 4.0 * leaving(j, bounds[2]) } else { 0.0 };
+    let clear = second.max(third).max(fourth);
+    // At rest on the boundary: nothing else bounds the step; a tolerance's worth is safe.
+    if clear == 0.0 { (2.0 * tolerance / bounds[0]).sqrt() } else { clear }
 }

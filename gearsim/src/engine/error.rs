@@ -8,8 +8,8 @@ pub enum Refusal {
     Effects,
     #[error("the equations are not linear between two steps ({terms}), and only linear cells are simulated so far")]
     Nonlinear { terms: &'static str },
-    #[error("the model has {laws} stepping stiffnesses; one is simulated so far")]
-    SeveralLaws { laws: usize },
+    #[error("the steps of the model's stiffnesses make {cells} cells; {most} are simulated at most")]
+    Cells { cells: usize, most: usize },
     #[error(
         "the mass matrix is not positive definite with these numbers: an inertia is zero, negative, or lost beside another by rounding"
     )]
@@ -40,6 +40,10 @@ pub enum Stop {
         "at t = {t} s, {events} events followed one another within {span:e} s ({state}, cell {cell}): a tooth is pressed against a step that it cannot climb"
     )]
     Cascade { t: f64, events: usize, span: f64, state: String, cell: usize },
+    #[error(
+        "at t = {t} s ({state}, cell {cell}) a phase is held at a step, and the motion that is left has no modes: {reason}"
+    )]
+    Held { t: f64, state: String, cell: usize, reason: Refusal },
     #[error("at t = {t} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})")]
     Search { t: f64, steps: usize, state: String, cell: usize },
 }

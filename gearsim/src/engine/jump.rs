@@ -2,10 +2,12 @@
 //!
 //! v = n.q' is the normal speed, G = n.M⁻¹n, dV the step of potential energy at the same q:
 //! v+² = v² - 2 G dV; transmitted with q'+ = q' + (M⁻¹n/G)(v+ - v) where that is >= 0, else reflected with v+ = -v.
-//! One number decides. Equality transmits, with v+ = 0.
+//! One number decides. Equality transmits, with v+ = 0. Steps of several laws at the same place of the same phase are one
+//! step, with the sum of their dV.
 
 use nalgebra::SVector;
 
+use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
 
 /// What happened at a step.
@@ -26,45 +28,32 @@ pub struct Surface<const N: usize> {
     pub compliance: f64,
     /// M⁻¹n / G (N).
     pub direction: SVector<f64, N>,
-    /// Index of the law.
-    pub law: usize,
 }
 
 impl<const N: usize> Surface<N> {
-    /// No surface: for models without a stepping law.
-    pub fn none() -> Self {
-        Surface { normal: SVector::zeros(), compliance: 0.0, direction: SVector::zeros(), law: 0 }
-    }
-
     /// The surface of law `law`.
     pub fn new(equations: &dyn Equations<N>, law: usize) -> Self {
         Surface {
             normal: SVector::from(equations.normal(law)),
             compliance: equations.compliance(law),
             direction: SVector::from(equations.direction(law)),
-            law,
         }
     }
 
-    /// Changes the speeds at a step of the law by `dk`.
-    pub fn pass(
-        &self,
-        equations: &dyn Equations<N>,
-        q: &SVector<f64, N>,
-        q_dot: &mut SVector<f64, N>,
-        dk: f64,
-    ) -> Passage {
+    /// Changes the speeds at a step of the potential energy by `dv` [J], met on the way to `side`.
+    #[inline]
+    pub fn pass(&self, q_dot: &mut SVector<f64, N>, side: Side, dv: f64) -> Passage {
         let v = self.normal.dot(q_dot);
-        let lost = 2.0 * self.compliance * equations.step(self.law, &q.data.0[0], dk);
+        let lost = 2.0 * self.compliance * dv;
         let square = v * v - lost;
         if square < 0.0 {
             *q_dot += self.direction * (-2.0 * v);
             return Passage::Reflected;
         }
-        // v+ - v without cancellation; v+ + v has no other sign than v.
+        // v+ - v without cancellation; both lead to the side that is met, or are zero.
         let after = square.sqrt();
         if after > 0.0 || v != 0.0 {
-            *q_dot += self.direction * (v.signum() * -lost / (after + v.abs()));
+            *q_dot += self.direction * (side.sign() * -lost / (after + v.abs()));
         }
         Passage::Transmitted
     }

@@ -1,19 +1,26 @@
 //! The engine: exact propagation in linear cells, guaranteed crossings, jumps that conserve energy.
 //!
-//! From the inside out, one file each: `mode` (one degree of freedom, exact), `cell` (matrices to modes), `crossing`
-//! (the first boundary met), `jump` (what speeds do there), `phase` and `clock` (angles and times without loss of
-//! digits), `start`, `record` (rows and the energy account), `simulate` (the loop), `outcome` (a scene, run).
+//! From the inside out, one file each: `mode` (one degree of freedom, exact), `modal` (matrices to modes), `cell` (a
+//! motion along them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
+//! `contact` (a phase held at a step), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
+//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run).
 
 pub mod cell;
+pub mod cells;
 pub mod clock;
+pub mod contact;
 pub mod crossing;
 pub mod equations;
 pub mod error;
+pub mod guard;
 pub mod jump;
+pub mod law;
+pub mod modal;
 pub mod mode;
 pub mod outcome;
 pub mod phase;
 pub mod record;
+pub mod signal;
 pub mod simulate;
 mod start;
 

@@ -20,6 +20,8 @@ pub struct Outcome {
     pub trajectory: Trajectory,
     /// T + V at the start [J].
     pub energy_at_start: f64,
+    /// Energy of bounces that were not followed to their ends [J], counted in the residual.
+    pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
     /// Why the run ended before its time, if it did.
@@ -62,13 +64,13 @@ fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64))
     let equations = equations::<D, N>(scene)?;
     let mut simulation = Simulation::new(scene.model, &*equations, scene)?;
     let lengths = simulation.turn_lengths();
-    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, &[simulation.stiffness()]);
+    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, &simulation.levels());
     let begin = ThreadTime::now();
     let stopped_by = simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
     let cpu_seconds = begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64();
     if stopped_by.is_some() {
-        let (state, k) = (simulation.state, simulation.stiffness());
-        recorder.row(simulation.clock.now(), Moment::Sample, &state, &[k], simulation.dissipated);
+        let (state, lost) = (simulation.state, (simulation.dissipated, simulation.ignored));
+        recorder.row(simulation.clock.now(), Moment::Sample, &state, &simulation.levels(), lost);
     }
     let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
     let reference_frequency = Cell::new(&*equations, &mids)
@@ -77,6 +79,7 @@ fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64))
     Ok(Outcome {
         energy_at_start: recorder.energy_at_start,
         trajectory: recorder.trajectory,
+        ignored: simulation.ignored,
         counts: simulation.counts,
         stopped_by,
         reference_frequency,

@@ -51,18 +51,10 @@ impl Pitch {
         (self.boundaries[cell], self.boundaries[cell + 1])
     }
 
-    /// No steps anywhere: for models without a stepping law.
-    pub fn none() -> Self {
-        Pitch::constant(0.0, f64::INFINITY)
-    }
-
     /// Pitch count, remainder and cell of an absolute phase that moves on at `speed`. On a boundary the motion
     /// decides: the cell is the one it moves into, the upper one at rest.
     pub fn locate(&self, phase: f64, speed: f64) -> (i64, f64, usize) {
         let period = self.period();
-        if period.is_infinite() {
-            return (0, phase, 0);
-        }
         let mut count = (phase / period).floor() as i64;
         let mut rest = phase.rem_euclid(period);
         if rest >= period {

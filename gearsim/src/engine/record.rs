@@ -18,6 +18,18 @@ pub struct State<const N: usize> {
 }
 
 impl<const N: usize> State<N> {
+    /// Whether all of it is finite.
+    #[inline]
+    pub fn is_finite(&self) -> bool {
+        self.q.iter().chain(self.q_dot.iter()).all(|x| x.is_finite())
+    }
+
+    /// The state in words, for messages.
+    pub fn describe(&self) -> String {
+        let list = |v: &SVector<f64, N>| v.iter().map(|x| format!("{x:.6e}")).collect::<Vec<_>>().join(", ");
+        format!("q = [{}], q' = [{}]", list(&self.q), list(&self.q_dot))
+    }
+
     /// The coordinates unwrapped, with `pitch` the length of one turn of each.
     pub fn unwrapped(&self, pitch: &[f64; N]) -> [f64; N] {
         std::array::from_fn(|i| self.turns[i] as f64 * pitch[i] + self.q[i])
@@ -48,8 +60,9 @@ impl<'a, const N: usize> Recorder<'a, N> {
         Recorder { equations, pitch, start, energy_at_start, trajectory: Trajectory::new(model) }
     }
 
-    /// Adds a row.
-    pub fn row(&mut self, t: f64, moment: Moment, state: &State<N>, k: &[f64], dissipated: f64) {
+    /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].
+    pub fn row(&mut self, t: f64, moment: Moment, state: &State<N>, k: &[f64], lost: (f64, f64)) {
+        let (dissipated, ignored) = lost;
         let q: [f64; N] = state.q.into();
         let (kinetic, strain) = (self.equations.kinetic(&state.q_dot.into()), self.equations.potential(&q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
@@ -71,6 +84,6 @@ impl<'a, const N: usize> Recorder<'a, N> {
             column.push(self.equations.torque_work(i, &moved));
         }
         row.dissipated.push(dissipated);
-        row.residual.push(kinetic + strain - work + dissipated - self.energy_at_start);
+        row.residual.push(kinetic + strain - work + dissipated + ignored - self.energy_at_start);
     }
 }

@@ -1,16 +1,18 @@
 //! The run: solve a cell, locate its end, jump; the six steps of Oh, Grosh & Barber (2005), for any number of
-//! coordinates, levels a pitch, and both directions of rotation.
+//! coordinates, stiffnesses and levels a pitch, and both directions of rotation.
 
-use nalgebra::SVector;
-
-use crate::engine::cell::{Cell, Flight, Point};
+use crate::engine::cell::{Flight, Point};
+use crate::engine::cells::{self, Cells, Prepared};
 use crate::engine::clock::Clock;
+use crate::engine::contact::{self, Contact, Ending};
 use crate::engine::crossing::{Cost, Search, Side};
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::{Refusal, Stop};
-use crate::engine::jump::{Passage, Surface};
-use crate::engine::phase::Pitch;
+use crate::engine::guard::{self, Guard};
+use crate::engine::jump::Passage;
+use crate::engine::law::{self, Law};
 use crate::engine::record::{Recorder, State};
+use crate::engine::signal::Signal;
 use crate::engine::start;
 use crate::model::Model;
 use crate::scene::Scene;
@@ -23,6 +25,10 @@ pub struct Counts {
     pub cell_changes: u64,
     /// Steps at which the motion turned back.
     pub reflections: u64,
+    /// Times that a phase was held at a step.
+    pub holds: u64,
+    /// Steps met together whose order changes what comes of them: the result is one of several.
+    pub ambiguous: u64,
     /// What the searches for crossings cost.
     pub cost: Cost,
 }
@@ -30,57 +36,36 @@ pub struct Counts {
 /// A simulation under way: one scene's equations, cells and state.
 pub struct Simulation<'a, const N: usize> {
     equations: &'a dyn Equations<N>,
-    switching: Switching,
-    /// The pitch of the stepping law, and its geometry.
-    pitch: Pitch,
-    surface: Surface<N>,
-    /// Coordinate that is the phase, and whether its whole pitches are counted off.
-    phase: usize,
-    rolling: bool,
-    /// The modes of every cell of a pitch, worked out once.
-    cells: Vec<Cell<N>>,
-    participation: Vec<SVector<f64, N>>,
-    /// Angular speed of the frozen phase, and the phase itself at t = 0.
-    frozen: Option<Frozen>,
+    cells: Cells<N>,
     t_end: f64,
-    /// Whole pitches that the phase has gone.
-    pitches: i64,
+    guard: Guard,
 
     /// Time.
     pub clock: Clock,
     /// State.
     pub state: State<N>,
-    /// Cell of the pitch.
-    pub cell: usize,
+    /// Where the stiffnesses stand.
+    pub laws: Vec<Law<N>>,
+    /// Phases held at a step that they cannot climb.
+    contact: Option<Box<Contact<N>>>,
     /// Energy lost to damping so far [J].
     pub dissipated: f64,
+    /// Energy of bounces that were not followed to their ends, so far [J].
+    pub ignored: f64,
     /// What happened so far.
     pub counts: Counts,
-    /// Time of the last event at which a cascade was seen to begin, and events since.
-    cascade: (f64, u64),
-}
-
-/// The phase that runs by time alone: k(Omega0 t).
-#[derive(Debug, Clone, Copy)]
-struct Frozen {
-    speed: f64,
-    /// Remainder and pitches at t = 0.
-    origin: f64,
-    pitches: i64,
 }
 
 /// How a flight ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum End {
-    /// At a boundary of the cell.
-    Step(Side),
-    /// At the end of the run.
+    /// A law meets a boundary of its cell.
+    Step(usize, Side),
+    /// The hold of a law ends.
+    Hold(usize, Ending),
+    /// The run is over.
     Run,
 }
-
-/// Events closer than this part of the cell's shortest period, one after another, are a cascade.
-const CASCADE_SPAN: f64 = 1e-9;
-/// Events of a cascade that end the run.
-const CASCADE_EVENTS: u64 = 10_000;
 
 impl<'a, const N: usize> Simulation<'a, N> {
     /// Prepares a scene: its cells, its start.
@@ -91,46 +76,19 @@ impl<'a, const N: usize> Simulation<'a, N> {
         if !model.nonlinear.is_empty() {
             return Err(Refusal::Nonlinear { terms: model.nonlinear });
         }
-        let (switching, pitch, surface, phase, rolling) = match model.laws {
-            [] => (Switching::Never, Pitch::none(), Surface::none(), 0, false),
-            [law] => {
-                let switching = equations.switching(0);
-                let pitch = match switching {
-                    Switching::Never => Pitch::constant(scene.laws[0].mid(), law.period),
-                    _ => Pitch::new(&scene.laws[0], law.period),
-                };
-                let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
-                (switching, pitch, Surface::new(equations, 0), phase, law.rolling)
-            }
-            laws => return Err(Refusal::SeveralLaws { laws: laws.len() }),
-        };
-        let cells =
-            (0..pitch.cells()).map(|c| Cell::new(equations, &[pitch.level(c)])).collect::<Result<Vec<_>, _>>()?;
-        let participation = cells.iter().map(|c| c.participation(&surface.normal)).collect();
-        let (state, pitches, cell) = start::begin(equations, scene, &pitch, phase, rolling)?;
-        let frozen = (switching == Switching::ByTime).then(|| Frozen {
-            speed: state.q_dot[phase],
-            origin: pitch.locate(state.q[phase], state.q_dot[phase]).1,
-            pitches,
-        });
+        let (state, laws) = start::begin(equations, scene)?;
         Ok(Simulation {
             equations,
-            switching,
-            pitch,
-            surface,
-            phase,
-            rolling,
-            cells,
-            participation,
-            frozen,
-            pitches,
+            cells: Cells::new(equations, &laws)?,
             t_end: scene.t_end,
+            guard: Guard::default(),
             clock: Clock::default(),
             state,
-            cell,
+            laws,
+            contact: None,
             dissipated: 0.0,
+            ignored: 0.0,
             counts: Counts::default(),
-            cascade: (0.0, 0),
         })
     }
 
@@ -147,11 +105,11 @@ impl<'a, const N: usize> Simulation<'a, N> {
         let mut sample = 0;
         loop {
             // Solve: the motion in this cell, in closed form.
-            let flight = self.cells[self.cell].flight(&self.state.q, &self.state.q_dot);
-            // Locate: the first boundary it meets.
-            let mut cost = self.counts.cost;
-            let mut point = flight.begin();
-            let end = self.locate(&flight, &mut point, &mut cost)?;
+            let here = self.contact.as_ref().map_or_else(|| self.cells.at(&self.laws), |contact| &contact.left);
+            let flight = here.cell.flight(&self.state.q, &self.state.q_dot);
+            // Locate: its end.
+            let (mut point, mut cost) = (flight.begin(), self.counts.cost);
+            let end = self.locate(here, &flight, &mut point, &mut cost)?;
             if let Some((recorder, rate, _)) = &mut recorder {
                 self.samples(&flight, point.t, *rate, &mut sample, recorder);
             }
@@ -163,118 +121,171 @@ impl<'a, const N: usize> Simulation<'a, N> {
             self.state.q_dot += dv;
             self.dissipated += lost;
             self.clock.advance(point.t);
-            if !self.state.q.iter().chain(self.state.q_dot.iter()).all(|x| x.is_finite()) {
-                return Err(Stop::NotFinite { t: self.clock.now(), state: self.describe(), cell: self.cell });
+            if !self.state.is_finite() {
+                return Err(Stop::NotFinite { t: self.clock.now(), state: self.state.describe(), cell: self.cell() });
             }
-            let End::Step(side) = end else {
-                self.clock.set(self.t_end);
-                if let Some((recorder, ..)) = &mut recorder {
-                    self.note(recorder, Moment::Sample);
-                }
-                return Ok(());
-            };
             // Jump: through the step, or back from it.
-            if let Some((recorder, _, true)) = &mut recorder {
-                self.snap(side);
+            let noted = recorder.as_mut().filter(|(_, _, events)| *events || end == End::Run).map(|r| &mut *r.0);
+            if end == End::Run {
+                self.clock.set(self.t_end);
+                noted.into_iter().for_each(|recorder| self.note(recorder, Moment::Sample));
+                return Ok(());
+            }
+            if let Some(recorder) = noted {
+                self.arrive(end);
                 self.note(recorder, Moment::Before);
-                self.jump(side);
+                self.act(end)?;
                 self.note(recorder, Moment::After);
             } else {
-                self.snap(side);
-                self.jump(side);
+                self.arrive(end);
+                self.act(end)?;
             }
-            self.guard_against_cascades()?;
+            self.guard.against_cascades(&self.clock, self.t_end, &self.state, self.cell())?;
             watch(self.clock.now());
         }
     }
 
     /// How the flight ends; `point` is moved to where.
     #[inline]
-    fn locate(&self, flight: &Flight<'_, N>, point: &mut Point<N>, cost: &mut Cost) -> Result<End, Stop> {
-        let left = self.clock.until(self.t_end);
-        let (t, end) = match self.frozen {
-            None if self.switching != Switching::Never => return self.meet(flight, left, point, cost),
-            None => (left, End::Run),
-            Some(frozen) => match self.next_switch(frozen) {
-                (t, side) if t < self.t_end => (self.clock.until(t).max(0.0), End::Step(side)),
-                _ => (left, End::Run),
-            },
+    fn locate(
+        &self,
+        here: &Prepared<N>,
+        flight: &Flight<'_, N>,
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Result<End, Stop> {
+        let stuck = |steps| Stop::Search {
+            t: self.clock.now(),
+            steps: steps as usize,
+            state: self.state.describe(),
+            cell: self.cell(),
         };
-        cost.evaluations += 1;
-        flight.go(point, t);
+        let (mut end, mut horizon) = (End::Run, self.clock.until(self.t_end));
+        for (i, law) in self.laws.iter().enumerate() {
+            if law.switching == Switching::Never || self.contact.as_ref().is_some_and(|c| c.holds(i)) {
+                continue;
+            }
+            let mut trial = flight.begin();
+            if let Some((t, side)) = law.next_switch() {
+                let t = self.clock.until(t).max(0.0);
+                if t < horizon {
+                    flight.go(&mut trial, t);
+                    (*point, end, horizon) = (trial, End::Step(i, side), t);
+                }
+                continue;
+            }
+            let (lower, upper) = law.bounds(&self.state);
+            let s = self.state.q[law.phase];
+            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: None };
+            let search = Search { signal, down: s - lower, up: upper - s, horizon };
+            // The first law's search moves the point itself: mostly there is no other.
+            let place = if i == 0 { &mut *point } else { &mut trial };
+            if let Some(side) = search.first(place, cost).map_err(stuck)? {
+                (end, horizon) = (End::Step(i, side), place.t);
+                if i > 0 {
+                    *point = trial;
+                }
+            }
+        }
+        if let Some(contact) = &self.contact {
+            let ending = contact.first_ending(flight, &self.state, horizon, point, cost).map_err(stuck)?;
+            end = ending.map_or(end, |(law, ending)| End::Hold(law, ending));
+        }
+        if end == End::Run {
+            cost.evaluations += 1;
+            flight.go(point, horizon);
+        }
         Ok(end)
     }
 
-    /// The first boundary that the phase meets.
+    /// Puts the phase that met a step exactly on it.
     #[inline]
-    fn meet(&self, flight: &Flight<'_, N>, horizon: f64, point: &mut Point<N>, cost: &mut Cost) -> Result<End, Stop> {
-        let (lower, upper) = self.bounds();
-        let s = self.state.q[self.phase];
-        let participation = &self.participation[self.cell];
-        let search = Search { flight, participation, down: s - lower, up: upper - s, horizon };
-        match search.first(point, cost) {
-            Ok(met) => Ok(met.map_or(End::Run, End::Step)),
-            Err(steps) => Err(Stop::Search {
-                t: self.clock.now(),
-                steps: steps as usize,
-                state: self.describe(),
-                cell: self.cell,
-            }),
+    fn arrive(&mut self, end: End) {
+        if let End::Step(law, side) = end {
+            self.laws[law].snap(side, &mut self.state);
         }
     }
 
-    /// When the frozen phase next meets a boundary of the present cell.
-    fn next_switch(&self, frozen: Frozen) -> (f64, Side) {
-        let (lower, upper) = self.pitch.bounds(self.cell);
-        let travelled = (self.pitches - frozen.pitches) as f64 * self.pitch.period();
-        match frozen.speed {
-            w if w > 0.0 => ((travelled + (upper - frozen.origin)) / w, Side::Upper),
-            w if w < 0.0 => ((travelled + (lower - frozen.origin)) / w, Side::Lower),
-            _ => (f64::INFINITY, Side::Upper),
-        }
-    }
-
-    /// Boundaries of the present cell, in the coordinate that is the phase.
+    /// What happens at an event.
     #[inline]
-    fn bounds(&self) -> (f64, f64) {
-        let (lower, upper) = self.pitch.bounds(self.cell);
-        if self.rolling {
-            return (lower, upper);
-        }
-        let before = self.pitches as f64 * self.pitch.period();
-        (before + lower, before + upper)
-    }
-
-    /// Puts the phase exactly on the boundary that it met.
-    fn snap(&mut self, side: Side) {
-        if self.frozen.is_none() {
-            let (lower, upper) = self.bounds();
-            self.state.q[self.phase] = if side == Side::Upper { upper } else { lower };
+    fn act(&mut self, end: End) -> Result<(), Stop> {
+        match end {
+            End::Step(law, side) => {
+                if self.laws.len() > 1 {
+                    let ambiguous = guard::order_matters(self.equations, &self.laws, &self.state, law, side);
+                    self.counts.ambiguous += u64::from(ambiguous);
+                }
+                // An impulse ends what is held, which bounces or leaves.
+                self.contact = None;
+                self.jump(law, side)
+            }
+            End::Hold(law, ending) => {
+                let mut held = self.contact.take().map_or(vec![], |contact| contact.laws);
+                let side = held.iter().find(|l| l.0 == law).map_or(Side::Upper, |l| l.1);
+                held.retain(|l| l.0 != law);
+                if ending == Ending::Slip {
+                    self.enter(law, side);
+                }
+                self.hold(held)
+            }
+            End::Run => Ok(()),
         }
     }
 
     /// Passes a step, or is turned back by it.
     #[inline]
-    fn jump(&mut self, side: Side) {
-        let (beyond, entered, turn) = self.pitch.beyond(self.cell, side);
-        let passage = match self.switching {
+    fn jump(&mut self, law: usize, side: Side) -> Result<(), Stop> {
+        let passage = match self.laws[law].switching {
             Switching::WithJump => {
-                let dk = self.pitch.level(beyond) - self.pitch.level(self.cell);
-                self.surface.pass(self.equations, &self.state.q, &mut self.state.q_dot, dk)
+                let dv = law::barrier(self.equations, &self.laws, law, side, &self.state);
+                self.laws[law].surface.pass(&mut self.state.q_dot, side, dv)
             }
             _ => Passage::Transmitted,
         };
-        if passage == Passage::Reflected {
-            self.counts.reflections += 1;
-            return;
+        if passage == Passage::Transmitted {
+            self.enter(law, side);
+            return Ok(());
         }
+        self.counts.reflections += 1;
+        self.press(law, side)
+    }
+
+    /// Goes on into the cell beyond.
+    #[inline]
+    fn enter(&mut self, law: usize, side: Side) {
         self.counts.cell_changes += 1;
-        self.cell = beyond;
-        self.pitches += turn;
-        if self.rolling && self.frozen.is_none() {
-            self.state.q[self.phase] = entered;
-            self.state.turns[self.phase] += turn;
+        if let [only] = &mut self.laws[..] {
+            return only.enter(side, &mut self.state);
         }
+        let met: Vec<usize> = law::met(&self.laws, law, side, &self.state).collect();
+        met.into_iter().for_each(|i| self.laws[i].enter(side, &mut self.state));
+    }
+
+    /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
+    fn press(&mut self, law: usize, side: Side) -> Result<(), Stop> {
+        let (q, v, k) = (self.state.q.into(), self.state.q_dot.into(), self.levels());
+        let energy = self.equations.kinetic(&v) + self.equations.potential(&q, &k);
+        let acceleration = self.equations.acceleration(&q, &v, &k, &vec![0.0; k.len()]).into();
+        let rate = self.cells.at(&self.laws).cell.rate;
+        if !contact::presses(&self.laws[law], side, &self.state, &acceleration, rate, energy) {
+            return Ok(());
+        }
+        self.counts.holds += 1;
+        self.hold(vec![(law, side)])
+    }
+
+    /// Holds phases at their steps, those of them that press.
+    fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
+        let begun = Contact::begin(self.equations, &self.laws, held, &mut self.state);
+        let (contact, ignored) = begun.map_err(|reason| Stop::Held {
+            t: self.clock.now(),
+            state: self.state.describe(),
+            cell: self.cell(),
+            reason,
+        })?;
+        self.contact = contact.map(Box::new);
+        self.ignored += ignored;
+        Ok(())
     }
 
     fn samples(&self, flight: &Flight<'_, N>, t: f64, rate: f64, next: &mut u64, recorder: &mut Recorder<'_, N>) {
@@ -288,46 +299,29 @@ impl<'a, const N: usize> Simulation<'a, N> {
             let point = flight.at(tau.max(0.0));
             let (dq, dv) = flight.increments(&point);
             let state = State { q: self.state.q + dq, q_dot: self.state.q_dot + dv, turns: self.state.turns };
-            let dissipated = self.dissipated + flight.dissipated(&point);
-            recorder.row(at, Moment::Sample, &state, &[self.pitch.level(self.cell)], dissipated);
+            let lost = (self.dissipated + flight.dissipated(&point), self.ignored);
+            recorder.row(at, Moment::Sample, &state, &self.levels(), lost);
             *next += 1;
         }
     }
 
     fn note(&self, recorder: &mut Recorder<'_, N>, moment: Moment) {
-        recorder.row(self.clock.now(), moment, &self.state, &[self.pitch.level(self.cell)], self.dissipated);
+        recorder.row(self.clock.now(), moment, &self.state, &self.levels(), (self.dissipated, self.ignored));
     }
 
-    /// Ends a run whose events come ever faster.
-    #[inline]
-    fn guard_against_cascades(&mut self) -> Result<(), Stop> {
-        let (since, events) = &mut self.cascade;
-        let span = self.clock.until(*since).abs();
-        if span > CASCADE_SPAN * self.t_end {
-            *since = self.clock.now();
-            *events = 0;
-            return Ok(());
-        }
-        *events += 1;
-        if *events < CASCADE_EVENTS {
-            return Ok(());
-        }
-        let events = *events as usize;
-        Err(Stop::Cascade { t: self.clock.now(), events, span, state: self.describe(), cell: self.cell })
+    /// The cell: the place of each law in its pitch, the first law's counting fastest.
+    pub fn cell(&self) -> usize {
+        cells::index(&self.laws)
     }
 
-    fn describe(&self) -> String {
-        let list = |v: &SVector<f64, N>| v.iter().map(|x| format!("{x:.6e}")).collect::<Vec<_>>().join(", ");
-        format!("q = [{}], q' = [{}]", list(&self.state.q), list(&self.state.q_dot))
-    }
-
-    /// The stiffness of the present cell.
-    pub fn stiffness(&self) -> f64 {
-        self.pitch.level(self.cell)
+    /// The stiffnesses now.
+    pub fn levels(&self) -> Vec<f64> {
+        self.laws.iter().map(Law::level).collect()
     }
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.
     pub fn turn_lengths(&self) -> [f64; N] {
-        std::array::from_fn(|i| if self.rolling && i == self.phase { self.pitch.period() } else { 0.0 })
+        let length = |i| self.laws.iter().find(|l| l.phase == i).map_or(0.0, Law::turn);
+        std::array::from_fn(length)
     }
 }

@@ -76,6 +76,12 @@ pub struct Counts {
     pub root_steps: u64,
     /// Grazing contacts with a switching angle.
     pub grazes: u64,
+    /// Times that a phase was held at a step it could not climb.
+    pub holds: u64,
+    /// Energy of its bounces that were not followed to their end [J]; the residual counts it as lost.
+    pub ignored: Number,
+    /// Steps of two phases met together whose order matters: the result is one of several.
+    pub ambiguous: u64,
 }
 
 /// Where a result comes from.
@@ -235,7 +241,14 @@ mod tests {
             cell_changes: 12,
             reflections: 0,
             energy: Energy::at_end(&run).unwrap(),
-            counts: Counts { function_evaluations: 1, root_steps: 2, grazes: 3 },
+            counts: Counts {
+                function_evaluations: 1,
+                root_steps: 2,
+                grazes: 3,
+                holds: 4,
+                ignored: Number(5e-12),
+                ambiguous: 6,
+            },
             cpu_seconds: Number(0.01),
             completed: false,
             stopped_by: Some("stalled".into()),

@@ -1,0 +1,82 @@
+//! Watches the events go by: those that come ever faster, and those that come together.
+
+use nalgebra::SVector;
+
+use crate::engine::clock::Clock;
+use crate::engine::crossing::Side;
+use crate::engine::equations::{Equations, Switching};
+use crate::engine::error::Stop;
+use crate::engine::law::{self, Law};
+use crate::engine::record::State;
+
+/// What was seen of the events so far.
+#[derive(Debug, Clone, Default)]
+pub struct Guard {
+    /// Time at which a cascade was seen to begin, and events since.
+    cascade: (f64, u64),
+}
+
+/// Events within this part of the run, one after another, are a cascade.
+const CASCADE_SPAN: f64 = 1e-9;
+/// Events of a cascade that end the run.
+const CASCADE_EVENTS: u64 = 100_000;
+/// Relative difference of speeds above which the order of two steps matters.
+const ORDER: f64 = 1e-9;
+
+impl Guard {
+    /// Ends a run whose events come ever faster.
+    ///
+    /// # Errors
+    /// [`Stop::Cascade`].
+    #[inline]
+    pub fn against_cascades<const N: usize>(
+        &mut self,
+        clock: &Clock,
+        t_end: f64,
+        state: &State<N>,
+        cell: usize,
+    ) -> Result<(), Stop> {
+        let (since, events) = &mut self.cascade;
+        let span = clock.until(*since).abs();
+        if span > CASCADE_SPAN * t_end {
+            (*since, *events) = (clock.now(), 0);
+            return Ok(());
+        }
+        *events += 1;
+        if *events < CASCADE_EVENTS {
+            return Ok(());
+        }
+        Err(Stop::Cascade { t: clock.now(), events: *events as usize, span, state: state.describe(), cell })
+    }
+}
+
+/// Whether `law`, at its boundary, meets it together with another law of another phase, and the two give other speeds in
+/// the opposite order: the motion beyond is then one of several.
+pub fn order_matters<const N: usize>(
+    equations: &dyn Equations<N>,
+    laws: &[Law<N>],
+    state: &State<N>,
+    law: usize,
+    side: Side,
+) -> bool {
+    let pass = |(l, side): (usize, Side), speeds: &mut SVector<f64, N>| {
+        // The second step is met only if the first leaves the phase on its way to it.
+        if side.sign() * laws[l].surface.normal.dot(speeds) > 0.0 {
+            laws[l].surface.pass(speeds, side, law::barrier(equations, laws, l, side, state));
+        }
+    };
+    let others = (0..laws.len()).filter_map(|i| {
+        let v = laws[i].surface.normal.dot(&state.q_dot);
+        let side = if v > 0.0 { Side::Upper } else { Side::Lower };
+        (laws[i].phase != laws[law].phase && laws[i].joins(&laws[i], side, state)).then_some((i, side))
+    });
+    let differs = |other| {
+        let (mut there, mut back) = (state.q_dot, state.q_dot);
+        pass((law, side), &mut there);
+        pass(other, &mut there);
+        pass(other, &mut back);
+        pass((law, side), &mut back);
+        (there - back).amax() > ORDER * there.amax()
+    };
+    laws[law].switching == Switching::WithJump && others.into_iter().any(differs)
+}

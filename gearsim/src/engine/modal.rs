@@ -1,0 +1,194 @@
+//! Modal analysis: M q'' + C q' + K q = f, with any ratio of inertias and of stiffnesses, taken apart into modes.
+//!
+//! Frequencies and shapes come from K = L Lᵀ and M⁻¹, as the eigenvalues of LᵀM⁻¹L by Jacobi's method, which keeps the
+//! relative accuracy of the small ones beside the large (Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13, 1992). Rigid
+//! motions are exact: they are the null space of K, not small eigenvalues.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::engine::error::Refusal;
+use crate::engine::mode::Mode;
+
+/// The matrices of a cell (n x n each) and its load (n).
+#[derive(Debug, Clone)]
+pub struct Matrices {
+    /// M.
+    pub mass: DMatrix<f64>,
+    /// M⁻¹: not left to be found from M, where it can be had with more digits.
+    pub mobility: DMatrix<f64>,
+    /// C.
+    pub damping: DMatrix<f64>,
+    /// K.
+    pub stiffness: DMatrix<f64>,
+    /// f.
+    pub load: DVector<f64>,
+}
+
+/// Modes with mass-normalised shapes X, Xᵀ M X = 1: q = X xi. Rigid ones first, then by rising frequency.
+#[derive(Debug, Clone)]
+pub struct Modal {
+    /// The modes (n).
+    pub modes: Vec<Mode>,
+    /// X, a shape a column.
+    pub shapes: DMatrix<f64>,
+    /// Xᵀ M.
+    pub momentum: DMatrix<f64>,
+    /// Xᵀ K, zero for rigid modes.
+    pub springs: DMatrix<f64>,
+    /// Xᵀ f.
+    pub load: DVector<f64>,
+}
+
+/// Eigenvalues of K, scaled to a unit diagonal, below this are rounding.
+const RIGID: f64 = 1e-13;
+/// Frequencies closer than this, relative, share their modes: any rotation of them will do, and damping chooses.
+const COINCIDENT: f64 = 1e-12;
+/// Damping below this fraction of the strongest is rounding.
+const UNDAMPED: f64 = 1e-15;
+/// Largest damping between two modes, relative to that within them, taken for rounding.
+const COUPLED: f64 = 1e-10;
+
+impl Modal {
+    /// The modes of a cell.
+    ///
+    /// # Errors
+    /// Where M is not positive definite, K is not positive semidefinite, a number overflows, or C couples the modes.
+    pub fn of(m: &Matrices) -> Result<Modal, Refusal> {
+        let n = m.load.len();
+        let matrices = [&m.mass, &m.mobility, &m.damping, &m.stiffness];
+        if matrices.iter().any(|a| a.iter().any(|x| !x.is_finite())) || m.load.iter().any(|x| !x.is_finite()) {
+            return Err(Refusal::Overflow);
+        }
+        // K = D U diag(k) Uᵀ D with D the roots of its diagonal.
+        let d = m.stiffness.diagonal().map(|x| if x > 0.0 { x.sqrt() } else { 1.0 });
+        let scaled = DMatrix::from_fn(n, n, |i, j| m.stiffness[(i, j)] / (d[i] * d[j]));
+        let (k, u) = eigen(scaled);
+        if let Some(worst) = k.iter().copied().filter(|k| *k < -RIGID).reduce(f64::min) {
+            return Err(Refusal::Unstable { omega2: worst * d.amax().powi(2) * m.mobility.diagonal().amax() });
+        }
+        let column = |i: usize| DVector::from_fn(n, |row, _| u[(row, i)]);
+        let (elastic, rigid): (Vec<usize>, Vec<usize>) = (0..n).partition(|&i| k[i] > RIGID);
+
+        let (mut shapes, mut momentum) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
+        let mut omega2 = vec![0.0; n];
+        if !rigid.is_empty() {
+            let z = DMatrix::from_columns(&rigid.iter().map(|&i| column(i).component_div(&d)).collect::<Vec<_>>());
+            let (_, inverse) = root_of(&(z.transpose() * &m.mass * &z))?;
+            let x = z * inverse.transpose();
+            momentum.rows_mut(0, rigid.len()).copy_from(&(x.transpose() * &m.mass));
+            shapes.columns_mut(0, rigid.len()).copy_from(&x);
+        }
+        if !elastic.is_empty() {
+            let l = DMatrix::from_columns(
+                &elastic.iter().map(|&i| column(i).component_mul(&d) * k[i].sqrt()).collect::<Vec<_>>(),
+            );
+            let (squares, y) = eigen(l.transpose() * &m.mobility * &l);
+            if squares.iter().any(|w| *w <= 0.0) {
+                return Err(Refusal::Mass);
+            }
+            let y = y * DMatrix::from_diagonal(&squares.map(|w| 1.0 / w.sqrt()));
+            momentum.rows_mut(rigid.len(), elastic.len()).copy_from(&(y.transpose() * l.transpose()));
+            shapes.columns_mut(rigid.len(), elastic.len()).copy_from(&(&m.mobility * l * y));
+            omega2[rigid.len()..].copy_from_slice(squares.as_slice());
+        }
+        rotate_coincident(&omega2, &m.damping, &mut shapes, &mut momentum);
+
+        let modes = damped(&omega2, &(shapes.transpose() * &m.damping * &shapes))?;
+        // Xᵀ K = omega² Xᵀ M.
+        let springs = DMatrix::from_fn(n, n, |i, j| omega2[i] * momentum[(i, j)]);
+        let load = shapes.transpose() * &m.load;
+        Ok(Modal { modes, shapes, momentum, springs, load })
+    }
+}
+
+/// Turns the modes of one frequency so that damping does not couple them.
+fn rotate_coincident(omega2: &[f64], damping: &DMatrix<f64>, shapes: &mut DMatrix<f64>, momentum: &mut DMatrix<f64>) {
+    let mut first = 0;
+    for i in 1..=omega2.len() {
+        if i < omega2.len() && omega2[i] <= omega2[first] * (1.0 + COINCIDENT) {
+            continue;
+        }
+        let size = i - first;
+        if size > 1 {
+            let x = shapes.columns(first, size).into_owned();
+            let (_, turn) = eigen(x.transpose() * damping * &x);
+            shapes.columns_mut(first, size).copy_from(&(x * &turn));
+            let rows = turn.transpose() * momentum.rows(first, size);
+            momentum.rows_mut(first, size).copy_from(&rows);
+        }
+        first = i;
+    }
+}
+
+fn damped(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Vec<Mode>, Refusal> {
+    let strongest = damping.diagonal().amax();
+    let n = omega2.len();
+    let coupling = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).map(|at| damping[at].abs()).fold(0.0, f64::max);
+    if coupling > COUPLED * strongest {
+        return Err(Refusal::CoupledDamping { coupling: coupling / strongest });
+    }
+    // A rounding error's worth of damping is none: an undamped mode must keep its energy.
+    let sigma = |i: usize| if damping[(i, i)] <= UNDAMPED * strongest { 0.0 } else { 0.5 * damping[(i, i)] };
+    Ok((0..n).map(|i| Mode::new(sigma(i), omega2[i])).collect())
+}
+
+/// L and L⁻¹ of A = L Lᵀ, A scaled to a unit diagonal between, so that entries of any ratio keep their digits.
+///
+/// # Errors
+/// Where A is not positive definite.
+pub fn root_of(a: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Refusal> {
+    if a.diagonal().iter().any(|d| *d <= 0.0) {
+        return Err(Refusal::Mass);
+    }
+    let d = a.diagonal().map(f64::sqrt);
+    let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] / (d[i] * d[j]));
+    let l = scaled.cholesky().ok_or(Refusal::Mass)?.l();
+    let inverse = l.solve_lower_triangular(&DMatrix::identity(a.nrows(), a.ncols())).ok_or(Refusal::Mass)?;
+    Ok((DMatrix::from_diagonal(&d) * l, inverse * DMatrix::from_diagonal(&d.map(|d| 1.0 / d))))
+}
+
+/// Eigenvalues, rising, and eigenvectors of a symmetric matrix by Jacobi's cyclic method.
+fn eigen(mut a: DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
+    let n = a.nrows();
+    let mut v = DMatrix::identity(n, n);
+    for _ in 0..MOST_SWEEPS {
+        let mut turned = false;
+        for p in 0..n {
+            for q in p + 1..n {
+                let (app, aqq, apq) = (a[(p, p)], a[(q, q)], 0.5 * (a[(p, q)] + a[(q, p)]));
+                // Relative to both, not to the largest: small eigenvalues keep their digits.
+                if apq.abs() <= 0.1 * f64::EPSILON * (app * aqq).abs().sqrt() {
+                    continue;
+                }
+                turned = true;
+                let theta = 0.5 * (aqq - app) / apq;
+                let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
+                let c = 1.0 / t.hypot(1.0);
+                let s = t * c;
+                for i in 0..n {
+                    let (x, y) = (a[(i, p)], a[(i, q)]);
+                    (a[(i, p)], a[(i, q)]) = (c * x - s * y, s * x + c * y);
+                }
+                for i in 0..n {
+                    let (x, y) = (a[(p, i)], a[(q, i)]);
+                    (a[(p, i)], a[(q, i)]) = (c * x - s * y, s * x + c * y);
+                    let (x, y) = (v[(i, p)], v[(i, q)]);
+                    (v[(i, p)], v[(i, q)]) = (c * x - s * y, s * x + c * y);
+                }
+                // What rounding leaves of these is known.
+                (a[(p, q)], a[(q, p)]) = (0.0, 0.0);
+                (a[(p, p)], a[(q, q)]) = (app - t * apq, aqq + t * apq);
+            }
+        }
+        if !turned {
+            break;
+        }
+    }
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| a[(i, i)].total_cmp(&a[(j, j)]));
+    let values = DVector::from_fn(n, |i, _| a[(order[i], order[i])]);
+    (values, DMatrix::from_fn(n, n, |i, j| v[(i, order[j])]))
+}
+
+/// Jacobi's method converges quadratically; ten sweeps are many.
+const MOST_SWEEPS: usize = 60;

@@ -1,0 +1,131 @@
+//! A linear function of the motion along a flight, less its value at the start: a phase, or the reaction of a contact.
+
+use nalgebra::SVector;
+
+use crate::engine::cell::{Flight, Point};
+
+/// s(t) = c.dxi(t) + d.dxi'(t).
+#[derive(Debug, Clone, Copy)]
+pub struct Signal<'a, const N: usize> {
+    /// The motion.
+    pub flight: &'a Flight<'a, N>,
+    /// c: what each mode contributes by its displacement (N).
+    pub on_moved: &'a SVector<f64, N>,
+    /// d: what it contributes by its speed (N), if it does.
+    pub on_speed: Option<&'a SVector<f64, N>>,
+}
+
+/// A signal as a steady course and what swings about it, from a point on.
+#[derive(Debug, Clone, Copy)]
+pub struct Reach {
+    /// Speed of the course.
+    drift: f64,
+    /// Bound on the swing.
+    amplitude: f64,
+    /// The swing now.
+    deviation: f64,
+}
+
+impl Reach {
+    /// Time before which a boundary at distance `gap` in the direction `sign` is out of reach.
+    pub fn time(&self, gap: f64, sign: f64) -> f64 {
+        let clear = (gap + sign * self.deviation - self.amplitude) * (1.0 - 1e-12);
+        match (clear > 0.0, sign * self.drift > 0.0) {
+            (true, true) => clear / self.drift.abs(),
+            (true, false) => f64::INFINITY,
+            _ => 0.0,
+        }
+    }
+}
+
+impl<const N: usize> Signal<'_, N> {
+    /// Its value at a point.
+    #[inline]
+    pub fn value(&self, point: &Point<N>) -> f64 {
+        self.on_moved.dot(&point.moved) + self.on_speed.map_or(0.0, |d| d.dot(&point.gained))
+    }
+
+    /// Steady part of its rate, and a cheap bound on the rest; the bound is infinite if speeds contribute.
+    #[inline]
+    pub fn drift_and_wobble(&self) -> (f64, f64) {
+        let (mut drift, mut wobble) = (0.0, if self.on_speed.is_some() { f64::INFINITY } else { 0.0 });
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let c = self.on_moved[i];
+            let (v, a) = self.flight.rates_at_start(i);
+            if mode.is_rigid() && a == 0.0 {
+                drift += c * v;
+            } else if c != 0.0 {
+                wobble += c.abs() * mode.rough_bound(v, a);
+            }
+        }
+        (drift, wobble)
+    }
+
+    /// Its value at a point and its first four derivatives there.
+    #[inline]
+    pub fn derivatives(&self, point: &Point<N>) -> [f64; 5] {
+        let mut sum = [0.0; 5];
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let next = |v: f64, a: f64| -2.0 * mode.sigma * a - mode.omega2 * v;
+            let (v, a) = self.flight.rates(i, point);
+            let jerk = next(v, a);
+            let snap = next(a, jerk);
+            let c = self.on_moved[i];
+            for (sum, x) in sum.iter_mut().zip([point.moved[i], v, a, jerk, snap]) {
+                *sum += c * x;
+            }
+            if let Some(d) = self.on_speed {
+                for (sum, x) in sum.iter_mut().zip([point.gained[i], a, jerk, snap, next(jerk, snap)]) {
+                    *sum += d[i] * x;
+                }
+            }
+        }
+        sum
+    }
+
+    /// Bounds on its second, third and fourth derivative from a point on.
+    pub fn bounds(&self, point: &Point<N>) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let next = |v: f64, a: f64| -2.0 * mode.sigma * a - mode.omega2 * v;
+            let (v, a) = self.flight.rates(i, point);
+            let jerk = next(v, a);
+            let snap = next(a, jerk);
+            let crackle = next(jerk, snap);
+            let c = self.on_moved[i];
+            let derivatives = [a, jerk, snap, crackle, next(snap, crackle)];
+            for (k, sum) in sum.iter_mut().enumerate() {
+                if c != 0.0 {
+                    *sum += c.abs() * mode.bound(derivatives[k], derivatives[k + 1]);
+                }
+                if let Some(d) = self.on_speed.map(|d| d[i]).filter(|d| *d != 0.0) {
+                    *sum += d.abs() * mode.bound(derivatives[k + 1], derivatives[k + 2]);
+                }
+            }
+        }
+        sum.map(|bound| bound * (1.0 + 1e-12))
+    }
+
+    /// How far the oscillations carry it about its steady course, from a point on.
+    pub fn reach(&self, point: &Point<N>) -> Reach {
+        let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));
+            let (v, a) = self.flight.rates(i, point);
+            if (c == 0.0 && d == 0.0) || (v == 0.0 && a == 0.0) {
+                continue;
+            }
+            if mode.is_rigid() && a == 0.0 {
+                reach.drift += c * v;
+            } else if mode.omega2 > 0.0 {
+                // Deviation from equilibrium, -(spring force)/omega², with the spring force a + 2 sigma v.
+                let y = -(a + 2.0 * mode.sigma * v) / mode.omega2;
+                reach.deviation += c * y + d * v;
+                reach.amplitude += c.abs() * mode.bound(y, v) + d.abs() * mode.bound(v, a);
+            } else {
+                reach.amplitude = f64::INFINITY;
+            }
+        }
+        reach
+    }
+}

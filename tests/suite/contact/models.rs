@@ -1,0 +1,89 @@
+//! Small models with closed forms, written out as the derivation would.
+
+/// A damped rotor under a torque, whose angle stiffens the spring of a second, loaded rotor: pressed against a step it
+/// cannot climb.
+pub mod pressed {
+    gearsim_macros::equations! {
+        model pressed "a rotor pressed against a step";
+        coordinates { alpha "rad" start 0.0, "switching rotor"; beta "rad" start static, "sprung rotor"; }
+        parameters {
+            T "N*m" required, open -inf to inf, "torque on the switching rotor";
+            load "N*m" required, open -inf to inf, "torque on the sprung rotor";
+            c "N*m*s" default 0.0, from 0.0 to inf, "damping of the switching rotor";
+        }
+        laws { k "N*m" phase alpha period 1.0 rolling, "spring"; }
+        effects { stiffness_step "steps"; }
+        energies {
+            kinetic { _ => (alpha_dot.powi(2) + beta_dot.powi(2))/2.0; }
+            potential { _ => k*beta.powi(2)/2.0; }
+            dissipation { _ => c*alpha_dot.powi(2)/2.0; }
+        }
+        torques { drive "drive" { _ => T*alpha; } pull "pull" { _ => load*beta; } }
+        work { alpha { _ => T; } beta { _ => load; } }
+        mass { alpha alpha { _ => 1.0; } beta beta { _ => 1.0; } }
+        force { alpha { _ => T - c*alpha_dot; } beta { _ => load - k*beta; } }
+        jacobian {}
+        cell {
+            stiffness { beta beta { _ => k; } }
+            damping { alpha alpha { _ => c; } }
+            load { alpha { _ => T; } beta { _ => load; } }
+        }
+        jump k { normal { alpha { _ => 1.0; } } step { _ => dk*beta.powi(2)/2.0; } }
+    }
+}
+
+/// Two springs on one rotor that step with one angle.
+pub mod twice {
+    gearsim_macros::equations! {
+        model twice "two springs that step together";
+        coordinates { alpha "rad" start 0.0, "switching rotor"; beta "rad" start 0.3, "sprung rotor"; }
+        laws {
+            k "N*m" phase alpha period 1.0 rolling, "first spring";
+            l "N*m" phase alpha period 1.0 rolling, "second spring";
+        }
+        effects { stiffness_step "steps"; }
+        energies {
+            kinetic { _ => (alpha_dot.powi(2) + beta_dot.powi(2))/2.0; }
+            potential { _ => (k + l)*beta.powi(2)/2.0; }
+        }
+        mass { alpha alpha { _ => 1.0; } beta beta { _ => 1.0; } }
+        force { alpha {} beta { _ => -(k + l)*beta; } }
+        jacobian {}
+        cell { stiffness { beta beta { _ => k + l; } } }
+        jump k { normal { alpha { _ => 1.0; } } step { _ => dk*beta.powi(2)/2.0; } }
+        jump l { normal { alpha { _ => 1.0; } } step { _ => dl*beta.powi(2)/2.0; } }
+    }
+}
+
+/// Two switching rotors, coupled by inertia, and a spring that steps with either.
+pub mod meshes {
+    gearsim_macros::equations! {
+        model meshes "two meshes on one spring";
+        coordinates {
+            alpha "rad" start 0.0, "first switching rotor";
+            gamma "rad" start 0.0, "second switching rotor";
+            beta "rad" start 0.3, "sprung rotor";
+        }
+        parameters { mu "kg*m^2" required, open -1.0 to 1.0, "inertia that couples the switching rotors"; }
+        laws {
+            k "N*m" phase alpha period 1.0 rolling, "first mesh";
+            l "N*m" phase gamma period 1.0 rolling, "second mesh";
+        }
+        effects { stiffness_step "steps"; }
+        energies {
+            kinetic { _ => (alpha_dot.powi(2) + gamma_dot.powi(2) + beta_dot.powi(2))/2.0 + mu*alpha_dot*gamma_dot; }
+            potential { _ => (k + l)*beta.powi(2)/2.0; }
+        }
+        mass {
+            alpha alpha { _ => 1.0; }
+            gamma gamma { _ => 1.0; }
+            alpha gamma { _ => mu; }
+            beta beta { _ => 1.0; }
+        }
+        force { alpha {} gamma {} beta { _ => -(k + l)*beta; } }
+        jacobian {}
+        cell { stiffness { beta beta { _ => k + l; } } }
+        jump k { normal { alpha { _ => 1.0; } } step { _ => dk*beta.powi(2)/2.0; } }
+        jump l { normal { gamma { _ => 1.0; } } step { _ => dl*beta.powi(2)/2.0; } }
+    }
+}
