@@ -141,6 +141,11 @@ impl Block {
         self.line(1, "}");
         self.vector("work", &names, &motion.external, &group);
         self.matrix("mass", &names, &motion.mass, &group, 1, true);
+        if let Some(w) = &motion.mobility {
+            // Not expanded: a sum over the determinant stays one fraction, without cancellation where M is without.
+            let fraction = |a: &Atom| as_written(std::slice::from_ref(a), &d.order());
+            self.matrix("mobility", &names, w, &fraction, 1, true);
+        }
         self.vector("force", &names, &motion.force, &group);
         if let Some(a) = &motion.acceleration {
             self.vector("acceleration", &names, a, &group);
