@@ -39,7 +39,9 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
         lines.push("```".into());
     };
     section("Energies", "text", &texts.energies);
-    section("Constants", "text", &texts.constants);
+    if !texts.constants.is_empty() {
+        section("Constants", "text", &texts.constants);
+    }
     section("Equations of motion", "text", &texts.motion);
     section("At a step of a stiffness", "text", &texts.jump);
     section("Between two steps", "text", &texts.cell);
@@ -66,8 +68,11 @@ fn body_operations(d: &Derivation) -> Vec<(String, [usize; 3])> {
         })
     };
     let constants: Vec<Atom> = d.motion.constants.iter().map(|c| c.1.clone()).collect();
-    let mut rows =
-        vec![("constants (once a scene)".to_string(), count(&constants)), ("force".into(), count(&d.motion.force))];
+    let mut rows = vec![];
+    if !constants.is_empty() {
+        rows.push(("constants (once a scene)".to_string(), count(&constants)));
+    }
+    rows.push(("force".into(), count(&d.motion.force)));
     if let Some(a) = &d.motion.acceleration {
         rows.push(("acceleration".into(), count(a)));
     }
@@ -123,11 +128,13 @@ impl Block {
         let group = |a: &Atom| grouped(a, &d.order());
         let written = |pieces: &[Expr]| as_written(&pieces.iter().map(|p| p.atom()).collect::<Vec<_>>(), &d.order());
 
-        self.line(1, "constants {");
-        for (name, value) in &motion.constants {
-            self.line(2, &format!("{name} = {};", print(&Tree::new(value), Style::Rust)));
+        if !motion.constants.is_empty() {
+            self.line(1, "constants {");
+            for (name, value) in &motion.constants {
+                self.line(2, &format!("{name} = {};", print(&Tree::new(value), Style::Rust)));
+            }
+            self.line(1, "}");
         }
-        self.line(1, "}");
         self.line(1, "energies {");
         self.groups(2, "kinetic", &written(&m.kinetic));
         self.groups(2, "potential", &written(&m.potential));

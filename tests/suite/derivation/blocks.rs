@@ -65,3 +65,17 @@ pub fn mobility_is_left_out_where_it_is_not_known() {
         assert!(file.contains("    mass {\n") && !file.contains("mobility"), "{file}");
     }
 }
+
+pub fn nothing_is_said_of_no_constants() {
+    let without = file(|m| {
+        oscillator(m);
+    });
+    assert!(!without.to_lowercase().contains("constants"), "{without}");
+    let with = file(|m| {
+        let o = oscillator(m);
+        m.constant("w", (o.s / o.m).sqrt());
+    });
+    for said in ["//! # Constants\n", "    constants {\n        w = (s/m).sqrt();\n", "| constants (once a scene) |"] {
+        assert!(with.contains(said), "{said} is not there: {with}");
+    }
+}

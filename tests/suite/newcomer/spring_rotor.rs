@@ -14,11 +14,6 @@
 //! Q_beta = 0
 //! ```
 //!
-//! # Constants
-//!
-//! ```text
-//! ```
-//!
 //! # Equations of motion
 //!
 //! ```text
@@ -66,7 +61,6 @@
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | constants (once a scene) | 0 | 0 | 0 |
 //! | force | 0 | 4 | 0 |
 //! | acceleration | 0 | 7 | 0 |
 //! | energy step of k | 0 | 3 | 0 |
@@ -103,8 +97,6 @@ equations! {
         moving_phase = stiffness_step, !frozen_phase;
     }
 
-    constants {
-    }
     energies {
         kinetic {
             _ => (J1*alpha_dot.powi(2) + J2*beta_dot.powi(2))/2.0;
