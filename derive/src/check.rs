@@ -23,5 +23,6 @@ pub(crate) fn check(model: &Model) -> Result<(), Slip> {
     values::laws(model)?;
     values::defaults(model)?;
     forms::quadratic(model)?;
-    forms::dissipative(model)
+    forms::dissipative(model)?;
+    forms::linear(model)
 }

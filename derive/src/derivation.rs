@@ -94,7 +94,7 @@ impl Derivation<'_> {
         let [(kind, name)] = phase.as_slice() else { return false };
         let moves = |e: &Atom| !e.derivative(expr::symbol(*kind, name)).is_zero();
         let m = &self.motion;
-        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().chain(&m.external).any(moves)
+        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves)
     }
 
     /// Effects and conditions in the order in which terms are printed.

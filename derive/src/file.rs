@@ -6,6 +6,7 @@ use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
 use crate::expr::Expr;
+use crate::lagrange;
 use crate::markers::{Group, as_written, grouped};
 use crate::model::{CONDITIONS, Range, Start};
 use crate::print::{Style, print};
@@ -107,6 +108,14 @@ impl Block {
         self.line(depth, "}");
     }
 
+    /// As `groups`, but `name {}` where there are no terms.
+    fn row(&mut self, depth: usize, name: &str, groups: &[Group]) {
+        match groups {
+            [] => self.line(depth, &format!("{name} {{}}")),
+            groups => self.groups(depth, name, groups),
+        }
+    }
+
     fn condition(&mut self, effects: &[String]) -> String {
         match effects {
             [] => "_".into(),
@@ -142,8 +151,8 @@ impl Block {
         self.line(1, "}");
         self.line(1, "torques {");
         for t in &m.torques {
-            let work = as_written(&[t.value.atom() * t.through.atom()], &d.order());
-            self.groups(2, &format!("{} {:?}", t.name, t.doc), &work);
+            let work = as_written(&[t.value.atom() * lagrange::displacement(m, t)], &d.order());
+            self.row(2, &format!("{} {:?}", t.name, t.doc), &work);
         }
         self.line(1, "}");
         self.vector("work", &names, &motion.external, &group);
@@ -201,10 +210,7 @@ impl Block {
     fn vector(&mut self, what: &str, names: &[&str], values: &[Atom], group: &dyn Fn(&Atom) -> Vec<Group>) {
         self.line(1, &format!("{what} {{"));
         for (name, value) in names.iter().zip(values) {
-            match group(value) {
-                none if none.is_empty() => self.line(2, &format!("{name} {{}}")),
-                groups => self.groups(2, name, &groups),
-            }
+            self.row(2, name, &group(value));
         }
         self.line(1, "}");
     }

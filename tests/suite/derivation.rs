@@ -45,6 +45,7 @@ fn main() -> ExitCode {
         ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),
         ("mobility_is_one_fraction_an_entry", blocks::mobility_is_one_fraction_an_entry),
         ("mobility_is_left_out_where_it_is_not_known", blocks::mobility_is_left_out_where_it_is_not_known),
+        ("offsets_do_no_work", blocks::offsets_do_no_work),
         ("nothing_is_said_of_no_constants", blocks::nothing_is_said_of_no_constants),
         ("every_slip_is_refused_by_name", slips::every_slip_is_refused_by_name),
         ("no_input_makes_the_derivation_panic", odd::no_input_panics),

@@ -1,9 +1,9 @@
-//! T quadratic in the speeds, D a sum of squares.
+//! T quadratic in the speeds, D a sum of squares, displacements linear in the coordinates.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
 use super::sign::never_negative;
-use crate::expr::{Kind, symbol};
+use crate::expr::{Kind, symbol, symbols};
 use crate::markers::{all_present, terms};
 use crate::model::Model;
 use crate::print::{Style, print};
@@ -40,6 +40,21 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
         if !factors.iter().all(|f| never_negative(model, f)) {
             let term = print(&Tree::new(&bare), Style::Plain);
             return Err(Slip::NegativeDissipation { model: model.name.clone(), term });
+        }
+    }
+    Ok(())
+}
+
+/// The displacement that a torque works through must be linear, or its work over a change of the coordinates would
+/// depend on where they were.
+pub(super) fn linear(model: &Model) -> Result<(), Slip> {
+    for torque in &model.torques {
+        let through = torque.through.atom();
+        let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Coordinate);
+        let slope = |name: &str| through.derivative(symbol(Kind::Coordinate, name)).expand();
+        if model.coordinates.iter().any(|c| moves(&slope(&c.name))) {
+            let (torque, displacement) = (torque.name.clone(), print(&Tree::new(&through), Style::Plain));
+            return Err(Slip::NotLinear { model: model.name.clone(), torque, displacement });
         }
     }
     Ok(())

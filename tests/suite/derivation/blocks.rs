@@ -66,6 +66,28 @@ pub fn mobility_is_left_out_where_it_is_not_known() {
     }
 }
 
+/// A torque works through the change of its displacement: what is constant in it does no work.
+pub fn offsets_do_no_work() {
+    let file = file(|m| {
+        let o = oscillator(m);
+        let [force, at, ratio] = ["F", "a", "r"].map(|name| m.parameter(name, "1", None, Range::Any, ""));
+        m.torque("plain", force, ratio * (o.x + 2 * o.x), "");
+        m.torque("offset", force, o.x + at, "");
+        m.torque("scaled", -force, (o.x - at) / ratio + 1, "");
+        m.torque("unexpanded", force, (o.x + at).sq() - (o.x - at).sq(), "");
+        m.torque("fixed", force, at, "");
+    });
+    for work in [
+        "plain \"\" {\n            _ => 3.0*F*r*x;\n",
+        "offset \"\" {\n            _ => F*x;\n",
+        "scaled \"\" {\n            _ => -F*x/r;\n",
+        "unexpanded \"\" {\n            _ => 4.0*F*a*x;\n",
+        "fixed \"\" {}\n",
+    ] {
+        assert!(file.contains(work), "{work} is not there: {file}");
+    }
+}
+
 pub fn nothing_is_said_of_no_constants() {
     let without = file(|m| {
         oscillator(m);

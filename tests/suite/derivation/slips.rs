@@ -97,6 +97,7 @@ const SLIPS: &[Row] = &[
         m.dissipation(c * o.x.dot().sq());
     }),
     ("damping that is no square", "x*x_dot", |m, o| m.dissipation(o.x * o.x.dot())),
+    ("a torque that works through a square", "the torque `lift`", |m, o| m.torque("lift", o.s, o.x * (o.x + 1), "")),
     ("a phase that is no coordinate", "`k`", |m, o| {
         m.mesh_stiffness("k", "N/m", 2 * o.x, 1.0, "");
     }),
@@ -130,8 +131,8 @@ macro_rules! variants {
     };
 }
 variants! {
-    Undeclared Twice Name Misplaced Function Number NotQuadratic Massless Singular NegativeDissipation Phase Pitch
-    Default InverseMass Unproved Empty
+    Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear Massless Singular NegativeDissipation
+    Phase Pitch Default InverseMass Unproved Empty
 }
 
 pub fn every_slip_is_refused_by_name() {
