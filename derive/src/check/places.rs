@@ -49,12 +49,15 @@ impl Places<'_> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
         };
-        let moving = [Constant, Parameter, Mid, Coordinate, Speed];
-        let why = "T depends on coordinates and speeds, not on the mesh";
+        // Inertia and damping that depend on the position can be derived; the engine's equations have no place for them.
+        let moving = [Constant, Parameter, Mid, Speed];
+        let why = "T depends on speeds, not on the mesh, and not on positions until the engine has inertia that \
+                   depends on them";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
         let positions = [Constant, Parameter, Mid, Law, Coordinate];
         each(&self.model.potential, "the potential energy", &positions, "V depends on positions, never on speeds")?;
-        let why = "D depends on coordinates and speeds, not on the mesh";
+        let why = "D depends on speeds, not on the mesh, and not on positions until the engine has damping that \
+                   depends on them";
         each(&self.model.dissipation, "the dissipation function", &moving, why)
     }
 
