@@ -37,9 +37,6 @@ pub(crate) fn derive(motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> 
     blame("kinetic energy", &motion.kinetic, &curved_by(&s.v));
     blame("potential energy", &motion.potential, &curved_by(&s.q));
     blame("dissipation function", &motion.dissipation, &curved_by(&s.v));
-    for q in &motion.external {
-        blame("external forces", q, &|term| moves(term));
-    }
     if !culprits.is_empty() {
         return Err(culprits);
     }

@@ -34,6 +34,7 @@ pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
     let cell = cell::derive(&motion, &s);
     let jacobian = jacobian(model, &s, &motion);
     let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
+    let derived = derived.chain(motion.mobility.iter().flatten().flatten());
     for equation in derived.chain(jumps.iter().map(|j| &j.step)).chain(motion.constants.iter().map(|c| &c.1)) {
         check::numbers(model, equation.as_view(), "the derived equations")?;
     }
@@ -93,7 +94,7 @@ impl Derivation<'_> {
         let [(kind, name)] = phase.as_slice() else { return false };
         let moves = |e: &Atom| !e.derivative(expr::symbol(*kind, name)).is_zero();
         let m = &self.motion;
-        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().chain(&m.external).any(moves)
+        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves)
     }
 
     /// Effects and conditions in the order in which terms are printed.

@@ -6,6 +6,7 @@ use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
 use crate::expr::Expr;
+use crate::lagrange;
 use crate::markers::{Group, as_written, grouped};
 use crate::model::{CONDITIONS, Range, Start};
 use crate::print::{Style, print};
@@ -39,7 +40,9 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
         lines.push("```".into());
     };
     section("Energies", "text", &texts.energies);
-    section("Constants", "text", &texts.constants);
+    if !texts.constants.is_empty() {
+        section("Constants", "text", &texts.constants);
+    }
     section("Equations of motion", "text", &texts.motion);
     section("At a step of a stiffness", "text", &texts.jump);
     section("Between two steps", "text", &texts.cell);
@@ -66,8 +69,11 @@ fn body_operations(d: &Derivation) -> Vec<(String, [usize; 3])> {
         })
     };
     let constants: Vec<Atom> = d.motion.constants.iter().map(|c| c.1.clone()).collect();
-    let mut rows =
-        vec![("constants (once a scene)".to_string(), count(&constants)), ("force".into(), count(&d.motion.force))];
+    let mut rows = vec![];
+    if !constants.is_empty() {
+        rows.push(("constants (once a scene)".to_string(), count(&constants)));
+    }
+    rows.push(("force".into(), count(&d.motion.force)));
     if let Some(a) = &d.motion.acceleration {
         rows.push(("acceleration".into(), count(a)));
     }
@@ -102,6 +108,14 @@ impl Block {
         self.line(depth, "}");
     }
 
+    /// As `groups`, but `name {}` where there are no terms.
+    fn row(&mut self, depth: usize, name: &str, groups: &[Group]) {
+        match groups {
+            [] => self.line(depth, &format!("{name} {{}}")),
+            groups => self.groups(depth, name, groups),
+        }
+    }
+
     fn condition(&mut self, effects: &[String]) -> String {
         match effects {
             [] => "_".into(),
@@ -123,11 +137,13 @@ impl Block {
         let group = |a: &Atom| grouped(a, &d.order());
         let written = |pieces: &[Expr]| as_written(&pieces.iter().map(|p| p.atom()).collect::<Vec<_>>(), &d.order());
 
-        self.line(1, "constants {");
-        for (name, value) in &motion.constants {
-            self.line(2, &format!("{name} = {};", print(&Tree::new(value), Style::Rust)));
+        if !motion.constants.is_empty() {
+            self.line(1, "constants {");
+            for (name, value) in &motion.constants {
+                self.line(2, &format!("{name} = {};", print(&Tree::new(value), Style::Rust)));
+            }
+            self.line(1, "}");
         }
-        self.line(1, "}");
         self.line(1, "energies {");
         self.groups(2, "kinetic", &written(&m.kinetic));
         self.groups(2, "potential", &written(&m.potential));
@@ -135,12 +151,17 @@ impl Block {
         self.line(1, "}");
         self.line(1, "torques {");
         for t in &m.torques {
-            let work = as_written(&[t.value.atom() * t.through.atom()], &d.order());
-            self.groups(2, &format!("{} {:?}", t.name, t.doc), &work);
+            let work = as_written(&[t.value.atom() * lagrange::displacement(m, t)], &d.order());
+            self.row(2, &format!("{} {:?}", t.name, t.doc), &work);
         }
         self.line(1, "}");
         self.vector("work", &names, &motion.external, &group);
         self.matrix("mass", &names, &motion.mass, &group, 1, true);
+        if let Some(w) = &motion.mobility {
+            // Not expanded: a sum over the determinant stays one fraction, without cancellation where M is without.
+            let fraction = |a: &Atom| as_written(std::slice::from_ref(a), &d.order());
+            self.matrix("mobility", &names, w, &fraction, 1, true);
+        }
         self.vector("force", &names, &motion.force, &group);
         if let Some(a) = &motion.acceleration {
             self.vector("acceleration", &names, a, &group);
@@ -189,10 +210,7 @@ impl Block {
     fn vector(&mut self, what: &str, names: &[&str], values: &[Atom], group: &dyn Fn(&Atom) -> Vec<Group>) {
         self.line(1, &format!("{what} {{"));
         for (name, value) in names.iter().zip(values) {
-            match group(value) {
-                none if none.is_empty() => self.line(2, &format!("{name} {{}}")),
-                groups => self.groups(2, name, &groups),
-            }
+            self.row(2, name, &group(value));
         }
         self.line(1, "}");
     }

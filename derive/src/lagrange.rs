@@ -7,7 +7,7 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, number, symbol};
-use crate::model::{JUMP_TERMS, Model, mobility_name};
+use crate::model::{JUMP_TERMS, Model, Torque, mobility_name};
 use crate::slip::Slip;
 
 /// The symbols of one model.
@@ -69,6 +69,16 @@ pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &
         }
     }
     g
+}
+
+/// The displacement that a torque works through, less its value where all coordinates are zero: linear in the
+/// coordinates, so that changes of theirs put in give the change of the displacement.
+pub(crate) fn displacement(model: &Model, torque: &Torque) -> Atom {
+    let through = torque.through.atom();
+    model.coordinates.iter().fold(number(0), |sum, c| {
+        let q = symbol(Kind::Coordinate, &c.name);
+        sum + through.derivative(q).expand() * Atom::var(q)
+    })
 }
 
 /// Derives the equations of motion.

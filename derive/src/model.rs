@@ -181,7 +181,8 @@ impl Model {
         self.dissipation.push(d);
     }
 
-    /// A constant external torque (or force) of size `value` that works through the displacement `through`.
+    /// A constant external torque (or force) of size `value` that works through the displacement `through`, linear in
+    /// the coordinates.
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });

@@ -31,18 +31,18 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
          with any set of the additive effects",
         balance(model, s, motion),
     )?;
-    if let (Some(a), Some(w)) = (&motion.acceleration, &motion.mobility_exact) {
+    if let (Some(a), Some(w)) = (&motion.acceleration, &motion.mobility) {
         let mut rest = number(0);
         for i in 0..n {
             for j in 0..n {
                 let one = number(i64::from(i == j));
-                let product = (0..n).fold(number(0), |sum, k| sum + &motion.mass[i][k] * &w[k][j]);
+                let product = (0..n).fold(number(0), |sum, k| sum + &motion.mass[i][k] * exact(motion, &w[k][j]));
                 rest += tag("m", i, j) * (product - one);
             }
             let inertia = (0..n).fold(number(0), |sum, j| sum + &motion.mass[i][j] * exact(motion, &a[j]));
             rest += tag("a", i, 0) * (inertia - exact(motion, &motion.force[i]));
         }
-        claim("M M⁻¹ = 1, and M q'' = F for the accelerations as printed", rest)?;
+        claim("M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed", rest)?;
     }
     for (law, jump) in model.laws.iter().zip(jumps) {
         let rest = kinetic_change(motion, s, jump);

@@ -38,6 +38,10 @@ pub enum Slip {
         "{model}: the dissipation function can be negative, so damping would feed energy in; the culprit is the term {term}"
     )]
     NegativeDissipation { model: String, term: String },
+    #[error(
+        "{model}: the displacement of the torque `{torque}` must be linear in the coordinates, or its work over a turn would depend on where the turn began; {displacement} is not"
+    )]
+    NotLinear { model: String, torque: String, displacement: String },
     #[error("{model}: the phase of `{law}` must be one of the coordinates, not {phase}")]
     Phase { model: String, law: String, phase: String },
     #[error("{model}: the pitch of `{law}` must be a positive number, not {pitch}")]

@@ -6,6 +6,8 @@
 
 mod paper;
 
+#[path = "derivation/blocks.rs"]
+mod blocks;
 #[path = "derivation/files.rs"]
 mod files;
 #[path = "derivation/gear_pair.rs"]
@@ -41,6 +43,10 @@ fn main() -> ExitCode {
         ("a_newcomers_file_is_what_the_energies_say", newcomer::file_is_current),
         ("nonlinear_cells_are_named", newcomer::nonlinear_cells_are_named),
         ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),
+        ("mobility_is_one_fraction_an_entry", blocks::mobility_is_one_fraction_an_entry),
+        ("mobility_is_left_out_where_it_is_not_known", blocks::mobility_is_left_out_where_it_is_not_known),
+        ("offsets_do_no_work", blocks::offsets_do_no_work),
+        ("nothing_is_said_of_no_constants", blocks::nothing_is_said_of_no_constants),
         ("every_slip_is_refused_by_name", slips::every_slip_is_refused_by_name),
         ("no_input_makes_the_derivation_panic", odd::no_input_panics),
     ];

@@ -8,6 +8,8 @@
 mod cells;
 #[path = "equations/jumps.rs"]
 mod jumps;
+#[path = "equations/mobility.rs"]
+mod mobility;
 #[path = "equations/points.rs"]
 mod points;
 

@@ -11,6 +11,7 @@ use gearsim::{engine, model};
 mod spring_rotor;
 
 use gearsim::engine::Entry;
+use gearsim::engine::equations::Derived;
 use gearsim::scene::Scene;
 
 const ENTRY: Entry = Entry::new::<spring_rotor::SpringRotor, 2>();
@@ -125,6 +126,12 @@ fn its_energy_is_kept_at_every_row() {
         assert!((t.kinetic[i] - kinetic).abs() < 1e-14 * start, "row {i}");
         assert!((kinetic + t.strain[i] - start).abs() < 1e-13 * start, "row {i}: {}", kinetic + t.strain[i]);
     }
+}
+
+#[test]
+fn its_inverse_inertias_are_in_closed_form() {
+    let equations = spring_rotor::SpringRotor::equations(0, &[J1, J2, 0.0], &[26.0]).expect("no effect contradicts");
+    assert_eq!(equations.mobility(), [[1.0 / J1, 0.0], [0.0, 1.0 / J2]]);
 }
 
 /// Without steps the spring has its mid stiffness and the rotors know nothing of each other: two closed forms.

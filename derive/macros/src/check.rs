@@ -132,14 +132,15 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         }
     }
 
-    for c in &m.coordinates {
-        // Without a term on the diagonal, M cannot be positive definite.
-        if !m.mass.iter().any(|e| e.row == c.name && e.column == c.name && !e.sum.is_empty()) {
-            let message = format!("mass: no row for the coordinate `{0}` (at least `{0} {0} {{ .. }}`)", c.name);
+    for (name, matrix) in [("mass", Some(&m.mass)), ("mobility", m.mobility.as_ref())] {
+        // Without a term on the diagonal, neither M nor its inverse can be positive definite.
+        let given = |c: &Coordinate, e: &Entry| e.row == c.name && e.column == c.name && !e.sum.is_empty();
+        for c in m.coordinates.iter().filter(|c| matrix.is_some_and(|matrix| !matrix.iter().any(|e| given(c, e)))) {
+            let message = format!("{name}: no row for the coordinate `{0}` (at least `{0} {0} {{ .. }}`)", c.name);
             errors.push(Error::new(c.name.span(), message));
         }
     }
-    for matrix in [&m.mass, &m.stiffness, &m.damping] {
+    for matrix in [&m.mass, &m.stiffness, &m.damping].into_iter().chain(&m.mobility) {
         entries(matrix, &q, &q, true, errors);
     }
     match &m.jacobian {

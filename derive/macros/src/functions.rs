@@ -27,6 +27,10 @@ pub fn functions(m: &Model) -> TokenStream {
             fn acceleration(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #a }
         }
     });
+    let mobility = m.mobility.as_ref().map(|entries| {
+        let w = matrix(m, entries);
+        quote!(fn mobility(&self) -> [[f64; #n]; #n] { #w })
+    });
     let jacobian = jacobian(m);
     let switching = switching(m);
     let jumps = jumps(m);
@@ -48,6 +52,7 @@ pub fn functions(m: &Model) -> TokenStream {
             &self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64], ddk: &[f64],
         ) -> [[[f64; #n]; #n]; 2] { #jacobian }
         fn mass(&self) -> [[f64; #n]; #n] { #mass }
+        #mobility
         fn damping(&self) -> [[f64; #n]; #n] { #damping }
         fn stiffness(&self, k: &[f64]) -> [[f64; #n]; #n] { #stiffness }
         fn load(&self) -> [f64; #n] { #load }

@@ -47,6 +47,7 @@
 //! torques { weight "the weight" { weight => 1.0*x; } }   // work of each over the displacement x
 //! work { x { weight => 1.0; } }                          // net generalised forces
 //! mass { x x { _ => m; } }                               // `x y` stands for `y x`, too
+//! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without it M is inverted numerically
 //! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
 //! acceleration { .. }                 // rows as in `force`; without it M⁻¹F is computed
 //! jacobian {                          // of the acceleration, by coordinates and by speeds; others are zero

@@ -52,6 +52,7 @@ impl Model {
             "torques" => self.torques = list(input)?,
             "work" => self.work = list(input)?,
             "mass" => self.mass = list(input)?,
+            "mobility" => self.mobility = Some(list(input)?),
             "force" => self.force = Some(list(input)?),
             "acceleration" => self.acceleration = Some(list(input)?),
             "jacobian" => self.jacobian = Some(list(input)?),

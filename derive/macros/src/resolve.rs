@@ -30,6 +30,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
 
     let mass = Scope::of(m, "mass");
     entries(&mut m.mass, &mass, errors);
+    let mobility = Scope::of(m, "mobility");
+    entries(m.mobility.iter_mut().flatten(), &mobility, errors);
     let force = Scope::of(m, "force").coordinates(m, "q").speeds(m).laws(m, 1);
     rows(m.force.iter_mut().flatten(), &force, errors);
     let acceleration = Scope::of(m, "acceleration").coordinates(m, "q").speeds(m).laws(m, 1);

@@ -62,6 +62,7 @@ fn unknown_identifier() {
 fn identifier_that_the_block_is_not_given() {
     refused("C*phi_dot.powi(2)", "C*phi.powi(2)", "phi", "`phi` is unknown in dissipation");
     refused("M1 = (N1", "M1 = (M2", "M2", "`M2` is unknown in constants");
+    refused("theta phi { _ => M1/2.0; }", "theta phi { _ => k; }", "k", "`k` is unknown in mobility");
 }
 
 #[test]
@@ -102,6 +103,11 @@ fn missing_mass_row() {
 }
 
 #[test]
+fn missing_mobility_row() {
+    refused("phi phi { _ => M2/2.0; }", "", "phi", "mobility: no row for the coordinate `phi`");
+}
+
+#[test]
 fn missing_force_row() {
     refused("theta { jump_terms => -dk*phi.powi(2); }", "", "theta", "force: no row for the coordinate `theta`");
 }
@@ -109,6 +115,7 @@ fn missing_force_row() {
 #[test]
 fn second_entry_of_a_symmetric_matrix() {
     refused("phi phi { _ => I1", "phi theta { _ => I1; } phi phi { _ => I1", "phi", "a second entry");
+    refused("phi phi { _ => M2", "phi theta { _ => M1; } phi phi { _ => M2", "phi", "a second entry");
 }
 
 #[test]

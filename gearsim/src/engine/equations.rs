@@ -34,6 +34,11 @@ pub trait Equations<const N: usize>: Send + Sync {
 
     /// Mass matrix M (N x N).
     fn mass(&self) -> [[f64; N]; N];
+    /// Inverse of the mass matrix M⁻¹ (N x N). Where inertias differ by ten decades, M as numbers has lost ten digits of
+    /// the smaller; the closed form that small models have in its place has all of them.
+    fn mobility(&self) -> [[f64; N]; N] {
+        mobility(&self.mass())
+    }
     /// Damping matrix C of a cell (N x N): M q'' + C q' + K q = f.
     fn damping(&self) -> [[f64; N]; N];
     /// Stiffness matrix K of a cell (N x N).
@@ -92,6 +97,19 @@ pub fn solve<const N: usize>(mass: &[[f64; N]; N], f: &[f64; N]) -> [f64; N] {
     let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j]);
     let cholesky = m.cholesky().expect("the mass matrix is positive definite");
     cholesky.solve(&SVector::from(*f)).into()
+}
+
+/// M⁻¹ (N x N), for equations too large to be inverted symbolically.
+///
+/// # Panics
+/// Where M is not positive definite, which no kinetic energy allows.
+pub fn mobility<const N: usize>(mass: &[[f64; N]; N]) -> [[f64; N]; N] {
+    // In units in which the diagonal is one, inertias of any size neither overflow nor underflow in the products.
+    let unit: [f64; N] = std::array::from_fn(|i| mass[i][i].sqrt());
+    let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j] / unit[i] / unit[j]);
+    let inverse = m.cholesky().expect("the mass matrix is positive definite").inverse();
+    // Rounding must not make it asymmetric: the lower triangle stands for both.
+    std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i.max(j), i.min(j))] / unit[i] / unit[j]))
 }
 
 /// G = nᵀM⁻¹n.

@@ -64,7 +64,7 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M M⁻¹ = 1, and M q'' = F for the accelerations as printed
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - M is symmetric
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
@@ -154,6 +154,17 @@ equations! {
         }
         phi phi {
             _ => I1/N1.powi(2) + I2/N2.powi(2);
+        }
+    }
+    mobility {
+        theta theta {
+            _ => M2/2.0;
+        }
+        theta phi {
+            _ => M1/2.0;
+        }
+        phi phi {
+            _ => M2/2.0;
         }
     }
     force {

@@ -78,7 +78,8 @@ const SLIPS: &[Row] = &[
     }),
     ("a T linear in a speed", "m*x_dot", |m, o| m.kinetic(o.m * o.x.dot())),
     ("a T of fourth degree in a speed", "m*x_dot^4", |m, o| m.kinetic(o.m * o.x.dot().pow(4))),
-    ("a T without a speed", "s*x", |m, o| m.kinetic(o.s * o.x)),
+    ("a T without a speed", "s", |m, o| m.kinetic(o.s)),
+    ("a T that depends on the position", "`x`", |m, o| m.kinetic(o.m * (o.x * o.x.dot()).sq())),
     ("a coordinate without inertia", "`y`", |m, o| {
         let y = m.coordinate("y", "m", Start::Static, "");
         m.potential(half(o.s * (o.x - y).sq()));
@@ -96,7 +97,9 @@ const SLIPS: &[Row] = &[
         let c = m.parameter("c", "N*s/m", None, Range::Any, "");
         m.dissipation(c * o.x.dot().sq());
     }),
-    ("damping that is no square", "x*x_dot", |m, o| m.dissipation(o.x * o.x.dot())),
+    ("damping that is no square", "m*x_dot", |m, o| m.dissipation(o.m * o.x.dot())),
+    ("damping that depends on the position", "`x`", |m, o| m.dissipation(o.m * (o.x * o.x.dot()).sq())),
+    ("a torque that works through a square", "the torque `lift`", |m, o| m.torque("lift", o.s, o.x * (o.x + 1), "")),
     ("a phase that is no coordinate", "`k`", |m, o| {
         m.mesh_stiffness("k", "N/m", 2 * o.x, 1.0, "");
     }),
@@ -130,8 +133,8 @@ macro_rules! variants {
     };
 }
 variants! {
-    Undeclared Twice Name Misplaced Function Number NotQuadratic Massless Singular NegativeDissipation Phase Pitch
-    Default InverseMass Unproved Empty
+    Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear Massless Singular NegativeDissipation
+    Phase Pitch Default InverseMass Unproved Empty
 }
 
 pub fn every_slip_is_refused_by_name() {

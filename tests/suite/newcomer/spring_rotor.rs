@@ -14,11 +14,6 @@
 //! Q_beta = 0
 //! ```
 //!
-//! # Constants
-//!
-//! ```text
-//! ```
-//!
 //! # Equations of motion
 //!
 //! ```text
@@ -56,7 +51,7 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M M⁻¹ = 1, and M q'' = F for the accelerations as printed
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - M is symmetric
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
@@ -66,7 +61,6 @@
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | constants (once a scene) | 0 | 0 | 0 |
 //! | force | 0 | 4 | 0 |
 //! | acceleration | 0 | 7 | 0 |
 //! | energy step of k | 0 | 3 | 0 |
@@ -103,8 +97,6 @@ equations! {
         moving_phase = stiffness_step, !frozen_phase;
     }
 
-    constants {
-    }
     energies {
         kinetic {
             _ => (J1*alpha_dot.powi(2) + J2*beta_dot.powi(2))/2.0;
@@ -130,6 +122,14 @@ equations! {
         }
         beta beta {
             _ => J2;
+        }
+    }
+    mobility {
+        alpha alpha {
+            _ => 1.0/J1;
+        }
+        beta beta {
+            _ => 1.0/J2;
         }
     }
     force {

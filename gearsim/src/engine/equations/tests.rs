@@ -1,6 +1,6 @@
 //! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
 
-use crate::engine::equations::{Derived, Equations, Switching, compliance, direction, solve};
+use crate::engine::equations::{Derived, Equations, Switching, compliance, direction, mobility, solve};
 use crate::generated::gear_pair::GearPair;
 use crate::model::{Range, Start};
 
@@ -96,6 +96,8 @@ fn cell_and_jump() {
     let (m1, m2, c) = constants();
     let (a, b) = (i1 / n1.powi(2), i2 / n2.powi(2));
     close(e.mass().as_flattened(), &[a + b, a - b, a - b, a + b]);
+    close(e.mobility().as_flattened(), &[m2 / 2.0, m1 / 2.0, m1 / 2.0, m2 / 2.0]);
+    close(mobility(&e.mass()).as_flattened(), e.mobility().as_flattened());
     close(e.damping().as_flattened(), &[0.0, 0.0, 0.0, 2.0 * c]);
     close(e.stiffness(&K).as_flattened(), &[0.0, 0.0, 0.0, 2.0 * K[0]]);
     close(&e.load(), &[0.0, 2.0 * t0]);
@@ -192,9 +194,28 @@ fn a_file_that_says_the_least() {
     assert_eq!(e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), [-1.0, -6.0]);
     // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].
     close(&e.acceleration(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), &[8.0 / 9.0, -22.0 / 9.0]);
+    close(e.mobility().as_flattened(), &[4.0 / 9.0, -2.0 / 9.0, -2.0 / 9.0, 4.0 / 9.0]);
     assert_eq!((e.switching(0), e.normal(0)), (Switching::Never, [0.0, 1.0]));
     close(&[e.compliance(0)], &[4.0 / 9.0]);
     close(&e.direction(0), &[-0.5, 1.0]);
     let range = two_masses::TwoMasses::MODEL.parameters[0].range;
     assert_eq!(range, Range { low: 0.0, high: 5.0, low_included: false, high_included: true });
+}
+
+/// M = D [[4, 1, 1], [1, 4, 1], [1, 1, 4]] D, and its inverse by hand, with D over two hundred decades.
+#[test]
+fn inverse_of_a_mass_matrix_in_odd_units() {
+    let d = [1e100, 1.0, 1e-100];
+    let scaled = |diagonal: f64, other: f64, d: [f64; 3]| {
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { diagonal * d[i] * d[i] } else { other * d[i] * d[j] }))
+    };
+    let w = mobility(&scaled(4.0, 1.0, d));
+    close(w.as_flattened(), scaled(5.0 / 18.0, -1.0 / 18.0, d.map(f64::recip)).as_flattened());
+    assert!((0..3).all(|i| (0..3).all(|j| w[i][j] == w[j][i])), "{w:?} is not symmetric");
+}
+
+#[test]
+#[should_panic(expected = "the mass matrix is positive definite")]
+fn no_inverse_of_an_indefinite_matrix() {
+    mobility(&[[-1.0, 0.0], [0.0, 1.0]]);
 }

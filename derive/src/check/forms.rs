@@ -1,0 +1,61 @@
+//! T quadratic in the speeds, D a sum of squares, displacements linear in the coordinates.
+
+use symbolica::atom::{Atom, AtomCore, AtomView};
+
+use super::sign::never_negative;
+use crate::expr::{Kind, symbol, symbols};
+use crate::markers::{all_present, terms};
+use crate::model::Model;
+use crate::print::{Style, print};
+use crate::slip::Slip;
+use crate::tree::Tree;
+
+/// T must be homogeneous of degree two in the speeds: scaled speeds scale it by the square.
+pub(super) fn quadratic(model: &Model) -> Result<(), Slip> {
+    let stretch = Atom::var(symbol(Kind::Free, "stretch"));
+    for piece in &model.kinetic {
+        for term in terms(&piece.atom().expand()) {
+            let scaled = model.speeds().iter().fold(term.clone(), |t, name| {
+                let speed = Atom::var(symbol(Kind::Speed, name));
+                t.replace(speed.to_pattern()).with((&stretch * &speed).to_pattern())
+            });
+            if !(scaled - &term * &stretch * &stretch).expand().is_zero() {
+                let term = print(&Tree::new(&all_present(&term)), Style::Plain);
+                return Err(Slip::NotQuadratic { model: model.name.clone(), term });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Every piece of D must be a square with a factor that is never negative; anything else is refused by name. (A sum
+/// of products that happens to be positive can be written as squares.)
+pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
+    for piece in &model.dissipation {
+        let bare = all_present(&piece.atom());
+        let factors: Vec<Atom> = match bare.as_view() {
+            AtomView::Mul(m) => m.iter().map(|f| f.to_owned()).collect(),
+            _ => vec![bare.clone()],
+        };
+        if !factors.iter().all(|f| never_negative(model, f)) {
+            let term = print(&Tree::new(&bare), Style::Plain);
+            return Err(Slip::NegativeDissipation { model: model.name.clone(), term });
+        }
+    }
+    Ok(())
+}
+
+/// The displacement that a torque works through must be linear, or its work over a change of the coordinates would
+/// depend on where they were.
+pub(super) fn linear(model: &Model) -> Result<(), Slip> {
+    for torque in &model.torques {
+        let through = torque.through.atom();
+        let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Coordinate);
+        let slope = |name: &str| through.derivative(symbol(Kind::Coordinate, name)).expand();
+        if model.coordinates.iter().any(|c| moves(&slope(&c.name))) {
+            let (torque, displacement) = (torque.name.clone(), print(&Tree::new(&through), Style::Plain));
+            return Err(Slip::NotLinear { model: model.name.clone(), torque, displacement });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,63 @@
+//! Every name its own, and one that generated code can have.
+
+use std::collections::BTreeMap;
+
+use crate::expr::{Kind, is_word};
+use crate::model::{CONDITIONS, Model, mid_name};
+use crate::slip::Slip;
+
+/// Words that generated code cannot have as names: keywords of Rust, and two names of that code itself.
+const RUST: &str = "\
+    Self abstract as async await become box break const continue crate do dyn else enum extern false final fn \
+    for gen if impl in let loop macro match mids mod move mut override parameters priv pub ref return self \
+    static struct super trait true try type typeof unsafe unsized use virtual where while yield";
+
+/// What a symbol of a kind is declared as.
+pub(super) fn what_it_is(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Coordinate => "a coordinate",
+        Kind::Speed => "a speed",
+        Kind::Parameter => "a parameter",
+        Kind::Constant => "a constant",
+        Kind::Law => "a law",
+        Kind::Mid => "the mid value of a law",
+        Kind::Slope => "the slope of a law",
+        Kind::Curvature => "the curvature of a law",
+        Kind::Marker | Kind::Mobility | Kind::Free => "nothing that is declared",
+    }
+}
+
+/// Every declared name, once, with what it is.
+pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, Slip> {
+    let mut all = BTreeMap::new();
+    let mut declare = |name: &str, what: &'static str, derived: bool| -> Result<(), Slip> {
+        let allowed = is_word(name)
+            && !RUST.split(' ').any(|word| word == name)
+            && (derived || !(name.ends_with("_dot") || name.ends_with("_mid")));
+        if !allowed {
+            return Err(Slip::Name { model: model.name.clone(), name: name.into() });
+        }
+        match all.insert(name.to_string(), what) {
+            None => Ok(()),
+            Some(first) => Err(Slip::Twice { model: model.name.clone(), name: name.into(), first, second: what }),
+        }
+    };
+    use Kind::*;
+    let known = what_it_is;
+    declare(&model.name, "the model", false)?;
+    model.coordinates.iter().try_for_each(|c| declare(&c.name, known(Coordinate), false))?;
+    model.speeds().iter().try_for_each(|s| declare(s, known(Speed), true))?;
+    model.parameters.iter().try_for_each(|p| declare(&p.name, known(Parameter), false))?;
+    model.constants.iter().try_for_each(|(name, _)| declare(name, known(Constant), false))?;
+    for law in &model.laws {
+        declare(&law.name, known(Law), false)?;
+        declare(&mid_name(&law.name), known(Mid), true)?;
+        declare(&format!("d{}", law.name), known(Slope), true)?;
+        declare(&format!("dd{}", law.name), known(Curvature), true)?;
+    }
+    model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
+    model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
+    CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;
+    model.torques.iter().try_for_each(|t| declare(&t.name, "a torque", false))?;
+    Ok(all)
+}

@@ -1,0 +1,105 @@
+//! Every symbol declared, and where it may stand.
+
+use std::collections::BTreeMap;
+
+use symbolica::atom::Atom;
+
+use super::functions::functions;
+use super::names::what_it_is;
+use crate::expr::{Expr, Kind, symbols};
+use crate::model::Model;
+use crate::slip::Slip;
+
+use Kind::*;
+
+/// What energies are written in.
+const USABLE: [Kind; 6] = [Constant, Parameter, Mid, Law, Coordinate, Speed];
+/// What a constant may depend on.
+const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
+
+/// A model and the names declared in it, each with what it is.
+struct Places<'a> {
+    model: &'a Model,
+    declared: BTreeMap<String, &'static str>,
+}
+
+/// Checks the symbols and functions of every expression of the model.
+pub(super) fn places(model: &Model, declared: BTreeMap<String, &'static str>) -> Result<(), Slip> {
+    let places = Places { model, declared };
+    places.constants()?;
+    places.energies()?;
+    places.torques()
+}
+
+impl Places<'_> {
+    fn constants(&self) -> Result<(), Slip> {
+        for (name, value) in &self.model.constants {
+            let why = "a constant may depend on parameters, constants and mid values only";
+            self.check(*value, &format!("the constant `{name}`"), &CONSTANT, why)?;
+        }
+        for (q, speed) in self.model.motions.iter().flat_map(|m| &m.speeds) {
+            self.check(*q, "a motion", &[Coordinate], "a motion gives speeds to coordinates")?;
+            let why = "the speeds of a motion may depend on parameters and constants only";
+            self.check(*speed, "a motion", &CONSTANT, why)?;
+        }
+        Ok(())
+    }
+
+    fn energies(&self) -> Result<(), Slip> {
+        let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
+            pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
+        };
+        // Inertia and damping that depend on the position can be derived; the engine's equations have no place for them.
+        let moving = [Constant, Parameter, Mid, Speed];
+        let why = "T depends on speeds, not on the mesh, and not on positions until the engine has inertia that \
+                   depends on them";
+        each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
+        let positions = [Constant, Parameter, Mid, Law, Coordinate];
+        each(&self.model.potential, "the potential energy", &positions, "V depends on positions, never on speeds")?;
+        let why = "D depends on speeds, not on the mesh, and not on positions until the engine has damping that \
+                   depends on them";
+        each(&self.model.dissipation, "the dissipation function", &moving, why)
+    }
+
+    fn torques(&self) -> Result<(), Slip> {
+        for torque in &self.model.torques {
+            let place = format!("the torque `{}`", torque.name);
+            self.check(torque.value, &place, &[Constant, Parameter, Mid], "torques are constant")?;
+            let place = format!("the displacement of {place}");
+            let why = "a displacement depends on coordinates";
+            self.check(torque.through, &place, &[Constant, Parameter, Coordinate], why)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses undeclared symbols, those of kinds that are not `allowed`, and functions that are not smooth.
+    fn check(&self, e: Expr, place: &str, allowed: &[Kind], why: &'static str) -> Result<(), Slip> {
+        let e: Atom = e.atom();
+        functions(self.model, e.as_view(), place)?;
+        let model = || self.model.name.clone();
+        for (kind, symbol) in symbols(&e) {
+            let place = place.to_string();
+            let derived = matches!(kind, Marker | Mobility);
+            match self.declared.get(&symbol) {
+                _ if derived => {}
+                Some(what) if *what == what_it_is(kind) => {}
+                Some(_) if kind != Free => {
+                    let why = "here the name stands for something else; was it declared in another model?";
+                    return Err(Slip::Misplaced { model: model(), symbol, place, why });
+                }
+                _ => return Err(Slip::Undeclared { model: model(), symbol, place, declared: self.usable() }),
+            }
+            if kind != Marker && !allowed.contains(&kind) {
+                return Err(Slip::Misplaced { model: model(), symbol, place, why });
+            }
+        }
+        Ok(())
+    }
+
+    /// The declared names that energies can be written in.
+    fn usable(&self) -> String {
+        let usable = |what: &str| USABLE.iter().any(|kind| what_it_is(*kind) == what);
+        let names = self.declared.iter().filter(|(_, what)| usable(what)).map(|(name, _)| name.as_str());
+        names.collect::<Vec<_>>().join(", ")
+    }
+}

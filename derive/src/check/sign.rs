@@ -1,0 +1,50 @@
+//! Signs that an expression shows by its form.
+
+use symbolica::atom::{Atom, AtomView};
+
+use crate::expr::{Kind, symbols};
+use crate::model::{Model, Range};
+use crate::tree::Tree;
+
+/// Whether an expression is >= 0 for all admissible values, by its form.
+pub(super) fn never_negative(model: &Model, e: &Atom) -> bool {
+    sign(model, e, false)
+}
+
+/// Whether an expression is > 0 for all admissible values, by its form.
+pub(crate) fn positive(model: &Model, e: &Atom) -> bool {
+    sign(model, e, true)
+}
+
+fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
+    let admissible = |range: Range| match range {
+        Range::Any => false,
+        Range::Positive => true,
+        Range::NotNegative => !strictly,
+    };
+    match e.as_view() {
+        AtomView::Num(_) => matches!(Tree::new(e), Tree::Number(n, _) if n > 0 || (n == 0 && !strictly)),
+        AtomView::Var(_) => match symbols(e).as_slice() {
+            [(Kind::Parameter, name)] => model.parameters.iter().any(|p| p.name == *name && admissible(p.range)),
+            [(Kind::Constant, name)] => {
+                model.constants.iter().any(|(c, value)| c == name && sign(model, &value.atom(), strictly))
+            }
+            // A scene's law values are >= 0; W_ii > 0 since M is positive definite.
+            [(Kind::Mid | Kind::Law, _)] => !strictly,
+            [(Kind::Mobility, name)] => name[1..].split_once('_').is_some_and(|(i, j)| i == j),
+            _ => false,
+        },
+        AtomView::Pow(p) => {
+            let (base, exponent) = p.get_base_exp();
+            let base = base.to_owned();
+            match Tree::new(&exponent.to_owned()) {
+                Tree::Number(n, 1) if n % 2 == 0 && !strictly => true,
+                Tree::Number(_, 2) if !strictly => true,
+                _ => sign(model, &base, strictly),
+            }
+        }
+        AtomView::Mul(m) => m.iter().all(|f| sign(model, &f.to_owned(), strictly)),
+        AtomView::Add(a) => a.iter().all(|t| sign(model, &t.to_owned(), strictly)),
+        AtomView::Fun(_) => false,
+    }
+}

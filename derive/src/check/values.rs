@@ -1,0 +1,37 @@
+//! Laws with a phase and a pitch, defaults in their ranges.
+
+use symbolica::atom::Atom;
+
+use crate::expr::{Kind, symbol, symbols};
+use crate::model::{Model, Range};
+use crate::slip::Slip;
+
+/// The phase of a law is a coordinate, its pitch a length.
+pub(super) fn laws(model: &Model) -> Result<(), Slip> {
+    for law in &model.laws {
+        if !(law.period.is_finite() && law.period > 0.0) {
+            return Err(Slip::Pitch { model: model.name.clone(), law: law.name.clone(), pitch: law.period });
+        }
+        let phase = law.phase.atom();
+        let coordinate = matches!(symbols(&phase).as_slice(), [(Kind::Coordinate, name)] if phase == Atom::var(symbol(Kind::Coordinate, name)));
+        if !coordinate {
+            return Err(Slip::Phase { model: model.name.clone(), law: law.name.clone(), phase: phase.to_string() });
+        }
+    }
+    Ok(())
+}
+
+/// Every default is one that a scene could state.
+pub(super) fn defaults(model: &Model) -> Result<(), Slip> {
+    for p in &model.parameters {
+        let admissible = |x: f64| match p.range {
+            Range::Any => true,
+            Range::Positive => x > 0.0,
+            Range::NotNegative => x >= 0.0,
+        };
+        if let Some(default) = p.default.filter(|x| !(x.is_finite() && admissible(*x))) {
+            return Err(Slip::Default { model: model.name.clone(), parameter: p.name.clone(), default });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,64 @@
+//! M⁻¹ at random points: against M1 and M2 by hand, and against M. Inertias referred to the mesh differ by many decades
+//! there.
+
+use gearsim::engine::equations::mobility;
+
+use crate::TOLERANCE;
+use crate::points::{POINTS, Point, points};
+
+/// The inverse by hand.
+fn by_hand(p: &Point) -> [[f64; 2]; 2] {
+    let (m1, m2) = (p.pair(0).m1() / 2.0, p.pair(0).m2() / 2.0);
+    [[m2, m1], [m1, m2]]
+}
+
+/// The largest error of an entry, each in units of itself.
+fn error(found: &[[f64; 2]; 2], expected: &[[f64; 2]; 2]) -> f64 {
+    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+    pairs.fold(0.0, |worst, (x, y)| {
+        assert!(x.is_finite(), "{found:?}");
+        if x == y { worst } else { worst.max((x - y).abs() / y.abs()) }
+    })
+}
+
+/// How far apart the inertias referred to the mesh are, as a ratio of at least one.
+fn ratio(p: &Point) -> f64 {
+    let pair = p.pair(0);
+    let (a, b) = (pair.i1 / pair.n1.powi(2), pair.i2 / pair.n2.powi(2));
+    (a / b).max(b / a)
+}
+
+#[test]
+fn mobility_is_the_inverse_of_the_mass() {
+    let (mut worst, mut residual) = (0.0f64, 0.0f64);
+    for p in points(POINTS) {
+        let equations = p.equations(0);
+        let (m, w) = (equations.mass(), equations.mobility());
+        worst = worst.max(error(&w, &by_hand(&p)));
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let terms = [m[i][0] * w[0][j], m[i][1] * w[1][j]];
+            let one = if i == j { 1.0 } else { 0.0 };
+            let scale = terms[0].abs().max(terms[1].abs()).max(1.0);
+            residual = residual.max((terms[0] + terms[1] - one).abs() / scale);
+        }
+    }
+    println!("M⁻¹ by hand {worst:.1e}, M M⁻¹ = 1 {residual:.1e} of its largest term");
+    assert!(worst < TOLERANCE && residual < TOLERANCE, "{worst:e}, {residual:e}");
+}
+
+/// Why there is a closed form: the inverse of M as numbers is as good where the inertias are alike, and loses what M
+/// has lost where they are not.
+#[test]
+fn the_inverse_of_the_numbers_loses_digits() {
+    let inverted = |p: &Point| error(&mobility(&p.equations(0).mass()), &by_hand(p));
+    let alike = points(POINTS).filter(|p| ratio(p) < 2.0 && ratio(p) > 1.1).map(|p| inverted(&p));
+    let alike = alike.fold((0, 0.0f64), |(n, worst), e| (n + 1, worst.max(e)));
+    let apart = points(POINTS).filter(|p| (1e9..1e10).contains(&ratio(p))).map(|p| inverted(&p));
+    let apart = apart.fold((0, 0.0f64), |(n, worst), e| (n + 1, worst.max(e)));
+    println!(
+        "inverse of the numbers: {:.1e} at {} points alike, {:.1e} at {} apart",
+        alike.1, alike.0, apart.1, apart.0
+    );
+    assert!(alike.0 > 100 && alike.1 < TOLERANCE, "{alike:?}");
+    assert!(apart.0 > 100 && apart.1 > 1e-8, "{apart:?}");
+}
