@@ -109,7 +109,8 @@ pub fn mobility<const N: usize>(mass: &[[f64; N]; N]) -> [[f64; N]; N] {
     let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j] / unit[i] / unit[j]);
     let inverse = m.cholesky().expect("the mass matrix is positive definite").inverse();
     // Rounding must not make it asymmetric: the lower triangle stands for both.
-    std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i.max(j), i.min(j))] / unit[i] / unit[j]))
+    let lower = |i: usize, j: usize| inverse[(i, j)] / unit[i] / unit[j];
+    std::array::from_fn(|i| std::array::from_fn(|j| lower(i.max(j), i.min(j))))
 }
 
 /// G = nᵀM⁻¹n.
