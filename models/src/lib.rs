@@ -19,7 +19,7 @@
 //! 2. Declare it below, `pub mod my_train;`, and add it to [`MODELS`]: one line.
 //! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and
 //!    writes `gearsim/src/generated/my_train.rs`; read its head. A slip is refused with the name of the culprit.
-//!    Cells that are not linear are derived and named, but the engine runs linear ones only, and one stiffness law.
+//!    Cells that are not linear are derived and named, but the engine runs linear ones only.
 //! 4. Declare the file in `gearsim/src/generated/mod.rs`, `#[rustfmt::skip] pub mod my_train;`, and add it to the list
 //!    there: `Entry::new::<my_train::MyTrain, 2>()` for two coordinates.
 //! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it:
