@@ -1,0 +1,158 @@
+//! A random cell, its start, and the boundary that it may meet.
+
+use gearsim_tests::precise;
+use gearsim_tests::precise::cell::Motion;
+
+use crate::linear::Linear;
+use crate::noise::Noise;
+
+/// A cell in its modes, from rest of all coordinates at 0.
+#[derive(Debug, Clone)]
+pub struct Drawn<const N: usize> {
+    pub system: Linear<N>,
+    pub v: [f64; N],
+    /// Distance of the boundary in question, and of the other one, which is not reached.
+    pub level: f64,
+    pub far: f64,
+    pub horizon: f64,
+    /// Whether the boundary is the upper one.
+    pub upper: bool,
+    /// Whether the level was put to a crest of the phase.
+    pub grazing: bool,
+}
+
+impl<const N: usize> Drawn<N> {
+    /// Draws a cell; one to graze gets its level from the highest crest so far, if it has one.
+    pub fn new(noise: &mut Noise, to_graze: bool) -> Self {
+        // Frequencies over half a decade to four and a half: stiffness ratios up to 1e9.
+        let (unit, spread) = (noise.power(-3.0, 3.0), 4.5 * noise.unit().powi(2));
+        let modes = [(); N].map(|()| mode(noise, unit, spread));
+        let busiest = modes.iter().filter(|(sigma, w2)| sigma * sigma < 0.1 * w2).map(|(_, w2)| w2.sqrt());
+        let rate = busiest.fold(0.0, f64::max);
+        let horizon = if rate > 0.0 { noise.power(0.0, 2.0) / rate } else { noise.power(-1.0, 2.0) / unit };
+        let each = |(sigma, w2): (f64, f64), noise: &mut Noise| {
+            let rate = w2.sqrt().max(1.0 / horizon);
+            (noise.even() * rate.max(sigma * noise.unit()), noise.even() * rate * rate)
+        };
+        let start = modes.map(|mode| each(mode, noise));
+        let mut system = Linear::modal(modes, start.map(|(_, f)| f));
+        system.normal = [(); N].map(|()| noise.even());
+        let mut drawn =
+            Drawn { system, v: start.map(|(v, _)| v), level: 0.0, far: 0.0, horizon, upper: true, grazing: false };
+        if let Some((crest, height)) = to_graze.then(|| drawn.crest(noise)).flatten() {
+            drawn.graze(noise, crest, height);
+        }
+        if !drawn.grazing {
+            drawn.far = drawn.reach();
+            drawn.level = 0.5 * noise.unit() * drawn.far;
+            drawn.far *= 2.0;
+        }
+        if noise.unit() < 0.5 {
+            drawn.upper = false;
+            drawn.system.normal = drawn.system.normal.map(|x| -x);
+        }
+        drawn
+    }
+
+    /// Puts the level within 1e-12 of a crest of that `height` at the time `crest`, over or under it.
+    fn graze(&mut self, noise: &mut Noise, crest: f64, mut height: f64) {
+        self.grazing = true;
+        self.far = 2.0 * self.reach();
+        if noise.unit() < 0.25 {
+            // Just before the crest, in a cell that is narrow beside the swing.
+            let before = noise.power(-4.0, -0.5) * crest;
+            for (i, (m, _)) in self.phase().0.iter().enumerate() {
+                let [_, v, a] = m.at(&(crest - before));
+                self.v[i] = v;
+                self.system.load[i] = a + self.system.damping[i][i] * v;
+            }
+            self.horizon = 2.0 * before;
+            let phase = self.phase();
+            height = phase.top(0.0, self.horizon).1;
+            self.far = 2.0 * self.reach();
+            self.grazing = height > 0.0 && phase.at(self.horizon)[1] < 0.0 && phase.at(0.0)[1] > 0.0;
+        }
+        let depth = match noise.below(8) {
+            0 => 0.0,
+            _ => noise.power(-16.0, -12.0) * noise.even().signum(),
+        };
+        self.level = height * (1.0 - depth);
+    }
+
+    /// A time at which the phase is the highest so far and turns, and its height.
+    fn crest(&self, noise: &mut Noise) -> Option<(f64, f64)> {
+        let (phase, samples) = (self.phase(), 20 * N);
+        let time = |i: usize| self.horizon * i as f64 / samples as f64;
+        let (mut crests, mut most, mut rising) = (vec![], 0.0, phase.at(0.0)[1] > 0.0);
+        for i in 1..=samples {
+            let before = std::mem::replace(&mut rising, phase.at(time(i))[1] > 0.0);
+            if before && !rising {
+                let top = phase.top(time(i - 1), time(i));
+                if top.1 > most {
+                    most = top.1;
+                    crests.push(top);
+                }
+            }
+        }
+        (!crests.is_empty()).then(|| crests[noise.below(crests.len())])
+    }
+
+    fn phase(&self) -> Phase<N> {
+        Phase(std::array::from_fn(|i| (Motion::from(&self.mode(i)), self.system.normal[i])))
+    }
+
+    /// Mode `i` in the terms of the reference.
+    fn mode(&self, i: usize) -> precise::Mode {
+        let Linear { damping, stiffness, load, normal, .. } = &self.system;
+        let (sigma, omega2) = (0.5 * damping[i][i], stiffness[i][i]);
+        precise::Mode { sigma, omega2, force: load[i], x: 0.0, v: self.v[i], weight: normal[i] }
+    }
+
+    /// A bound on the way of the phase until the horizon, not a tight one.
+    fn reach(&self) -> f64 {
+        (0..N).map(|i| self.mode(i)).map(|m| m.weight.abs() * bound(&m, self.horizon)).sum()
+    }
+}
+
+/// The phase in `f64`: good for finding crests, not for judging them.
+struct Phase<const N: usize>([(Motion<f64>, f64); N]);
+
+impl<const N: usize> Phase<N> {
+    /// The phase and its rate.
+    fn at(&self, t: f64) -> [f64; 2] {
+        self.0.iter().fold([0.0; 2], |[s, r], (m, c)| {
+            let (x, v) = m.state(&t);
+            [s + c * x, r + c * v]
+        })
+    }
+
+    /// Where the phase turns between two times, and its height there.
+    fn top(&self, mut left: f64, mut right: f64) -> (f64, f64) {
+        for _ in 0..60 {
+            let middle = 0.5 * (left + right);
+            if self.at(middle)[1] > 0.0 { left = middle } else { right = middle }
+        }
+        (left, self.at(left)[0].max(self.at(right)[0]))
+    }
+}
+
+/// A bound on the way of a mode from x = 0 within `t`.
+pub fn bound(m: &precise::Mode, t: f64) -> f64 {
+    let omega = m.omega2.sqrt();
+    let gain = t.min(1.0 / omega).min(1.0 / m.sigma);
+    m.v.abs() * gain + m.force.abs() * (0.5 * t * t).min(2.0 / m.omega2)
+}
+
+/// (sigma, omega²): every damping, with and without stiffness.
+fn mode(noise: &mut Noise, unit: f64, spread: f64) -> (f64, f64) {
+    let omega = unit * 10f64.powf(spread * noise.unit());
+    let zeta = match noise.below(20) {
+        0..6 => 0.0,
+        6..12 => noise.power(-6.0, -0.3),
+        12..15 => 1.0 + noise.power(-14.0, -1.0) * noise.even().signum(),
+        15..18 => noise.power(0.3, 6.0),
+        18 => return (0.0, 0.0),
+        _ => return (omega, 0.0),
+    };
+    (zeta * omega, omega * omega)
+}

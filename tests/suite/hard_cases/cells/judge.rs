@@ -1,0 +1,126 @@
+//! What the engine made of a cell, beside the reference.
+//!
+//! The rounding of the phase at t is taken as eps times the sum of |c| a (1 + omega min(t, 1/sigma)) over the modes: a
+//! bounds the way of a mode, and what follows is how often a rounding of its frequency counts before it has died away.
+
+use gearsim_tests::precise;
+use gearsim_tests::precise::cell::{Law, Motion};
+use gearsim_tests::precise::crossing::first_crossing_with;
+use gearsim_tests::precise::number::{Real, Scalar};
+use nalgebra::SVector;
+
+use super::draw::{Drawn, bound};
+use crate::linear::first;
+
+/// What may come between the engine and the reference, in the unit of the errors: rounding and touch tolerance.
+pub const MULTIPLE: f64 = 4.0;
+
+/// What came of a cell.
+pub enum Verdict {
+    /// Both found the same crossing, the engine with this error in its unit.
+    Crossed(f64),
+    /// Both found none.
+    Passed,
+    /// A touch less deep than rounding tells, taken one way by the one and the other way by the other.
+    Shallow,
+    /// One of them missed what the other found.
+    Wrong(String),
+}
+
+type Digits = Real<192>;
+
+/// A cell as the reference has it: the engine's own modes, exactly.
+struct Reference {
+    modes: Vec<precise::Mode>,
+    level: f64,
+    /// Depth of a touch.
+    tolerance: f64,
+}
+
+impl Reference {
+    /// The phase less the level and its first two derivatives at `t`, to all digits and then rounded.
+    fn at(&self, t: f64) -> [f64; 3] {
+        let mut sum = [-Digits::exact(self.level), Digits::exact(0.0), Digits::exact(0.0)];
+        for m in &self.modes {
+            let law = Law::new(Digits::exact(m.sigma), Digits::exact(m.omega2));
+            let [force, x, v, c] = [m.force, m.x, m.v, m.weight].map(Digits::exact);
+            let motion = Motion::new(law, force, x, v, c.clone());
+            for (sum, x) in sum.iter_mut().zip(motion.at(&Digits::exact(t))) {
+                *sum = sum.clone() + c.clone() * x;
+            }
+        }
+        sum.map(|x| x.approx())
+    }
+
+    /// The rounding of the phase at `t`, and the tolerance of a touch.
+    fn rounding(&self, t: f64) -> f64 {
+        let each = |m: &precise::Mode| {
+            let turns = m.omega2.sqrt() * t.min(1.0 / m.sigma);
+            m.weight.abs() * bound(m, t) * (1.0 + turns)
+        };
+        self.tolerance + f64::EPSILON * self.modes.iter().map(each).sum::<f64>()
+    }
+
+    /// How far the phase goes beyond the level at a crossing `t` before it turns; about, and only where it soon does.
+    fn depth(&self, t: f64) -> f64 {
+        let [_, rate, bend] = self.at(t);
+        0.5 * rate * rate / bend.abs()
+    }
+}
+
+/// Runs both.
+pub fn judge<const N: usize>(drawn: &Drawn<N>) -> Verdict {
+    let Drawn { system, v, level, far, horizon, upper, .. } = drawn;
+    let cell = system.cell();
+    let flight = cell.flight(&SVector::zeros(), &SVector::from(*v));
+    let participation = cell.participation(&SVector::from(system.normal));
+    let gaps = if *upper { [*far, *level] } else { [*level, *far] };
+    let met = match first(&flight, &participation, gaps, *horizon) {
+        Ok(met) => met,
+        Err(steps) => return Verdict::Wrong(format!("the search did not end in {steps} steps")),
+    };
+    let modes = (0..N).map(|i| {
+        // Each shape is one coordinate, either way round.
+        let j = cell.shapes.column(i).iamax();
+        let sign = cell.shapes[(j, i)];
+        let weight = if *upper { participation[i] } else { -participation[i] };
+        let (sigma, omega2) = (cell.modes[i].sigma, cell.modes[i].omega2);
+        precise::Mode { sigma, omega2, force: sign * system.load[j], x: 0.0, v: sign * v[j], weight }
+    });
+    let tolerance = 4.0 * f64::EPSILON * (level + far);
+    let reference = Reference { modes: modes.collect(), level: *level, tolerance };
+    let root = first_crossing_with::<192>(&reference.modes, *level, *horizon).root;
+    let root = root.map(|root| (root.t.pair(), root.tangency));
+    compare(&reference, met.side.map(|_| met.t), root)
+}
+
+fn compare(reference: &Reference, met: Option<f64>, root: Option<((f64, f64), bool)>) -> Verdict {
+    let invented = |t: f64| reference.at(t)[0].abs() > MULTIPLE * reference.rounding(t);
+    match (met, root) {
+        (None, None) => Verdict::Passed,
+        (Some(t), None) if invented(t) => Verdict::Wrong(format!("a crossing was invented at {t:e}")),
+        (Some(_), None) => Verdict::Shallow,
+        (None, Some(((t, _), tangency))) => missed(reference, t, tangency, None),
+        (Some(met), Some(((t, rest), tangency))) => {
+            let late = (met - t) - rest;
+            let unit = reference.rounding(t) / reference.at(t)[1].abs() + f64::EPSILON * t;
+            match late.abs() / unit {
+                error if error <= MULTIPLE => Verdict::Crossed(error),
+                _ if late > 0.0 => missed(reference, t, tangency, Some(met)),
+                _ if invented(met) => Verdict::Wrong(format!("a crossing was invented at {met:e}, before {t:e}")),
+                error if reference.depth(t) > MULTIPLE * reference.rounding(t) => Verdict::Crossed(error),
+                _ => Verdict::Shallow,
+            }
+        }
+    }
+}
+
+fn missed(reference: &Reference, t: f64, tangency: bool, met: Option<f64>) -> Verdict {
+    let (depth, rounding) = (reference.depth(t), reference.rounding(t));
+    match tangency || depth <= MULTIPLE * rounding {
+        true => Verdict::Shallow,
+        false => {
+            Verdict::Wrong(format!("missed at {t:e}, {:.1e} times as deep as rounding ({met:?})", depth / rounding))
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Row 4: events at t = 0, at the end of a run, one bit apart.
+
+use gearsim::engine::crossing::Side;
+use gearsim::scene::Step;
+use gearsim_tests::oh2005::{GearPair, PITCH, State};
+
+use crate::case::{Case, NONE, WRONG, count, largest};
+use crate::linear::{Linear, Met, first_from};
+use crate::noise::Noise;
+use crate::pair;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "4",
+        name: "start on a boundary",
+        proves: "moving out, or at rest and pushed out: one event, at t = 0; moving in, or pushed in: none there",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: starts,
+    },
+    Case {
+        row: "4",
+        name: "horizon at a crossing, and a bit before and after",
+        proves: "a crossing at the horizon itself is not before it; one bit later it is",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: horizons,
+    },
+    Case {
+        row: "4",
+        name: "runs that end at an event, 4 bits before, 4 bits after",
+        proves: "an event is in the run if and only if its time is",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: ends,
+    },
+    Case {
+        row: "4",
+        name: "runs split at a thousand instants, 40 events among them",
+        proves: "the events of the parts are those of the whole",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: |_| splits().0,
+    },
+    Case {
+        row: "4",
+        name: "ends of split runs",
+        proves: "two parts end where the whole does",
+        tolerance: 1e-12,
+        unit: "of the motion's sizes",
+        reason: "the motion is regular: roundings of 40 events add up, and no more",
+        measure: |_| splits().1,
+    },
+    Case {
+        row: "4",
+        name: "two boundaries one bit apart",
+        proves: "both fire, one after the other: three events a pitch for two, and the same motion",
+        tolerance: 1e-12,
+        unit: "of the motion's sizes",
+        reason: "the steps add up to the one that they replace; infinite if an event is lost",
+        measure: bits_apart,
+    },
+];
+
+fn starts(_: &mut String) -> f64 {
+    // x'' = f from x = 0, in a cell whose boundary is there; the other one is 1 away.
+    let from = |v: f64, f: f64, upper: bool| {
+        let gaps = if upper { [1.0, 0.0] } else { [0.0, 1.0] };
+        let Met { side, t, .. } = first_from(&Linear::modal([(0.0, 0.0)], [f]), [v], gaps, 10.0);
+        side.map(|side| (side == Side::Upper, t))
+    };
+    let swing = |v: f64, upper: bool| {
+        let gaps = if upper { [9.0, 0.0] } else { [0.0, 9.0] };
+        let met = first_from(&Linear::modal([(0.0, 1.0)], [0.0]), [v], gaps, 3.0);
+        met.side.map(|side| (side == Side::Upper, met.t))
+    };
+    count([true, false].into_iter().flat_map(|upper| {
+        let out = if upper { 1.0 } else { -1.0 };
+        [
+            from(out, 0.0, upper) != Some((upper, 0.0)),
+            from(1e-300 * out, 0.0, upper) != Some((upper, 0.0)),
+            from(0.0, out, upper) != Some((upper, 0.0)),
+            swing(out, upper) != Some((upper, 0.0)),
+            // to the other boundary
+            from(-out, 0.0, upper) != Some((!upper, 1.0)),
+            from(0.0, -2.0 * out, upper) != Some((!upper, 1.0)),
+            // there and back to this one
+            from(-out, 2.0 * out, upper) != Some((upper, 1.0)),
+            // in, but not back within half a turn
+            swing(-out, upper).is_some(),
+            // at rest and not pushed
+            from(0.0, 0.0, upper).is_some(),
+        ]
+    }))
+}
+
+fn horizons(_: &mut String) -> f64 {
+    let mut noise = Noise::new(401);
+    count((0..1000).flat_map(|_| {
+        let (v, omega2) = (noise.even(), if noise.unit() < 0.5 { 0.0 } else { noise.power(-1.0, 1.0) });
+        let system = Linear::modal([(0.0, omega2)], [0.0]);
+        let gap = 0.3 * v.abs();
+        let until = |horizon: f64| first_from(&system, [v], [gap, gap], horizon);
+        let met = until(100.0);
+        let (at, after) = (until(met.t), until(met.t.next_up()));
+        [met.side.is_none(), at.side.is_some(), after.side != met.side || after.t != met.t]
+    }))
+}
+
+/// A regular motion of some 40 events.
+const T_END: f64 = 0.05;
+
+fn regular() -> (GearPair, State) {
+    let pair = GearPair::paper(0.05, 10.0);
+    (pair, pair.start(1000.0))
+}
+
+fn ends(note: &mut String) -> f64 {
+    let (pair, start) = regular();
+    let whole = pair::run(&pair, &start, T_END).events;
+    *note = format!("{} events", whole.len());
+    count(whole.iter().enumerate().flat_map(|(i, event)| {
+        let moved = |bits: i64| f64::from_bits((event.t.to_bits() as i64 + bits) as u64);
+        let events = |t: f64| pair::run(&pair, &start, t).events.len();
+        // At the event itself either is right: its time is known to a bit.
+        [events(moved(-4)) != i, events(moved(4)) != i + 1, !(i..=i + 1).contains(&events(event.t))]
+    }))
+}
+
+/// Splits that lose or double an event, and the largest difference of the ends.
+fn splits() -> (f64, f64) {
+    let (pair, start) = regular();
+    let whole = pair::run(&pair, &start, T_END);
+    let mut noise = Noise::new(402);
+    let instants: Vec<f64> = (0..1000).map(|_| T_END * noise.unit()).chain(whole.events.iter().map(|e| e.t)).collect();
+    let speed = start.theta_dot;
+    let (mut wrong, mut apart) = (0.0, 0.0);
+    for t in instants {
+        let first = pair::run(&pair, &start, t);
+        let second = pair::run(&pair, &first.end, T_END - t);
+        if first.events.len() + second.events.len() != whole.events.len() {
+            println!("split at {t}: {} + {} events", first.events.len(), second.events.len());
+            wrong += 1.0;
+            continue;
+        }
+        apart = largest([apart, distance(&second.end, &whole.end, &pair, speed)]);
+    }
+    (wrong, apart)
+}
+
+/// The largest difference of two states in units of the motion's sizes.
+pub fn distance(a: &State, b: &State, pair: &GearPair, speed: f64) -> f64 {
+    let phi = pair.t0.abs().max(1.0) / pair.k1;
+    let speeds = speed.abs().max(phi * pair.w0());
+    let parts = [(a.theta, b.theta, 1.0), (a.phi, b.phi, phi)];
+    let rates = [(a.theta_dot, b.theta_dot, speeds), (a.phi_dot, b.phi_dot, speeds)];
+    largest(parts.into_iter().chain(rates).map(|(a, b, size)| (a - b).abs() / size))
+}
+
+fn bits_apart(note: &mut String) -> f64 {
+    let mut events = 0;
+    let worst = largest([60.0, -1000.0].map(|rpm| {
+        let pair = GearPair { width1: 1.75, ..GearPair::paper(0.05, 3.0) };
+        let start = pair.start(rpm);
+        let plain = pair::scene(&pair, &start, 30.0 / start.theta_dot.abs());
+        let mut split = plain.clone();
+        let (width, thin) = (pair.width1, pair.width1.next_up() - pair.width1);
+        let steps = [(pair.k1, width), (2000.0, thin), (pair.k2, PITCH - width - thin)];
+        split.laws[0].steps = steps.map(|(value, width)| Step { value, width }).into();
+        let [one, two] = [&plain, &split].map(pair::of);
+        let [c1, c2] = [&one, &two].map(|run| &run.outcome.counts);
+        events += c2.cell_changes;
+        // Of the boundaries passed every other one is doubled.
+        let doubled = c1.cell_changes.div_ceil(2)..=c1.cell_changes.div_ceil(2) + 1;
+        if c1.reflections + c2.reflections > 0 || !doubled.contains(&(c2.cell_changes - c1.cell_changes + 1)) {
+            println!("{c1:?} {c2:?}");
+            return f64::INFINITY;
+        }
+        distance(&one.end, &two.end, &pair, start.theta_dot)
+    }));
+    *note = format!("{events} events");
+    worst
+}

@@ -1,0 +1,140 @@
+//! Row 1: grazing to every depth, exact tangency.
+
+use gearsim_tests::oh2005::{GearPair, State};
+use gearsim_tests::precise::{self, first_crossing};
+
+use crate::case::{Case, NONE, WRONG, count, largest};
+use crate::linear::{Linear, Met, first_from};
+use crate::noise::Noise;
+use crate::pair;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "1",
+        name: "graze by 1e-1 to 1e-14 of the amplitude, over and short",
+        proves: "a crossing is found however shallow, and none is invented",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: depths,
+    },
+    Case {
+        row: "1",
+        name: "time of a graze",
+        proves: "as exact as a root so flat allows",
+        tolerance: 8.0,
+        unit: "eps amplitude/slope",
+        reason: "the tolerance of a touch, 4 eps of twice the amplitude",
+        measure: times,
+    },
+    Case {
+        row: "1",
+        name: "exact tangency, again and again",
+        proves: "a touch is no event, every time",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: |_| tangencies(|met, again| met.side.is_some() || met != again),
+    },
+    Case {
+        row: "1",
+        name: "exact tangency, counted",
+        proves: "touches are reported: 16 crests, 16 grazes",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: |_| tangencies(|met, _| met.cost.grazes != 16),
+    },
+    Case {
+        row: "1",
+        name: "graze in a cell that is 1e-2 to 1e-8 of the swing",
+        proves: "the depth that is told follows the cell, not the swing",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: narrow,
+    },
+    Case {
+        row: "1",
+        name: "gear pair swings to the end of its cell, short and over by 1e-1 to 1e-13 of its speed",
+        proves: "the same in a scene; the speed is found in 50 digits",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: gear_pairs,
+    },
+];
+
+/// A sin t has its crest at A exactly. The level in its unit, and whether the crest is higher.
+fn levels() -> impl Iterator<Item = (f64, f64)> {
+    let depths = (1..=14).flat_map(|k| [1.0, -1.0].map(|sign| sign * 10f64.powi(-k)));
+    depths.flat_map(|depth| [1e-9, 1.0, 3.7e8].map(|amplitude| (amplitude, amplitude * (1.0 - depth))))
+}
+
+fn sine() -> Linear<1> {
+    Linear::modal([(0.0, 1.0)], [0.0])
+}
+
+fn depths(_: &mut String) -> f64 {
+    let wrong = |(amplitude, level): (f64, f64), sign: f64| {
+        let gaps = if sign > 0.0 { [2.0 * amplitude, level] } else { [level, 2.0 * amplitude] };
+        // Until the first crest is passed.
+        first_from(&sine(), [sign * amplitude], gaps, 2.0).side.is_some() != (level < amplitude)
+    };
+    count(levels().flat_map(|case| [wrong(case, 1.0), wrong(case, -1.0)]))
+}
+
+fn times(_: &mut String) -> f64 {
+    largest(levels().filter(|(amplitude, level)| level < amplitude).map(|(amplitude, level)| {
+        let mode = precise::Mode { sigma: 0.0, omega2: 1.0, force: 0.0, x: 0.0, v: amplitude, weight: 1.0 };
+        let root = first_crossing(&[mode], level, 2.0).expect("the crest is higher");
+        let met = first_from(&sine(), [amplitude], [2.0 * amplitude, level], 2.0);
+        ((met.t - root.t.0) - root.t.1).abs() * root.slope.abs() / (f64::EPSILON * amplitude)
+    }))
+}
+
+fn tangencies(wrong: fn(Met, Met) -> bool) -> f64 {
+    let mut noise = Noise::new(101);
+    count((0..1000).map(|_| {
+        let (amplitude, omega) = (noise.power(-6.0, 6.0), noise.power(-3.0, 3.0));
+        let system = Linear::modal([(0.0, omega * omega)], [0.0]);
+        // 16 crests
+        let run = || first_from(&system, [amplitude * omega], [3.0 * amplitude, amplitude], 100.0 / omega);
+        wrong(run(), run())
+    }))
+}
+
+/// xi'' + xi = -cos, from just before its crest of height 1 over the equilibrium: it moves by a small part of its swing,
+/// to sin tau, and the cell is that narrow. The level is put to 1e-3 to 1e-9 of the way over and under the turn.
+fn narrow(note: &mut String) -> f64 {
+    let mut total = 0;
+    let wrong = |(tau, depth): (f64, f64)| {
+        total += 1;
+        let (v, force) = (tau.sin(), -tau.cos());
+        let mode = precise::Mode { sigma: 0.0, omega2: 1.0, force, x: 0.0, v, weight: 1.0 };
+        // 1 - cos tau, without cancellation
+        let level = 2.0 * (0.5 * tau).sin().powi(2) * (1.0 - depth);
+        let horizon = 2.0 * tau;
+        let exact = first_crossing(&[mode], level, horizon).is_some();
+        assert_eq!(exact, depth > 0.0, "the level is on the side of the crest that was meant");
+        first_from(&Linear::modal([(0.0, 1.0)], [force]), [v], [level, level], horizon).side.is_some() != exact
+    };
+    let cases = (3..=9).flat_map(|k| [1.0, -1.0].map(|sign| sign * 10f64.powi(-k)));
+    let wrong = count(cases.flat_map(|depth| [0.14, 1.4e-2, 1.4e-3, 1.4e-4].map(|tau| (tau, depth))).map(wrong));
+    *note = format!("{total} levels");
+    wrong
+}
+
+fn gear_pairs(_: &mut String) -> f64 {
+    let pair = GearPair::paper(0.05, 10.0);
+    let start = |theta_dot: f64| State { theta: 1.725, theta_dot, phi_dot: 100.0, ..pair.start(0.0) };
+    let t_end = 3e-4;
+    let (mut short, mut far) = (0.0, 150.0);
+    while far - short > 2e-14 * far {
+        let middle = 0.5 * (short + far);
+        let reached = !precise::scene(&pair, &start(middle), t_end, 50).events.is_empty();
+        if reached { far = middle } else { short = middle }
+    }
+    let cases = (1..=13).flat_map(|k| [-1.0, 1.0].map(|sign| sign * 10f64.powi(-k)));
+    count(cases.map(|depth| pair::run(&pair, &start(far * (1.0 + depth)), t_end).events.is_empty() != (depth < 0.0)))
+}

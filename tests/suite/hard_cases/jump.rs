@@ -1,0 +1,159 @@
+//! Row 2: total reflection, near-critical incidence v² = 2 G dV (1 +- 10^-k), equality.
+
+use gearsim::engine::equations::Equations;
+use gearsim::engine::jump::{Passage, Surface};
+use gearsim_tests::oh2005::GearPair;
+use gearsim_tests::precise::number::{Real, Scalar};
+use nalgebra::SVector;
+
+use crate::case::{Case, NONE, WRONG, count, largest};
+use crate::linear::{Linear, diagonal};
+use crate::noise::Noise;
+use crate::pair;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "2",
+        name: "v² = 2 G dV (1 +- 1e-1 to 1e-14)",
+        proves: "transmitted or reflected as a reference of 115 digits decides",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: branches,
+    },
+    Case {
+        row: "2",
+        name: "speed after a near-critical step",
+        proves: "no cancellation but that of v² - 2 G dV itself",
+        tolerance: 8.0,
+        unit: "eps v²/v+²",
+        reason: "half a dozen roundings of v² and 2 G dV, halved by the root",
+        measure: speeds,
+    },
+    Case {
+        row: "2",
+        name: "total reflection",
+        proves: "the normal speed keeps its bits and changes its sign",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: reflections,
+    },
+    Case {
+        row: "2",
+        name: "v² = 2 G dV to the bit, and its neighbours",
+        proves: "equality transmits with v+ = 0, one bit less reflects; dV = 0 changes nothing",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: equality,
+    },
+    Case {
+        row: "2",
+        name: "energy across a million steps, passed and refused",
+        proves: "T + V is the same on both sides",
+        tolerance: 16.0,
+        unit: "eps (T + |dV|)",
+        reason: "roundings of T before and after, and of the jump",
+        measure: energy,
+    },
+];
+
+type Digits = Real<384>;
+
+/// A jump of the paper's gear pair: phi, the step of k, theta' at (1 + depth) times the critical square, either way.
+struct Incidence {
+    phi: f64,
+    dk: f64,
+    v: [f64; 2],
+    depth: f64,
+}
+
+fn incidences(seed: u64) -> impl Iterator<Item = Incidence> {
+    let (mut noise, m2) = (Noise::new(seed), GearPair::paper(0.0, 0.0).m2());
+    let depths = (1..=14).flat_map(|k| [1.0, -1.0].map(|sign| sign * 10f64.powi(-k)));
+    let depths: Vec<f64> = depths.flat_map(|depth| [depth; 100]).collect();
+    depths.into_iter().map(move |depth| {
+        let (phi, dk) = (noise.even() * 0.1, noise.power(0.0, 5.0));
+        let v = (m2 * dk * phi * phi * (1.0 + depth)).sqrt().copysign(noise.even());
+        Incidence { phi, dk, v: [v, noise.even() * v], depth }
+    })
+}
+
+/// theta'+² in all digits.
+fn square(i: &Incidence) -> Digits {
+    let (p, real) = (GearPair::paper(0.0, 0.0), Digits::exact);
+    let part = |n: f64, inertia: f64| real(n) * real(n) / real(inertia);
+    let m2 = (part(p.n1, p.i1) + part(p.n2, p.i2)).scaled(-1);
+    real(i.v[0]) * real(i.v[0]) - m2 * real(i.dk) * real(i.phi) * real(i.phi)
+}
+
+/// What the engine makes of an incidence, with the equations of the gear pair.
+fn pass(equations: &dyn Equations<2>, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
+    let mut q_dot = SVector::from(v);
+    let passage = Surface::new(equations, 0).pass(equations, &SVector::from(q), &mut q_dot, dk);
+    (passage, q_dot.into())
+}
+
+fn branches(note: &mut String) -> f64 {
+    let equations = pair::equations(&GearPair::paper(0.0, 0.0));
+    let mut total = 0;
+    let wrong = count(incidences(201).map(|i| {
+        let (passage, _) = pass(&*equations, [0.0, i.phi], i.v, i.dk);
+        total += 1;
+        (passage == Passage::Reflected) != square(&i).is_negative() || (i.depth < 0.0) != square(&i).is_negative()
+    }));
+    *note = format!("{total} incidences");
+    wrong
+}
+
+fn speeds(_: &mut String) -> f64 {
+    let equations = pair::equations(&GearPair::paper(0.0, 0.0));
+    largest(incidences(202).filter(|i| i.depth > 0.0).map(|i| {
+        let (_, after) = pass(&*equations, [0.0, i.phi], i.v, i.dk);
+        let square = square(&i);
+        let (exact, relative) = (square.root(), i.v[0] * i.v[0] / square.approx());
+        let error = (Digits::exact(after[0].abs()) - exact.clone()).approx().abs() / exact.approx();
+        error / (f64::EPSILON * relative)
+    }))
+}
+
+fn reflections(_: &mut String) -> f64 {
+    let equations = pair::equations(&GearPair::paper(0.0, 0.0));
+    count(incidences(203).filter(|i| i.depth < 0.0).map(|i| {
+        let (passage, after) = pass(&*equations, [0.0, i.phi], i.v, i.dk);
+        passage != Passage::Reflected || after[0].to_bits() != (-i.v[0]).to_bits()
+    }))
+}
+
+fn equality(_: &mut String) -> f64 {
+    // G = 1, 2 G dV = dk q_0²: 9 here
+    let identity = diagonal([1.0; 2]);
+    let none = diagonal([0.0; 2]);
+    let system = Linear { mass: identity, damping: none, stiffness: identity, load: [0.0; 2], normal: [1.0, 0.0] };
+    let at = |v: f64| pass(&system, [1.0, 0.0], [v, 0.5], 9.0);
+    let cases = [3.0f64, -3.0].map(|v| {
+        let (more, less) = ((v.abs().next_up()).copysign(v), (v.abs().next_down()).copysign(v));
+        [
+            at(v) != (Passage::Transmitted, [0.0, 0.5]),
+            at(less) != (Passage::Reflected, [-less, 0.5]),
+            at(more).0 != Passage::Transmitted || at(more).1[0] * v <= 0.0,
+            pass(&system, [0.0, 1.0], [v, 0.5], 9.0) != (Passage::Transmitted, [v, 0.5]),
+            pass(&system, [1.0, 0.0], [v, 0.5], 0.0) != (Passage::Transmitted, [v, 0.5]),
+        ]
+    });
+    count(cases.into_iter().flatten())
+}
+
+fn energy(_: &mut String) -> f64 {
+    let equations = pair::equations(&GearPair::paper(0.0, 0.0));
+    let mut noise = Noise::new(204);
+    largest((0..1_000_000).map(|_| {
+        let (q, dk) = ([0.0, 0.1 * noise.even()], noise.power(0.0, 5.0).copysign(noise.even()));
+        let v = [noise.power(0.0, 3.0) * noise.even(), noise.power(0.0, 3.0) * noise.even()];
+        let (passage, after) = pass(&*equations, q, v, dk);
+        let gain = if passage == Passage::Transmitted { equations.step(0, &q, dk) } else { 0.0 };
+        let (before, after) = (equations.kinetic(&v), equations.kinetic(&after));
+        (after - before + gain).abs() / (f64::EPSILON * (before + gain.abs()))
+    }))
+}

@@ -1,0 +1,78 @@
+//! The hard cases of the engine: the promises that it makes, each proved by a number that must stay within a tolerance.
+//!
+//! Every case runs as a test. With GEARSIM_HARD_CASES=FILE the run writes its numbers as a table, in Markdown:
+//! `cargo xtask hard-cases`. GEARSIM_CELLS, GEARSIM_SCENES, GEARSIM_EVENTS and GEARSIM_SEED set how much random work is
+//! done, and on what.
+//!
+//! A group of rows of the catalogue is a file; a case is an entry of its `CASES`.
+
+mod case;
+#[path = "../common/mod.rs"]
+mod common;
+mod linear;
+mod noise;
+mod pair;
+mod table;
+
+mod absent;
+mod cells;
+mod damping;
+mod ends;
+mod graze;
+mod jump;
+mod limits;
+mod long;
+mod mirror;
+mod ramps;
+mod ratios;
+mod refusals;
+mod resonance;
+mod scenes;
+
+use std::process::ExitCode;
+
+use case::{Case, check};
+use libtest_mimic::{Arguments, Trial};
+use table::Table;
+
+/// The catalogue, by rows.
+const GROUPS: &[&[Case]] = &[
+    graze::CASES,
+    jump::CASES,
+    // 3, held and pressed contact
+    ends::CASES,
+    ratios::CASES,
+    damping::CASES,
+    long::CASES,
+    mirror::CASES,
+    // 11, backlash
+    resonance::CASES,
+    limits::CASES,
+    ramps::CASES,
+    refusals::CASES,
+    absent::CASES,
+    cells::CASES,
+    scenes::CASES,
+];
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let cases: Vec<&'static Case> = GROUPS.iter().flat_map(|group| group.iter()).collect();
+    let table = Table::new(&cases);
+    let trials = cases.iter().enumerate().map(|(i, case)| {
+        let (case, table) = (*case, table.clone());
+        Trial::test(format!("{}::{}", case.row, case.name.replace(' ', "_")), move || {
+            let (measured, verdict) = check(case);
+            table.enter(i, measured);
+            verdict.map_err(Into::into)
+        })
+    });
+    let conclusion = libtest_mimic::run(&arguments, trials.collect());
+    if !arguments.list
+        && let Err(message) = table.write()
+    {
+        eprintln!("{message}");
+        return ExitCode::FAILURE;
+    }
+    conclusion.exit_code()
+}

@@ -1,0 +1,72 @@
+//! The gear pair of the references as a scene of the engine, run, with its events in the references' terms.
+
+use std::sync::OnceLock;
+
+use gearsim::engine::equations::Equations;
+use gearsim::engine::{Outcome, outcome};
+use gearsim::generated::gear_pair;
+use gearsim::model::Start;
+use gearsim::scene::{Beginning, Scene, Step};
+use gearsim::trajectory::Moment;
+use gearsim_tests::oh2005::{Event, GearPair, Kind, PITCH, State};
+
+use crate::common;
+
+/// A run of the engine: its events, cells counted as the references do, its end, and all else.
+pub struct Run {
+    pub events: Vec<Event>,
+    pub end: State,
+    pub outcome: Outcome,
+}
+
+/// The scene of a gear pair from `start` to `t_end` \[s\].
+pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
+    static SCENE: OnceLock<Scene> = OnceLock::new();
+    let mut scene = SCENE.get_or_init(|| common::scene("oh2005/energy_300rpm", &[])).clone();
+    scene.parameters = vec![pair.n1, pair.n2, pair.i1, pair.i2, pair.zeta, pair.t0];
+    let steps = [(pair.k1, pair.width1), (pair.k2, PITCH - pair.width1)];
+    scene.laws[0].steps = steps.map(|(value, width)| Step { value, width }).into();
+    scene.start = Beginning {
+        q: vec![Start::At(start.theta), Start::At(start.phi)],
+        q_dot: vec![Some(start.theta_dot), Some(start.phi_dot)],
+        motions: vec![0.0],
+    };
+    scene.t_end = t_end;
+    scene.output.rate = 1.0 / t_end;
+    scene
+}
+
+/// The equations of a gear pair with all its effects.
+pub fn equations(pair: &GearPair) -> Box<dyn Equations<2>> {
+    outcome::equations::<gear_pair::GearPair, 2>(&scene(pair, &pair.start(0.0), 1.0)).expect("effects that go together")
+}
+
+/// Runs a gear pair in the engine. A run that stops early has the events until then.
+pub fn run(pair: &GearPair, start: &State, t_end: f64) -> Run {
+    of(&scene(pair, start, t_end))
+}
+
+/// Runs a scene of two steps a pitch.
+pub fn of(scene: &Scene) -> Run {
+    let outcome = (common::model(scene.model.name).run)(scene, &mut |_| {}).unwrap_or_else(|e| panic!("{e}"));
+    let t = &outcome.trajectory;
+    let width = scene.laws[0].steps[0].width;
+    let befores = (0..t.len()).filter(|&i| t.moment[i] == Moment::Before);
+    let events = befores.map(|i| {
+        // Boundary 2 n is at n pitches, 2 n + 1 one width beyond.
+        let pitches = t.q[0][i] / PITCH;
+        let (whole, odd) = (pitches.round(), (t.q[0][i] - width) / PITCH);
+        let boundary = match (pitches - whole).abs() <= (odd - odd.round()).abs() {
+            true => 2 * whole as i64,
+            false => 2 * odd.round() as i64 + 1,
+        };
+        let (before, after) = (t.q_dot[0][i], t.q_dot[0][i + 1]);
+        // What turns back has the same speed the other way; at rest on a step it has passed.
+        let kind = if before * after < 0.0 { Kind::Reflect } else { Kind::Transmit };
+        let (from, beyond) = if before > 0.0 { (boundary - 1, boundary) } else { (boundary, boundary - 1) };
+        Event { t: t.t[i], kind, cell_from: from, cell_to: if kind == Kind::Reflect { from } else { beyond } }
+    });
+    let last = t.len() - 1;
+    let end = State { theta: t.q[0][last], theta_dot: t.q_dot[0][last], phi: t.q[1][last], phi_dot: t.q_dot[1][last] };
+    Run { events: events.collect(), end, outcome }
+}

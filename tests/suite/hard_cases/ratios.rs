@@ -1,0 +1,122 @@
+//! Row 5: stiffness and inertia ratios of 1e+-9, cells without stiffness.
+
+use gearsim::engine::cell::Cell;
+use gearsim_tests::oh2005::{GearPair, State};
+use nalgebra::SVector;
+
+use crate::case::{Case, largest};
+use crate::noise::Noise;
+use crate::pair;
+use crate::scenes::MULTIPLE;
+use crate::scenes::compare::compare;
+
+const UNIT: &str = "eps (growth of disturbances + 1)";
+const GROWN: &str = "as for random gear pairs: each event adds roundings of its own; infinite if an event is another";
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "5",
+        name: "stiffness ratio k2/k1 of 1e-9 to 1e9",
+        proves: "events and end as in 50 digits",
+        tolerance: MULTIPLE,
+        unit: UNIT,
+        reason: GROWN,
+        measure: |note| against(note, powers().map(|r| GearPair { k2: 1430.0 * r, ..GearPair::paper(0.0, 3.0) })),
+    },
+    Case {
+        row: "5",
+        name: "inertia ratio I2/I1 of 1e-9 to 1e9",
+        proves: "events and end as in 50 digits",
+        tolerance: MULTIPLE,
+        unit: UNIT,
+        reason: GROWN,
+        measure: |note| against(note, powers().map(|r| GearPair { i2: 2.89e-3 * r, ..GearPair::paper(0.02, 3.0) })),
+    },
+    Case {
+        row: "5",
+        name: "a cell without stiffness in a pitch",
+        proves: "events and end as in 50 digits",
+        tolerance: MULTIPLE,
+        unit: UNIT,
+        reason: GROWN,
+        measure: |note| {
+            let (zetas, torques) = ([0.0, 0.02, 3.0], [0.0, 1.0, -30.0]);
+            let each = |zeta| torques.map(|t0| GearPair { k2: 0.0, ..GearPair::paper(zeta, t0) });
+            against(note, zetas.into_iter().flat_map(each))
+        },
+    },
+    Case {
+        row: "5",
+        name: "flight without stiffness",
+        proves: "q = a + b t, to the last digit, for any t",
+        tolerance: 4.0,
+        unit: "eps of the way",
+        reason: "speeds to modes, times t, and back",
+        measure: flight,
+    },
+    Case {
+        row: "5",
+        name: "momentum of theta at inertia ratios of 1e-9 to 1e9",
+        proves: "nothing but the mesh acts on theta: M_theta.q' keeps its value through a cell",
+        tolerance: 8.0,
+        unit: "eps of the larger part",
+        reason: "a product and a sum each way",
+        measure: momentum,
+    },
+];
+
+fn powers() -> impl Iterator<Item = f64> {
+    [-9, -6, -3, -1, 1, 3, 6, 9].into_iter().map(|k| 10f64.powi(k))
+}
+
+fn against(note: &mut String, pairs: impl Iterator<Item = GearPair>) -> f64 {
+    let (mut events, mut runs) = (0, 0);
+    let worst = largest(pairs.flat_map(|pair| [100.0, -900.0].map(|rpm| (pair, rpm))).map(|(pair, rpm)| {
+        let start = State { phi: 2e-3, phi_dot: 1.0, theta: 0.5, ..pair.start(rpm) };
+        // A few turns of theta, and of the fastest oscillation not more than some thousand.
+        let fastest = (pair.m2() * pair.k1.max(pair.k2)).sqrt();
+        let t_end = (20.0 / start.theta_dot.abs()).min(3e3 / fastest);
+        let compared = compare(&pair, &start, t_end);
+        (events, runs) = (events + compared.events, runs + 1);
+        match compared.wrong {
+            Some(what) => {
+                println!("{what}: {pair:?}, {start:?}, until {t_end:e}");
+                f64::INFINITY
+            }
+            None => {
+                println!("{:.1} units, {} events: {pair:?} {start:?} {t_end:e}", compared.error, compared.events);
+                compared.error
+            }
+        }
+    }));
+    *note = format!("{runs} scenes, {events} events");
+    worst
+}
+
+fn flight(_: &mut String) -> f64 {
+    let mut noise = Noise::new(501);
+    let equations = pair::equations(&GearPair::paper(0.0, 0.0));
+    let cell = Cell::new(&*equations, &[0.0]).expect("a cell without stiffness");
+    largest((0..1000).map(|_| {
+        let v = SVector::from([noise.even(), noise.even()]);
+        let (flight, t) = (cell.flight(&SVector::from([noise.even(), noise.even()]), &v), noise.power(-9.0, 9.0));
+        let (dq, dv) = flight.increments(&flight.at(t));
+        let way = largest([dq[0] - v[0] * t, dq[1] - v[1] * t].map(f64::abs)) / (v.amax() * t);
+        largest([way, dv.amax() / v.amax()]) / f64::EPSILON
+    }))
+}
+
+fn momentum(_: &mut String) -> f64 {
+    let mut noise = Noise::new(502);
+    largest(powers().flat_map(|ratio| {
+        let equations = pair::equations(&GearPair { i2: 2.89e-3 * ratio, ..GearPair::paper(0.0, 3.0) });
+        let (cell, m) = (Cell::new(&*equations, &[2000.0]).expect("a cell"), equations.mass()[0]);
+        [(); 50].map(|()| {
+            let [q, v] = [(); 2].map(|()| SVector::from([noise.even(), noise.even()]));
+            let flight = cell.flight(&q, &v);
+            let (_, dv) = flight.increments(&flight.at(noise.unit() / cell.modes[1].rate));
+            let largest = largest([m[0] * (v[0].abs() + dv[0].abs()), (m[1] * (v[1].abs() + dv[1].abs())).abs()]);
+            (m[0] * dv[0] + m[1] * dv[1]).abs() / (f64::EPSILON * largest)
+        })
+    }))
+}

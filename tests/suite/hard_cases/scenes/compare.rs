@@ -1,0 +1,103 @@
+//! One gear pair in the engine and in 50 digits: the same events, at times and with an end as exact as conditioning allows.
+//!
+//! Conditioning is seen in the reference: what becomes of disturbances of 1e-10 in the start and in the stiffnesses. The unit of an
+//! error is what eps for 1e-10 would have become, plus eps of the number itself; events are compared as long as the
+//! disturbances stay below 1e-6 of an oscillation.
+
+use gearsim_tests::oh2005::{GearPair, Kind, State};
+use gearsim_tests::precise::scene::{Event, Run, scene};
+
+use crate::case::largest;
+use crate::pair;
+
+/// Relative size of the disturbances.
+const DISTURBANCE: f64 = 1e-10;
+/// Part of an oscillation up to which disturbances may grow.
+const CALM: f64 = 1e-6;
+
+/// What a comparison came to.
+#[derive(Debug, Default)]
+pub struct Compared {
+    /// Events compared, and how many of them were reflections.
+    pub events: u64,
+    pub reflections: u64,
+    /// Largest error of a time or of the end, in its unit.
+    pub error: f64,
+    /// Whether all was compared, the end too: else disturbances grew too far.
+    pub whole: bool,
+    /// The first event that is another.
+    pub wrong: Option<String>,
+}
+
+/// Runs a gear pair in both.
+pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
+    let exact = scene(pair, start, t_end, 50);
+    let disturbed = [1.0, -1.0].map(|sign| disturb(pair, start, t_end, sign));
+    let found = pair::run(pair, start, t_end);
+    let w0 = pair.w0();
+    let (mut compared, mut growth) = (Compared::default(), 0f64);
+    for (i, event) in exact.events.iter().enumerate() {
+        let moved = disturbed.iter().map(|run| match run.events.get(i) {
+            Some(other) if same(event, other) => (other.t.0 - event.t.0).abs(),
+            _ => f64::INFINITY,
+        });
+        growth = growth.max(largest(moved));
+        if growth * w0 > CALM {
+            return compared;
+        }
+        let Some(other) = found.events.get(i) else {
+            return wrong(compared, i, event, format!("no event, {:?}", found.outcome.stopped_by));
+        };
+        if (event.kind, event.cell_from, event.cell_to) != (other.kind, other.cell_from, other.cell_to) {
+            return wrong(compared, i, event, format!("{other:?}"));
+        }
+        let late = ((other.t - event.t.0) - event.t.1).abs();
+        let unit = f64::EPSILON * (growth / DISTURBANCE + event.t.0);
+        compared.error = largest([compared.error, late / unit]);
+        compared.events += 1;
+        compared.reflections += u64::from(event.kind == Kind::Reflect);
+    }
+    let n = exact.events.len();
+    if disturbed.iter().any(|run| run.events.len() != n) {
+        return compared;
+    }
+    if let Some(more) = found.events.get(n) {
+        compared.wrong = Some(format!("event {n}: {more:?}, where there is none"));
+        return compared;
+    }
+    compared.whole = true;
+    compared.error = largest([compared.error, end(&exact, &disturbed, &found.end, w0)]);
+    compared
+}
+
+fn wrong(compared: Compared, i: usize, event: &Event, found: String) -> Compared {
+    Compared { wrong: Some(format!("event {i}: {found}, where there is {event:?}")), ..compared }
+}
+
+fn same(a: &Event, b: &Event) -> bool {
+    (a.kind, a.cell_from, a.cell_to) == (b.kind, b.cell_from, b.cell_to)
+}
+
+fn disturb(pair: &GearPair, start: &State, t_end: f64, sign: f64) -> Run {
+    let by = |x: f64, sign: f64| x * (1.0 + sign * DISTURBANCE);
+    let softer = GearPair { k1: by(pair.k1, 1.0), k2: by(pair.k2, -sign), ..*pair };
+    let phi_dot = start.phi_dot + sign * DISTURBANCE * start.phi * pair.w0();
+    let other = State { theta_dot: by(start.theta_dot, sign), phi: by(start.phi, 1.0), phi_dot, ..*start };
+    scene(&softer, &other, t_end, 50)
+}
+
+/// The error of the end in its unit.
+fn end(exact: &Run, disturbed: &[Run], found: &State, w0: f64) -> f64 {
+    let parts = |run: &Run| [run.end.theta, run.end.theta_dot, run.end.phi, run.end.phi_dot];
+    let found = [found.theta, found.theta_dot, found.phi, found.phi_dot];
+    // Of speeds that pass through zero, and of phi: what they are beside one another.
+    let speed = exact.end.theta_dot.0.abs().max(exact.end.phi_dot.0.abs());
+    let phi = exact.end.phi.0.abs().max(speed / w0);
+    let sizes = [exact.end.theta.0.abs().max(phi), speed, phi, speed];
+    largest((0..4).map(|i| {
+        let want = parts(exact)[i];
+        let grown =
+            largest(disturbed.iter().map(|run| ((parts(run)[i].0 - want.0) + (parts(run)[i].1 - want.1)).abs()));
+        ((found[i] - want.0) - want.1).abs() / (f64::EPSILON * (grown / DISTURBANCE + sizes[i]))
+    }))
+}
