@@ -1,5 +1,6 @@
 //! Row 2: total reflection, near-critical incidence v² = 2 G dV (1 +- 10^-k), equality.
 
+use gearsim::engine::crossing::Side;
 use gearsim::engine::equations::Equations;
 use gearsim::engine::jump::{Passage, Surface};
 use gearsim_tests::oh2005::GearPair;
@@ -91,7 +92,8 @@ fn square(i: &Incidence) -> Digits {
 /// What the engine makes of an incidence, with the equations of the gear pair.
 fn pass(equations: &dyn Equations<2>, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
     let mut q_dot = SVector::from(v);
-    let passage = Surface::new(equations, 0).pass(equations, &SVector::from(q), &mut q_dot, dk);
+    let side = if v[0] >= 0.0 { Side::Upper } else { Side::Lower };
+    let passage = Surface::new(equations, 0).pass(&mut q_dot, side, equations.step(0, &q, dk));
     (passage, q_dot.into())
 }
 

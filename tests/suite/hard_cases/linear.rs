@@ -3,6 +3,7 @@
 use gearsim::engine::cell::{Cell, Flight, Point};
 use gearsim::engine::crossing::{Cost, Search, Side};
 use gearsim::engine::equations::{Equations, Switching};
+use gearsim::engine::signal::Signal;
 use nalgebra::SVector;
 
 /// The matrices themselves. V = q.K q/2, and at a step dk of its one law dV = dk q_0²/2.
@@ -110,10 +111,10 @@ pub fn first<const N: usize>(
     [down, up]: [f64; 2],
     horizon: f64,
 ) -> Result<Met, u64> {
-    let search = Search { flight, participation, down, up, horizon };
+    let search = Search { signal: Signal { flight, on_moved: participation, on_speed: None }, down, up, horizon };
     let (mut point, mut cost): (Point<N>, Cost) = (flight.begin(), Cost::default());
     let side = search.first(&mut point, &mut cost)?;
-    Ok(Met { side, t: point.t, cost })
+    Ok(Met { side, t: if side.is_some() { point.t } else { horizon }, cost })
 }
 
 /// [`first`] from rest of `q` at 0 and the speeds `v`.
