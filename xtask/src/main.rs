@@ -2,6 +2,7 @@
 
 mod derive;
 mod oh2005;
+mod soak;
 
 use std::process::ExitCode;
 
@@ -21,12 +22,15 @@ enum Verb {
     Derive(derive::Derive),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
+    /// Run very many events without damping: how the energy error grows, into out/soak.
+    Soak(soak::Soak),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
+        Verb::Soak(verb) => verb.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
