@@ -1,6 +1,7 @@
 //! The project's chores: `cargo xtask VERB`. One verb, one file.
 
 mod derive;
+mod fuzz;
 mod oh2005;
 mod soak;
 
@@ -20,6 +21,8 @@ struct Arguments {
 enum Verb {
     /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
     Derive(derive::Derive),
+    /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
+    Fuzz(fuzz::Fuzz),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
     /// Run very many events without damping: how the energy error grows, into out/soak.
@@ -29,6 +32,7 @@ enum Verb {
 fn main() -> ExitCode {
     let done = match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
+        Verb::Fuzz(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
     };

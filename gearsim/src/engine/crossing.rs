@@ -96,6 +96,24 @@ impl<const N: usize> Search<'_, N> {
         Ok(met)
     }
 
+    /// The crossing that Newton's method alone leads to, from the same guess: no bound, no certificate that it is the first,
+    /// no bracket that binds. For measuring what the guarantee costs.
+    pub(super) fn unguarded(&self, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
+        let modes = self.flight.modes().iter().enumerate();
+        let drift: f64 = modes
+            .filter(|(_, mode)| mode.is_rigid())
+            .map(|(i, _)| self.participation[i] * self.flight.rates_at_start(i).0)
+            .sum();
+        let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
+        let guess = gap / drift.abs();
+        self.go(point, guess, cost);
+        let met = self.newton(side, gap, (0.0, 4.0 * guess), point, cost);
+        if met.is_none() {
+            self.go(point, self.horizon, cost);
+        }
+        met
+    }
+
     /// Depth to which a touch is told from a crossing [unit of the phase].
     pub fn tolerance(&self) -> f64 {
         4.0 * f64::EPSILON * (self.up + self.down)
