@@ -54,7 +54,7 @@ impl Numbers<'_> {
     }
 
     fn signed(&mut self) -> f64 {
-        if self.byte() % 2 == 0 { self.size() } else { -self.size() }
+        if self.byte().is_multiple_of(2) { self.size() } else { -self.size() }
     }
 }
 
@@ -114,7 +114,7 @@ fn scene(numbers: &mut Numbers<'_>) -> Option<(Scene, Option<f64>)> {
     let [theta, theta_dot, phi_dot] = [0; 3].map(|_| numbers.signed());
     // Beyond, the count of pitches overflows: an open defect as well.
     let theta = theta.clamp(-1e18, 1e18);
-    let phi = (numbers.byte() % 2 == 0).then(|| numbers.signed());
+    let phi = numbers.byte().is_multiple_of(2).then(|| numbers.signed());
 
     // Up to a hundred pitches or periods, whichever are over first: what is to be bounded must be short to begin with.
     // A swing of phi by many pitches takes theta along, and a torque turns both ever faster.
