@@ -1,8 +1,10 @@
 //! The project's chores: `cargo xtask VERB`. One verb, one file.
 
 mod derive;
+mod fuzz;
 mod hard_cases;
 mod oh2005;
+mod soak;
 
 use std::process::ExitCode;
 
@@ -22,15 +24,21 @@ enum Verb {
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
     HardCases(hard_cases::HardCases),
+    /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
+    Fuzz(fuzz::Fuzz),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
+    /// Run very many events without damping: how the energy error grows, into out/soak.
+    Soak(soak::Soak),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
+        Verb::Fuzz(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
+        Verb::Soak(verb) => verb.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -76,6 +76,16 @@ impl<const N: usize> Search<'_, N> {
         self.march(point, cost)
     }
 
+    /// The crossing that Newton's method alone leads to, from the same guess: no bound, no certificate that it is the first,
+    /// no bracket that binds. For measuring what the guarantee costs.
+    pub(super) fn unguarded(&self, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
+        let drift = self.signal.drift_and_wobble().0;
+        let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
+        let guess = gap / drift.abs();
+        self.go(point, guess, cost);
+        self.newton(side, gap, (0.0, 4.0 * guess), point, cost)
+    }
+
     /// Depth to which a touch is told from a crossing [unit of the signal].
     pub fn tolerance(&self) -> f64 {
         let width = [self.up, self.down].into_iter().filter(|x| x.is_finite()).sum::<f64>();

@@ -1,0 +1,57 @@
+//! A long run without damping: how the energy error of a motion that never repeats grows with the number of events.
+//!
+//! `cargo xtask soak --events 1e8` writes `out/soak`: a table, the same as JSON, and the trace of the energy. It fails
+//! where the error reaches the limit, or grows faster than rounding explains.
+
+mod growth;
+mod report;
+mod walk;
+
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, bail};
+use clap::Parser;
+
+use growth::Growth;
+use walk::Walk;
+
+/// Run an undamped gear pair for very many events, and account for its energy.
+#[derive(Parser)]
+#[command(name = "cargo xtask soak")]
+struct Arguments {
+    /// Cell changes and reflections to run for
+    #[arg(long, default_value = "1e8", value_parser = number)]
+    events: u64,
+    /// Folder to write to
+    #[arg(long, default_value = "out/soak")]
+    out: PathBuf,
+}
+
+/// A whole number, also as `1e8`.
+fn number(text: &str) -> Result<u64, String> {
+    match text.parse::<f64>() {
+        Ok(n) if (1e3..=1e15).contains(&n) && n.fract() == 0.0 => Ok(n as u64),
+        _ => Err("a whole number from 1e3 to 1e15 is wanted".into()),
+    }
+}
+
+fn main() -> anyhow::Result<()> {
+    let arguments = Arguments::parse();
+    let walk = Walk::run(arguments.events)?;
+    let growth = Growth::of(&walk);
+    let command = format!("cargo xtask soak --events {:e}", arguments.events as f64);
+    let (text, out) = (report::markdown(&walk, &growth, &command), &arguments.out);
+    let figure = report::figure(&walk, &growth);
+    fs::create_dir_all(out).with_context(|| format!("cannot make the folder {}", out.display()))?;
+    fs::write(out.join("soak.md"), &text)?;
+    fs::write(out.join("soak.json"), format!("{:#}\n", report::json(&walk, &growth, &command)))?;
+    fs::write(out.join("energy.svg"), figure.svg()?)?;
+    fs::write(out.join("energy.png"), figure.png()?)?;
+    println!("{text}\nwritten: {}", out.display());
+    let faults = growth.faults();
+    if !faults.is_empty() {
+        bail!("{}", faults.join("; "));
+    }
+    Ok(())
+}

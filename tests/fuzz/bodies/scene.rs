@@ -1,0 +1,43 @@
+//! Any bytes as a scene with overrides: it is read, or every mistake in it is shown; nothing else.
+
+use gearsim::generated::MODELS;
+use gearsim::scene::{PLOTS, Scene};
+
+/// The text up to the first zero byte is the scene, each text after one is an override.
+pub fn check(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let mut parts = text.split('\0');
+    let scene = parts.next().unwrap_or_default();
+    let overrides: Vec<String> = parts.map(str::to_owned).collect();
+    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    match Scene::parse("fuzz", "fuzz.toml", scene, &overrides, &models) {
+        Ok(scene) => sound(&scene),
+        Err(errors) => {
+            assert!(!errors.problems().is_empty(), "refused without a reason");
+            for (width, colour) in [(100, false), (20, true)] {
+                assert!(!errors.render(width, colour).trim().is_empty(), "refused without a word");
+            }
+        }
+    }
+}
+
+/// Whether a scene that was accepted keeps what its documentation says.
+fn sound(scene: &Scene) {
+    let model = scene.model;
+    assert_eq!(scene.parameters.len(), model.parameters.len());
+    for (value, parameter) in scene.parameters.iter().zip(model.parameters) {
+        assert!(parameter.range.contains(*value), "{} = {value:e}", parameter.name);
+    }
+    assert_eq!(scene.laws.len(), model.laws.len());
+    for (stiffness, law) in scene.laws.iter().zip(model.laws) {
+        let whole: f64 = stiffness.steps.iter().map(|step| step.width).sum();
+        assert!(stiffness.steps.iter().all(|step| step.value.is_finite() && step.width > 0.0), "{stiffness:?}");
+        assert!((whole - law.period).abs() < 1e-9 * law.period, "the widths of {} add up to {whole}", law.name);
+    }
+    assert!(scene.t_end > 0.0 && scene.t_end.is_finite(), "t_end = {}", scene.t_end);
+    assert!(scene.output.rate > 0.0 && scene.output.rate.is_finite(), "rate = {}", scene.output.rate);
+    assert!(scene.output.plots.iter().all(|plot| PLOTS.contains(&plot.as_str())), "{:?}", scene.output.plots);
+    assert!(scene.effects.0 >> model.effects.len() == 0, "effects {:b}", scene.effects.0);
+    assert_eq!(scene.start.q.len(), model.coordinates.len());
+    assert!(scene.start.q_dot.iter().flatten().chain(&scene.start.motions).all(|x| x.is_finite()));
+}

@@ -1,0 +1,7 @@
+//! libFuzzer's entry to `bodies/scene.rs`.
+#![no_main]
+
+#[path = "../bodies/scene.rs"]
+mod scene;
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| scene::check(data));

@@ -1,0 +1,150 @@
+//! A gear pair by its numbers, and runs of it from any state: what a scene file cannot hand over bit by bit.
+
+#![allow(dead_code)] // each test binary uses its part
+
+use gearsim::engine::Stop;
+use gearsim::engine::outcome::equations;
+use gearsim::engine::record::{Recorder, State};
+use gearsim::engine::simulate::{Counts, Simulation};
+use gearsim::generated::gear_pair::GearPair;
+use gearsim::model::Start;
+use gearsim::scene::{Scene, Step, Stiffness};
+use gearsim::trajectory::Trajectory;
+use nalgebra::SVector;
+
+use crate::common;
+
+/// One pitch of theta [rad].
+pub const PITCH: f64 = std::f64::consts::TAU;
+
+/// A gear pair and its start, in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pair {
+    /// Moments of inertia [kg m²].
+    pub inertia: [f64; 2],
+    pub zeta: f64,
+    pub t0: f64,
+    /// Levels of the stiffness [N m] and their widths [rad].
+    pub steps: Vec<(f64, f64)>,
+    pub q: [f64; 2],
+    pub q_dot: [f64; 2],
+    /// Length of the run [s].
+    pub span: f64,
+}
+
+/// Where a run has got to, all that the next needs.
+#[derive(Debug, Clone)]
+pub struct Ran {
+    pub state: State<2>,
+    pub cell: usize,
+    /// Times of the events since its start [s].
+    pub times: Vec<f64>,
+    pub counts: Counts,
+    pub stop: Option<Stop>,
+}
+
+impl Pair {
+    /// Largest of its stiffnesses [N m].
+    pub fn stiffest(&self) -> f64 {
+        self.steps.iter().fold(0.0, |m, (k, _)| m.max(*k))
+    }
+
+    /// M2 of the equations of motion [1/(kg m²)].
+    pub fn m2(&self) -> f64 {
+        0.5 * (24.0 * 24.0 / self.inertia[0] + 96.0 * 96.0 / self.inertia[1])
+    }
+
+    /// The larger of the inertias over the smaller, both as theta sees them: M, their sum and difference, blurs the
+    /// smaller one so many times more than rounding would.
+    pub fn ratio(&self) -> f64 {
+        let ratio = self.inertia[1] / self.inertia[0] / 16.0;
+        ratio.max(1.0 / ratio)
+    }
+
+    /// The scene of it: one of the paper's with every number replaced.
+    pub fn scene(&self) -> Scene {
+        let mut scene = common::scene("oh2005/spectrum_600rpm_exact", &[]);
+        scene.parameters = vec![24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0];
+        let steps = self.steps.iter().map(|(value, width)| Step { value: *value, width: *width }).collect();
+        scene.laws = vec![Stiffness { steps }];
+        scene.start.q = vec![Start::At(self.q[0]), Start::Static];
+        scene.start.q_dot = self.q_dot.map(Some).to_vec();
+        scene.t_end = self.span;
+        scene.output.rate = 100.0 / self.span;
+        scene
+    }
+
+    /// Runs it from its start.
+    pub fn run(&self) -> Ran {
+        self.run_from(None)
+    }
+
+    /// Runs it from where another run has got to.
+    pub fn run_on(&self, from: &Ran) -> Ran {
+        self.run_from(Some(from))
+    }
+
+    fn run_from(&self, from: Option<&Ran>) -> Ran {
+        let scene = self.scene();
+        let equations = equations::<GearPair, 2>(&scene).expect("its effects agree");
+        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
+        simulation.state.q[1] = self.q[1];
+        if let Some(from) = from {
+            (simulation.state, simulation.cell) = (from.state, from.cell);
+        }
+        let mut times = vec![];
+        let stop = simulation.run(None, &mut |t| times.push(t)).err();
+        Ran { state: simulation.state, cell: simulation.cell, times, counts: simulation.counts, stop }
+    }
+
+    /// What the recorder of the program writes of its run, until it ends or has to stop.
+    pub fn recorded(&self) -> Trajectory {
+        let scene = self.scene();
+        let equations = equations::<GearPair, 2>(&scene).expect("its effects agree");
+        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
+        simulation.state.q[1] = self.q[1];
+        let (state, k) = (simulation.state, simulation.stiffness());
+        let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &[k]);
+        let _ = simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |_| {});
+        recorder.trajectory
+    }
+
+    /// The sizes by which states are compared: of phi, theta' and phi', theta in radians.
+    pub fn sizes(&self) -> [f64; 4] {
+        let softest = self.steps.iter().fold(f64::INFINITY, |m, (k, _)| m.min(*k));
+        let w = (self.m2() * self.stiffest()).sqrt();
+        let phi = self.q[1].abs() + (self.t0 / softest).abs() + self.q_dot[1].abs() / w;
+        let speed = self.q_dot[0].abs() + phi * w;
+        [1.0, phi, speed, speed]
+    }
+
+    /// The largest difference of two states in terms of its sizes, whole pitches counted.
+    pub fn difference(&self, a: &State<2>, b: &State<2>) -> f64 {
+        let turns = (a.turns[0] - b.turns[0]) as f64 * PITCH;
+        let [q, v]: [SVector<f64, 2>; 2] = [a.q - b.q, a.q_dot - b.q_dot];
+        let by = [q[0] + turns, q[1], v[0], v[1]];
+        by.iter().zip(self.sizes()).map(|(x, size)| x.abs() / size).fold(0.0, f64::max)
+    }
+
+    /// How much the end of its run is moved by moving its start, at most: the factor by which rounding errors grow.
+    /// Infinite where another start meets other events.
+    pub fn conditioning(&self) -> f64 {
+        const SHIFT: f64 = 1e-8;
+        let here = self.run();
+        let mut worst = 1.0_f64;
+        for i in 0..4 {
+            let mut other = self.clone();
+            let by = SHIFT * self.sizes()[i];
+            let place = if i < 2 { &mut other.q[i] } else { &mut other.q_dot[i - 2] };
+            *place += by;
+            let there = other.run();
+            if there.counts.cell_changes != here.counts.cell_changes
+                || there.counts.reflections != here.counts.reflections
+            {
+                return f64::INFINITY;
+            }
+            worst = worst.max(self.difference(&here.state, &there.state) / SHIFT);
+        }
+        worst
+    }
+}

@@ -1,0 +1,127 @@
+//! The bodies of the fuzz targets, on the committed corpus and on a bounded number of random cases.
+//!
+//! `cargo xtask fuzz` looks for new cases with libFuzzer; every crash it finds belongs into `tests/fuzz/corpus`, from
+//! where each run of the tests takes it.
+
+#[path = "../fuzz/bodies/engine.rs"]
+mod engine;
+#[path = "../fuzz/bodies/scene.rs"]
+mod scene;
+
+mod common;
+
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Random cases of each body; `FUZZ_CASES` sets another number.
+const CASES: u64 = 1500;
+
+fn cases() -> u64 {
+    std::env::var("FUZZ_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(CASES)
+}
+
+/// The committed corpus of a target.
+fn corpus(target: &str) -> Vec<Vec<u8>> {
+    let folder = common::root().join("tests/fuzz/corpus").join(target);
+    let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    paths.into_iter().map(|path| fs::read(path).unwrap()).collect()
+}
+
+/// Random numbers by Steele, Lea & Flood (2014), "splitmix".
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.next() % n.max(1) as u64) as usize
+    }
+}
+
+/// Runs a body, and names its case where it fails.
+fn run(body: fn(&[u8]), data: &[u8]) {
+    if let Err(panic) = catch_unwind(AssertUnwindSafe(|| body(data))) {
+        let hex: String = data.iter().map(|byte| format!("{byte:02x}")).collect();
+        eprintln!("failing case, for the corpus: {hex}\n{}", String::from_utf8_lossy(data));
+        std::panic::resume_unwind(panic);
+    }
+}
+
+#[test]
+fn the_corpus_of_scenes() {
+    corpus("scene").iter().for_each(|data| run(scene::check, data));
+}
+
+#[test]
+fn the_corpus_of_runs() {
+    corpus("engine").iter().for_each(|data| run(engine::check, data));
+}
+
+#[test]
+fn scenes_with_pieces_moved_and_bytes_changed() {
+    let (corpus, mut random) = (corpus("scene"), Random(1));
+    for _ in 0..cases() {
+        let mut data = corpus[random.below(corpus.len())].clone();
+        for _ in 0..1 + random.below(6) {
+            let at = random.below(data.len());
+            let other = &corpus[random.below(corpus.len())];
+            let from = random.below(other.len());
+            let piece = &other[from..(from + random.below(24)).min(other.len())];
+            match random.below(4) {
+                0 if !data.is_empty() => data[at] = random.next() as u8,
+                1 => drop(data.drain(at..(at + random.below(24)).min(data.len()))),
+                2 => drop(data.splice(at..at, piece.iter().copied())),
+                _ => drop(data.splice(at..(at + piece.len()).min(data.len()), piece.iter().copied())),
+            }
+        }
+        run(scene::check, &data);
+    }
+}
+
+#[test]
+fn runs_of_arbitrary_numbers() {
+    let mut random = Random(2);
+    let open = corpus("open");
+    for _ in 0..cases() {
+        let data: Vec<u8> = (0..64).map(|_| random.next() as u8).collect();
+        if !open.contains(&data) {
+            run(engine::check, &data);
+        }
+    }
+}
+
+/// Defects found here and not mended yet; with the mend, their `ignore` goes.
+#[test]
+#[ignore = "start.rs solves for no coordinates at all, and nalgebra panics"]
+fn a_start_may_give_every_coordinate() {
+    let scene = common::scene("oh2005/energy_300rpm", &["start.phi=0.01 rad".into()]);
+    common::run(&scene);
+}
+
+#[test]
+#[ignore = "a tooth pressed against a step bounces every 8e-11 s, too seldom for the guard against cascades"]
+fn a_tooth_pressed_against_a_step_is_no_endless_run() {
+    corpus("open").iter().for_each(|data| run(engine::check, data));
+}
+
+#[test]
+#[ignore = "the count of pitches overflows"]
+fn a_start_beyond_every_count_of_pitches_is_refused_or_run() {
+    let scene = common::scene("oh2005/energy_300rpm", &["start.theta=1e30 rad".into()]);
+    let _ = (common::model("gear_pair").run)(&scene, &mut |_| {});
+}
+
+#[test]
+#[ignore = "sigma^2 overflows in Mode::new, and the account is not a number"]
+fn damping_beyond_numbers_is_refused_or_accounted_for() {
+    let scene = common::scene("oh2005/energy_300rpm", &["parameters.zeta=1e200".into()]);
+    if let Ok(outcome) = (common::model("gear_pair").run)(&scene, &mut |_| {}) {
+        assert!(outcome.stopped_by.is_some() || outcome.trajectory.residual.iter().all(|x| x.is_finite()));
+    }
+}

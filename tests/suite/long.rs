@@ -1,0 +1,109 @@
+//! Long runs: a billion revolutions and three hundred million seconds cost no digits.
+//!
+//! Angles are counts of pitches and remainders, times are two numbers each: what comes before a run must not show in it.
+
+mod common;
+
+use std::f64::consts::TAU;
+
+use gearsim::engine::clock::Clock;
+use gearsim::engine::outcome::equations;
+use gearsim::engine::record::State;
+use gearsim::engine::simulate::Simulation;
+use gearsim::generated::gear_pair::GearPair;
+use gearsim::scene::Scene;
+
+/// 2^35 pitches are 1.4e9 revolutions of the 24 teeth. A power of two: so many times 2 pi have no rounding error.
+const PITCHES: i64 = 1 << 35;
+/// Ten years of model time [s].
+const YEARS: f64 = 3e8;
+
+/// The scenes: every way in which a stiffness switches, both directions.
+const SCENES: [(&str, &str); 5] = [
+    ("spectrum_600rpm_exact", "600 rpm"),
+    ("spectrum_600rpm_exact", "-600 rpm"),
+    ("spectrum_4500rpm_rigid", "4500 rpm"),
+    ("spectrum_600rpm_classical", "600 rpm"),
+    ("spectrum_600rpm_classical", "-600 rpm"),
+];
+
+fn scene(name: &str, speed: &str, theta: f64, span: f64) -> Scene {
+    let overrides = [
+        format!("start.speed={speed}"),
+        format!("start.theta={theta:?} rad"),
+        format!("run.t_end={span:?} s"),
+        format!("output.rate={:?} Hz", 10.0 / span),
+    ];
+    common::scene(&format!("oh2005/{name}"), &overrides)
+}
+
+/// The state at the end of a scene and the times of its events, begun when the clock shows `now` and with `more`
+/// pitches on the count.
+fn run(scene: &Scene, now: f64, more: i64) -> (State<2>, Vec<f64>) {
+    let equations = equations::<GearPair, 2>(scene).unwrap();
+    let mut simulation = Simulation::new(scene.model, &*equations, scene).unwrap();
+    simulation.clock.set(now);
+    simulation.state.turns[0] += more;
+    let mut times = vec![];
+    simulation.run(None, &mut |t| times.push(t)).unwrap();
+    (simulation.state, times)
+}
+
+#[test]
+fn a_billion_revolutions_cost_no_bit() {
+    for (name, speed) in SCENES {
+        // Angles that are sums of few powers of two: exact beside 2^35 pitches as well.
+        for theta in [0.0, 0.5, 3.25] {
+            let far = PITCHES as f64 * TAU + theta;
+            assert_eq!(far - PITCHES as f64 * TAU, theta);
+            let (a, times_a) = run(&scene(name, speed, theta, 0.25), 0.0, 0);
+            let (b, times_b) = run(&scene(name, speed, far, 0.25), 0.0, 0);
+            let (c, times_c) = run(&scene(name, speed, theta, 0.25), 0.0, 24_000_000_000);
+            assert!(times_a.len() > 100 && times_a == times_b && times_a == times_c, "{name} {speed} {theta}");
+            assert_eq!((a.q, a.q_dot), (b.q, b.q_dot), "{name} {speed} {theta}");
+            assert_eq!((a.q, a.q_dot), (c.q, c.q_dot), "{name} {speed} {theta}");
+            assert_eq!((b.turns[0] - a.turns[0], c.turns[0] - a.turns[0]), (PITCHES, 24_000_000_000));
+        }
+    }
+}
+
+#[test]
+fn ten_years_on_the_clock_cost_no_digits_of_a_run() {
+    // Each flight begins at its own zero of time; the clock says only when the last one is to end. One that lost digits
+    // would end it 6e-8 s amiss, and theta 1e-4 rad.
+    const SPAN: f64 = 0.25;
+    for (name, speed) in &SCENES[..3] {
+        let (near, times) = run(&scene(name, speed, 0.5, SPAN), 0.0, 0);
+        let mut late = scene(name, speed, 0.5, SPAN);
+        late.t_end = YEARS + SPAN;
+        let (far, times_far) = run(&late, YEARS, 0);
+        assert_eq!(times.len(), times_far.len());
+        assert_eq!(near.turns, far.turns);
+        let error = (near.q - far.q).amax().max((near.q_dot - far.q_dot).amax() / near.q_dot.amax());
+        println!("{name} {speed}: {} events, error {error:.1e}", times.len());
+        // The clock's two numbers hold the sum of the flights to far below a rounding of the last one.
+        assert!(error < 1e-13, "{name} {speed}: {error:e}");
+    }
+}
+
+#[test]
+fn the_clock_keeps_the_spacing_of_events() {
+    let (_, times) = run(&scene("spectrum_600rpm_exact", "600 rpm", 0.5, 0.5), 0.0, 0);
+    let mut clock = Clock::default();
+    clock.set(YEARS);
+    for dt in times.windows(2).map(|t| t[1] - t[0]) {
+        let before = clock;
+        clock.advance(dt);
+        let spacing = before.until(before.now()) - clock.until(before.now());
+        assert!((spacing - dt).abs() <= f64::EPSILON * dt, "{spacing:e}, not {dt:e}");
+    }
+    // And of very many: their sum is off by no more than the last one's rounding.
+    let mut clock = Clock::default();
+    for _ in 0..100_000_000 {
+        clock.advance(0.003);
+    }
+    // 1e8 times the double nearest to 0.003 is 300000 + 6.245...e-12.
+    let error = clock.until(300_000.0) + 6.245_004_513_516_505_5e-12;
+    println!("clock after 1e8 advances: {error:e} s off");
+    assert!(error.abs() < 1e-18);
+}
