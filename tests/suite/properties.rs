@@ -67,7 +67,7 @@ fn a_mirror_changes_no_bit() {
         prop_assert_eq!(&a.times, &b.times);
         prop_assert_eq!(a.state.q_dot, -b.state.q_dot);
         prop_assert_eq!(a.state.q[1], -b.state.q[1]);
-        prop_assert_eq!(a.cell() + b.cell() + 1, pair.steps.len());
+        prop_assert_eq!(a.cell + b.cell + 1, pair.steps.len());
         prop_assert_eq!(a.state.turns[0], -b.state.turns[0]);
         let sum = a.state.q[0] + b.state.q[0];
         prop_assert!((sum - PITCH).abs() <= 2.0 * f64::EPSILON * PITCH, "{sum}");
@@ -88,7 +88,7 @@ fn a_run_split_anywhere_is_the_whole() {
         let second = Pair { span: pair.span - before, ..pair.clone() }.run_on(&first);
         let difference = pair.difference(&second.state, &whole.state);
         prop_assert!(difference < tolerance, "{difference:e}, not {tolerance:e}");
-        prop_assert_eq!(second.cell(), whole.cell());
+        prop_assert_eq!(second.cell, whole.cell);
         prop_assert_eq!(first.times.len() + second.times.len(), whole.times.len());
         prop_assert!(first.times.iter().zip(&whole.times).all(|(a, b)| a == b));
         Ok(())

@@ -16,8 +16,8 @@ pub struct Guard {
     cascade: (f64, u64),
 }
 
-/// Events within this part of the run, one after another, are a cascade.
-const CASCADE_SPAN: f64 = 1e-9;
+/// Events within this part of the cell's fastest time, one after another, are a cascade.
+const CASCADE_SPAN: f64 = 1e-6;
 /// Events of a cascade that end the run.
 const CASCADE_EVENTS: u64 = 100_000;
 /// Relative difference of speeds above which the order of two steps matters.
@@ -32,13 +32,13 @@ impl Guard {
     pub fn against_cascades<const N: usize>(
         &mut self,
         clock: &Clock,
-        t_end: f64,
+        rate: f64,
         state: &State<N>,
         cell: usize,
     ) -> Result<(), Stop> {
         let (since, events) = &mut self.cascade;
         let span = clock.until(*since).abs();
-        if span > CASCADE_SPAN * t_end {
+        if span * rate > CASCADE_SPAN {
             (*since, *events) = (clock.now(), 0);
             return Ok(());
         }

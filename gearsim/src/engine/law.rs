@@ -2,6 +2,7 @@
 
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
+use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
 use crate::engine::phase::Pitch;
 use crate::engine::record::State;
@@ -27,22 +28,27 @@ pub struct Law<const N: usize> {
 
     /// Cell of the pitch that it is in. State: never worked out from the phase.
     pub cell: usize,
-    /// Whole pitches that the phase has gone.
-    pitches: i64,
+    /// Pitches that its cell is beyond the turns counted off the coordinate; all of them, where none are counted.
+    ahead: i64,
 }
+
+/// Pitches beyond which an angle, as a number, does not say where in a pitch it is.
+const FARTHEST: f64 = 1e15;
 
 /// The phase that runs by time alone.
 #[derive(Debug, Clone, Copy)]
 struct Frozen {
     speed: f64,
-    /// Remainder and pitches at t = 0.
+    /// Remainder at t = 0.
     origin: f64,
-    pitches: i64,
 }
 
 impl<const N: usize> Law<N> {
     /// The laws of a model as the scene starts them; `state`'s rolling coordinates are left with their remainders.
-    pub fn begin(equations: &dyn Equations<N>, scene: &Scene, state: &mut State<N>) -> Vec<Law<N>> {
+    ///
+    /// # Errors
+    /// Where a phase is so far off that its place in the pitch is lost.
+    pub fn begin(equations: &dyn Equations<N>, scene: &Scene, state: &mut State<N>) -> Result<Vec<Law<N>>, Refusal> {
         let model = scene.model;
         let absolute = state.q;
         let mut laws: Vec<Law<N>> = vec![];
@@ -54,6 +60,9 @@ impl<const N: usize> Law<N> {
             };
             let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
             let speed = state.q_dot[phase];
+            if (absolute[phase] / law.period).abs() > FARTHEST {
+                return Err(Refusal::Far { coordinate: law.phase });
+            }
             let (pitches, rest, cell) = pitch.locate(absolute[phase], speed);
             let first = laws.iter().find(|l| l.phase == phase);
             let turns = law.rolling && first.is_none();
@@ -62,11 +71,12 @@ impl<const N: usize> Law<N> {
                 state.q[phase] = rest;
                 state.turns[phase] = pitches;
             }
-            let frozen = (switching == Switching::ByTime).then_some(Frozen { speed, origin: rest, pitches });
+            let frozen = (switching == Switching::ByTime).then_some(Frozen { speed, origin: rest });
             let surface = Surface::new(equations, i);
-            laws.push(Law { switching, pitch, surface, phase, turns, turn, frozen, cell, pitches });
+            let ahead = if turn > 0.0 || frozen.is_some() { 0 } else { pitches };
+            laws.push(Law { switching, pitch, surface, phase, turns, turn, frozen, cell, ahead });
         }
-        laws
+        Ok(laws)
     }
 
     /// The stiffness now.
@@ -86,11 +96,10 @@ impl<const N: usize> Law<N> {
 
     /// Boundaries of the present cell, in the coordinate less its turns.
     #[inline]
-    pub fn bounds(&self, state: &State<N>) -> (f64, f64) {
+    pub fn bounds(&self) -> (f64, f64) {
         let (lower, upper) = self.pitch.bounds(self.cell);
-        // Both products are rounded alike: where turns are pitches, nothing is left of them.
-        let base = self.pitches as f64 * self.pitch.period() - state.turns[self.phase] as f64 * self.turn;
-        if base.is_nan() { (lower, upper) } else { (base + lower, base + upper) }
+        let base = self.ahead as f64 * self.pitch.period();
+        (base + lower, base + upper)
     }
 
     /// Whether this law's phase is at that side of its cell too, on the way of `other`, which met it: one step for both.
@@ -99,7 +108,7 @@ impl<const N: usize> Law<N> {
         if self.phase != other.phase || self.switching == Switching::Never || self.frozen.is_some() {
             return false;
         }
-        let (lower, upper) = self.bounds(state);
+        let (lower, upper) = self.bounds();
         let gap = if side == Side::Upper { upper - state.q[self.phase] } else { state.q[self.phase] - lower };
         gap.abs() <= 4.0 * f64::EPSILON * (upper - lower)
     }
@@ -108,7 +117,7 @@ impl<const N: usize> Law<N> {
     pub fn next_switch(&self) -> Option<(f64, Side)> {
         let frozen = self.frozen?;
         let (lower, upper) = self.pitch.bounds(self.cell);
-        let travelled = (self.pitches - frozen.pitches) as f64 * self.pitch.period();
+        let travelled = self.ahead as f64 * self.pitch.period();
         Some(match frozen.speed {
             w if w > 0.0 => ((travelled + (upper - frozen.origin)) / w, Side::Upper),
             w if w < 0.0 => ((travelled + (lower - frozen.origin)) / w, Side::Lower),
@@ -120,20 +129,29 @@ impl<const N: usize> Law<N> {
     #[inline]
     pub fn snap(&self, side: Side, state: &mut State<N>) {
         if self.frozen.is_none() {
-            let (lower, upper) = self.bounds(state);
+            let (lower, upper) = self.bounds();
             state.q[self.phase] = if side == Side::Upper { upper } else { lower };
         }
     }
 
-    /// Goes on into the cell beyond a side.
+    /// Goes on into the cell beyond a side. Gives the turns that this counts off the coordinate, for the others on it.
     #[inline]
-    pub fn enter(&mut self, side: Side, state: &mut State<N>) {
+    pub fn enter(&mut self, side: Side, state: &mut State<N>) -> i64 {
         let (beyond, entered, turn) = self.pitch.beyond(self.cell, side);
         self.cell = beyond;
-        self.pitches += turn;
         if self.turns && self.frozen.is_none() {
             state.q[self.phase] = entered;
             state.turns[self.phase] += turn;
+            return turn;
+        }
+        self.ahead += turn;
+        0
+    }
+
+    /// Another law has counted `turns` off coordinate `phase`.
+    pub fn follow(&mut self, phase: usize, turns: i64) {
+        if !self.turns && self.phase == phase && self.frozen.is_none() {
+            self.ahead -= turns;
         }
     }
 }

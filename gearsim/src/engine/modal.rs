@@ -129,7 +129,11 @@ fn damped(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Vec<Mode>, Refusal> 
     }
     // A rounding error's worth of damping is none: an undamped mode must keep its energy.
     let sigma = |i: usize| if damping[(i, i)] <= UNDAMPED * strongest { 0.0 } else { 0.5 * damping[(i, i)] };
-    Ok((0..n).map(|i| Mode::new(sigma(i), omega2[i])).collect())
+    let modes: Vec<Mode> = (0..n).map(|i| Mode::new(sigma(i), omega2[i])).collect();
+    if modes.iter().any(|m| !(m.rate * m.rate * m.rate).is_finite()) {
+        return Err(Refusal::Overflow);
+    }
+    Ok(modes)
 }
 
 /// L and L⁻¹ of A = L Lᵀ, A scaled to a unit diagonal between, so that entries of any ratio keep their digits.

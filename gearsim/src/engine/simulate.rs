@@ -144,7 +144,8 @@ impl<'a, const N: usize> Simulation<'a, N> {
                 self.arrive(end);
                 self.act(end)?;
             }
-            self.guard.against_cascades(&self.clock, self.t_end, &self.state, self.cell())?;
+            let rate = self.cells.at(&self.laws).cell.rate;
+            self.guard.against_cascades(&self.clock, rate, &self.state, self.cell())?;
             watch(self.clock.now());
         }
     }
@@ -178,7 +179,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
                 }
                 continue;
             }
-            let (lower, upper) = law.bounds(&self.state);
+            let (lower, upper) = law.bounds();
             let s = self.state.q[law.phase];
             let signal = Signal { flight, on_moved: &here.participation[i], on_speed: None };
             let search = Search { signal, down: s - lower, up: upper - s, horizon };
@@ -264,10 +265,13 @@ impl<'a, const N: usize> Simulation<'a, N> {
     fn enter(&mut self, law: usize, side: Side) {
         self.counts.cell_changes += 1;
         if let [only] = &mut self.laws[..] {
-            return only.enter(side, &mut self.state);
+            only.enter(side, &mut self.state);
+            return;
         }
         let met: Vec<usize> = law::met(&self.laws, law, side, &self.state).collect();
-        met.into_iter().for_each(|i| self.laws[i].enter(side, &mut self.state));
+        let phase = self.laws[law].phase;
+        let turns: i64 = met.into_iter().map(|i| self.laws[i].enter(side, &mut self.state)).sum();
+        self.laws.iter_mut().for_each(|law| law.follow(phase, turns));
     }
 
     /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.

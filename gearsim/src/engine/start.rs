@@ -15,7 +15,7 @@ use crate::scene::Scene;
 /// balance, K q = f in their rows, the other coordinates given.
 ///
 /// # Errors
-/// Where that balance is not determined.
+/// Where that balance is not determined, or a phase too far off.
 pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Result<(State<N>, Vec<Law<N>>), Refusal> {
     let mut q_dot = SVector::<f64, N>::zeros();
     for (i, size) in scene.start.motions.iter().enumerate() {
@@ -31,7 +31,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
         Start::Static => 0.0,
     });
     let mut state = State { q, q_dot, turns: [0; N] };
-    let laws = Law::begin(equations, scene, &mut state);
+    let laws = Law::begin(equations, scene, &mut state)?;
 
     let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i] == Start::Static).collect();
     if !free.is_empty() {

@@ -3,6 +3,7 @@
 #![allow(dead_code)] // each test binary uses its part
 
 use gearsim::engine::Stop;
+use gearsim::engine::law::Law;
 use gearsim::engine::outcome::equations;
 use gearsim::engine::record::{Recorder, State};
 use gearsim::engine::simulate::{Counts, Simulation};
@@ -37,6 +38,7 @@ pub struct Pair {
 pub struct Ran {
     pub state: State<2>,
     pub cell: usize,
+    pub laws: Vec<Law<2>>,
     /// Times of the events since its start [s].
     pub times: Vec<f64>,
     pub counts: Counts,
@@ -90,11 +92,13 @@ impl Pair {
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
         if let Some(from) = from {
-            (simulation.state, simulation.cell) = (from.state, from.cell);
+            (simulation.state, simulation.laws) = (from.state, from.laws.clone());
         }
         let mut times = vec![];
         let stop = simulation.run(None, &mut |t| times.push(t)).err();
-        Ran { state: simulation.state, cell: simulation.cell, times, counts: simulation.counts, stop }
+        let (state, cell, laws, counts) =
+            (simulation.state, simulation.cell(), simulation.laws.clone(), simulation.counts.clone());
+        Ran { state, cell, laws, times, counts, stop }
     }
 
     /// What the recorder of the program writes of its run, until it ends or has to stop.
@@ -103,8 +107,8 @@ impl Pair {
         let equations = equations::<GearPair, 2>(&scene).expect("its effects agree");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
-        let (state, k) = (simulation.state, simulation.stiffness());
-        let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &[k]);
+        let (state, k) = (simulation.state, simulation.levels());
+        let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k);
         let _ = simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |_| {});
         recorder.trajectory
     }

@@ -30,7 +30,7 @@ fn units_scaled_by_powers_of_two_change_no_bit() {
         prop_assert_eq!(a.times.iter().map(|t| t * time).collect::<Vec<_>>(), b.times);
         prop_assert_eq!(a.state.q, b.state.q);
         prop_assert_eq!(a.state.q_dot, b.state.q_dot * time);
-        prop_assert_eq!((a.cell(), a.state.turns, a.counts), (b.cell(), b.state.turns, b.counts));
+        prop_assert_eq!((a.cell, a.state.turns, a.counts), (b.cell, b.state.turns, b.counts));
         Ok(())
     });
 }

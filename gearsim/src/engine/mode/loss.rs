@@ -1,6 +1,6 @@
 //! What damping takes from a mode: the integral of its speed squared, in closed form.
 
-use super::{Kind, Mode, Response, decayed};
+use super::{Kind, Mode, Response, SHORT, decayed};
 
 impl Mode {
     /// ∫ xi'² dt over [0, `t`] from initial speed `v` and acceleration `a`, with the `response` at `t` known: twice
@@ -9,6 +9,10 @@ impl Mode {
     #[inline]
     pub fn speed_squared(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
         let Mode { sigma, omega2, kind, .. } = *self;
+        if self.rate * t < SHORT {
+            // The closed forms below are small differences there.
+            return self.by_quadrature(v, a, t);
+        }
         match kind {
             Kind::Under { w } if w > 0.1 * sigma => {
                 // xi' = e^{-sigma t} (v cos wt + b sin wt). Decayed sine and cosine of wt come from S1 and S2, those
@@ -31,10 +35,11 @@ impl Mode {
         }
     }
 
-    /// The same near critical damping, where the closed forms cancel: Gauss-Legendre on panels of one decay time.
+    /// The same near critical damping and for short times, where the closed forms cancel: Gauss-Legendre on panels of one
+    /// decay time.
     fn by_quadrature(&self, v: f64, a: f64, t: f64) -> f64 {
         // Beyond 40 decay times what is left of the square is below 1e-30.
-        let t = t.min(40.0 / self.sigma);
+        let t = if self.sigma > 0.0 { t.min(40.0 / self.sigma) } else { t };
         let panels = (self.sigma * t).ceil().max(1.0);
         let width = t / panels;
         let mut sum = 0.0;
