@@ -17,7 +17,9 @@ mod table;
 mod absent;
 mod cells;
 mod damping;
+mod digits;
 mod ends;
+mod extremes;
 mod graze;
 mod jump;
 mod limits;
@@ -28,6 +30,8 @@ mod ratios;
 mod refusals;
 mod resonance;
 mod scenes;
+mod splits;
+mod stiff;
 
 use std::process::ExitCode;
 
@@ -41,15 +45,19 @@ const GROUPS: &[&[Case]] = &[
     jump::CASES,
     // 3, held and pressed contact
     ends::CASES,
+    splits::CASES,
     ratios::CASES,
     damping::CASES,
     long::CASES,
+    digits::CASES,
     mirror::CASES,
     // 11, backlash
     resonance::CASES,
+    stiff::CASES,
     limits::CASES,
     ramps::CASES,
     refusals::CASES,
+    extremes::CASES,
     absent::CASES,
     cells::CASES,
     scenes::CASES,

@@ -46,7 +46,11 @@ impl Table {
             };
             let Case { row, name, proves, tolerance, unit, reason, .. } = case;
             let note = if note.is_empty() { String::new() } else { format!("; {note}") };
-            let margin = if *value == 0.0 { "-".to_string() } else { digits(tolerance / value) };
+            let margin = match *value {
+                0.0 => "-".to_string(),
+                value if value <= *tolerance => digits(tolerance / value),
+                _ => "**fails**".to_string(),
+            };
             let (tolerance, value) = (digits(*tolerance), digits(*value));
             let line =
                 format!("| {row} | {name} | {proves}{note} | {tolerance} {unit} | {value} | {margin} | {reason} |");
