@@ -52,6 +52,7 @@ impl Table {
                 _ => "**fails**".to_string(),
             };
             let (tolerance, value) = (digits(*tolerance), digits(*value));
+            let [name, proves, unit, reason] = [name, proves, unit, reason].map(|text| text.replace('|', "\\|"));
             let line =
                 format!("| {row} | {name} | {proves}{note} | {tolerance} {unit} | {value} | {margin} | {reason} |");
             writeln!(text, "{line}").expect("a string takes any text");
