@@ -99,6 +99,9 @@ impl<const N: usize> Cell<N> {
 fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<Matrices, Refusal> {
     let matrix = |rows: [[f64; N]; N]| DMatrix::<f64>::from_fn(N, N, |i, j| rows[i][j]);
     let mass = matrix(equations.mass());
+    if mass.iter().any(|x| !x.is_finite()) {
+        return Err(Refusal::Overflow);
+    }
     root_of(&mass)?;
     Ok(Matrices {
         mobility: matrix(equations.mobility()),

@@ -148,6 +148,7 @@ impl<const N: usize> Search<'_, N> {
     /// Marches by steps that cannot pass a crossing.
     fn march(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, u64> {
         let tolerance = self.tolerance();
+        let mut approached = [false; 2];
         for _ in 0..MOST_STEPS {
             cost.steps += 1;
             let t = point.t;
@@ -155,7 +156,7 @@ impl<const N: usize> Search<'_, N> {
             let bounds = self.signal.bounds(point);
             let reach = self.signal.reach(point);
             let mut h = f64::INFINITY;
-            for (side, full) in [(Side::Upper, self.up), (Side::Lower, self.down)] {
+            for (i, (side, full)) in [(Side::Upper, self.up), (Side::Lower, self.down)].into_iter().enumerate() {
                 if full.is_infinite() {
                     continue;
                 }
@@ -168,12 +169,18 @@ impl<const N: usize> Search<'_, N> {
                         return Ok((t < self.horizon).then_some(side));
                     }
                     cost.grazes += 1;
+                    approached[i] = false;
                     h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
                     continue;
                 }
+                // Turned between two steps: was that a touch?
+                if approached[i] && r < 0.0 && gap <= tolerance + r * r / (2.0 * a.abs()) {
+                    cost.grazes += 1;
+                }
+                approached[i] = r > 0.0;
                 let (gap, bound) = (gap.max(0.0), bounds[0]);
-                if r > 0.0 && 2.0 * bound * gap < 0.99 * r * r {
-                    // One root, simple, before anything else can happen.
+                if r > 0.0 && 2.0 * bound * (gap + tolerance) < 0.99 * r * r {
+                    // One root, simple, before anything else can happen; rounding of the gap does not make it one.
                     if gap / (r + (2.0 * bound * gap).sqrt()) > self.horizon - t {
                         continue;
                     }

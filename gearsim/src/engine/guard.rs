@@ -68,7 +68,7 @@ pub fn order_matters<const N: usize>(
     let others = (0..laws.len()).filter_map(|i| {
         let v = laws[i].surface.normal.dot(&state.q_dot);
         let side = if v > 0.0 { Side::Upper } else { Side::Lower };
-        (laws[i].phase != laws[law].phase && laws[i].joins(&laws[i], side, state)).then_some((i, side))
+        (laws[i].phase != laws[law].phase && laws[i].is_at(side, state, 4.0 * laws[i].rounding())).then_some((i, side))
     });
     let differs = |other| {
         let (mut there, mut back) = (state.q_dot, state.q_dot);

@@ -47,7 +47,7 @@ impl<const N: usize> Law<N> {
     /// The laws of a model as the scene starts them; `state`'s rolling coordinates are left with their remainders.
     ///
     /// # Errors
-    /// Where a phase is so far off that its place in the pitch is lost.
+    /// Where a phase is so far off that its place in the pitch is lost, or an inertia beyond numbers.
     pub fn begin(equations: &dyn Equations<N>, scene: &Scene, state: &mut State<N>) -> Result<Vec<Law<N>>, Refusal> {
         let model = scene.model;
         let absolute = state.q;
@@ -73,6 +73,9 @@ impl<const N: usize> Law<N> {
             }
             let frozen = (switching == Switching::ByTime).then_some(Frozen { speed, origin: rest });
             let surface = Surface::new(equations, i);
+            if !surface.compliance.is_finite() || surface.direction.iter().any(|x| !x.is_finite()) {
+                return Err(Refusal::Overflow);
+            }
             let ahead = if turn > 0.0 || frozen.is_some() { 0 } else { pitches };
             laws.push(Law { switching, pitch, surface, phase, turns, turn, frozen, cell, ahead });
         }
@@ -105,12 +108,25 @@ impl<const N: usize> Law<N> {
     /// Whether this law's phase is at that side of its cell too, on the way of `other`, which met it: one step for both.
     #[inline]
     pub fn joins(&self, other: &Law<N>, side: Side, state: &State<N>) -> bool {
-        if self.phase != other.phase || self.switching == Switching::Never || self.frozen.is_some() {
+        self.phase == other.phase && self.is_at(side, state, 4.0 * self.rounding())
+    }
+
+    /// One rounding of a phase in the present cell.
+    #[inline]
+    pub fn rounding(&self) -> f64 {
+        let (lower, upper) = self.pitch.bounds(self.cell);
+        f64::EPSILON * (upper - lower)
+    }
+
+    /// Whether the phase is at that side of its cell, to within `slack`.
+    #[inline]
+    pub fn is_at(&self, side: Side, state: &State<N>, slack: f64) -> bool {
+        if self.switching == Switching::Never || self.frozen.is_some() {
             return false;
         }
         let (lower, upper) = self.bounds();
         let gap = if side == Side::Upper { upper - state.q[self.phase] } else { state.q[self.phase] - lower };
-        gap.abs() <= 4.0 * f64::EPSILON * (upper - lower)
+        gap.abs() <= slack
     }
 
     /// When a frozen phase next meets a boundary, and which; `None` where the phase moves with the motion.

@@ -55,10 +55,16 @@ impl Pitch {
     /// decides: the cell is the one it moves into, the upper one at rest.
     pub fn locate(&self, phase: f64, speed: f64) -> (i64, f64, usize) {
         let period = self.period();
-        let mut count = (phase / period).floor() as i64;
+        // The quotient alone would round up just below a pitch, where the remainder does not.
         let mut rest = phase.rem_euclid(period);
+        let mut count = ((phase - rest) / period).round() as i64;
         if rest >= period {
             (count, rest) = (count + 1, 0.0);
+        }
+        // What the number does not tell from a boundary is on it.
+        let resolution = 2.0 * f64::EPSILON * phase.abs();
+        if let Some(boundary) = self.boundaries.iter().find(|&&b| (rest - b).abs() <= resolution) {
+            (count, rest) = if *boundary == period { (count + 1, 0.0) } else { (count, *boundary) };
         }
         let mut cell = self.boundaries[1..].iter().position(|&b| rest < b).unwrap_or(self.cells() - 1);
         if rest == self.boundaries[cell] && speed < 0.0 {

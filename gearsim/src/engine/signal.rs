@@ -29,7 +29,9 @@ pub struct Reach {
 impl Reach {
     /// Time before which a boundary at distance `gap` in the direction `sign` is out of reach.
     pub fn time(&self, gap: f64, sign: f64) -> f64 {
-        let clear = (gap + sign * self.deviation - self.amplitude) * (1.0 - 1e-12);
+        // Beside a wide swing a gap is known to the roundings of the swing only.
+        let rounding = 16.0 * f64::EPSILON * (gap + self.amplitude + self.deviation.abs());
+        let clear = (gap + sign * self.deviation - self.amplitude - rounding) * (1.0 - 1e-12);
         match (clear > 0.0, sign * self.drift > 0.0) {
             (true, true) => clear / self.drift.abs(),
             (true, false) => f64::INFINITY,

@@ -129,21 +129,13 @@ impl<'a, const N: usize> Simulation<'a, N> {
                 return Err(Stop::NotFinite { t: self.clock.now(), state: self.state.describe(), cell: self.cell() });
             }
             // Jump: through the step, or back from it.
-            let noted = recorder.as_mut().filter(|(_, _, events)| *events || end == End::Run).map(|r| &mut *r.0);
             if end == End::Run {
                 self.clock.set(self.t_end);
-                noted.into_iter().for_each(|recorder| self.note(recorder, Moment::Sample));
+                self.meet_at_the_end(&mut recorder)?;
+                recorder.into_iter().for_each(|(recorder, ..)| self.note(recorder, Moment::Sample));
                 return Ok(());
             }
-            if let Some(recorder) = noted {
-                self.arrive(end);
-                self.note(recorder, Moment::Before);
-                self.act(end)?;
-                self.note(recorder, Moment::After);
-            } else {
-                self.arrive(end);
-                self.act(end)?;
-            }
+            self.pass(end, &mut recorder)?;
             let rate = self.cells.at(&self.laws).cell.rate;
             self.guard.against_cascades(&self.clock, rate, &self.state, self.cell())?;
             watch(self.clock.now());
@@ -206,6 +198,32 @@ impl<'a, const N: usize> Simulation<'a, N> {
             flight.go(point, horizon);
         }
         Ok(end)
+    }
+
+    /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
+    fn meet_at_the_end(&mut self, recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>) -> Result<(), Stop> {
+        for i in 0..self.laws.len() {
+            let v = self.laws[i].surface.normal.dot(&self.state.q_dot);
+            let side = if v > 0.0 { Side::Upper } else { Side::Lower };
+            let held = self.contact.as_ref().is_some_and(|c| c.holds(i));
+            // A time of an event, as a number, is half a unit of its last place off; so far the phase goes in it.
+            let slack = v.abs() * 0.5 * (self.t_end.next_up() - self.t_end) + 2.0 * self.laws[i].rounding();
+            if v != 0.0 && !held && self.laws[i].is_at(side, &self.state, slack) {
+                self.pass(End::Step(i, side), recorder)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// An event, its left and right limits noted.
+    #[inline]
+    fn pass(&mut self, end: End, recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>) -> Result<(), Stop> {
+        self.arrive(end);
+        let Some((recorder, _, true)) = recorder else { return self.act(end) };
+        self.note(recorder, Moment::Before);
+        self.act(end)?;
+        self.note(recorder, Moment::After);
+        Ok(())
     }
 
     /// Puts the phase that met a step exactly on it.

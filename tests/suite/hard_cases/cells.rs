@@ -4,6 +4,7 @@
 
 mod draw;
 mod judge;
+mod phase;
 
 use std::sync::OnceLock;
 
@@ -83,7 +84,7 @@ impl Sum {
     }
 
     fn one<const N: usize>(&mut self, i: u64, mut noise: Noise) {
-        let drawn = Drawn::<N>::new(&mut noise, i % 3 == 0);
+        let drawn = Drawn::<N>::new(&mut noise, !i.is_multiple_of(3));
         self.grazing += u64::from(drawn.grazing);
         match judge(&drawn) {
             Verdict::Crossed(error) => {

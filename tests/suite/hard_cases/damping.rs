@@ -34,7 +34,7 @@ pub const CASES: &[Case] = &[
         name: "gear pair at zeta = 0, 1e-9, 1 +- 1e-12, 30, 1e3, 1e6",
         proves: "events and end as in 50 digits",
         tolerance: MULTIPLE,
-        unit: "eps (growth of disturbances + 1)",
+        unit: "eps (growth of disturbances + 1) an event",
         reason: "as for random gear pairs; infinite if an event is another",
         measure: scenes,
     },

@@ -1,13 +1,13 @@
-//! Row 4: events at t = 0, at the end of a run, one bit apart.
+//! Row 4: events at t = 0, at the horizon, one bit apart.
 
 use gearsim::engine::crossing::Side;
 use gearsim::scene::Step;
-use gearsim_tests::oh2005::{GearPair, PITCH, State};
+use gearsim_tests::oh2005::{GearPair, PITCH};
 
 use crate::case::{Case, NONE, WRONG, count, largest};
 use crate::linear::{Linear, Met, first_from};
 use crate::noise::Noise;
-use crate::pair;
+use crate::pair::{self, distance};
 
 pub const CASES: &[Case] = &[
     Case {
@@ -27,33 +27,6 @@ pub const CASES: &[Case] = &[
         unit: WRONG,
         reason: NONE,
         measure: horizons,
-    },
-    Case {
-        row: "4",
-        name: "runs that end at an event, 4 bits before, 4 bits after",
-        proves: "an event is in the run if and only if its time is",
-        tolerance: 0.0,
-        unit: WRONG,
-        reason: NONE,
-        measure: ends,
-    },
-    Case {
-        row: "4",
-        name: "runs split at a thousand instants, 40 events among them",
-        proves: "the events of the parts are those of the whole",
-        tolerance: 0.0,
-        unit: WRONG,
-        reason: NONE,
-        measure: |_| splits().0,
-    },
-    Case {
-        row: "4",
-        name: "ends of split runs",
-        proves: "two parts end where the whole does",
-        tolerance: 1e-12,
-        unit: "of the motion's sizes",
-        reason: "the motion is regular: roundings of 40 events add up, and no more",
-        measure: |_| splits().1,
     },
     Case {
         row: "4",
@@ -109,56 +82,6 @@ fn horizons(_: &mut String) -> f64 {
         let (at, after) = (until(met.t), until(met.t.next_up()));
         [met.side.is_none(), at.side.is_some(), after.side != met.side || after.t != met.t]
     }))
-}
-
-/// A regular motion of some 40 events.
-const T_END: f64 = 0.05;
-
-fn regular() -> (GearPair, State) {
-    let pair = GearPair::paper(0.05, 10.0);
-    (pair, pair.start(1000.0))
-}
-
-fn ends(note: &mut String) -> f64 {
-    let (pair, start) = regular();
-    let whole = pair::run(&pair, &start, T_END).events;
-    *note = format!("{} events", whole.len());
-    count(whole.iter().enumerate().flat_map(|(i, event)| {
-        let moved = |bits: i64| f64::from_bits((event.t.to_bits() as i64 + bits) as u64);
-        let events = |t: f64| pair::run(&pair, &start, t).events.len();
-        // At the event itself either is right: its time is known to a bit.
-        [events(moved(-4)) != i, events(moved(4)) != i + 1, !(i..=i + 1).contains(&events(event.t))]
-    }))
-}
-
-/// Splits that lose or double an event, and the largest difference of the ends.
-fn splits() -> (f64, f64) {
-    let (pair, start) = regular();
-    let whole = pair::run(&pair, &start, T_END);
-    let mut noise = Noise::new(402);
-    let instants: Vec<f64> = (0..1000).map(|_| T_END * noise.unit()).chain(whole.events.iter().map(|e| e.t)).collect();
-    let speed = start.theta_dot;
-    let (mut wrong, mut apart) = (0.0, 0.0);
-    for t in instants {
-        let first = pair::run(&pair, &start, t);
-        let second = pair::run(&pair, &first.end, T_END - t);
-        if first.events.len() + second.events.len() != whole.events.len() {
-            println!("split at {t}: {} + {} events", first.events.len(), second.events.len());
-            wrong += 1.0;
-            continue;
-        }
-        apart = largest([apart, distance(&second.end, &whole.end, &pair, speed)]);
-    }
-    (wrong, apart)
-}
-
-/// The largest difference of two states in units of the motion's sizes.
-pub fn distance(a: &State, b: &State, pair: &GearPair, speed: f64) -> f64 {
-    let phi = pair.t0.abs().max(1.0) / pair.k1;
-    let speeds = speed.abs().max(phi * pair.w0());
-    let parts = [(a.theta, b.theta, 1.0), (a.phi, b.phi, phi)];
-    let rates = [(a.theta_dot, b.theta_dot, speeds), (a.phi_dot, b.phi_dot, speeds)];
-    largest(parts.into_iter().chain(rates).map(|(a, b, size)| (a - b).abs() / size))
 }
 
 fn bits_apart(note: &mut String) -> f64 {

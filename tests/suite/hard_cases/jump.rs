@@ -1,10 +1,13 @@
 //! Row 2: total reflection, near-critical incidence v² = 2 G dV (1 +- 10^-k), equality.
 
 use gearsim::engine::crossing::Side;
+mod incidence;
+
 use gearsim::engine::equations::Equations;
 use gearsim::engine::jump::{Passage, Surface};
 use gearsim_tests::oh2005::GearPair;
-use gearsim_tests::precise::number::{Real, Scalar};
+use gearsim_tests::precise::number::Scalar;
+use incidence::{Digits, incidences, square};
 use nalgebra::SVector;
 
 use crate::case::{Case, NONE, WRONG, count, largest};
@@ -59,35 +62,6 @@ pub const CASES: &[Case] = &[
         measure: energy,
     },
 ];
-
-type Digits = Real<384>;
-
-/// A jump of the paper's gear pair: phi, the step of k, theta' at (1 + depth) times the critical square, either way.
-struct Incidence {
-    phi: f64,
-    dk: f64,
-    v: [f64; 2],
-    depth: f64,
-}
-
-fn incidences(seed: u64) -> impl Iterator<Item = Incidence> {
-    let (mut noise, m2) = (Noise::new(seed), GearPair::paper(0.0, 0.0).m2());
-    let depths = (1..=14).flat_map(|k| [1.0, -1.0].map(|sign| sign * 10f64.powi(-k)));
-    let depths: Vec<f64> = depths.flat_map(|depth| [depth; 100]).collect();
-    depths.into_iter().map(move |depth| {
-        let (phi, dk) = (noise.even() * 0.1, noise.power(0.0, 5.0));
-        let v = (m2 * dk * phi * phi * (1.0 + depth)).sqrt().copysign(noise.even());
-        Incidence { phi, dk, v: [v, noise.even() * v], depth }
-    })
-}
-
-/// theta'+² in all digits.
-fn square(i: &Incidence) -> Digits {
-    let (p, real) = (GearPair::paper(0.0, 0.0), Digits::exact);
-    let part = |n: f64, inertia: f64| real(n) * real(n) / real(inertia);
-    let m2 = (part(p.n1, p.i1) + part(p.n2, p.i2)).scaled(-1);
-    real(i.v[0]) * real(i.v[0]) - m2 * real(i.dk) * real(i.phi) * real(i.phi)
-}
 
 /// What the engine makes of an incidence, with the equations of the gear pair.
 fn pass(equations: &dyn Equations<2>, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {

@@ -10,6 +10,7 @@ use gearsim::scene::{Beginning, Scene, Step};
 use gearsim::trajectory::Moment;
 use gearsim_tests::oh2005::{Event, GearPair, Kind, PITCH, State};
 
+use crate::case::largest;
 use crate::common;
 
 /// A run of the engine: its events, cells counted as the references do, its end, and all else.
@@ -69,4 +70,13 @@ pub fn of(scene: &Scene) -> Run {
     let last = t.len() - 1;
     let end = State { theta: t.q[0][last], theta_dot: t.q_dot[0][last], phi: t.q[1][last], phi_dot: t.q_dot[1][last] };
     Run { events: events.collect(), end, outcome }
+}
+
+/// The largest difference of two states in units of the motion's sizes.
+pub fn distance(a: &State, b: &State, pair: &GearPair, speed: f64) -> f64 {
+    let phi = pair.t0.abs().max(1.0) / pair.k1;
+    let speeds = speed.abs().max(phi * pair.w0());
+    let parts = [(a.theta, b.theta, 1.0), (a.phi, b.phi, phi)];
+    let rates = [(a.theta_dot, b.theta_dot, speeds), (a.phi_dot, b.phi_dot, speeds)];
+    largest(parts.into_iter().chain(rates).map(|(a, b, size)| (a - b).abs() / size))
 }

@@ -5,8 +5,7 @@
 use gearsim_tests::oh2005::{GearPair, Ramp, State};
 
 use crate::case::{Case, largest};
-use crate::ends::distance;
-use crate::pair;
+use crate::pair::{self, distance};
 
 pub const CASES: &[Case] = &[
     Case {

@@ -18,6 +18,11 @@ the catalogue of hard cases; margin is tolerance over measured, and a count must
 | --- | --- | --- | --- | --- | --- | --- |
 ";
 
+/// Whether a table is to be written.
+pub fn asked_for() -> bool {
+    std::env::var_os(FILE).is_some()
+}
+
 /// What was measured so far; shared by the threads that measure.
 #[derive(Clone)]
 pub struct Table {
@@ -46,8 +51,13 @@ impl Table {
             };
             let Case { row, name, proves, tolerance, unit, reason, .. } = case;
             let note = if note.is_empty() { String::new() } else { format!("; {note}") };
-            let margin = if *value == 0.0 { "-".to_string() } else { digits(tolerance / value) };
+            let margin = match *value {
+                0.0 => "-".to_string(),
+                value if value <= *tolerance => digits(tolerance / value),
+                _ => "**fails**".to_string(),
+            };
             let (tolerance, value) = (digits(*tolerance), digits(*value));
+            let [name, proves, unit, reason] = [name, proves, unit, reason].map(|text| text.replace('|', "\\|"));
             let line =
                 format!("| {row} | {name} | {proves}{note} | {tolerance} {unit} | {value} | {margin} | {reason} |");
             writeln!(text, "{line}").expect("a string takes any text");

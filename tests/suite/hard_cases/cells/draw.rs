@@ -3,6 +3,7 @@
 use gearsim_tests::precise;
 use gearsim_tests::precise::cell::Motion;
 
+use super::phase::{Phase, bound};
 use crate::linear::Linear;
 use crate::noise::Noise;
 
@@ -22,7 +23,7 @@ pub struct Drawn<const N: usize> {
 }
 
 impl<const N: usize> Drawn<N> {
-    /// Draws a cell; one to graze gets its level from the highest crest so far, if it has one.
+    /// Draws a cell; one to graze gets its level from the highest crest so far, if it has one: half of them do.
     pub fn new(noise: &mut Noise, to_graze: bool) -> Self {
         // Frequencies over half a decade to four and a half: stiffness ratios up to 1e9.
         let (unit, spread) = (noise.power(-3.0, 3.0), 4.5 * noise.unit().powi(2));
@@ -30,6 +31,9 @@ impl<const N: usize> Drawn<N> {
         let busiest = modes.iter().filter(|(sigma, w2)| sigma * sigma < 0.1 * w2).map(|(_, w2)| w2.sqrt());
         let rate = busiest.fold(0.0, f64::max);
         let horizon = if rate > 0.0 { noise.power(0.0, 2.0) / rate } else { noise.power(-1.0, 2.0) / unit };
+        // The reference bounds roundings by sigma t: of what does not oscillate it is shown the first hundred decay times.
+        let strongest = modes.iter().filter(|(sigma, w2)| sigma * sigma > 0.1 * w2).map(|(sigma, _)| *sigma);
+        let horizon = strongest.fold(horizon, |t, sigma| t.min(100.0 / sigma));
         let each = |(sigma, w2): (f64, f64), noise: &mut Noise| {
             let rate = w2.sqrt().max(1.0 / horizon);
             (noise.even() * rate.max(sigma * noise.unit()), noise.even() * rate * rate)
@@ -112,35 +116,6 @@ impl<const N: usize> Drawn<N> {
     fn reach(&self) -> f64 {
         (0..N).map(|i| self.mode(i)).map(|m| m.weight.abs() * bound(&m, self.horizon)).sum()
     }
-}
-
-/// The phase in `f64`: good for finding crests, not for judging them.
-struct Phase<const N: usize>([(Motion<f64>, f64); N]);
-
-impl<const N: usize> Phase<N> {
-    /// The phase and its rate.
-    fn at(&self, t: f64) -> [f64; 2] {
-        self.0.iter().fold([0.0; 2], |[s, r], (m, c)| {
-            let (x, v) = m.state(&t);
-            [s + c * x, r + c * v]
-        })
-    }
-
-    /// Where the phase turns between two times, and its height there.
-    fn top(&self, mut left: f64, mut right: f64) -> (f64, f64) {
-        for _ in 0..60 {
-            let middle = 0.5 * (left + right);
-            if self.at(middle)[1] > 0.0 { left = middle } else { right = middle }
-        }
-        (left, self.at(left)[0].max(self.at(right)[0]))
-    }
-}
-
-/// A bound on the way of a mode from x = 0 within `t`.
-pub fn bound(m: &precise::Mode, t: f64) -> f64 {
-    let omega = m.omega2.sqrt();
-    let gain = t.min(1.0 / omega).min(1.0 / m.sigma);
-    m.v.abs() * gain + m.force.abs() * (0.5 * t * t).min(2.0 / m.omega2)
 }
 
 /// (sigma, omega²): every damping, with and without stiffness.

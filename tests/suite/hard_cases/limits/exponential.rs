@@ -33,12 +33,8 @@ fn accelerations(system: &Linear<3>) -> [[Digits; 7]; 3] {
     for pivot in 0..3 {
         for row in (0..3).filter(|&row| row != pivot) {
             let by = m[row][pivot].clone() / m[pivot][pivot].clone();
-            for j in 0..3 {
-                m[row][j] = m[row][j].clone() - by.clone() * m[pivot][j].clone();
-            }
-            for j in 0..7 {
-                right[row][j] = right[row][j].clone() - by.clone() * right[pivot][j].clone();
-            }
+            m[row] = std::array::from_fn(|j| m[row][j].clone() - by.clone() * m[pivot][j].clone());
+            right[row] = std::array::from_fn(|j| right[row][j].clone() - by.clone() * right[pivot][j].clone());
         }
     }
     std::array::from_fn(|i| right[i].clone().map(|x| x / m[i][i].clone()))

@@ -1,0 +1,91 @@
+//! Row 13: stiff shafts, and rigid-body modes.
+
+use gearsim::engine::cell::Cell;
+use gearsim::engine::crossing::Side;
+use gearsim_tests::oh2005::GearPair;
+use nalgebra::SVector;
+
+use crate::case::{Case, largest};
+use crate::linear::{Linear, diagonal, first_from};
+use crate::pair;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "13",
+        name: "shaft of stiffness 1e2 to 1e10 between two inertias",
+        proves: "the rigid limit is reached as O(1/k)",
+        tolerance: 1.01,
+        unit: "bound ~ 1/k",
+        reason: "the bound is that of the closed form, twice the static twist; 1 % for the speed there",
+        measure: shaft,
+    },
+    Case {
+        row: "13",
+        name: "chain with a stiffness 1e9 times the other, its slow mode",
+        proves: "no more digits are lost than the matrix itself has lost",
+        tolerance: 8.0,
+        unit: "eps k_max/k_min",
+        reason: "k_max + k_min rounds k_min by eps k_max/k_min",
+        measure: chain,
+    },
+    Case {
+        row: "13",
+        name: "gear pair that rolls, at rest in phi",
+        proves: "a rigid-body mode takes no part in the coordinates that it does not move",
+        tolerance: 0.0,
+        unit: "of the way of theta",
+        reason: "no force acts on phi: M q'' = 0 keeps phi' = 0 to the bit; what leaks in adds up, cell after cell",
+        measure: rolling,
+    },
+];
+
+fn shaft(_: &mut String) -> f64 {
+    // m1 pulled by f drags m2 along: x1 = f t²/2m + (m2/m) twist, 0 <= twist <= 2 f/(m1 w²).
+    let (m1, m2, f, level) = (1.0, 3.0, 2.0, 5.0);
+    let m = m1 + m2;
+    largest((2..=10).map(|power| {
+        let k = 10f64.powi(power);
+        let system = Linear {
+            mass: diagonal([m1, m2]),
+            damping: diagonal([0.0; 2]),
+            stiffness: [[k, -k], [-k, k]],
+            load: [f, 0.0],
+            normal: [1.0, 0.0],
+        };
+        let met = first_from(&system, [0.0, 0.0], [1.0, level], 100.0);
+        if met.side != Some(Side::Upper) {
+            return f64::INFINITY;
+        }
+        let rigid = (2.0 * level * m / f).sqrt();
+        let twist = 2.0 * f / (m1 * k * (1.0 / m1 + 1.0 / m2));
+        // The crest of the swing comes before: from there on the speed is at least 99 % of this.
+        (rigid - met.t).abs() * (f / m * rigid) / (m2 / m * twist)
+    }))
+}
+
+fn chain(note: &mut String) -> f64 {
+    *note = "k_max/k_min = 1, 1e3, 1e6, 1e9".to_string();
+    largest([1.0, 1e3, 1e6, 1e9].map(|k| {
+        // ground - 1 - m - k - m: det(K - w² M) = w⁴ - (1 + 2k) w² + k, its small root without cancellation
+        let system = Linear {
+            mass: diagonal([1.0, 1.0]),
+            damping: diagonal([0.0; 2]),
+            stiffness: [[1.0 + k, -k], [-k, k]],
+            load: [0.0; 2],
+            normal: [1.0, 0.0],
+        };
+        let b = 1.0 + 2.0 * k;
+        let exact = 2.0 * k / (b + (b * b - 4.0 * k).sqrt());
+        (system.cell().modes[0].omega2 / exact - 1.0).abs() / (f64::EPSILON * k)
+    }))
+}
+
+fn rolling(_: &mut String) -> f64 {
+    let equations = pair::equations(&GearPair::paper(0.05, 0.0));
+    largest([1430.0, 2780.0].map(|k| {
+        let cell = Cell::new(&*equations, &[k]).expect("a cell of the paper's");
+        let flight = cell.flight(&SVector::zeros(), &SVector::from([1500.0, 0.0]));
+        let (dq, _) = flight.increments(&flight.at(1e-3));
+        (dq[1] / dq[0]).abs()
+    }))
+}
