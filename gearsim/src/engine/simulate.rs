@@ -125,9 +125,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             self.state.q_dot += dv;
             self.dissipated += lost;
             self.clock.advance(point.t);
-            if !self.state.is_finite() {
-                return Err(Stop::NotFinite { t: self.clock.now(), state: self.state.describe(), cell: self.cell() });
-            }
+            self.demand_numbers()?;
             // Jump: through the step, or back from it.
             if end == End::Run {
                 self.clock.set(self.t_end);
@@ -210,9 +208,19 @@ impl<'a, const N: usize> Simulation<'a, N> {
             let slack = v.abs() * 0.5 * (self.t_end.next_up() - self.t_end) + 2.0 * self.laws[i].rounding();
             if v != 0.0 && !held && self.laws[i].is_at(side, &self.state, slack) {
                 self.pass(End::Step(i, side), recorder)?;
+                self.demand_numbers()?;
             }
         }
         Ok(())
+    }
+
+    /// Ends a run whose state is beyond numbers.
+    #[inline]
+    fn demand_numbers(&self) -> Result<(), Stop> {
+        if self.state.is_finite() {
+            return Ok(());
+        }
+        Err(Stop::NotFinite { t: self.clock.now(), state: self.state.describe(), cell: self.cell() })
     }
 
     /// An event, its left and right limits noted.
