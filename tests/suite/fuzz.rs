@@ -87,26 +87,24 @@ fn scenes_with_pieces_moved_and_bytes_changed() {
 #[test]
 fn runs_of_arbitrary_numbers() {
     let mut random = Random(2);
-    let open = corpus("open");
     for _ in 0..cases() {
         let data: Vec<u8> = (0..64).map(|_| random.next() as u8).collect();
-        if !open.contains(&data) {
-            run(engine::check, &data);
-        }
+        run(engine::check, &data);
     }
 }
 
-/// Defects found here and not mended yet; with the mend, their `ignore` goes.
+/// Found here and not mended yet; with the mend, the input goes to the corpus of runs.
+#[test]
+#[ignore = "the march takes 47,000 steps a search: slow, not wrong"]
+fn searches_end_within_a_few_steps() {
+    corpus("open").iter().for_each(|data| run(engine::check, data));
+}
+
+/// Found here, and mended.
 #[test]
 fn a_start_may_give_every_coordinate() {
     let scene = common::scene("oh2005/energy_300rpm", &["start.phi=0.01 rad".into()]);
     common::run(&scene);
-}
-
-#[test]
-#[ignore = "a tooth pressed against a step bounces every 8e-11 s, too seldom for the guard against cascades"]
-fn a_tooth_pressed_against_a_step_is_no_endless_run() {
-    corpus("open").iter().for_each(|data| run(engine::check, data));
 }
 
 #[test]
