@@ -27,6 +27,16 @@ fn end(outcome: &Outcome) -> (Vec<f64>, Vec<f64>) {
     (last(&outcome.trajectory.q), last(&outcome.trajectory.q_dot))
 }
 
+/// q and q' at the end are as expected, to within `tolerance` of the sizes of either.
+fn assert_ends(outcome: &Outcome, q: [f64; 2], v: [f64; 2], sizes: [f64; 2], tolerance: f64) {
+    let found = end(outcome);
+    for (found, expected, size) in [(&found.0, q, sizes[0]), (&found.1, v, sizes[1])] {
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < tolerance * size, "{found}, not {expected}");
+        }
+    }
+}
+
 fn residual(outcome: &Outcome) -> f64 {
     outcome.trajectory.residual.iter().fold(0.0f64, |m, r| m.max(r.abs()))
 }
@@ -59,19 +69,12 @@ fn a_reaction_that_pulls_lets_go() {
     let after = 0.3 / free;
     let outcome = gear_pair_at_rest(10.0, 3.0, quarter + after);
     assert_eq!((outcome.counts.holds, outcome.counts.cell_changes), (1, 0));
-    let ((q, v), speed) = (end(&outcome), -2.0 * rest * held);
+    let speed = -2.0 * rest * held;
     let phi = rest + speed / free * (free * after).sin();
     let phi_dot = speed * (free * after).cos();
     let (theta, theta_dot) = (ratio * (phi - rest - speed * after), ratio * (phi_dot - speed));
     // The hold ends when the reaction pulls by 1e-9 of its forces: so late, and so far off, is what follows.
-    for (what, found, expected, scale) in [
-        ("theta", q[0], theta, rest),
-        ("phi", q[1], phi, rest),
-        ("theta'", v[0], theta_dot, speed.abs()),
-        ("phi'", v[1], phi_dot, speed.abs()),
-    ] {
-        assert!((found - expected).abs() < 2e-9 * scale, "{what} = {found}, not {expected}");
-    }
+    assert_ends(&outcome, [theta, phi], [theta_dot, phi_dot], [rest, speed.abs()], 2e-9);
     assert!(residual(&outcome) < 1e-14 * outcome.energy_at_start);
 }
 
@@ -86,18 +89,10 @@ fn a_step_that_vanishes_lets_through() {
     let (after, beyond) = (0.2 / free, 10.0 / 2780.0);
     let outcome = gear_pair_at_rest(-10.0, -2.0, slip + after);
     assert_eq!((outcome.counts.holds, outcome.counts.cell_changes), (1, 1));
-    let (q, v) = end(&outcome);
     let (c, s) = ((free * after).cos(), (free * after).sin());
     let (phi, phi_dot) = (-beyond + beyond * c + speed / free * s, -beyond * free * s + speed * c);
     let (theta, theta_dot) = (ratio * (phi - speed * after), ratio * (phi_dot - speed));
-    for (what, found, expected, scale) in [
-        ("theta", q[0], theta, rest),
-        ("phi", q[1], phi, rest),
-        ("theta'", v[0], theta_dot, speed.abs()),
-        ("phi'", v[1], phi_dot, speed.abs()),
-    ] {
-        assert!((found - expected).abs() < 1e-13 * scale, "{what} = {found}, not {expected}");
-    }
+    assert_ends(&outcome, [theta, phi], [theta_dot, phi_dot], [rest, speed.abs()], 1e-13);
     assert!(residual(&outcome) < 1e-14 * outcome.energy_at_start);
 }
 

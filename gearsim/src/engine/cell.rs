@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
-use crate::engine::modal::{Matrices, Modal, root_of};
+use crate::engine::modal::{Matrices, Modal, inverse_root};
 use crate::engine::mode::{Mode, Response};
 
 /// The modes of one cell.
@@ -51,7 +51,7 @@ impl<const N: usize> Cell<N> {
         let z = q.columns(normals.ncols(), N - normals.ncols()).into_owned();
         let seen = |a: &DMatrix<f64>| z.transpose() * a * &z;
         let mass = seen(&full.mass);
-        let (_, inverse) = root_of(&mass)?;
+        let inverse = inverse_root(&mass)?;
         let modal = Modal::of(&Matrices {
             mobility: inverse.transpose() * inverse,
             mass,
@@ -102,7 +102,7 @@ fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<M
     if mass.iter().any(|x| !x.is_finite()) {
         return Err(Refusal::Overflow);
     }
-    root_of(&mass)?;
+    inverse_root(&mass)?; // refuses what is not positive definite
     Ok(Matrices {
         mobility: matrix(equations.mobility()),
         mass,

@@ -73,7 +73,7 @@ impl Modal {
         let mut omega2 = vec![0.0; n];
         if !rigid.is_empty() {
             let z = DMatrix::from_columns(&rigid.iter().map(|&i| column(i).component_div(&d)).collect::<Vec<_>>());
-            let (_, inverse) = root_of(&(z.transpose() * &m.mass * &z))?;
+            let inverse = inverse_root(&(z.transpose() * &m.mass * &z))?;
             let x = z * inverse.transpose();
             momentum.rows_mut(0, rigid.len()).copy_from(&(x.transpose() * &m.mass));
             shapes.columns_mut(0, rigid.len()).copy_from(&x);
@@ -136,11 +136,11 @@ fn damped(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Vec<Mode>, Refusal> 
     Ok(modes)
 }
 
-/// L and L⁻¹ of A = L Lᵀ, A scaled to a unit diagonal between, so that entries of any ratio keep their digits.
+/// L⁻¹ of A = L Lᵀ, A scaled to a unit diagonal between, so that entries of any ratio keep their digits.
 ///
 /// # Errors
 /// Where A is not positive definite.
-pub fn root_of(a: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Refusal> {
+pub fn inverse_root(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Refusal> {
     if a.diagonal().iter().any(|d| *d <= 0.0) {
         return Err(Refusal::Mass);
     }
@@ -148,7 +148,7 @@ pub fn root_of(a: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Refusal
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] / (d[i] * d[j]));
     let l = scaled.cholesky().ok_or(Refusal::Mass)?.l();
     let inverse = l.solve_lower_triangular(&DMatrix::identity(a.nrows(), a.ncols())).ok_or(Refusal::Mass)?;
-    Ok((DMatrix::from_diagonal(&d) * l, inverse * DMatrix::from_diagonal(&d.map(|d| 1.0 / d))))
+    Ok(inverse * DMatrix::from_diagonal(&d.map(|d| 1.0 / d)))
 }
 
 /// Eigenvalues, rising, and eigenvectors of a symmetric matrix by Jacobi's cyclic method.

@@ -109,6 +109,12 @@ impl Mode {
         }
     }
 
+    /// y'' = -2 sigma y' - omega² y: the derivative of a motion that follows two others.
+    #[inline]
+    pub fn next(&self, y: f64, y_dot: f64) -> f64 {
+        -2.0 * self.sigma * y_dot - self.omega2 * y
+    }
+
     /// S1 and S2 after the time `t` >= 0 [s].
     #[inline]
     pub fn response(&self, t: f64) -> Response {

@@ -68,16 +68,15 @@ impl<const N: usize> Signal<'_, N> {
     pub fn derivatives(&self, point: &Point<N>) -> [f64; 5] {
         let mut sum = [0.0; 5];
         for (i, mode) in self.flight.modes().iter().enumerate() {
-            let next = |v: f64, a: f64| -2.0 * mode.sigma * a - mode.omega2 * v;
             let (v, a) = self.flight.rates(i, point);
-            let jerk = next(v, a);
-            let snap = next(a, jerk);
+            let jerk = mode.next(v, a);
+            let snap = mode.next(a, jerk);
             let c = self.on_moved[i];
             for (sum, x) in sum.iter_mut().zip([point.moved[i], v, a, jerk, snap]) {
                 *sum += c * x;
             }
             if let Some(d) = self.on_speed {
-                for (sum, x) in sum.iter_mut().zip([point.gained[i], a, jerk, snap, next(jerk, snap)]) {
+                for (sum, x) in sum.iter_mut().zip([point.gained[i], a, jerk, snap, mode.next(jerk, snap)]) {
                     *sum += d[i] * x;
                 }
             }
@@ -89,13 +88,12 @@ impl<const N: usize> Signal<'_, N> {
     pub fn bounds(&self, point: &Point<N>) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (i, mode) in self.flight.modes().iter().enumerate() {
-            let next = |v: f64, a: f64| -2.0 * mode.sigma * a - mode.omega2 * v;
             let (v, a) = self.flight.rates(i, point);
-            let jerk = next(v, a);
-            let snap = next(a, jerk);
-            let crackle = next(jerk, snap);
+            let jerk = mode.next(v, a);
+            let snap = mode.next(a, jerk);
+            let crackle = mode.next(jerk, snap);
             let c = self.on_moved[i];
-            let derivatives = [a, jerk, snap, crackle, next(snap, crackle)];
+            let derivatives = [a, jerk, snap, crackle, mode.next(snap, crackle)];
             for (k, sum) in sum.iter_mut().enumerate() {
                 if c != 0.0 {
                     *sum += c.abs() * mode.bound(derivatives[k], derivatives[k + 1]);
