@@ -67,19 +67,32 @@ pub fn literal(m: &Model, set: u32) -> TokenStream {
 
 /// `const DAMPING: bool = E & 8 != 0;` for each effect, and for each condition its conjunction.
 pub fn constants(m: &Model) -> TokenStream {
+    let named = named(m, &quote!(E), &quote!(Self::)).into_iter();
+    let named = named.map(|(name, value)| quote!(const #name: bool = #value;));
+    quote!(#(#named)*)
+}
+
+/// The same as variables, of the set `effects`.
+pub fn variables(m: &Model) -> TokenStream {
+    let named = named(m, &quote!(effects), &quote!()).into_iter();
+    let named = named.map(|(name, value)| quote!(let #name = #value;));
+    quote!(#(#named)*)
+}
+
+/// Every effect and condition with the expression that tells whether it is in force in `set`.
+fn named(m: &Model, set: &TokenStream, path: &TokenStream) -> Vec<(Ident, TokenStream)> {
     let effects = m.effects.iter().enumerate().map(|(i, e)| {
-        let (name, bit) = (constant(&e.name), Literal::u32_unsuffixed(1 << i));
-        quote!(const #name: bool = E & #bit != 0;)
+        let bit = Literal::u32_unsuffixed(1 << i);
+        (constant(&e.name), quote!(#set & #bit != 0))
     });
     let conditions = m.conditions.iter().map(|c| {
-        let name = constant(&c.name);
         let factors = c.effects.iter().map(|(present, effect)| {
             let (not, effect) = ((!present).then(|| quote!(!)), constant(effect));
-            quote!(#not Self::#effect)
+            quote!(#not #path #effect)
         });
-        quote!(const #name: bool = #(#factors)&&*;)
+        (constant(&c.name), quote!(#(#factors)&&*))
     });
-    quote!(#(#effects)* #(#conditions)*)
+    effects.chain(conditions).collect()
 }
 
 /// `DAMPING` for `damping`.

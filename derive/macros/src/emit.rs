@@ -7,6 +7,7 @@ use syn::{Ident, Index};
 use crate::describe::describe;
 use crate::effects;
 use crate::functions::functions;
+use crate::matrices::{any_number, matrices};
 use crate::model::*;
 
 /// Everything that a generated file holds.
@@ -16,12 +17,12 @@ pub fn emit(m: &Model) -> TokenStream {
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
     let describe = describe(m);
     let sets = effects::sets(m).map(|set| effects::literal(m, set));
-    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>::new(parameters, mids))),)*);
+    let sets = quote!(#(#sets => Some(Box::new(With::<#sets, f64>::new(parameters, mids))),)*);
     let with = with(m);
     let functions = functions(m);
     let constants = effects::constants(m);
     quote! {
-        use crate::engine::equations;
+        use crate::engine::{equations, real};
         use crate::model;
 
         #[doc = #doc]
@@ -38,23 +39,29 @@ pub fn emit(m: &Model) -> TokenStream {
                     _ => None,
                 }
             }
+
+            fn matrices<R: real::Real>(
+                effects: u32, parameters: &[R], mids: &[R], k: &[R],
+            ) -> equations::Matrices<#n, R> {
+                With::<0, R>::new(parameters, mids).matrices(effects, k)
+            }
         }
 
         #with
 
         #[allow(dead_code, reason = "not every effect has a term of its own")]
-        impl<const E: u32> With<E> {
+        impl<const E: u32, R> With<E, R> {
             #constants
         }
 
         #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
-        impl<const E: u32> equations::Equations<#n> for With<E> {
+        impl<const E: u32> equations::Equations<#n> for With<E, f64> {
             #functions
         }
     }
 }
 
-/// `struct With<E>`: the numbers of the equations with the effects E.
+/// `struct With<E, R>`: the numbers of the equations with the effects E.
 fn with(m: &Model) -> TokenStream {
     let names = || m.parameters.iter().map(|p| &p.name).chain(m.constants.iter().map(|c| &c.name));
     let (fields, values) = (names(), names());
@@ -62,21 +69,30 @@ fn with(m: &Model) -> TokenStream {
         let (name, i) = (&p.name, Index::from(i));
         quote!(let #name = parameters[#i];)
     });
-    let constants = m.constants.iter().map(|Assignment { name, value }| quote!(let #name = #value;));
+    let constants = m.constants.iter().map(|Assignment { name, value }| {
+        let value = any_number(value);
+        quote!(let #name = #value;)
+    });
+    let matrices = matrices(m);
     quote! {
-        /// The equations with the effects E.
+        /// The equations with the effects E, in numbers of the kind R.
         #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
-        struct With<const E: u32> {
-            #(#fields: f64,)*
+        struct With<const E: u32, R> {
+            #(#fields: R,)*
+            kind: std::marker::PhantomData<R>,
         }
 
-        #[allow(non_snake_case, unused_variables, clippy::all, reason = "the symbols and constants of the source")]
-        impl<const E: u32> With<E> {
-            fn new(parameters: &[f64], mids: &[f64]) -> Self {
+        #[allow(
+            non_snake_case, unused_variables, unused_mut, clippy::all, reason = "the symbols and constants of the source",
+        )]
+        impl<const E: u32, R: real::Real> With<E, R> {
+            fn new(parameters: &[R], mids: &[R]) -> Self {
                 #(#parameters)*
                 #(#constants)*
-                Self { #(#values),* }
+                Self { #(#values,)* kind: std::marker::PhantomData }
             }
+
+            #matrices
         }
     }
 }

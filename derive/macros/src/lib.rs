@@ -82,7 +82,7 @@
 //! | --- | --- |
 //! | tokens to structs | `parse`, `items`, `tokens` to `model` |
 //! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `sums` |
+//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `matrices`, `sums` |
 
 mod check;
 mod describe;
@@ -92,6 +92,7 @@ mod expand;
 mod functions;
 mod items;
 mod jumps;
+mod matrices;
 mod model;
 mod parse;
 mod resolve;

@@ -23,6 +23,9 @@ struct Arguments {
     /// Cell changes and reflections to run for
     #[arg(long, default_value = "1e8", value_parser = number)]
     events: u64,
+    /// Digits in which the state is carried: "compensated" or "plain"
+    #[arg(long, default_value = "compensated", value_parser = ["compensated", "plain"])]
+    precision: String,
     /// Folder to write to
     #[arg(long, default_value = "out/soak")]
     out: PathBuf,
@@ -38,9 +41,10 @@ fn number(text: &str) -> Result<u64, String> {
 
 fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
-    let walk = Walk::run(arguments.events)?;
+    let walk = Walk::run(arguments.events, &arguments.precision)?;
     let growth = Growth::of(&walk);
-    let command = format!("cargo xtask soak --events {:e}", arguments.events as f64);
+    let command =
+        format!("cargo xtask soak --events {:e} --precision {}", arguments.events as f64, arguments.precision);
     let (text, out) = (report::markdown(&walk, &growth, &command), &arguments.out);
     let figure = report::figure(&walk, &growth);
     fs::create_dir_all(out).with_context(|| format!("cannot make the folder {}", out.display()))?;

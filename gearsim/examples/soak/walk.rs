@@ -3,12 +3,11 @@
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
-use gearsim::engine::clock::Clock;
 use gearsim::engine::outcome;
 use gearsim::engine::record::Recorder;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
-use gearsim::scene::Scene;
+use gearsim::scene::{Precision, Scene};
 use gearsim::trajectory::Moment;
 
 /// Speed and pitch have no common measure, and at this torque a step takes or gives up to a twentieth of theta'^2: the
@@ -49,42 +48,38 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// Runs `events` events and hardly more.
+    /// Runs `events` events and hardly more, in a precision that scenes know by name.
     ///
     /// # Errors
     /// Where the engine stops, or events cease.
-    pub fn run(events: u64) -> anyhow::Result<Walk> {
-        let mut scene = scene()?;
+    pub fn run(events: u64, precision: &str) -> anyhow::Result<Walk> {
+        let scene = scene(precision)?;
         let equations = outcome::equations::<GearPair, 2>(&scene)?;
         let begun = Instant::now();
-        let (mut now, mut seconds_an_event) = (Clock::default(), 1e-3);
-        let (mut last, mut recorder): (Option<Simulation<'_, 2>>, Option<Recorder<'_, 2>>) = (None, None);
+        let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
+        if scene.precision == Precision::Compensated {
+            outcome::compensate::<GearPair, 2>(&mut simulation, &scene)?;
+        }
+        let (start, k) = (simulation.state, simulation.levels());
+        let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), start, &k);
+        let mut seconds_an_event = 1e-3;
         let mut walk = Walk { events: vec![], error: vec![], reflections: 0, model_time: 0.0, elapsed: Duration::ZERO };
         let (mut done, mut quiet) = (0, 0);
         while done < events {
-            // A simulation runs to its end: stretch by stretch, each handed the state of the one before.
-            scene.t_end = (done / 16).clamp(1, (events / SAMPLES).max(1)) as f64 * seconds_an_event;
-            let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
-            if let Some(last) = &last {
-                (simulation.state, simulation.laws) = (last.state, last.laws.clone());
-            }
-            let recorder = recorder.get_or_insert_with(|| {
-                let (state, k) = (simulation.state, simulation.levels());
-                Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k)
-            });
+            // Stretch by stretch, with a look at the energy after each.
+            simulation.t_end += (done / 16).clamp(1, (events / SAMPLES).max(1)) as f64 * seconds_an_event;
             simulation.run(None, &mut |_| {}).with_context(|| format!("after {done} events"))?;
-            now.advance(scene.t_end);
             let counts = &simulation.counts;
-            let new = counts.cell_changes + counts.reflections;
+            let new = counts.cell_changes + counts.reflections - done;
             quiet = if new == 0 { quiet + 1 } else { 0 };
             if quiet > QUIET {
                 bail!("after {done} events the gear meets no more steps");
             }
             if new > 0 {
-                (done, walk.reflections) = (done + new, walk.reflections + counts.reflections);
-                seconds_an_event = now.now() / done as f64;
+                (done, walk.reflections) = (done + new, counts.reflections);
+                seconds_an_event = simulation.t_end / done as f64;
                 recorder.row(
-                    now.now(),
+                    simulation.t_end,
                     Moment::Sample,
                     &simulation.state,
                     &simulation.levels(),
@@ -94,9 +89,8 @@ impl Walk {
                 walk.events.push(done);
                 walk.error.push(residual / recorder.energy_at_start);
             }
-            last = Some(simulation);
         }
-        Ok(Walk { model_time: now.now(), elapsed: begun.elapsed(), ..walk })
+        Ok(Walk { model_time: simulation.t_end, elapsed: begun.elapsed(), ..walk })
     }
 }
 
@@ -119,7 +113,8 @@ impl Walk {
 }
 
 /// The scene, its start and its numbers.
-fn scene() -> anyhow::Result<Scene> {
+fn scene(precision: &str) -> anyhow::Result<Scene> {
     let model = gearsim::generated::MODELS.iter().map(|entry| entry.model).collect::<Vec<_>>();
-    Scene::parse("soak", "the soak scene", SCENE, &[], &model).map_err(|e| anyhow::anyhow!(e.render(100, false)))
+    Scene::parse("soak", "the soak scene", SCENE, &[format!("run.precision={precision}")], &model)
+        .map_err(|e| anyhow::anyhow!(e.render(100, false)))
 }

@@ -35,15 +35,13 @@ impl<const N: usize> Cells<N> {
         if count > MOST {
             return Err(Refusal::Cells { cells: count, most: MOST });
         }
-        let prepare = |mut index: usize| {
-            let mut k = vec![];
-            for law in laws {
-                k.push(law.pitch.level(index % law.pitch.cells()));
-                index /= law.pitch.cells();
-            }
-            Ok(Prepared::new(Cell::new(equations, &k)?, laws))
-        };
+        let prepare = |index| Ok(Prepared::new(Cell::new(equations, &levels(laws, index))?, laws));
         Ok(Cells { cells: (0..count).map(prepare).collect::<Result<_, _>>()? })
+    }
+
+    /// All of them, by their numbers.
+    pub fn all(&self) -> &[Prepared<N>] {
+        &self.cells
     }
 
     /// The cell in which the laws stand.
@@ -65,4 +63,14 @@ impl<const N: usize> Prepared<N> {
 #[inline]
 pub fn index<const N: usize>(laws: &[Law<N>]) -> usize {
     laws.iter().rev().fold(0, |index, law| index * law.pitch.cells() + law.cell)
+}
+
+/// The law values in a cell, by its number.
+pub fn levels<const N: usize>(laws: &[Law<N>], mut index: usize) -> Vec<f64> {
+    let level = |law: &Law<N>| {
+        let place = index % law.pitch.cells();
+        index /= law.pitch.cells();
+        law.pitch.level(place)
+    };
+    laws.iter().map(level).collect()
 }

@@ -1,37 +1,44 @@
-//! Time that loses no digits: the sum of many short flights, compensated.
+//! Time that loses no digits: the sum of many short flights as a double-double number.
 
-/// A time as the unevaluated sum of two numbers [s].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Clock {
-    high: f64,
-    low: f64,
+use xprec::Df64;
+
+/// A time [s].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock(Df64);
+
+impl Default for Clock {
+    fn default() -> Self {
+        Clock(Df64::from(0.0))
+    }
 }
 
 impl Clock {
-    /// Advances by `dt`. Knuth's two-sum (The Art of Computer Programming, vol. 2, 4.2.2).
+    /// Advances by `dt` [s].
     #[inline]
-    pub fn advance(&mut self, dt: f64) {
-        let dt = dt + self.low;
-        let sum = self.high + dt;
-        let part = sum - self.high;
-        self.low = (self.high - (sum - part)) + (dt - part);
-        self.high = sum;
+    pub fn advance(&mut self, dt: impl Into<Df64>) {
+        self.0 += dt.into();
     }
 
     /// Sets the clock to a time exactly.
     pub fn set(&mut self, t: f64) {
-        *self = Clock { high: t, low: 0.0 };
+        self.0 = Df64::from(t);
     }
 
     /// The time, rounded [s].
     #[inline]
     pub fn now(&self) -> f64 {
-        self.high
+        self.0.hi()
+    }
+
+    /// Time from now until `t`, rounded [s].
+    #[inline]
+    pub fn until(&self, t: impl Into<Df64>) -> f64 {
+        self.exactly_until(t).hi()
     }
 
     /// Time from now until `t` [s].
     #[inline]
-    pub fn until(&self, t: f64) -> f64 {
-        (t - self.high) - self.low
+    pub fn exactly_until(&self, t: impl Into<Df64>) -> Df64 {
+        t.into() - self.0
     }
 }

@@ -5,6 +5,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::engine::real::Real;
 use crate::model::Model;
 
 /// The equations of one model with one set of effects and one set of numbers.
@@ -87,6 +88,24 @@ pub trait Derived<const N: usize>: Sync {
     /// [SI, order of `MODEL.parameters`] and the mid value (max + min)/2 of each law; `None` where the effects
     /// contradict one another.
     fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations<N>>>;
+
+    /// The matrices of a cell with law values `k`, in numbers of the kind R; the rest as in [`Derived::equations`].
+    fn matrices<R: Real>(effects: u32, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<N, R>;
+}
+
+/// A linear cell, M q'' + C q' + K q = f, in numbers of the kind R.
+#[derive(Debug, Clone)]
+pub struct Matrices<const N: usize, R> {
+    /// M (N x N).
+    pub mass: [[R; N]; N],
+    /// M⁻¹ (N x N), where it is known in closed form.
+    pub mobility: Option<[[R; N]; N]>,
+    /// C (N x N).
+    pub damping: [[R; N]; N],
+    /// K (N x N).
+    pub stiffness: [[R; N]; N],
+    /// f (N).
+    pub load: [R; N],
 }
 
 /// M⁻¹f, for equations too large to be solved symbolically.

@@ -22,6 +22,11 @@ pub enum Refusal {
         "the damping couples the modes of a cell (by {coupling:.1e} of the largest): only modal damping is simulated"
     )]
     CoupledDamping { coupling: f64 },
+    #[error(
+        "the damping couples the modes of a cell (by {coupling:.1e} of the largest), and the compensated mode has none \
+         for such cells: set run.precision = \"plain\""
+    )]
+    CompensatedCoupling { coupling: f64 },
     #[error("`{coordinate}` starts so many pitches off that the number does not say where in a pitch it is")]
     Far { coordinate: &'static str },
     #[error(

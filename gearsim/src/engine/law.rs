@@ -1,5 +1,7 @@
 //! One stepping stiffness under way: its steps, how they switch, and where it stands between them.
 
+use xprec::Df64;
+
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
@@ -97,6 +99,18 @@ impl<const N: usize> Law<N> {
         self.pitch.level(self.pitch.beyond(self.cell, side).0) - self.level()
     }
 
+    /// The same in twice the digits.
+    pub fn exact_step(&self, side: Side) -> Df64 {
+        Df64::from(self.pitch.level(self.pitch.beyond(self.cell, side).0)) - self.level()
+    }
+
+    /// The boundary of the present cell on a side, in the coordinate less its turns.
+    #[inline]
+    pub fn boundary(&self, side: Side) -> f64 {
+        let (lower, upper) = self.bounds();
+        if side == Side::Upper { upper } else { lower }
+    }
+
     /// Boundaries of the present cell, in the coordinate less its turns.
     #[inline]
     pub fn bounds(&self) -> (f64, f64) {
@@ -130,14 +144,14 @@ impl<const N: usize> Law<N> {
     }
 
     /// When a frozen phase next meets a boundary, and which; `None` where the phase moves with the motion.
-    pub fn next_switch(&self) -> Option<(f64, Side)> {
+    pub fn next_switch(&self) -> Option<(Df64, Side)> {
         let frozen = self.frozen?;
         let (lower, upper) = self.pitch.bounds(self.cell);
-        let travelled = self.ahead as f64 * self.pitch.period();
+        let travelled = Df64::from(self.ahead as f64) * self.pitch.period();
         Some(match frozen.speed {
-            w if w > 0.0 => ((travelled + (upper - frozen.origin)) / w, Side::Upper),
-            w if w < 0.0 => ((travelled + (lower - frozen.origin)) / w, Side::Lower),
-            _ => (f64::INFINITY, Side::Upper),
+            w if w > 0.0 => ((travelled + upper - frozen.origin) / w, Side::Upper),
+            w if w < 0.0 => ((travelled + lower - frozen.origin) / w, Side::Lower),
+            _ => (f64::INFINITY.into(), Side::Upper),
         })
     }
 
@@ -145,8 +159,7 @@ impl<const N: usize> Law<N> {
     #[inline]
     pub fn snap(&self, side: Side, state: &mut State<N>) {
         if self.frozen.is_none() {
-            let (lower, upper) = self.bounds();
-            state.q[self.phase] = if side == Side::Upper { upper } else { lower };
+            state.q[self.phase] = self.boundary(side);
         }
     }
 

@@ -8,6 +8,7 @@
 pub mod cell;
 pub mod cells;
 pub mod clock;
+pub mod compensated;
 pub mod contact;
 pub mod crossing;
 pub mod equations;
@@ -19,6 +20,7 @@ pub mod modal;
 pub mod mode;
 pub mod outcome;
 pub mod phase;
+pub mod real;
 pub mod record;
 pub mod signal;
 pub mod simulate;

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
+use xprec::Df64;
 
 use crate::engine::cell::Cell;
 use crate::engine::equations::{Derived, Equations};
@@ -10,7 +11,7 @@ use crate::engine::error::{Refusal, Stop};
 use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
 use crate::model::Model;
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 use crate::trajectory::{Moment, Trajectory};
 
 /// What a run came to.
@@ -60,9 +61,25 @@ pub fn equations<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn
     D::equations(scene.effects.0, &scene.parameters, &mids).ok_or(Refusal::Effects)
 }
 
+/// Has a simulation carry state and time in twice the digits.
+///
+/// # Errors
+/// Where damping couples the modes of a cell.
+pub fn compensate<D: Derived<N>, const N: usize>(
+    simulation: &mut Simulation<'_, N>,
+    scene: &Scene,
+) -> Result<(), Refusal> {
+    let parameters: Vec<Df64> = scene.parameters.iter().copied().map(Df64::from).collect();
+    let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
+    simulation.compensate(&|k| D::matrices(scene.effects.0, &parameters, &mids, k))
+}
+
 fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
     let equations = equations::<D, N>(scene)?;
     let mut simulation = Simulation::new(scene.model, &*equations, scene)?;
+    if scene.precision == Precision::Compensated {
+        compensate::<D, N>(&mut simulation, scene)?;
+    }
     let lengths = simulation.turn_lengths();
     let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, &simulation.levels());
     let begin = ThreadTime::now();

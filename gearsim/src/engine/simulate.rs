@@ -1,12 +1,15 @@
 //! The run: solve a cell, locate its end, jump; the six steps of Oh, Grosh & Barber (2005), for any number of
 //! coordinates, stiffnesses and levels a pitch, and both directions of rotation.
 
+use xprec::Df64;
+
 use crate::engine::cell::{Flight, Point};
 use crate::engine::cells::{self, Cells, Prepared};
 use crate::engine::clock::Clock;
+use crate::engine::compensated::Compensated;
 use crate::engine::contact::{self, Contact, Ending};
 use crate::engine::crossing::{Cost, Search, Side};
-use crate::engine::equations::{Equations, Switching};
+use crate::engine::equations::{Equations, Matrices, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::guard::{self, Guard};
 use crate::engine::jump::Passage;
@@ -37,9 +40,10 @@ pub struct Counts {
 pub struct Simulation<'a, const N: usize> {
     equations: &'a dyn Equations<N>,
     cells: Cells<N>,
-    t_end: f64,
     guard: Guard,
 
+    /// End of the run [s]. May be set later, and the simulation run on.
+    pub t_end: f64,
     /// Time.
     pub clock: Clock,
     /// State.
@@ -48,6 +52,8 @@ pub struct Simulation<'a, const N: usize> {
     pub laws: Vec<Law<N>>,
     /// Phases held at a step that they cannot climb.
     contact: Option<Box<Contact<N>>>,
+    /// The state in twice the digits, if it is carried.
+    compensated: Option<Box<Compensated<N>>>,
     /// Energy lost to damping so far [J].
     pub dissipated: f64,
     /// Energy of bounces that were not followed to their ends, so far [J].
@@ -89,11 +95,21 @@ impl<'a, const N: usize> Simulation<'a, N> {
             state,
             laws,
             contact: None,
+            compensated: None,
             dissipated: 0.0,
             ignored: 0.0,
             counts: Counts::default(),
             unguarded: false,
         })
+    }
+
+    /// From here on carries state and time in twice the digits; `matrices` are those of a cell with given law values.
+    ///
+    /// # Errors
+    /// Those of [`Compensated::new`].
+    pub fn compensate(&mut self, matrices: &dyn Fn(&[Df64]) -> Matrices<N, Df64>) -> Result<(), Refusal> {
+        self.compensated = Some(Box::new(Compensated::new(matrices, &self.cells, &self.laws, &self.state)?));
+        Ok(())
     }
 
     /// Runs to the end. `recorder` notes samples at `rate` [1/s] and, if `events`, the limits at every event; `watch`
@@ -119,12 +135,12 @@ impl<'a, const N: usize> Simulation<'a, N> {
             }
             // Propagate to it.
             let (dq, dv) = flight.increments(&point);
-            let lost = flight.dissipated(&point);
+            self.dissipated += flight.dissipated(&point);
             self.counts.cost = cost;
             self.state.q += dq;
             self.state.q_dot += dv;
-            self.dissipated += lost;
-            self.clock.advance(point.t);
+            let t = if self.compensated.is_none() { point.t.into() } else { self.propagate_again(end, point.t) };
+            self.clock.advance(t);
             self.demand_numbers()?;
             // Jump: through the step, or back from it.
             if end == End::Run {
@@ -138,6 +154,27 @@ impl<'a, const N: usize> Simulation<'a, N> {
             self.guard.against_cascades(&self.clock, rate, &self.state, self.cell())?;
             watch(self.clock.now());
         }
+    }
+
+    /// Propagates in twice the digits to where the plain flight ended, after the time `t`; gives the time.
+    #[cold]
+    fn propagate_again(&mut self, end: End, t: f64) -> Df64 {
+        let Some(compensated) = &mut self.compensated else { return t.into() };
+        if self.contact.is_some() {
+            compensated.set(&self.state);
+            return t.into();
+        }
+        let cell = cells::index(&self.laws);
+        let t = match end {
+            End::Step(law, side) => match self.laws[law].next_switch() {
+                None => compensated.meet(cell, law, self.laws[law].boundary(side), t),
+                Some((switch, _)) => compensated.go(cell, self.clock.exactly_until(switch)),
+            },
+            End::Hold(..) => compensated.go(cell, t.into()),
+            End::Run => compensated.go(cell, self.clock.exactly_until(self.t_end)),
+        };
+        compensated.round(&mut self.state);
+        t
     }
 
     /// How the flight ends; `point` is moved to where.
@@ -239,6 +276,17 @@ impl<'a, const N: usize> Simulation<'a, N> {
     fn arrive(&mut self, end: End) {
         if let End::Step(law, side) = end {
             self.laws[law].snap(side, &mut self.state);
+            self.place(law);
+        }
+    }
+
+    /// Has the state in twice the digits follow the plain one, whose phase has been put on a boundary.
+    #[inline]
+    fn place(&mut self, law: usize) {
+        if let Some(compensated) = &mut self.compensated
+            && self.laws[law].next_switch().is_none()
+        {
+            compensated.place(law, &self.state);
         }
     }
 
@@ -272,10 +320,18 @@ impl<'a, const N: usize> Simulation<'a, N> {
     #[inline]
     fn jump(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         let passage = match self.laws[law].switching {
-            Switching::WithJump => {
-                let dv = law::barrier(self.equations, &self.laws, law, side, &self.state);
-                self.laws[law].surface.pass(&mut self.state.q_dot, side, dv)
-            }
+            Switching::WithJump => match &mut self.compensated {
+                None => {
+                    let dv = law::barrier(self.equations, &self.laws, law, side, &self.state);
+                    self.laws[law].surface.pass(&mut self.state.q_dot, side, dv)
+                }
+                Some(compensated) => {
+                    let met = law::met(&self.laws, law, side, &self.state);
+                    let passage = compensated.pass(law, side, met.map(|i| (i, self.laws[i].exact_step(side))));
+                    compensated.round(&mut self.state);
+                    passage
+                }
+            },
             _ => Passage::Transmitted,
         };
         if passage == Passage::Transmitted {
@@ -292,12 +348,13 @@ impl<'a, const N: usize> Simulation<'a, N> {
         self.counts.cell_changes += 1;
         if let [only] = &mut self.laws[..] {
             only.enter(side, &mut self.state);
-            return;
+            return self.place(law);
         }
         let met: Vec<usize> = law::met(&self.laws, law, side, &self.state).collect();
         let phase = self.laws[law].phase;
         let turns: i64 = met.into_iter().map(|i| self.laws[i].enter(side, &mut self.state)).sum();
         self.laws.iter_mut().for_each(|law| law.follow(phase, turns));
+        self.place(law);
     }
 
     /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
@@ -323,6 +380,9 @@ impl<'a, const N: usize> Simulation<'a, N> {
             reason,
         })?;
         self.contact = contact.map(Box::new);
+        if let Some(compensated) = &mut self.compensated {
+            compensated.set(&self.state);
+        }
         self.ignored += ignored;
         Ok(())
     }

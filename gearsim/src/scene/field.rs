@@ -57,6 +57,17 @@ pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Opti
     }
 }
 
+/// Reads one name out of `allowed`, as an index; `noun` is what it is.
+pub(super) fn choice(path: &str, node: &Node, noun: &str, allowed: &[&str], report: &mut Report) -> Option<usize> {
+    let name = text(path, node, report)?;
+    let chosen = allowed.iter().position(|known| *known == name);
+    if chosen.is_none() {
+        let message = format!("there is no {noun} `{name}`");
+        report.add(&node.place, message, format!("unknown {noun}"), choices(name, allowed));
+    }
+    chosen
+}
+
 /// Reads an array of distinct names out of `allowed`, as indices; `noun` is what one of them is.
 pub(super) fn names(path: &str, node: &Node, noun: &str, allowed: &[&str], report: &mut Report) -> Option<Vec<usize>> {
     let example = format!("{:?}", &allowed[..allowed.len().min(2)]);

@@ -1,5 +1,7 @@
 //! Mesh stiffness laws: the levels of one pitch.
 
+use xprec::Df64;
+
 use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::{Step, Stiffness, field, keys, measure};
@@ -11,8 +13,20 @@ const PITCH_TOLERANCE: f64 = 1e-9;
 impl Stiffness {
     /// Half-way between the greatest and the least level [unit of the law].
     pub fn mid(&self) -> f64 {
+        let (greatest, least) = self.extremes();
+        (greatest + least) / 2.0
+    }
+
+    /// The same in twice the digits.
+    pub fn exact_mid(&self) -> Df64 {
+        let (greatest, least) = self.extremes();
+        (Df64::from(greatest) + least) * 0.5
+    }
+
+    /// The greatest and the least level.
+    fn extremes(&self) -> (f64, f64) {
         let levels = || self.steps.iter().map(|step| step.value);
-        (levels().fold(f64::NEG_INFINITY, f64::max) + levels().fold(f64::INFINITY, f64::min)) / 2.0
+        (levels().fold(f64::NEG_INFINITY, f64::max), levels().fold(f64::INFINITY, f64::min))
     }
 
     /// Average over one pitch [unit of the law].

@@ -23,6 +23,7 @@
 //!
 //! [run]
 //! t_end = "0.1 s"
+//! precision = "plain"                         # default; or "compensated": state and time in twice the digits
 //!
 //! [output]
 //! rate = "20 kHz"                             # default: 10000 samples in the whole run
@@ -78,10 +79,22 @@ pub struct Scene {
     pub start: Beginning,
     /// End of the run [s].
     pub t_end: f64,
+    /// Digits in which the state is carried.
+    pub precision: Precision,
     /// What is recorded and drawn.
     pub output: Output,
     /// SHA-256 of the scene's text and overrides, in hexadecimal: names the scene in every output.
     pub hash: String,
+}
+
+/// Digits in which a run carries its state, its time and the constants of its cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Precision {
+    /// Those of f64.
+    #[default]
+    Plain,
+    /// Twice as many.
+    Compensated,
 }
 
 /// A set of effects: bit `i` is `model.effects[i]`.

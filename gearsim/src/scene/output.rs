@@ -1,9 +1,11 @@
 //! `[run]` and `[output]`: how long a run takes, and what is kept of it.
 
-use super::document::{Entry, Node};
+use super::document::{Entry, Node, Value};
 use super::error::Report;
-use super::{Output, PLOTS, field, keys, measure};
+use super::{Output, PLOTS, Precision, field, keys, measure};
 
+/// Keys of `[run]`.
+pub(super) const RUN_KEYS: [&str; 2] = ["t_end", "precision"];
 /// Keys of `[output]`.
 pub(super) const KEYS: [&str; 4] = ["rate", "events", "plots", "csv"];
 
@@ -23,7 +25,7 @@ pub(super) fn read_run(entries: &[Entry], absent: &mut Vec<(&str, String)>, repo
         return None;
     };
     let given = field::table("run", run, report)?;
-    keys::known(given, "[run]", &["t_end"], report);
+    keys::known(given, "[run]", &RUN_KEYS, report);
     let Some(node) = keys::get(given, "t_end") else {
         let line = "t_end = \"... s\"".to_string();
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
@@ -39,6 +41,17 @@ pub(super) fn read_run(entries: &[Entry], absent: &mut Vec<(&str, String)>, repo
     };
     measure::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
     None
+}
+
+/// Reads the precision of the run, which may be left out.
+pub(super) fn read_precision(entries: &[Entry], report: &mut Report) -> Option<Precision> {
+    let run = keys::get(entries, "run").map(|run| &run.value);
+    let Some(Value::Table(run)) = run else { return Some(Precision::Plain) };
+    let Some(node) = keys::get(run, "precision") else { return Some(Precision::Plain) };
+    match field::choice("run.precision", node, "precision", &["plain", "compensated"], report)? {
+        0 => Some(Precision::Plain),
+        _ => Some(Precision::Compensated),
+    }
 }
 
 /// Reads `[output]`, all of which may be left out.

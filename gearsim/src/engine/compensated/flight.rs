@@ -1,0 +1,100 @@
+//! The motion in a cell in twice the digits, and the instant at which a phase meets a boundary.
+
+use nalgebra::SVector;
+use xprec::Df64;
+
+use crate::engine::compensated::cell::Cell;
+
+/// A state in twice the digits.
+#[derive(Debug, Clone, Copy)]
+pub struct State<const N: usize> {
+    /// Coordinates, less whole pitches (N).
+    pub q: SVector<Df64, N>,
+    /// Speeds (N).
+    pub q_dot: SVector<Df64, N>,
+}
+
+/// The motion in a cell from a given state on.
+pub struct Flight<'a, const N: usize> {
+    cell: &'a Cell<N>,
+    start: State<N>,
+    /// Modal speeds at the start.
+    speed: SVector<Df64, N>,
+    /// Modal forces g - omega² xi at the start.
+    force: SVector<Df64, N>,
+}
+
+/// Newton's method from 16 digits needs one step; near a graze a few.
+const MOST_STEPS: usize = 8;
+/// A step this short, in the fastest time of the cell and of the approach, is taken by the Taylor polynomial of second
+/// order: its cube is 1e-30.
+const NEAR: f64 = 1e-10;
+
+impl<'a, const N: usize> Flight<'a, N> {
+    /// The motion from `start` on.
+    pub fn new(cell: &'a Cell<N>, start: State<N>) -> Self {
+        let speed = cell.momentum * start.q_dot;
+        let xi = cell.momentum * start.q;
+        let force = SVector::from_fn(|i, _| cell.load[i] - cell.modes[i].omega2 * xi[i]);
+        Flight { cell, start, speed, force }
+    }
+
+    /// xi(t) - xi(0) and xi'(t) - xi'(0) of the modes.
+    fn modal(&self, t: Df64) -> (SVector<Df64, N>, SVector<Df64, N>) {
+        let (mut moved, mut gained) = (SVector::from_element(t), SVector::from_element(t));
+        for (i, mode) in self.cell.modes.iter().enumerate() {
+            let (s1, s2) = mode.response(t);
+            let (v, f) = (self.speed[i], self.force[i]);
+            moved[i] = v * s1 + f * s2;
+            gained[i] = (f - mode.sigma * v * 2.0) * s1 - mode.omega2 * v * s2;
+        }
+        (moved, gained)
+    }
+
+    /// Modal speeds, accelerations and their rates.
+    fn rates(&self, moved: &SVector<Df64, N>, gained: &SVector<Df64, N>) -> [SVector<Df64, N>; 3] {
+        let v = self.speed + gained;
+        let modes = &self.cell.modes;
+        let a = SVector::from_fn(|i, _| self.force[i] - modes[i].omega2 * moved[i] - modes[i].sigma * v[i] * 2.0);
+        let jerk = SVector::from_fn(|i, _| -(modes[i].omega2 * v[i] + modes[i].sigma * a[i] * 2.0));
+        [v, a, jerk]
+    }
+
+    fn state(&self, moved: &SVector<Df64, N>, gained: &SVector<Df64, N>) -> State<N> {
+        State { q: self.start.q + self.cell.shapes * moved, q_dot: self.start.q_dot + self.cell.shapes * gained }
+    }
+
+    /// The state after the time `t` [s].
+    pub fn at(&self, t: Df64) -> State<N> {
+        let (moved, gained) = self.modal(t);
+        self.state(&moved, &gained)
+    }
+
+    /// The time near `t` [s] at which coordinate `phase` is at `boundary`, and the state there. Where there is none, which
+    /// is a touch within the tolerance of the plain search, `t` and the state then.
+    pub fn meet(&self, phase: usize, boundary: f64, t: f64) -> (Df64, State<N>) {
+        let weight = |i: usize| self.cell.shapes[(phase, i)];
+        let along = |x: &SVector<Df64, N>| (0..N).fold(Df64::from(0.0), |sum, i| sum + weight(i) * x[i]);
+        let (gap, begun) = (Df64::from(boundary) - self.start.q[phase], Df64::from(t));
+        let mut t = begun;
+        for _ in 0..MOST_STEPS {
+            let (mut moved, mut gained) = self.modal(t);
+            let [v, a, jerk] = self.rates(&moved, &gained);
+            let (gap, rate) = (gap - along(&moved), along(&v));
+            let newton = gap / rate;
+            // Of the root of gap - rate dt - bend dt²/2, what Newton's step lacks.
+            let lacking = 0.5 * along(&a).hi() * newton.hi() / rate.hi();
+            let dt = newton - newton * lacking;
+            if !dt.hi().is_finite() {
+                break;
+            }
+            if dt.hi().abs() * self.cell.rate <= NEAR && lacking.abs() <= NEAR {
+                moved += (v + a * (dt * 0.5)) * dt;
+                gained += (a + jerk * (dt * 0.5)) * dt;
+                return (t + dt, self.state(&moved, &gained));
+            }
+            t += dt;
+        }
+        (begun, self.at(begun))
+    }
+}

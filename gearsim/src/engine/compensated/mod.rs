@@ -1,0 +1,142 @@
+//! The compensated mode: states, times and the constants of cells as double-double numbers, 32 digits.
+//!
+//! What limits a run in plain numbers is the rounding of its state at each event, amplified from there on, and that of the
+//! cells' constants, which makes energy drift. The plain engine goes on deciding which boundary is met first, and on which
+//! side; where it is met, the state there and the jump are then worked out anew in twice the digits. The numbers of the
+//! scene are taken as they are read: the constants follow from them by the derived equations in the same arithmetic
+//! (Dekker, Numer. Math. 18, 1971; Hida, Li & Bailey, ARITH-15, 2001).
+//!
+//! While a phase is held at a step the run is in plain numbers.
+
+mod cell;
+mod flight;
+mod mode;
+
+use nalgebra::{SMatrix, SVector};
+use xprec::Df64;
+
+use crate::engine::cells::{Cells, levels};
+use crate::engine::crossing::Side;
+use crate::engine::equations::Matrices;
+use crate::engine::error::Refusal;
+use crate::engine::jump::Passage;
+use crate::engine::law::Law;
+use crate::engine::record;
+
+use cell::Cell;
+use flight::{Flight, State};
+
+/// The cells of a scene and its state, in twice the digits.
+#[derive(Debug, Clone)]
+pub struct Compensated<const N: usize> {
+    cells: Vec<Cell<N>>,
+    surfaces: Vec<Surface<N>>,
+    state: State<N>,
+}
+
+/// One law's steps.
+#[derive(Debug, Clone)]
+struct Surface<const N: usize> {
+    /// Coordinate that is its phase.
+    phase: usize,
+    /// G.
+    compliance: Df64,
+    /// M⁻¹n / G (N).
+    direction: SVector<Df64, N>,
+    /// K per unit of the law.
+    stiffness: SMatrix<Df64, N, N>,
+}
+
+impl<const N: usize> Compensated<N> {
+    /// Takes the plain `cells`, `laws` and `state` on from their digits; `matrices` are those of a cell with given law
+    /// values.
+    ///
+    /// # Errors
+    /// Where damping couples the modes.
+    pub fn new(
+        matrices: &dyn Fn(&[Df64]) -> Matrices<N, Df64>,
+        cells: &Cells<N>,
+        laws: &[Law<N>],
+        state: &record::State<N>,
+    ) -> Result<Self, Refusal> {
+        let wide = |k: Vec<f64>| k.into_iter().map(Df64::from).collect::<Vec<_>>();
+        let cell = |i: usize| Cell::new(&matrices(&wide(levels(laws, i))), &cells.all()[i].cell);
+        let done = (0..cells.all().len()).map(cell).collect::<Result<Vec<_>, _>>()?;
+        let unit = |l: usize| wide((0..laws.len()).map(|i| f64::from(u8::from(i == l))).collect());
+        let none = matrices(&wide(vec![0.0; laws.len()]));
+        let surface = |l: usize| {
+            let with = matrices(&unit(l));
+            // Column `phase` of M⁻¹ = X Xᵀ: the phase is a coordinate, n its unit vector.
+            let phase = laws[l].phase;
+            let x = &done[0].shapes;
+            let column: SVector<Df64, N> = SVector::from_fn(|i, _| x.row(i).dot(&x.row(phase)));
+            let compliance = column[phase];
+            Surface {
+                phase,
+                compliance,
+                direction: column.map(|w| w / compliance),
+                stiffness: SMatrix::from_fn(|i, j| with.stiffness[i][j] - none.stiffness[i][j]),
+            }
+        };
+        let surfaces = (0..laws.len()).map(surface).collect();
+        Ok(Compensated { cells: done, surfaces, state: State::of(state) })
+    }
+
+    /// Takes on a state in plain numbers.
+    pub fn set(&mut self, state: &record::State<N>) {
+        self.state = State::of(state);
+    }
+
+    /// Puts the phase of a law where the plain state has it, exactly.
+    pub fn place(&mut self, law: usize, state: &record::State<N>) {
+        let phase = self.surfaces[law].phase;
+        self.state.q[phase] = Df64::from(state.q[phase]);
+    }
+
+    /// Rounds to plain numbers.
+    pub fn round(&self, state: &mut record::State<N>) {
+        state.q = self.state.q.map(Df64::hi);
+        state.q_dot = self.state.q_dot.map(Df64::hi);
+    }
+
+    /// Moves on in a cell for the time `t` [s]; gives the time.
+    pub fn go(&mut self, cell: usize, t: Df64) -> Df64 {
+        self.state = Flight::new(&self.cells[cell], self.state).at(t);
+        t
+    }
+
+    /// Moves on in a cell to where the phase of a law is at `boundary`, which is after about the time `t` [s]; gives the time.
+    pub fn meet(&mut self, cell: usize, law: usize, boundary: f64, t: f64) -> Df64 {
+        let flight = Flight::new(&self.cells[cell], self.state);
+        let (t, state) = flight.meet(self.surfaces[law].phase, boundary, t);
+        self.state = state;
+        t
+    }
+
+    /// Changes the speeds at the step of `law` met on the way to `side`, as [`crate::engine::jump::Surface::pass`] does;
+    /// `steps` are the laws that step there, and by how much.
+    pub fn pass(&mut self, law: usize, side: Side, steps: impl Iterator<Item = (usize, Df64)>) -> Passage {
+        let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
+        let q = &self.state.q;
+        // V is a quadratic form in q between two steps, and linear in the laws.
+        let dv = steps.fold(Df64::from(0.0), |sum, (l, dk)| sum + q.dot(&(self.surfaces[l].stiffness * q)) * dk * 0.5);
+        let v = self.state.q_dot[*phase];
+        let lost = *compliance * dv * 2.0;
+        let square = v * v - lost;
+        if square.hi() < 0.0 {
+            self.state.q_dot += direction * (v * -2.0);
+            return Passage::Reflected;
+        }
+        let after = square.sqrt();
+        if after.hi() > 0.0 || v.hi() != 0.0 {
+            self.state.q_dot += direction * (-lost * side.sign() / (after + v.abs()));
+        }
+        Passage::Transmitted
+    }
+}
+
+impl<const N: usize> State<N> {
+    fn of(state: &record::State<N>) -> State<N> {
+        State { q: state.q.map(Df64::from), q_dot: state.q_dot.map(Df64::from) }
+    }
+}
