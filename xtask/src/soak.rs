@@ -10,6 +10,9 @@ pub struct Soak {
     /// Cell changes and reflections to run for, e.g. 1e8.
     #[arg(long, default_value = "1e8")]
     events: String,
+    /// Digits in which the state is carried: compensated or plain.
+    #[arg(long, default_value = "compensated")]
+    precision: String,
 }
 
 impl Soak {
@@ -17,7 +20,7 @@ impl Soak {
     pub fn run(&self) -> anyhow::Result<()> {
         let mut command = Command::new(env!("CARGO"));
         command.args(["run", "--quiet", "--release", "--package", "gearsim", "--example", "soak", "--"]);
-        let status = command.args(["--events", &self.events]).status().context("cannot start cargo")?;
+        let status = command.args(["--events", &self.events, "--precision", &self.precision]).status().context("cannot start cargo")?;
         if !status.success() {
             bail!("the energy account does not hold; the message is above");
         }
