@@ -1,7 +1,7 @@
 //! Where a result comes from, as every file says it.
 
 use crate::output::summary::Provenance;
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 
 /// The commit that the program was built from, where known.
 const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
@@ -13,7 +13,10 @@ pub(super) fn of(scene: &Scene, overrides: &[String]) -> Provenance {
         version: env!("CARGO_PKG_VERSION").into(),
         commit: COMMIT.map(Into::into),
         scene_sha256: scene.hash.clone(),
-        solver: "exact cells, guaranteed first crossing".into(),
+        solver: match scene.precision {
+            Precision::Plain => "exact cells, guaranteed first crossing".into(),
+            Precision::Compensated => "exact cells, guaranteed first crossing, in twice the digits".into(),
+        },
         overrides: overrides.to_vec(),
     }
 }
