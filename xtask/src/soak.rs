@@ -20,7 +20,10 @@ impl Soak {
     pub fn run(&self) -> anyhow::Result<()> {
         let mut command = Command::new(env!("CARGO"));
         command.args(["run", "--quiet", "--release", "--package", "gearsim", "--example", "soak", "--"]);
-        let status = command.args(["--events", &self.events, "--precision", &self.precision]).status().context("cannot start cargo")?;
+        let status = command
+            .args(["--events", &self.events, "--precision", &self.precision])
+            .status()
+            .context("cannot start cargo")?;
         if !status.success() {
             bail!("the energy account does not hold; the message is above");
         }

@@ -18,11 +18,11 @@ pub struct Cell<const N: usize> {
     /// Mode shapes X, one a column: q = X xi.
     pub shapes: SMatrix<f64, N, N>,
     /// Xᵀ M: modal speeds from speeds.
-    momentum: SMatrix<f64, N, N>,
+    pub momentum: SMatrix<f64, N, N>,
     /// Xᵀ K, zero in the rows of rigid modes: modal spring forces from coordinates.
-    springs: SMatrix<f64, N, N>,
+    pub springs: SMatrix<f64, N, N>,
     /// Xᵀ f: modal loads.
-    load: SVector<f64, N>,
+    pub load: SVector<f64, N>,
     /// Bound on the rates of its modes [1/s].
     pub rate: f64,
 }

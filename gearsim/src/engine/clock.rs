@@ -4,7 +4,7 @@ use xprec::Df64;
 
 /// A time [s].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clock(Df64);
+pub struct Clock(pub Df64);
 
 impl Default for Clock {
     fn default() -> Self {

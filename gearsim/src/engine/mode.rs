@@ -109,6 +109,11 @@ impl Mode {
         }
     }
 
+    /// Coefficients of dt², ..., dt⁶ in S1(dt).
+    pub fn series(&self) -> [f64; 5] {
+        self.series
+    }
+
     /// y'' = -2 sigma y' - omega² y: the derivative of a motion that follows two others.
     #[inline]
     pub fn next(&self, y: f64, y_dot: f64) -> f64 {
@@ -143,7 +148,7 @@ impl Mode {
 
     fn heavily_damped_or_short(&self, t: f64) -> Response {
         if self.rate * t < SHORT {
-            return self.series(t);
+            return self.by_series(t);
         }
         match self.kind {
             Kind::Critical { d } => {
@@ -163,7 +168,7 @@ impl Mode {
     }
 
     /// Taylor series: S1'' + 2 sigma S1' + omega² S1 = 0 term by term.
-    fn series(&self, t: f64) -> Response {
+    fn by_series(&self, t: f64) -> Response {
         let (a, b) = (2.0 * self.sigma * t, self.omega2 * t * t);
         let (mut previous, mut term) = (0.0, t); // c_{k-1} t^{k-1}, c_k t^k
         let (mut s1, mut s2) = (t, 0.5 * t * t);

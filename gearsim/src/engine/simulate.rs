@@ -123,37 +123,53 @@ impl<'a, const N: usize> Simulation<'a, N> {
         watch: &mut dyn FnMut(f64),
     ) -> Result<(), Stop> {
         let mut sample = 0;
-        loop {
-            // Solve: the motion in this cell, in closed form.
-            let here = self.contact.as_ref().map_or_else(|| self.cells.at(&self.laws), |contact| &contact.left);
-            let flight = here.cell.flight(&self.state.q, &self.state.q_dot);
-            // Locate: its end.
-            let (mut point, mut cost) = (flight.begin(), self.counts.cost);
-            let end = self.locate(here, &flight, &mut point, &mut cost)?;
-            if let Some((recorder, rate, _)) = &mut recorder {
-                self.samples(&flight, point.t, *rate, &mut sample, recorder);
-            }
-            // Propagate to it.
-            let (dq, dv) = flight.increments(&point);
-            self.dissipated += flight.dissipated(&point);
-            self.counts.cost = cost;
-            self.state.q += dq;
-            self.state.q_dot += dv;
-            let t = if self.compensated.is_none() { point.t.into() } else { self.propagate_again(end, point.t) };
-            self.clock.advance(t);
-            self.demand_numbers()?;
-            // Jump: through the step, or back from it.
-            if end == End::Run {
-                self.clock.set(self.t_end);
-                self.meet_at_the_end(&mut recorder)?;
-                recorder.into_iter().for_each(|(recorder, ..)| self.note(recorder, Moment::Sample));
-                return Ok(());
-            }
-            self.pass(end, &mut recorder)?;
-            let rate = self.cells.at(&self.laws).cell.rate;
-            self.guard.against_cascades(&self.clock, rate, &self.state, self.cell())?;
+        while !self.step(&mut recorder, &mut sample)? {
             watch(self.clock.now());
         }
+        Ok(())
+    }
+
+    /// Goes on to the next event, or to the end of the run; tells whether that was it. `sample` is the next one to note.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::run`].
+    #[inline]
+    pub fn step(
+        &mut self,
+        recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>,
+        sample: &mut u64,
+    ) -> Result<bool, Stop> {
+        // Solve: the motion in this cell, in closed form.
+        let here = self.contact.as_ref().map_or_else(|| self.cells.at(&self.laws), |contact| &contact.left);
+        let flight = here.cell.flight(&self.state.q, &self.state.q_dot);
+        // Locate: its end.
+        let (mut point, mut cost) = (flight.begin(), self.counts.cost);
+        let end = self.locate(here, &flight, &mut point, &mut cost)?;
+        if let Some((recorder, rate, _)) = recorder {
+            self.samples(&flight, point.t, *rate, sample, recorder);
+        }
+        // Propagate to it.
+        let (dq, dv) = flight.increments(&point);
+        self.dissipated += flight.dissipated(&point);
+        self.counts.cost = cost;
+        self.state.q += dq;
+        self.state.q_dot += dv;
+        let t = if self.compensated.is_none() { point.t.into() } else { self.propagate_again(end, point.t) };
+        self.clock.advance(t);
+        self.demand_numbers()?;
+        // Jump: through the step, or back from it.
+        if end == End::Run {
+            self.clock.set(self.t_end);
+            self.meet_at_the_end(recorder)?;
+            if let Some((recorder, ..)) = recorder {
+                self.note(recorder, Moment::Sample);
+            }
+            return Ok(true);
+        }
+        self.pass(end, recorder)?;
+        let rate = self.cells.at(&self.laws).cell.rate;
+        self.guard.against_cascades(&self.clock, rate, &self.state, self.cell())?;
+        Ok(false)
     }
 
     /// Propagates in twice the digits to where the plain flight ended, after the time `t`; gives the time.
@@ -406,6 +422,23 @@ impl<'a, const N: usize> Simulation<'a, N> {
 
     fn note(&self, recorder: &mut Recorder<'_, N>, moment: Moment) {
         recorder.row(self.clock.now(), moment, &self.state, &self.levels(), (self.dissipated, self.ignored));
+    }
+
+    /// Its equations.
+    pub fn equations(&self) -> &'a dyn Equations<N> {
+        self.equations
+    }
+
+    /// Its cells.
+    pub fn cells(&self) -> &Cells<N> {
+        &self.cells
+    }
+
+    /// Whether its next event could be a plain one: one stiffness whose phase rolls with the motion, nothing held, nothing
+    /// carried in more digits.
+    pub fn is_plain(&self) -> bool {
+        let rolls = |law: &Law<N>| law.turn() > 0.0 && law.switching != Switching::Never && law.next_switch().is_none();
+        matches!(&self.laws[..], [law] if rolls(law)) && self.contact.is_none() && self.compensated.is_none()
     }
 
     /// The cell: the place of each law in its pitch, the first law's counting fastest.

@@ -1,0 +1,63 @@
+//! Time per cell change of many scenes side by side, beside the same scenes one after the other.
+//!
+//! `cargo bench -p gearsim --bench ensemble`: 64 gear pairs about the 4500 rpm scene of the paper, one core.
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use gearsim::engine::equations::{Derived, Equations};
+use gearsim::engine::simulate::Simulation;
+use gearsim::ensemble;
+use gearsim::generated::gear_pair::GearPair;
+use gearsim::scene::Scene;
+
+/// Scenes in the ensemble.
+const SCENES: u32 = 64;
+
+fn main() {
+    divan::main();
+}
+
+/// Scenes that differ in torque and speed.
+fn scenes() -> Vec<(Scene, Box<dyn Equations<2>>)> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/oh2005/spectrum_4500rpm_exact.toml");
+    let scene = |i: u32| {
+        let overrides = [
+            "run.t_end=1.0 s".to_string(),
+            format!("parameters.T0={} N*m", 5.0 + 0.2 * f64::from(i)),
+            format!("start.speed={} rpm", 4000 + 20 * i),
+        ];
+        let scene = Scene::load(path.as_ref(), &overrides, &[&GearPair::MODEL]);
+        let scene = scene.unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+        let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
+        (scene, equations.expect("the scene was checked"))
+    };
+    (0..SCENES).map(scene).collect()
+}
+
+fn simulations(scenes: &[(Scene, Box<dyn Equations<2>>)]) -> Vec<Simulation<'_, 2>> {
+    scenes.iter().map(|(scene, e)| Simulation::new(scene.model, &**e, scene).expect("the scene is sound")).collect()
+}
+
+fn changes(simulations: &[Simulation<'_, 2>]) -> u64 {
+    simulations.iter().map(|s| s.counts.cell_changes).sum()
+}
+
+fn bench(bencher: Bencher, run: impl Fn(&mut [Simulation<'_, 2>])) {
+    let scenes = scenes();
+    let mut once = simulations(&scenes);
+    run(&mut once);
+    bencher
+        .counter(ItemsCount::new(changes(&once)))
+        .with_inputs(|| simulations(&scenes))
+        .bench_local_refs(|all| run(all));
+}
+
+#[divan::bench]
+fn side_by_side(bencher: Bencher) {
+    bench(bencher, |all| assert!(ensemble::run(all).iter().all(Result::is_ok)));
+}
+
+#[divan::bench]
+fn one_by_one(bencher: Bencher) {
+    bench(bencher, |all| all.iter_mut().for_each(|s| s.run(None, &mut |_| {}).expect("the run ends")));
+}

@@ -1,0 +1,160 @@
+//! The cells of eight scenes side by side: what the propagation of a lane needs, gathered by the cell that each lane is in.
+
+use crate::engine::cell::Cell;
+use crate::engine::crossing::Side;
+use crate::engine::mode::Mode;
+use crate::engine::simulate::Simulation;
+use crate::ensemble::pack::{LANES, Pack};
+
+/// One mode of eight cells.
+#[derive(Debug, Clone, Copy)]
+pub struct Modes {
+    /// Half the damping, sigma [1/s].
+    pub sigma: Pack,
+    /// omega² [1/s²].
+    pub omega2: Pack,
+    /// 1/omega² [s²], 0 for a rigid mode.
+    pub per_omega2: Pack,
+    /// w, the damped angular frequency [1/s].
+    pub w: Pack,
+    /// 1/w [s], 0 for a rigid mode.
+    pub per_w: Pack,
+    /// 1/omega [s]: bound on S1.
+    pub gain: Pack,
+    /// Coefficients of dt², ..., dt⁶ in S1(dt).
+    pub series: [Pack; 5],
+    /// n.X: its part in the phase.
+    pub part: Pack,
+}
+
+/// A cell of eight scenes.
+#[derive(Debug, Clone, Copy)]
+pub struct Cells<const N: usize> {
+    /// Its modes.
+    pub modes: [Modes; N],
+    /// X (N x N).
+    pub shapes: [[Pack; N]; N],
+    /// XᵀM (N x N).
+    pub momentum: [[Pack; N]; N],
+    /// XᵀK (N x N).
+    pub springs: [[Pack; N]; N],
+    /// Xᵀf (N).
+    pub load: [Pack; N],
+    /// Bound on the rates of its modes [1/s].
+    pub rate: Pack,
+    /// Lower and upper boundary.
+    pub bounds: [Pack; 2],
+    /// The phase on entering the cell beyond each.
+    pub entered: [Pack; 2],
+    /// The stiffness matrix beyond each less that of the cell, halved (N x N): dV = q.D q.
+    pub step: [[[Pack; N]; N]; 2],
+}
+
+impl<const N: usize> Cells<N> {
+    /// With zeros in every lane.
+    pub fn empty() -> Self {
+        let zero = Pack::all(0.0);
+        let mode = Modes {
+            sigma: zero,
+            omega2: zero,
+            per_omega2: zero,
+            w: zero,
+            per_w: zero,
+            gain: zero,
+            series: [zero; 5],
+            part: zero,
+        };
+        Cells {
+            modes: [mode; N],
+            shapes: [[zero; N]; N],
+            momentum: [[zero; N]; N],
+            springs: [[zero; N]; N],
+            load: [zero; N],
+            rate: zero,
+            bounds: [zero; 2],
+            entered: [zero; 2],
+            step: [[[zero; N]; N]; 2],
+        }
+    }
+
+    /// Fills a lane with cell `place` of the only law of a simulation.
+    pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_, N>, place: usize) {
+        let (law, cells) = (&simulation.laws[0], simulation.cells());
+        let prepared = &cells.all()[place];
+        let cell: &Cell<N> = &prepared.cell;
+        let matrix = |to: &mut [[Pack; N]; N], of: &dyn Fn(usize, usize) -> f64| {
+            (0..N).for_each(|i| (0..N).for_each(|j| to[i][j].0[lane] = of(i, j)));
+        };
+        matrix(&mut self.shapes, &|i, j| cell.shapes[(i, j)]);
+        matrix(&mut self.momentum, &|i, j| cell.momentum[(i, j)]);
+        matrix(&mut self.springs, &|i, j| cell.springs[(i, j)]);
+        for (i, mode) in cell.modes.iter().enumerate() {
+            self.modes[i].fill(lane, mode, prepared.participation[0][i]);
+            self.load[i].0[lane] = cell.load[i];
+        }
+        self.rate.0[lane] = cell.rate;
+        let (lower, upper) = law.pitch.bounds(place);
+        for (i, (side, bound)) in [(Side::Lower, lower), (Side::Upper, upper)].into_iter().enumerate() {
+            let (beyond, entered, _) = law.pitch.beyond(place, side);
+            self.bounds[i].0[lane] = bound;
+            self.entered[i].0[lane] = entered;
+            let stiffness = |place| simulation.equations().stiffness(&[law.pitch.level(place)]);
+            let (there, here) = (stiffness(beyond), stiffness(place));
+            matrix(&mut self.step[i], &|i, j| 0.5 * (there[i][j] - here[i][j]));
+        }
+    }
+
+    /// The lanes of `tables`, each from the cell that it is in.
+    #[inline(always)]
+    pub fn gather(tables: &[Cells<N>], at: &[usize; LANES]) -> Cells<N> {
+        let mut gathered = tables[0];
+        for (place, table) in tables.iter().enumerate().skip(1) {
+            let here = std::array::from_fn(|lane| at[lane] == place);
+            gathered.each(table, |mine, theirs| *mine = theirs.or(here, *mine));
+        }
+        gathered
+    }
+
+    /// Every number of this with its like of the other.
+    #[inline(always)]
+    fn each(&mut self, other: &Self, mut f: impl FnMut(&mut Pack, &Pack)) {
+        for i in 0..N {
+            let (m, o) = (&mut self.modes[i], &other.modes[i]);
+            f(&mut m.sigma, &o.sigma);
+            f(&mut m.omega2, &o.omega2);
+            f(&mut m.per_omega2, &o.per_omega2);
+            f(&mut m.w, &o.w);
+            f(&mut m.per_w, &o.per_w);
+            f(&mut m.gain, &o.gain);
+            (0..5).for_each(|k| f(&mut m.series[k], &o.series[k]));
+            f(&mut m.part, &o.part);
+            f(&mut self.load[i], &other.load[i]);
+            for j in 0..N {
+                f(&mut self.shapes[i][j], &other.shapes[i][j]);
+                f(&mut self.momentum[i][j], &other.momentum[i][j]);
+                f(&mut self.springs[i][j], &other.springs[i][j]);
+                (0..2).for_each(|side| f(&mut self.step[side][i][j], &other.step[side][i][j]));
+            }
+        }
+        f(&mut self.rate, &other.rate);
+        (0..2).for_each(|side| {
+            f(&mut self.bounds[side], &other.bounds[side]);
+            f(&mut self.entered[side], &other.entered[side]);
+        });
+    }
+}
+
+impl Modes {
+    fn fill(&mut self, lane: usize, mode: &Mode, part: f64) {
+        let w = mode.damped_frequency();
+        let inverse = |x: f64| if x > 0.0 { 1.0 / x } else { 0.0 };
+        self.sigma.0[lane] = mode.sigma;
+        self.omega2.0[lane] = mode.omega2;
+        self.per_omega2.0[lane] = inverse(mode.omega2);
+        self.w.0[lane] = w;
+        self.per_w.0[lane] = inverse(w);
+        self.gain.0[lane] = inverse(mode.omega2.sqrt());
+        mode.series().iter().enumerate().for_each(|(k, c)| self.series[k].0[lane] = *c);
+        self.part.0[lane] = part;
+    }
+}

@@ -1,0 +1,97 @@
+//! e^x - 1, sine and cosine of eight numbers at once, without a branch, to an ulp or two.
+//!
+//! Argument reduction by Cody & Waite (Software Manual for the Elementary Functions, 1980) with constants in two and three
+//! parts; on the reduced arguments the Taylor polynomial of the exponential, and the minimax polynomials of fdlibm (Sun
+//! Microsystems, 1993) for sine and cosine.
+
+use std::f64::consts::{FRAC_2_PI, LOG2_E};
+
+use crate::ensemble::pack::{LANES, Pack};
+
+/// 1.5 * 2^52: added to a number of moderate size, it rounds it to a whole one, which then is in the lowest bits.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+/// ln 2 in two parts, the first with trailing zeros: its small multiples are exact.
+const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
+/// pi/2 in three parts.
+const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
+/// Largest argument of [`sin_cos`] for which the reduction is exact to rounding.
+pub const LARGEST_ANGLE: f64 = 1e5;
+
+/// e^x - 1 for -700 <= x <= 700.
+#[inline(always)]
+pub fn exp_m1(x: Pack) -> Pack {
+    x.map(|x| {
+        let rounded = x * LOG2_E + ROUND;
+        let k = rounded - ROUND;
+        let t = (x - k * LN_2[0]) - k * LN_2[1];
+        // 2^k, by its exponent.
+        let power = f64::from_bits(rounded.to_bits().wrapping_add(1023) << 52);
+        let mut tail = 1.0 / 6_227_020_800.0;
+        for factorial in
+            [479_001_600.0, 39_916_800.0, 3_628_800.0, 362_880.0, 40_320.0, 5_040.0, 720.0, 120.0, 24.0, 6.0, 2.0]
+        {
+            tail = tail * t + 1.0 / factorial;
+        }
+        (power - 1.0) + power * (t + t * t * tail)
+    })
+}
+
+/// Sine and cosine for |x| <= [`LARGEST_ANGLE`].
+#[inline(always)]
+pub fn sin_cos(x: Pack) -> (Pack, Pack) {
+    let (mut sine, mut cosine) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        let rounded = x.0[i] * FRAC_2_PI + ROUND;
+        let quadrant = rounded.to_bits();
+        let k = rounded - ROUND;
+        let y = ((x.0[i] - k * HALF_PI[0]) - k * HALF_PI[1]) - k * HALF_PI[2];
+        let z = y * y;
+        let s = y + y
+            * z
+            * (-0.166_666_666_666_666_32
+                + z * (0.008_333_333_333_322_49
+                    + z * (-0.000_198_412_698_298_579_5
+                        + z * (2.755_731_370_707_006_8e-6
+                            + z * (-2.505_076_025_340_686_3e-8 + z * 1.589_690_995_211_55e-10)))));
+        let c = 1.0 - 0.5 * z
+            + z * z
+                * (0.041_666_666_666_666_6
+                    + z * (-0.001_388_888_888_887_411
+                        + z * (2.480_158_728_947_673e-5
+                            + z * (-2.755_731_435_139_066_3e-7
+                                + z * (2.087_572_321_298_175e-9 + z * -1.135_964_755_778_819_5e-11)))));
+        let (a, b) = if quadrant & 1 == 0 { (s, c) } else { (c, s) };
+        sine[i] = if quadrant & 2 == 0 { a } else { -a };
+        cosine[i] = if quadrant.wrapping_add(1) & 2 == 0 { b } else { -b };
+    }
+    (Pack(sine), Pack(cosine))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest difference from the standard library's, in units of the last place of 1 or of the value.
+    fn worst(from: f64, to: f64, of: impl Fn(Pack) -> Pack, standard: impl Fn(f64) -> f64, relative: bool) -> f64 {
+        let mut worst: f64 = 0.0;
+        for n in 0..20_000 {
+            let x = from + (to - from) * (f64::from(n) + 0.37) / 20_000.0;
+            let (got, want) = (of(Pack::all(x)).0[n as usize % LANES], standard(x));
+            let unit = f64::EPSILON * if relative { want.abs() } else { 1.0 };
+            worst = worst.max((got - want).abs() / unit);
+        }
+        worst
+    }
+
+    #[test]
+    fn they_are_those_of_the_standard_library_to_a_rounding_or_two() {
+        assert!(worst(-600.0, 2.0, exp_m1, f64::exp_m1, true) <= 2.0);
+        assert!(worst(-1e-3, 1e-3, exp_m1, f64::exp_m1, true) <= 2.0);
+        for end in [1.0, 100.0, LARGEST_ANGLE] {
+            assert!(worst(-end, end, |x| sin_cos(x).0, f64::sin, false) <= 1.0, "sine up to {end}");
+            assert!(worst(-end, end, |x| sin_cos(x).1, f64::cos, false) <= 1.0, "cosine up to {end}");
+        }
+        // Relative to themselves where they are small.
+        assert!(worst(-1e-3, 1e-3, |x| sin_cos(x).0, f64::sin, true) <= 1.0);
+    }
+}

@@ -1,0 +1,115 @@
+//! The motion in a cell, eight lanes at once: [`crate::engine::cell::Flight`] without its cases. A lane that would need
+//! one is left to the scalar engine.
+
+use crate::ensemble::cells::{Cells, Modes};
+use crate::ensemble::elementary::{exp_m1, sin_cos};
+use crate::ensemble::pack::Pack;
+
+/// The motion from a given state on.
+pub struct Flight<'a, const N: usize> {
+    cells: &'a Cells<N>,
+    /// Modal speeds at the start.
+    pub speed: [Pack; N],
+    /// Modal forces at the start.
+    force: [Pack; N],
+}
+
+/// What one mode answers, and how far it has moved.
+#[derive(Clone, Copy)]
+pub struct Point {
+    s1: Pack,
+    s2: Pack,
+    decay: Pack,
+    /// xi(t) - xi(0).
+    pub moved: Pack,
+    /// xi'(t) - xi'(0).
+    pub gained: Pack,
+}
+
+impl<'a, const N: usize> Flight<'a, N> {
+    #[inline(always)]
+    pub fn new(cells: &'a Cells<N>, q: &[Pack; N], q_dot: &[Pack; N]) -> Self {
+        let (mut speed, mut force) = ([Pack::all(0.0); N], cells.load);
+        for i in 0..N {
+            for j in 0..N {
+                speed[i] = speed[i] + cells.momentum[i][j] * q_dot[j];
+                force[i] = force[i] - cells.springs[i][j] * q[j];
+            }
+        }
+        Flight { cells, speed, force }
+    }
+
+    /// Acceleration of mode `i` at the start.
+    #[inline(always)]
+    pub fn acceleration(&self, i: usize) -> Pack {
+        self.force[i] - 2.0 * self.cells.modes[i].sigma * self.speed[i]
+    }
+
+    /// Mode `i` after the time `t`; rigid where `rigid`.
+    #[inline(always)]
+    pub fn at(&self, i: usize, rigid: bool, t: Pack) -> Point {
+        let Modes { sigma, w, per_w, per_omega2, .. } = self.cells.modes[i];
+        if rigid {
+            return self.point(i, t, 0.5 * t * t, Pack::all(0.0));
+        }
+        let decay = exp_m1(-(sigma * t));
+        let (h, c) = sin_cos(0.5 * w * t);
+        let e = 1.0 + decay;
+        let s1 = 2.0 * h * c * e * per_w;
+        self.point(i, s1, (2.0 * h * h * e - decay - sigma * s1) * per_omega2, decay)
+    }
+
+    /// The same a short time `dt` on from `at`, `t` being the time there: by the series of S1(dt), S2(dt).
+    #[inline(always)]
+    pub fn shifted(&self, i: usize, rigid: bool, at: &Point, t: Pack, dt: Pack) -> Point {
+        if rigid {
+            return self.at(i, true, t + dt);
+        }
+        let Modes { sigma, omega2, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
+        let (a, b) = (2.0 * sigma, omega2);
+        let s1 = dt * (1.0 + dt * (c2 + dt * (c3 + dt * (c4 + dt * (c5 + dt * c6)))));
+        let tail = c3 * 0.25 + dt * (c4 * 0.2 + dt * (c5 * (1.0 / 6.0) + dt * c6 * (1.0 / 7.0)));
+        let s2 = dt * dt * (0.5 + dt * (c2 * (1.0 / 3.0) + dt * tail));
+        let x = -(sigma * dt);
+        let decay = x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));
+        let (speed, force) = (1.0 - a * at.s1 - b * at.s2, -(b * at.s1));
+        self.point(
+            i,
+            at.s1 + speed * s1 + force * s2,
+            at.s2 + at.s1 * s1 + (1.0 - b * at.s2) * s2,
+            at.decay + (1.0 + at.decay) * decay,
+        )
+    }
+
+    #[inline(always)]
+    fn point(&self, i: usize, s1: Pack, s2: Pack, decay: Pack) -> Point {
+        let (v, f, mode) = (self.speed[i], self.force[i], &self.cells.modes[i]);
+        let gained = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * v * s2;
+        Point { s1, s2, decay, moved: v * s1 + f * s2, gained }
+    }
+
+    /// Speed, acceleration, jerk and snap of mode `i` at a point.
+    #[inline(always)]
+    pub fn derivatives(&self, i: usize, point: &Point) -> [Pack; 4] {
+        let Modes { sigma, omega2, .. } = self.cells.modes[i];
+        let next = |y: Pack, y_dot: Pack| -(2.0 * sigma * y_dot) - omega2 * y;
+        let v = self.speed[i] + point.gained;
+        let a = self.force[i] - omega2 * point.moved - 2.0 * sigma * v;
+        let jerk = next(v, a);
+        [v, a, jerk, next(a, jerk)]
+    }
+
+    /// Energy lost to damping in mode `i` until a point [J], as [`crate::engine::mode::Mode::speed_squared`] has it.
+    #[inline(always)]
+    pub fn dissipated(&self, i: usize, point: &Point) -> Pack {
+        let Modes { sigma, omega2, per_omega2, w, per_w, .. } = self.cells.modes[i];
+        let v = self.speed[i];
+        let b = (self.acceleration(i) + sigma * v) * per_w;
+        let (sine, lacking) = (w * point.s1, omega2 * point.s2 + sigma * point.s1);
+        let (x1, x2) = (2.0 * sine * (1.0 - lacking), lacking * (2.0 - lacking) + sine * sine);
+        let flat = -(point.decay * (2.0 + point.decay));
+        let cosines = sigma * (sigma * x2 + w * x1) * per_omega2;
+        let sines = sigma * (w * x2 - sigma * x1) * per_omega2;
+        0.5 * (v * v + b * b) * flat + 0.5 * (v * v - b * b) * cosines + v * b * sines
+    }
+}

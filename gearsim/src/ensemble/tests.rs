@@ -1,0 +1,104 @@
+//! An ensemble against the same simulations one by one.
+
+use super::*;
+use crate::engine::equations::{Derived, Equations};
+use crate::generated::gear_pair::GearPair;
+use crate::scene::Scene;
+
+const SCENE: &str = r#"
+model = "gear_pair"
+effects = ["stiffness_step", "damping", "torques"]
+[parameters]
+I1 = "2890 kg*mm^2"
+I2 = "740200 kg*mm^2"
+zeta = 0.05
+T0 = "10 N*m"
+[laws.k]
+steps = [{ value = "1.43 kN*m", width = "1.73 rad" }, { value = "2.78 kN*m" }]
+[start]
+speed = "300 rpm"
+[run]
+t_end = "0.1 s"
+"#;
+
+type Prepared = (Scene, Box<dyn Equations<2>>);
+
+fn prepare(overrides: &[String]) -> Prepared {
+    let scene = Scene::parse("ensemble", "a test", SCENE, overrides, &[&GearPair::MODEL]).unwrap();
+    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]).unwrap();
+    (scene, equations)
+}
+
+fn simulations(scenes: &[Prepared]) -> Vec<Simulation<'_, 2>> {
+    scenes.iter().map(|(scene, e)| Simulation::new(scene.model, &**e, scene).unwrap()).collect()
+}
+
+/// Runs scenes both ways; same events, and states that differ by at most `tolerance` of their sizes.
+fn check(scenes: &[Prepared], tolerance: f64) {
+    let (mut alone, mut together) = (simulations(scenes), simulations(scenes));
+    let ended: Vec<_> = alone.iter_mut().map(|s| s.run(None, &mut |_| {})).collect();
+    assert_eq!(run(&mut together), ended);
+    for ((alone, together), (scene, _)) in alone.iter().zip(&together).zip(scenes) {
+        let (a, b) = (&alone.counts, &together.counts);
+        assert_eq!((a.cell_changes, a.reflections, a.holds), (b.cell_changes, b.reflections, b.holds), "{scene:?}");
+        assert_eq!((alone.state.turns, alone.clock), (together.state.turns, together.clock));
+        let speeds = alone.state.q_dot.amax();
+        let apart = [
+            (alone.state.q[0] - together.state.q[0]).abs(),
+            (alone.state.q[1] - together.state.q[1]).abs() / 0.01,
+            (alone.state.q_dot - together.state.q_dot).amax() / speeds,
+            (alone.dissipated - together.dissipated).abs() / (alone.dissipated + 1.0),
+        ];
+        assert!(apart.iter().all(|x| *x <= tolerance), "{apart:?} of {scene:?}");
+    }
+}
+
+#[test]
+fn lanes_go_through_the_events_of_the_scalar_engine() {
+    // Fast and slow, forwards and backwards, with reflections, of different lengths, more than there are lanes. Roundings
+    // differ, and grow as disturbances do: by 1e4 or so in such runs.
+    let scene = |i: u32| {
+        let speed = [4500.0, -4000.0, 600.0, 1200.0, -300.0, 5123.0, 2000.0][i as usize % 7];
+        prepare(&[
+            format!("start.speed={speed} rpm"),
+            format!("run.t_end={} s", 0.05 + 0.003 * f64::from(i)),
+            format!("parameters.T0={} N*m", 2.0 + f64::from(i % 5)),
+        ])
+    };
+    check(&(0..43).map(scene).collect::<Vec<_>>(), 1e-9);
+}
+
+#[test]
+fn what_fits_no_lane_is_run_all_the_same() {
+    let effects = |effects: &str| prepare(&[format!("effects=[{effects}]"), "start.speed=900 rpm".into()]);
+    let overdamped = prepare(&["parameters.zeta=3".into()]);
+    let scenes = [
+        effects(r#""stiffness_step", "torques""#),
+        effects(r#""stiffness_step", "frozen_phase", "damping", "torques""#),
+        effects(r#""stiffness_step", "rigid_kinematics", "damping", "torques""#),
+        effects(r#""torques""#),
+        overdamped,
+        effects(""),
+    ];
+    check(&scenes, 1e-11);
+}
+
+#[test]
+fn a_lane_does_not_feel_its_neighbours() {
+    let speeds = [4500.0, 4321.0, 3999.0, 5000.0, 2500.0, 600.0, 700.0, 650.0, -800.0];
+    let scenes: Vec<_> = speeds.iter().map(|s| prepare(&[format!("start.speed={s} rpm")])).collect();
+    let mut all = simulations(&scenes);
+    run(&mut all);
+    for (i, together) in all.iter().enumerate() {
+        let mut one = simulations(&scenes[i..=i]);
+        run(&mut one);
+        let apart = (one[0].state.q_dot - together.state.q_dot).amax() / one[0].state.q_dot.amax();
+        // In step with others or not, Newton's method begins elsewhere: the last bits may differ.
+        assert!(apart < 1e-11, "{apart:e} at {} rpm", speeds[i]);
+    }
+}
+
+#[test]
+fn an_empty_ensemble_is_one() {
+    assert!(run::<2>(&mut []).is_empty());
+}
