@@ -162,7 +162,7 @@ impl<const N: usize> Lanes<N> {
                 t = t + dt;
                 break;
             }
-            t = t + dt.zip(t, |dt, t| dt.clamp(-0.5 * t, t));
+            t = t + dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
             points = std::array::from_fn(|i| flight.at(i, self.rigid[i], t));
         }
         sure = and(and(sure, done), t.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left));
