@@ -4,7 +4,7 @@ use crate::engine::cell::Cell;
 use crate::engine::crossing::Side;
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
-use crate::ensemble::pack::{LANES, Pack};
+use crate::ensemble::pack::{LANES, Mask, Pack};
 
 /// One mode of eight cells.
 #[derive(Debug, Clone, Copy)]
@@ -109,7 +109,7 @@ impl<const N: usize> Cells<N> {
     pub fn gather(tables: &[Cells<N>], at: &[usize; LANES]) -> Cells<N> {
         let mut gathered = tables[0];
         for (place, table) in tables.iter().enumerate().skip(1) {
-            let here = std::array::from_fn(|lane| at[lane] == place);
+            let here = Mask::of(|lane| at[lane] == place);
             gathered.each(table, |mine, theirs| *mine = theirs.or(here, *mine));
         }
         gathered

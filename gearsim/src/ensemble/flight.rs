@@ -3,7 +3,7 @@
 
 use crate::ensemble::cells::{Cells, Modes};
 use crate::ensemble::elementary::{exp_m1, sin_cos};
-use crate::ensemble::pack::Pack;
+use crate::ensemble::pack::{LANES, Pack};
 
 /// The motion from a given state on.
 pub struct Flight<'a, const N: usize> {
@@ -26,6 +26,14 @@ pub struct Point {
     pub gained: Pack,
 }
 
+impl Point {
+    /// Not moved.
+    const STILL: Point = {
+        let zero = Pack([0.0; LANES]);
+        Point { s1: zero, s2: zero, decay: zero, moved: zero, gained: zero }
+    };
+}
+
 impl<'a, const N: usize> Flight<'a, N> {
     #[inline(always)]
     pub fn new(cells: &'a Cells<N>, q: &[Pack; N], q_dot: &[Pack; N]) -> Self {
@@ -45,9 +53,29 @@ impl<'a, const N: usize> Flight<'a, N> {
         self.force[i] - 2.0 * self.cells.modes[i].sigma * self.speed[i]
     }
 
+    /// Every mode after the time `t`. Loops, not `array::from_fn`: what is not inlined is compiled for any processor.
+    #[inline(always)]
+    pub fn all_at(&self, rigid: &[bool; N], t: Pack) -> [Point; N] {
+        let mut points = [Point::STILL; N];
+        for i in 0..N {
+            points[i] = self.at(i, rigid[i], t);
+        }
+        points
+    }
+
+    /// Every mode a short time `dt` on from where it was at the time `t`, by the series of S1(dt), S2(dt).
+    #[inline(always)]
+    pub fn all_shifted(&self, rigid: &[bool; N], from: &[Point; N], t: Pack, dt: Pack) -> [Point; N] {
+        let mut points = [Point::STILL; N];
+        for i in 0..N {
+            points[i] = self.shifted(i, rigid[i], &from[i], t, dt);
+        }
+        points
+    }
+
     /// Mode `i` after the time `t`; rigid where `rigid`.
     #[inline(always)]
-    pub fn at(&self, i: usize, rigid: bool, t: Pack) -> Point {
+    fn at(&self, i: usize, rigid: bool, t: Pack) -> Point {
         let Modes { sigma, w, per_w, per_omega2, .. } = self.cells.modes[i];
         if rigid {
             return self.point(i, t, 0.5 * t * t, Pack::all(0.0));
@@ -59,9 +87,8 @@ impl<'a, const N: usize> Flight<'a, N> {
         self.point(i, s1, (2.0 * h * h * e - decay - sigma * s1) * per_omega2, decay)
     }
 
-    /// The same a short time `dt` on from `at`, `t` being the time there: by the series of S1(dt), S2(dt).
     #[inline(always)]
-    pub fn shifted(&self, i: usize, rigid: bool, at: &Point, t: Pack, dt: Pack) -> Point {
+    fn shifted(&self, i: usize, rigid: bool, at: &Point, t: Pack, dt: Pack) -> Point {
         if rigid {
             return self.at(i, true, t + dt);
         }

@@ -11,7 +11,7 @@ use crate::engine::simulate::Simulation;
 use crate::ensemble::cells::Cells;
 use crate::ensemble::elementary::LARGEST_ANGLE;
 use crate::ensemble::flight::{Flight, Point};
-use crate::ensemble::pack::{LANES, Mask, Pack, and};
+use crate::ensemble::pack::{LANES, Mask, Pack};
 
 /// The state of eight simulations, in arrays.
 pub struct Lanes<const N: usize> {
@@ -121,17 +121,17 @@ impl<const N: usize> Lanes<N> {
 
         // Certainty: the steady part of the phase's speed outweighs all that the oscillations can do.
         let (mut drift, mut wobble) = (Pack::all(0.0), Pack::all(0.0));
-        let mut sure = [true; LANES];
+        let mut sure = Mask::of(|_| true);
         for i in 0..N {
             let (c, v, a) = (cells.modes[i].part, flight.speed[i], flight.acceleration(i));
             if self.rigid[i] {
                 drift = drift + c * v;
-                sure = and(sure, (c * a).compare(c, |a, _| a == 0.0));
+                sure = sure.and((c * a).compare(c, |a, _| a == 0.0));
             } else {
                 wobble = wobble + c.abs() * (v.abs() + a.abs() * cells.modes[i].gain);
             }
         }
-        sure = and(sure, drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
+        sure = sure.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
         let up = drift.compare(drift, |d, _| d > 0.0);
         let sign = Pack::all(1.0).or(up, Pack::all(-1.0));
         let boundary = cells.bounds[1].or(up, cells.bounds[0]);
@@ -141,8 +141,8 @@ impl<const N: usize> Lanes<N> {
         // Newton's method, from the time that the cell took last.
         let lateness = self.lateness(together);
         let mut t = (steady + lateness).zip(steady, |t, steady| if t > 0.0 { t } else { steady });
-        let mut points: [Point; N] = std::array::from_fn(|i| flight.at(i, self.rigid[i], t));
-        let mut done = [false; LANES];
+        let mut points = flight.all_at(&self.rigid, t);
+        let mut done = Mask::of(|_| false);
         for round in 0..MOST {
             let [s, r, a, jerk, snap] = self.signal(cells, &flight, &points, sign);
             let f = gap - s;
@@ -155,18 +155,18 @@ impl<const N: usize> Lanes<N> {
             let angle = dt.abs() * cells.rate;
             let next = a * a + j.abs();
             let lacking = (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs();
-            let near = and(angle.compare(a, |angle, a| angle <= NEAR && a.abs() < 0.1), r.compare(r, |r, _| r > 0.0));
-            done = and(near, lacking.compare(t, |l, t| l <= f64::EPSILON * t));
-            if done == sure || and(done, sure) == sure || round + 1 == MOST {
-                points = std::array::from_fn(|i| flight.shifted(i, self.rigid[i], &points[i], t, dt));
+            let near = angle.compare(a, |angle, a| (angle <= NEAR) & (a.abs() < 0.1)).and(r.compare(r, |r, _| r > 0.0));
+            done = near.and(lacking.compare(t, |l, t| l <= f64::EPSILON * t));
+            if done.covers(sure) || round + 1 == MOST {
+                points = flight.all_shifted(&self.rigid, &points, t, dt);
                 t = t + dt;
                 break;
             }
             t = t + dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
-            points = std::array::from_fn(|i| flight.at(i, self.rigid[i], t));
+            points = flight.all_at(&self.rigid, t);
         }
-        sure = and(and(sure, done), t.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left));
-        sure = and(sure, (cells.rate * t).compare(t, |angle, _| (0.5..LARGEST_ANGLE).contains(&angle)));
+        sure = sure.and(done).and(t.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left));
+        sure = sure.and((cells.rate * t).compare(t, |angle, _| (angle >= 0.5) & (angle < LARGEST_ANGLE)));
 
         // The state there, and the jump.
         let (mut q, mut q_dot, mut lost) = (self.q, self.q_dot, self.dissipated);
@@ -189,7 +189,7 @@ impl<const N: usize> Lanes<N> {
         let v = q_dot[self.phase];
         let taken = 2.0 * self.compliance * dv;
         let square = v * v - taken;
-        sure = and(sure, square.compare(v, |square, v| square > 0.0 && v.is_finite()));
+        sure = sure.and(square.compare(v, |square, v| (square > 0.0) & v.is_finite()));
         let gain = -(sign * taken) / (square.sqrt() + v.abs());
         q[self.phase] = cells.entered[1].or(up, cells.entered[0]);
 
@@ -245,7 +245,7 @@ impl<const N: usize> Lanes<N> {
             *kept = lateness.or(sure, *kept);
             return;
         }
-        for lane in (0..LANES).filter(|lane| sure[*lane]) {
+        for lane in (0..LANES).filter(|lane| sure.says(*lane)) {
             self.lateness[self.at[lane]].0[lane] = lateness.0[lane];
         }
     }
@@ -255,11 +255,11 @@ impl<const N: usize> Lanes<N> {
     fn enter(&mut self, up: Mask, sure: Mask) {
         let last = self.tables.len() - 1;
         for lane in 0..LANES {
-            if !sure[lane] {
+            if !sure.says(lane) {
                 continue;
             }
             self.changes[lane] += 1;
-            (self.at[lane], self.turns[lane]) = match (up[lane], self.at[lane]) {
+            (self.at[lane], self.turns[lane]) = match (up.says(lane), self.at[lane]) {
                 (true, at) if at == last => (0, self.turns[lane] + 1),
                 (true, at) => (at + 1, self.turns[lane]),
                 (false, 0) => (last, self.turns[lane] - 1),

@@ -32,9 +32,9 @@ pub fn run<const N: usize>(simulations: &mut [Simulation<'_, N>]) -> Vec<Result<
     while let Some(lanes) = &mut ensemble.lanes
         && ensemble.held.iter().any(Option::is_some)
     {
-        let active = ensemble.held.map(|held| held.is_some());
+        let active = Mask::of(|lane| ensemble.held[lane].is_some());
         let passed = Arch::new().dispatch(Advance { lanes, active });
-        for lane in (0..LANES).filter(|&lane| active[lane] && !passed[lane]) {
+        for lane in (0..LANES).filter(|lane| active.says(*lane) && !passed.says(*lane)) {
             ensemble.by_itself(lane);
         }
     }
@@ -65,7 +65,7 @@ impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
     fn call(self) -> Mask {
         loop {
             let passed = self.lanes.pass();
-            if (0..LANES).any(|lane| self.active[lane] && !passed[lane]) {
+            if !passed.covers(self.active) {
                 return passed;
             }
         }

@@ -11,8 +11,48 @@ pub const LANES: usize = 8;
 #[repr(align(64))]
 pub struct Pack(pub [f64; LANES]);
 
-/// A yes or no for each lane.
-pub type Mask = [bool; LANES];
+/// A yes or no for each lane: all bits, or none, as processors have it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub struct Mask([u64; LANES]);
+
+impl Mask {
+    /// From a yes or no for each lane.
+    #[inline(always)]
+    pub fn of(lanes: impl Fn(usize) -> bool) -> Mask {
+        let mut result = [0; LANES];
+        for i in 0..LANES {
+            result[i] = 0_u64.wrapping_sub(u64::from(lanes(i)));
+        }
+        Mask(result)
+    }
+
+    /// Whether a lane says yes.
+    #[inline(always)]
+    pub fn says(self, lane: usize) -> bool {
+        self.0[lane] != 0
+    }
+
+    /// Lanes for which both hold.
+    #[inline(always)]
+    pub fn and(self, other: Mask) -> Mask {
+        let mut result = [0; LANES];
+        for i in 0..LANES {
+            result[i] = self.0[i] & other.0[i];
+        }
+        Mask(result)
+    }
+
+    /// Whether every lane of `other` is one of these.
+    #[inline(always)]
+    pub fn covers(self, other: Mask) -> bool {
+        let mut lacking = 0;
+        for i in 0..LANES {
+            lacking |= other.0[i] & !self.0[i];
+        }
+        lacking == 0
+    }
+}
 
 impl Pack {
     /// The same number in every lane.
@@ -52,11 +92,7 @@ impl Pack {
     /// Whether `test` holds, lane by lane.
     #[inline(always)]
     pub fn compare(self, other: Pack, test: impl Fn(f64, f64) -> bool) -> Mask {
-        let mut result = [false; LANES];
-        for i in 0..LANES {
-            result[i] = test(self.0[i], other.0[i]);
-        }
-        result
+        Mask::of(|i| test(self.0[i], other.0[i]))
     }
 
     /// This where `mask` says so, the other elsewhere.
@@ -64,20 +100,11 @@ impl Pack {
     pub fn or(self, mask: Mask, other: Pack) -> Pack {
         let mut result = [0.0; LANES];
         for i in 0..LANES {
-            result[i] = if mask[i] { self.0[i] } else { other.0[i] };
+            let bits = (self.0[i].to_bits() & mask.0[i]) | (other.0[i].to_bits() & !mask.0[i]);
+            result[i] = f64::from_bits(bits);
         }
         Pack(result)
     }
-}
-
-/// Lanes for which both hold.
-#[inline(always)]
-pub fn and(a: Mask, b: Mask) -> Mask {
-    let mut result = [false; LANES];
-    for i in 0..LANES {
-        result[i] = a[i] & b[i];
-    }
-    result
 }
 
 macro_rules! operator {
