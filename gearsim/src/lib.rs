@@ -15,4 +15,5 @@ pub mod model;
 pub mod output;
 pub mod plot;
 pub mod scene;
+pub mod sweep;
 pub mod trajectory;
