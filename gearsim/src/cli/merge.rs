@@ -17,8 +17,8 @@ use crate::sweep::{manifest, merge};
 #[command(
     name = "merge",
     after_help = "\
-Refuses shards of different sweeps, and shards that lack a point or have one twice; it says which. The result is the same,
-byte for byte, as if one machine had run all points.
+Refuses shards of different sweeps, and shards that lack a point or have one twice; it says which.
+The result is the same, byte for byte, as if one machine had run all points.
 
 Example:
   gearsim merge shard1 shard2 shard3 --out whole --map phi_max"

@@ -15,42 +15,14 @@ use super::{Verb, provenance, terminal};
 use crate::generated::MODELS;
 use crate::output::OutputFolder;
 use crate::sweep::folder::{self, Folder};
+use crate::sweep::record::GROUPS;
 use crate::sweep::{Manifest, Request, Shard, Sweep};
 pub(super) use pictures::Pictures;
 pub(super) use report::{Done, said};
 
 /// Run a scene at many points, and put one row each into a table
 #[derive(Parser)]
-#[command(
-    name = "sweep",
-    after_help = "\
-Values of an axis:
-  KEY=A:B:N              N values from A to B, evenly, both included
-  KEY=log:A:B:N          N values in equal ratios
-  KEY=V1,V2,V3           these
-  KEY=uniform:A:B        random ones, as many as --samples says; log-uniform:A:B likewise
-Numbers without a unit are in the SI unit of the key. Of several axes the last counts fastest.
-
-Writes sweep.parquet, one row a point in this order, sweep.json and plots. A point that cannot be simulated is a row with
-its reason. Interrupted, the same command goes on where it was. The bytes of the result depend neither on the number of
-threads nor on interruptions and shards.
-
-What can be recorded:
-  events    time reached, cell changes, reflections, holds, grazes, ambiguous steps, time of the first reflection
-  state     every coordinate and speed at the end
-  energy    the account at the end: kinetic, strain, work, dissipated, residual, energy_at_start, ignored
-  extremes  of every coordinate and speed, after --from: phi_min, phi_max, phi_mean, phi_rms (about the mean)
-  peak      the highest line of each spectrum, after --from: phi_peak_frequency, phi_peak_density
-Extremes and peaks need samples at output.rate, which take longer than the motion itself: a sweep without them is faster.
-
-Examples:
-  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=1:100:50
-  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --map reflections \\
-      --vary parameters.T0=\"log:1 N*m:500 N*m:50\" --vary start.speed=\"100 rpm:6000 rpm:60\"
-  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"uniform:100 rpm:900 rpm\" --samples 1000
-  gearsim sweep SCENE --vary KEY=A:B:N --shard 2/8 --out shard2      on the second of eight machines; then
-  gearsim merge shard1 shard2 shard3 shard4 shard5 shard6 shard7 shard8 --out whole"
-)]
+#[command(name = "sweep", after_help = after_help())]
 pub(super) struct SweepCommand {
     /// The scene: a TOML file
     scene: PathBuf,
@@ -86,6 +58,38 @@ pub(super) struct SweepCommand {
     /// Say nothing unless something is wrong
     #[arg(long, short)]
     quiet: bool,
+}
+
+/// What stands below the options; the groups of quantities say themselves what they have.
+fn after_help() -> String {
+    let groups = GROUPS.iter().map(|group| format!("  {:<10}{}\n", group.name, group.doc)).collect::<String>();
+    format!(
+        "\
+Values of an axis:
+  KEY=A:B:N              N values from A to B, evenly, both included
+  KEY=log:A:B:N          N values in equal ratios
+  KEY=V1,V2,V3           these
+  KEY=uniform:A:B        random ones, as many as --samples says; log-uniform:A:B likewise
+Numbers without a unit are in the SI unit of the key. Of several axes the last counts fastest.
+
+Writes sweep.parquet, one row a point in this order, sweep.json and plots. A point that cannot be
+simulated is a row with its reason. Interrupted, the same command goes on where it was. The bytes of
+the result depend neither on the number of threads nor on interruptions and shards.
+
+What can be recorded:
+{groups}extremes and peak need samples at output.rate, which take longer than the motion itself: a sweep
+without them is faster.
+
+Examples:
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=1:100:50
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --map first_reflection \\
+      --vary parameters.T0=\"log:1 N*m:500 N*m:50\" --vary start.speed=\"100 rpm:6000 rpm:60\"
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --samples 1000 \\
+      --vary start.speed=\"uniform:100 rpm:900 rpm\"
+  on the second of eight machines, and then, with all their folders, on one:
+  gearsim sweep SCENE --vary KEY=A:B:N --shard 2/8 --out shard2
+  gearsim merge shard1 shard2 shard3 shard4 shard5 shard6 shard7 shard8 --out whole"
+    )
 }
 
 impl Verb for SweepCommand {

@@ -10,8 +10,10 @@ use crate::sweep::spectra::Line;
 pub const PLOT: SweepPlot =
     SweepPlot { name: "waterfall", doc: "spectra of a coordinate over the one quantity that was varied", draw };
 
-/// Densities below this part of the highest are not told apart, and frequencies beyond which all are, not shown.
+/// Densities below this part of the highest are not told apart.
 const FLOOR: f64 = 1e-7;
+/// Frequencies are shown up to the last line that is more than this part of the highest.
+const SHOWN: f64 = 1e-5;
 /// Cells over the frequencies; more than can be seen are not drawn.
 const ROWS: usize = 215;
 
@@ -29,7 +31,8 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
         return Err(nothing(format!("no point has a spectrum of `{}`", study.quantity)));
     }
     let floor = FLOOR * peak;
-    let highest = |line: &&Line| line.density.iter().rposition(|p| *p > floor).map_or(0.0, |i| line.frequency[i]);
+    let highest =
+        |line: &&Line| line.density.iter().rposition(|p| *p > SHOWN * peak).map_or(0.0, |i| line.frequency[i]);
     let top = there().map(highest).fold(0.0, f64::max);
 
     let mut order: Vec<(f64, Option<&Line>)> = places(study, 0).into_iter().zip(lines.iter().copied()).collect();

@@ -12,12 +12,13 @@ use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
 use crate::sweep::plan::Plan;
+use crate::sweep::record;
 
 /// Which plots to draw.
 #[derive(Args)]
 pub(in crate::cli) struct Pictures {
     /// Draws a recorded quantity over the varied ones: a map over two, a curve over one; may be repeated
-    /// [default: the first coordinate's maximum, where it is recorded]
+    /// [default: the maximum of the first coordinate that does not roll on, where it is recorded]
     #[arg(long, value_name = "QUANTITY")]
     map: Vec<String>,
     /// Keeps the spectra at all points, and draws them over the one quantity that is varied
@@ -65,8 +66,7 @@ impl Pictures {
         let mut folder = OutputFolder::create(path)?;
         let mut jobs: Vec<(&plot::SweepPlot, String)> = vec![];
         if drawable(&layout.plan) {
-            let default = layout.columns.iter().map(|(name, _)| name).find(|name| name.ends_with("_max"));
-            let maps = if self.map.is_empty() { default.into_iter().cloned().collect() } else { self.map.clone() };
+            let maps = if self.map.is_empty() { default(layout).into_iter().collect() } else { self.map.clone() };
             jobs.extend(maps.into_iter().map(|name| (&plot::map::PLOT, name)));
         }
         if self.waterfall {
@@ -94,6 +94,13 @@ impl Pictures {
         }
         Ok(folder.files().to_vec())
     }
+}
+
+/// What is drawn if nobody says what: the greatest value of the first coordinate that does not roll on.
+fn default(layout: &Layout) -> Option<String> {
+    let coordinate = record::elastic(layout.model).into_iter().next()?;
+    let name = format!("{}_max", layout.model.coordinates[coordinate].name);
+    layout.columns.iter().any(|(column, _)| *column == name).then_some(name)
 }
 
 /// Whether the plan is one that can be drawn: one or two axes of numbers.

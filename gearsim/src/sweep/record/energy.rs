@@ -7,7 +7,7 @@ use crate::output::summary::Energy;
 
 pub(super) const GROUP: Group = Group {
     name: "energy",
-    doc: "the energy account at the end: kinetic, strain, work, dissipated, residual, at the start, ignored",
+    doc: "kinetic, strain, work, dissipated, residual, energy_at_start, ignored",
     samples: false,
     limits: false,
     columns,

@@ -7,7 +7,7 @@ use crate::trajectory::Moment;
 
 pub(super) const GROUP: Group = Group {
     name: "events",
-    doc: "time reached, cell changes, reflections, holds, grazes, ambiguous steps, time of the first reflection",
+    doc: "t_end, cell_changes, reflections, holds, grazes, ambiguous, first_reflection",
     samples: false,
     limits: true,
     columns,

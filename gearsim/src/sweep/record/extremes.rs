@@ -8,7 +8,7 @@ use crate::trajectory::Moment;
 
 pub(super) const GROUP: Group = Group {
     name: "extremes",
-    doc: "least, greatest, mean and rms (about the mean) of every coordinate and speed, after --from",
+    doc: "of every coordinate and speed after --from: phi_min, phi_max, phi_mean, phi_rms",
     samples: true,
     limits: true,
     columns,

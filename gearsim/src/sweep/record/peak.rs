@@ -7,7 +7,7 @@ use crate::sweep::spectra;
 
 pub(super) const GROUP: Group = Group {
     name: "peak",
-    doc: "frequency and density of the highest line of each spectrum, after --from",
+    doc: "of each spectrum after --from: phi_peak_frequency, phi_peak_density",
     samples: true,
     limits: false,
     columns,

@@ -6,7 +6,7 @@ use crate::model::Model;
 
 pub(super) const GROUP: Group = Group {
     name: "state",
-    doc: "every coordinate and speed at the end",
+    doc: "every coordinate and speed at the end: phi, phi_dot",
     samples: false,
     limits: false,
     columns,
