@@ -153,17 +153,14 @@ impl Heat {
 
 /// Edges of cells around ascending `centres`: half-way between them, on the axis as it is drawn.
 pub(super) fn edges(centres: &[f64], scale: Scale) -> Vec<f64> {
-    let (to, from): (fn(f64) -> f64, fn(f64) -> f64) = match scale {
-        Scale::Linear => (|x| x, |x| x),
-        Scale::Log10 => (f64::ln, f64::exp),
-    };
-    let c: Vec<f64> = centres.iter().map(|&x| to(x)).collect();
+    let logarithmic = scale == Scale::Log10;
+    let c: Vec<f64> = centres.iter().map(|&x| if logarithmic { x.ln() } else { x }).collect();
     let n = c.len();
     let half = |i: usize| if n > 1 { (c[i + 1] - c[i]) / 2.0 } else { 0.5 };
     let Some((first, last)) = c.first().zip(c.last()) else { return vec![] };
     let inner = c.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
     let all = [first - half(0)].into_iter().chain(inner).chain([last + half(n.saturating_sub(2))]);
-    all.map(from).collect()
+    all.map(|x| if logarithmic { x.exp() } else { x }).collect()
 }
 
 /// Places of the small ticks: on a logarithmic axis 2 to 9 in every decade.

@@ -44,9 +44,9 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
                 true => Axis::log10(label, unit),
                 false => Axis::linear(label, unit),
             };
-            let marks = match layout.plan.is_grid() {
-                true => cells(x, y, &values, (x_axis.scale, y_axis.scale)),
-                false => Marks::Dots { x: x.clone(), y: y.clone(), values },
+            let marks = match layout.plan.is_random() {
+                false => cells(x, y, &values, (x_axis.scale, y_axis.scale)),
+                true => Marks::Dots { x: x.clone(), y: y.clone(), values },
             };
             Ok(Heat { title, subtitle, x: x_axis, y: y_axis, colour, marks }.svg())
         }

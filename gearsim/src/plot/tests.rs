@@ -139,7 +139,9 @@ fn plots_of_sweeps_name_what_they_show() {
         svg.inspect(|svg| assert!(!svg.contains("NaN") && !svg.contains("inf")))
     };
     let (torque, speed) = ("parameters.T0=log:1:1000:4", "start.speed=100 rpm:300 rpm:3");
-    let cases: [(&[&str], Option<usize>, &str, &SweepPlot, &[&str]); 5] = [
+    /// What is varied, samples, what is drawn, and the words that must stand there.
+    type Case<'a> = (&'a [&'a str], Option<usize>, &'a str, &'a SweepPlot, &'a [&'a str]);
+    let cases: [Case<'_>; 5] = [
         (
             &[torque, speed],
             None,

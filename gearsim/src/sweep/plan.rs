@@ -1,7 +1,7 @@
 //! Which points a sweep has, and in which order: a grid of all values of its axes, the last axis counting fastest;
 //! with random axes so many samples at every place of the grid, counting faster still.
 
-use super::axis::{Axis, Values};
+use super::axis::Axis;
 
 /// The points of a sweep. Point `i` is a function of the plan and `i` alone.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,8 +20,7 @@ pub const MOST_POINTS: usize = 10_000_000;
 impl Plan {
     /// Number of points; `None` if there are more than [`MOST_POINTS`].
     pub fn points(&self) -> Option<usize> {
-        let counts = self.axes.iter().filter_map(Axis::count);
-        let points = counts.fold(Some(self.samples), |product, n| product?.checked_mul(n));
+        let points = self.axes.iter().filter_map(Axis::count).try_fold(self.samples, usize::checked_mul);
         points.filter(|&points| points <= MOST_POINTS)
     }
 
@@ -70,11 +69,6 @@ impl Plan {
             }
         }
         trials
-    }
-
-    /// Whether point values are all of lists and ranges, each place once.
-    pub fn is_grid(&self) -> bool {
-        self.samples == 1 && self.axes.iter().all(|axis| !matches!(axis.values, Values::Range { count: None, .. }))
     }
 
     fn assign(&self, values: Vec<String>) -> Vec<String> {
