@@ -76,11 +76,12 @@ impl Axis {
         }
     }
 
-    /// The values that stand for all when they are checked: all of a list, both ends of what is random.
+    /// The values that stand for all when they are checked: all of a list, and both ends of a range, since what a
+    /// scene admits of a number is an interval.
     pub fn samples(&self) -> Vec<String> {
         match self.values {
-            Values::Range { low, high, count: None, .. } => vec![self.written(low), self.written(high)],
-            _ => (0..self.count().unwrap_or(0)).map(|i| self.value(i, 0)).collect(),
+            Values::List(ref values) => values.clone(),
+            Values::Range { low, high, .. } => vec![self.written(low), self.written(high)],
         }
     }
 

@@ -99,7 +99,7 @@ fn impossible<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, 
 }
 
 impl Sweep {
-    /// Reads the scene in `path`, one of the models in `entries`, and checks it at every value of every axis.
+    /// Reads the scene in `path`, one of the models in `entries`, and checks it at the values of every axis.
     ///
     /// # Errors
     /// Whatever is wrong; nothing has run then.

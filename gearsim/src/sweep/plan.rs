@@ -56,7 +56,8 @@ impl Plan {
         self.assign(self.values(point))
     }
 
-    /// Points that stand for all when values are checked: every value of every axis once, the others at their first.
+    /// Points that stand for all when values are checked: every listed value and every end of a range once, the others
+    /// at their first.
     pub fn trials(&self) -> Vec<Vec<String>> {
         let samples: Vec<Vec<String>> = self.axes.iter().map(Axis::samples).collect();
         let first: Vec<String> = samples.iter().filter_map(|values| values.first().cloned()).collect();

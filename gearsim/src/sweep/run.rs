@@ -4,7 +4,7 @@
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
@@ -19,8 +19,8 @@ use crate::scene::Scene;
 const KEEP_EVERY: (f64, f64) = (2.0, 60.0);
 /// Rows that are kept before their time.
 const KEEP_ROWS: usize = 1 << 14;
-/// How often somebody is told how far it is.
-const TELL_EVERY: Duration = Duration::from_millis(100);
+/// How often rows are taken from the workers; to be woken for each would cost as much as a short run.
+const LOOK_EVERY: Duration = Duration::from_millis(2);
 
 impl Sweep {
     /// Runs `points` on `threads` threads, in any order. `keep` is given the rows from time to time, `watch` how many
@@ -44,7 +44,7 @@ impl Sweep {
         let (send, receive) = mpsc::channel();
         std::thread::scope(|scope| {
             let over = &over;
-            scope.spawn(move || {
+            let worker = scope.spawn(move || {
                 // One by one: points differ in what they cost by orders of magnitude.
                 let each = points.par_iter().with_max_len(1);
                 pool.install(|| {
@@ -59,12 +59,11 @@ impl Sweep {
             let mut gather = || {
                 let (begin, mut kept, mut rows, mut count) = (Instant::now(), Instant::now(), vec![], 0);
                 loop {
-                    let received = receive.recv_timeout(TELL_EVERY);
-                    let ended = matches!(received, Err(RecvTimeoutError::Disconnected));
-                    if let Ok(row) = received {
-                        rows.push(row);
-                        count += 1;
-                    }
+                    // Asked before the rows are taken: if it is, they are the last.
+                    let ended = worker.is_finished();
+                    let before = rows.len();
+                    rows.extend(receive.try_iter());
+                    count += rows.len() - before;
                     watch(count);
                     let often = (0.02 * begin.elapsed().as_secs_f64()).clamp(KEEP_EVERY.0, KEEP_EVERY.1);
                     if ended || rows.len() >= KEEP_ROWS || kept.elapsed().as_secs_f64() > often {
@@ -76,6 +75,7 @@ impl Sweep {
                     if ended {
                         return Ok(());
                     }
+                    std::thread::sleep(LOOK_EVERY);
                 }
             };
             let result = gather();

@@ -35,7 +35,7 @@ fn every_mistake_of_an_axis_is_named() {
         // Of the values, what a scene says of them.
         ("parameters.T0=1 rpm:2 rpm:3", "`parameters.T0` is a torque or energy"),
         ("parameters.zeta=-0.1:0.1:5", "`parameters.zeta` must not be negative, but is -0.1"),
-        ("parameters.zeta=0.1:-0.1:5", "`parameters.zeta` must not be negative, but is -0.05"),
+        ("parameters.zeta=0.1:-0.1:5", "`parameters.zeta` must not be negative, but is -0.1"),
         ("parameters.zeta=0.1,0.2,-3", "but is -3"),
         ("parameters.I1=1,0", "`parameters.I1` must be positive"),
         ("parameters.T1=1:2:3", "has no `T1`"),
