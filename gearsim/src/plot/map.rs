@@ -133,7 +133,11 @@ fn label(column: &str, model: &Model) -> String {
     }
 }
 
+/// With a capital letter, unless it begins with a formula.
 fn first_upper(words: &str) -> String {
     let mut letters = words.chars();
+    if words.split(' ').next().is_some_and(|first| first.contains('/')) {
+        return words.to_owned();
+    }
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

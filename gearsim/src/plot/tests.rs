@@ -156,7 +156,7 @@ fn plots_of_sweeps_name_what_they_show() {
             &map::PLOT,
             &["Time of the first reflection", "first reflection [s]", "[rpm]"],
         ),
-        (&["parameters.T0=uniform:1:9", speed], Some(4), "theta_dot", &map::PLOT, &["dθ/dt at the end", "12 points"]),
+        (&["parameters.T0=uniform:1:9", speed], Some(4), "theta_dot", &map::PLOT, &[">dθ/dt at the end<", "12 points"]),
         (&[speed], None, "phi", &waterfall::PLOT, &["PSD of φ [rad²/Hz]", "frequency f [Hz]", "[rpm]"]),
         (&["parameters.zeta=0.1,0.2,0.4"], None, "residual", &map::PLOT, &["zeta", "Energy unaccounted for"]),
     ];

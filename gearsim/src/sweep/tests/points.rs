@@ -94,6 +94,21 @@ fn a_point_is_the_run_that_its_values_make() {
     }
 }
 
+/// What the pages of the paper's scenes say (models/scenes/oh2005, "Loss of speed"), worked out by other code.
+#[test]
+fn the_first_reflection_is_when_the_paper_s_pages_have_it() {
+    let path = super::scene().with_file_name("spectrum_600rpm_exact.toml");
+    let all = request(&["parameters.T0=30,50"]);
+    let request = Request { overrides: vec!["run.t_end=1.6 s".into()], record: vec!["events".into()], ..all };
+    let sweep = crate::sweep::Sweep::load(&path, MODELS, &request).unwrap();
+    let column = sweep.columns().iter().position(|(name, _)| name == "first_reflection").unwrap();
+    // Three digits are printed there.
+    for (point, t, half_digit) in [(0, 1.50, 0.005), (1, 0.469, 0.0005)] {
+        let found = sweep.point(point).numbers[column];
+        assert!((found - t).abs() <= half_digit, "{found} s");
+    }
+}
+
 /// Without samples the account is the same: they only look on.
 #[test]
 fn what_is_recorded_does_not_change_the_motion() {
