@@ -168,6 +168,10 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
     if axes.is_empty() {
         return impossible("nothing is varied", "say what: --vary parameters.T0=\"1 N*m:100 N*m:50\"");
     }
+    let set = |key: &str| request.overrides.iter().any(|text| text.split('=').next().is_some_and(|k| k.trim() == key));
+    if let Some(axis) = axes.iter().find(|axis| set(&axis.key)) {
+        return impossible(format!("`{}` is set and varied", axis.key), "leave out its --set, or its --vary");
+    }
     let plan = Plan { axes, samples: request.samples.unwrap_or(1), seed: request.seed };
     match (plan.is_random(), request.samples) {
         (true, None) => impossible("random axes without a number of samples", "say how many: --samples 1000"),

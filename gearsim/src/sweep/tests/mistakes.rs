@@ -41,7 +41,7 @@ fn every_mistake_of_an_axis_is_named() {
         ("parameters.T1=1:2:3", "has no `T1`"),
         ("laws.k.steps.5.value=1 N*m,2 N*m", "no entry `5`"),
         ("effects=[\"damping\"],[\"dampning\"]", "did you mean `damping`"),
-        ("run.t_end=-1 s:1 s:3", "must be positive"),
+        ("laws.k.steps.0.value=-1:1:3", "must not be negative, but is -1 N*m"),
     ];
     for (text, expected) in cases {
         let shown = said(load(&request(&[text])).err().expect(text));
@@ -69,16 +69,33 @@ fn what_does_not_go_together_is_refused() {
         (crate::sweep::Request { record: vec!["energie".into()], ..base.clone() }, "called `energie`"),
         (crate::sweep::Request { from: 0.02, ..base.clone() }, "the run ends at 0.02 s"),
         (two("parameters.T0=1:2:9999999", "parameters.zeta=0:1:9999999"), "more than 10000000 points"),
-        (crate::sweep::Request { overrides: vec!["parameters.T0=9 m".into()], ..base }, "is a length"),
+        (crate::sweep::Request { overrides: vec!["parameters.T0 = 9 N*m".into()], ..base }, "is set and varied"),
     ];
     for (request, expected) in cases {
-        // A value that is set and varied is the varied one; what is set must make sense still.
-        match load(&request) {
-            Err(error) => {
-                let shown = said(error);
-                assert!(shown.contains(expected), "{request:?}: {shown}");
+        let shown = said(load(&request).err().unwrap());
+        assert!(shown.contains(expected), "{request:?}: {shown}");
+    }
+}
+
+/// Whatever is cut off or put in, the answer is a sweep or errors that can be shown.
+#[test]
+fn no_text_panics() {
+    let texts = [
+        " start.speed =uniform:0:3 rev/s",
+        "parameters.T0=log:1 N*m:5 kN*m:7",
+        "effects=[\"damping\", 'x'],[]",
+        "é=µ:°:3",
+    ];
+    for text in texts {
+        for cut in (0..=text.len()).filter(|cut| text.is_char_boundary(*cut)) {
+            for put in ["", ":", ",", "=", "\"", "[", "µ", "-", "1e999", " "] {
+                for rest in ["", &text[cut..]] {
+                    let request = request(&[&format!("{}{put}{rest}", &text[..cut])]);
+                    if let Err(error) = load(&request) {
+                        assert!(!said(error).is_empty());
+                    }
+                }
             }
-            Ok(_) => assert_eq!(expected, "is a length"),
         }
     }
 }
