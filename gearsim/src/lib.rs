@@ -16,4 +16,5 @@ pub mod model;
 pub mod output;
 pub mod plot;
 pub mod scene;
+pub mod sweep;
 pub mod trajectory;

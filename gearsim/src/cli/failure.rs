@@ -31,6 +31,16 @@ pub(super) enum Failure {
     Stopped { run: String, stop: Box<Stop>, folder: PathBuf },
 }
 
+impl From<crate::sweep::Error> for Failure {
+    fn from(error: crate::sweep::Error) -> Failure {
+        match error {
+            crate::sweep::Error::Scene(errors) => Failure::Scene(errors),
+            crate::sweep::Error::Output(error) => Failure::Output(error),
+            crate::sweep::Error::Impossible { what, help } => Failure::Impossible { what, help },
+        }
+    }
+}
+
 impl Failure {
     /// The exit code.
     pub(super) fn code(&self) -> u8 {

@@ -3,6 +3,7 @@
 mod compare;
 mod failure;
 mod files;
+mod merge;
 mod models;
 mod number;
 mod progress;
@@ -10,6 +11,7 @@ mod provenance;
 mod report;
 mod run;
 mod simulate;
+mod sweep;
 mod terminal;
 #[cfg(test)]
 mod tests;
@@ -24,6 +26,8 @@ use failure::Failure;
 const COMMANDS: &[Command] = &[
     Command::of::<run::Run>(), //
     Command::of::<compare::Compare>(),
+    Command::of::<sweep::SweepCommand>(),
+    Command::of::<merge::Merge>(),
     Command::of::<models::Models>(),
 ];
 

@@ -52,6 +52,36 @@ impl Progress {
     }
 }
 
+/// How many points of a sweep are done, and the time that is left.
+pub(super) struct Points {
+    bar: Option<ProgressBar>,
+}
+
+impl Points {
+    /// Of a sweep of `points`; without a bar if `quiet`, or nobody is looking.
+    pub(super) fn new(points: usize, quiet: bool) -> Points {
+        let shown = !quiet && points > 0 && std::io::stderr().is_terminal();
+        let template = "{wide_bar} {percent:>3} %  {pos} of {len} points, {per_sec}, {eta} left";
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        Points { bar: shown.then(|| ProgressBar::new(points as u64).with_style(style)) }
+    }
+
+    /// So many are done.
+    pub(super) fn at(&mut self, count: usize) {
+        if let Some(bar) = &self.bar {
+            bar.set_position(count as u64);
+        }
+    }
+}
+
+impl Drop for Points {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
 impl Drop for Progress {
     fn drop(&mut self) {
         if let Some(bar) = &self.bar {

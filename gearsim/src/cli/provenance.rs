@@ -4,7 +4,7 @@ use crate::output::summary::Provenance;
 use crate::scene::{Precision, Scene};
 
 /// The commit that the program was built from, where known.
-const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
+pub(super) const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
 
 /// Where the results of `scene`, read with `overrides`, come from.
 pub(super) fn of(scene: &Scene, overrides: &[String]) -> Provenance {

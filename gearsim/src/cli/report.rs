@@ -106,7 +106,7 @@ fn at_start(summary: &Summary) -> String {
 }
 
 /// A name and what it says, broken at blanks.
-fn line(name: &str, says: &str, width: usize) -> String {
+pub(super) fn line(name: &str, says: &str, width: usize) -> String {
     let broken = terminal::wrap(says, width.saturating_sub(INDENT).max(1));
     let mut text = String::new();
     for (i, part) in broken.lines().enumerate() {

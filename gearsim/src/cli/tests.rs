@@ -1,6 +1,7 @@
 //! Tests of the command line, without a built program.
 
 mod runs;
+mod sweeps;
 mod texts;
 
 use std::path::{Path, PathBuf};

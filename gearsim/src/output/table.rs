@@ -57,6 +57,22 @@ impl Table {
         self.columns.first().map_or(0, |c| c.values.len())
     }
 
+    /// The numbers of the column `name`; `None` if there are none.
+    pub fn numbers(&self, name: &str) -> Option<&[f64]> {
+        match &self.columns.iter().find(|c| c.name == name)?.values {
+            Values::Number(values) => Some(values),
+            Values::Text(_) => None,
+        }
+    }
+
+    /// The words of the column `name`; `None` if there are none.
+    pub fn words(&self, name: &str) -> Option<&[Cow<'static, str>]> {
+        match &self.columns.iter().find(|c| c.name == name)?.values {
+            Values::Text(values) => Some(values),
+            Values::Number(_) => None,
+        }
+    }
+
     /// Adds a column. Errors: [`OutputError::Ragged`] if its length differs from that of the others.
     pub fn push(&mut self, name: &str, unit: &str, values: Values) -> Result<(), OutputError> {
         if !self.columns.is_empty() && values.len() != self.rows() {

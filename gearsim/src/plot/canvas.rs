@@ -8,17 +8,17 @@ use super::decimate::decimate;
 use super::figure::{Figure, Panel, Scale, Series, extremes};
 use super::ticks::Ruler;
 
-const WIDTH: f64 = 800.0;
-const LEFT: f64 = 84.0;
+pub(super) const WIDTH: f64 = 800.0;
+pub(super) const LEFT: f64 = 84.0;
 const RIGHT: f64 = 22.0;
 const FRAME: f64 = WIDTH - LEFT - RIGHT;
 /// Height of the frame: of a single panel, of each of two, of each of more.
 const HEIGHTS: [f64; 3] = [400.0, 250.0, 190.0];
 const LEGEND_ROW: f64 = 19.0;
 const GAP: f64 = 14.0;
-const FONTS: &str = "'DejaVu Sans',Verdana,Helvetica,Arial,sans-serif";
-const TEXT: f64 = 13.0;
-const SMALL: f64 = 12.0;
+pub(super) const FONTS: &str = "'DejaVu Sans',Verdana,Helvetica,Arial,sans-serif";
+pub(super) const TEXT: f64 = 13.0;
+pub(super) const SMALL: f64 = 12.0;
 const SAMPLE: f64 = 34.0;
 
 /// The figure as SVG.
@@ -171,11 +171,11 @@ fn polyline(out: &mut String, points: &[(f64, f64)], series: &Series) {
     );
 }
 
-fn path(out: &mut String, d: &str, style: &str) {
+pub(super) fn path(out: &mut String, d: &str, style: &str) {
     let _ = writeln!(out, "<path d=\"{d}\" fill=\"none\" {style}/>");
 }
 
-fn text(out: &mut String, at: (f64, f64), anchor: &str, size: f64, extra: &str, words: &str) {
+pub(super) fn text(out: &mut String, at: (f64, f64), anchor: &str, size: f64, extra: &str, words: &str) {
     let _ = writeln!(
         out,
         "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\" {extra}>{}</text>",
@@ -214,6 +214,6 @@ fn markup(words: &str) -> String {
     out + &escape(rest)
 }
 
-fn escape(words: &str) -> String {
+pub(super) fn escape(words: &str) -> String {
     words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

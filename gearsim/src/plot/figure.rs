@@ -145,17 +145,24 @@ impl Figure {
     ///
     /// Errors: [`PlotError::Ragged`], [`PlotError::Render`].
     pub fn png(&self) -> Result<Vec<u8>, PlotError> {
-        let failed = |why: String| PlotError::Render { title: self.title.clone(), why };
-        let options =
-            usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
-        let tree = usvg::Tree::from_str(&self.svg()?, &options).map_err(|e| failed(e.to_string()))?;
-        let size = tree.size().to_int_size().scale_by(PNG_SCALE);
-        let pixels = size.and_then(|s| tiny_skia::Pixmap::new(s.width(), s.height()));
-        let mut pixels = pixels.ok_or_else(|| failed("it has no size".into()))?;
-        let scale = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
-        resvg::render(&tree, scale, &mut pixels.as_mut());
-        pixels.encode_png().map_err(|e| failed(e.to_string()))
+        png(&self.svg()?, &self.title)
     }
+}
+
+/// An SVG in the fonts of the program as PNG, at twice its resolution; `title` names it in errors.
+///
+/// Errors: [`PlotError::Render`].
+pub fn png(svg: &str, title: &str) -> Result<Vec<u8>, PlotError> {
+    let failed = |why: String| PlotError::Render { title: title.to_owned(), why };
+    let options =
+        usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
+    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
+    let size = tree.size().to_int_size().scale_by(PNG_SCALE);
+    let pixels = size.and_then(|s| tiny_skia::Pixmap::new(s.width(), s.height()));
+    let mut pixels = pixels.ok_or_else(|| failed("it has no size".into()))?;
+    let scale = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
+    resvg::render(&tree, scale, &mut pixels.as_mut());
+    pixels.encode_png().map_err(|e| failed(e.to_string()))
 }
 
 /// Fonts of the program itself: what the system has installed must not change a picture.

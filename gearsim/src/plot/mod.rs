@@ -4,17 +4,49 @@ mod canvas;
 mod decimate;
 mod energy;
 pub mod figure;
+mod heat;
+pub mod map;
 mod motion;
 mod spectrum;
 mod ticks;
+pub mod waterfall;
 
 pub use figure::{Axis, Figure, Panel, Scale, Series, Style};
 
 use crate::analysis::spectrum::SpectrumError;
+use crate::sweep::folder::Rows;
+use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
 
 /// All plots, in the order in which they are listed.
 pub const PLOTS: &[Plot] = &[energy::PLOT, motion::PLOT, spectrum::PLOT];
+
+/// All plots of sweeps.
+pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];
+
+/// A plot of the results of a sweep.
+#[derive(Debug, Clone, Copy)]
+pub struct SweepPlot {
+    /// Name, with which its file begins.
+    pub name: &'static str,
+    /// One line saying what it shows.
+    pub doc: &'static str,
+    /// Draws it, as SVG.
+    pub draw: fn(&Study<'_>) -> Result<String, PlotError>,
+}
+
+/// The results of a sweep, to draw a quantity of.
+#[derive(Clone, Copy)]
+pub struct Study<'a> {
+    /// Name of the scene, for the title.
+    pub scene: &'a str,
+    /// What was varied, and what recorded.
+    pub layout: &'a Layout,
+    /// What came of it.
+    pub rows: &'a Rows,
+    /// The recorded column to draw, or the coordinate whose spectra.
+    pub quantity: &'a str,
+}
 
 /// A plot that a scene can ask for.
 #[derive(Debug, Clone, Copy)]

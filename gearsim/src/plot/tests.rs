@@ -2,6 +2,9 @@
 
 use super::*;
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
+use crate::sweep::row::{Row, Status};
+use crate::sweep::spectra::Line;
+use crate::sweep::{Manifest, Request, Sweep};
 
 fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
     Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps" }
@@ -107,4 +110,78 @@ fn look() {
             std::fs::write(file("png"), figure.png().unwrap()).unwrap();
         }
     }
+}
+
+/// Maps and waterfalls of a small sweep: their axes, with the units in which they were varied, and gaps.
+#[test]
+fn plots_of_sweeps_name_what_they_show() {
+    let study = |vary: &[&str], samples, quantity: &str, plot: &SweepPlot| {
+        let manifest = sweep_of(vary, samples);
+        let layout = manifest.layout(crate::generated::MODELS).unwrap();
+        let numbers = |point: usize| {
+            let gap = |i: usize| if point == 1 { f64::NAN } else { 10f64.powi(point as i32 % 7) * (i + 1) as f64 };
+            (0..layout.columns.len()).map(gap).collect()
+        };
+        let line = |point: usize| Line {
+            coordinate: "phi".into(),
+            frequency: vec![0.0, 10.0, 20.0, 30.0],
+            density: vec![1e-3, 1e-6 * (point + 1) as f64, 1e-9, 1e-30],
+        };
+        let row = |point| Row {
+            point,
+            status: Status::Done,
+            reason: String::new(),
+            numbers: numbers(point),
+            spectra: vec![line(point)],
+        };
+        let rows: Rows = (0..manifest.points).map(|point| (point, row(point))).collect();
+        let svg = (plot.draw)(&Study { scene: "case", layout: &layout, rows: &rows, quantity });
+        svg.inspect(|svg| assert!(!svg.contains("NaN") && !svg.contains("inf")))
+    };
+    let (torque, speed) = ("parameters.T0=log:1:1000:4", "start.speed=100 rpm:300 rpm:3");
+    /// What is varied, samples, what is drawn, and the words that must stand there.
+    type Case<'a> = (&'a [&'a str], Option<usize>, &'a str, &'a SweepPlot, &'a [&'a str]);
+    let cases: [Case<'_>; 5] = [
+        (
+            &[torque, speed],
+            None,
+            "phi_max",
+            &map::PLOT,
+            &["Maximum of φ", "T0 [N m]", "speed at the start [rpm]", ">none<", ">10³<"],
+        ),
+        (
+            &[speed],
+            None,
+            "first_reflection",
+            &map::PLOT,
+            &["Time of the first reflection", "first reflection [s]", "[rpm]"],
+        ),
+        (&["parameters.T0=uniform:1:9", speed], Some(4), "theta_dot", &map::PLOT, &[">dθ/dt at the end<", "12 points"]),
+        (&[speed], None, "phi", &waterfall::PLOT, &["PSD of φ [rad²/Hz]", "frequency f [Hz]", "[rpm]"]),
+        (&["parameters.zeta=0.1,0.2,0.4"], None, "residual", &map::PLOT, &["zeta", "Energy unaccounted for"]),
+    ];
+    for (vary, samples, quantity, plot, words) in cases {
+        let svg = study(vary, samples, quantity, plot).unwrap();
+        for word in words {
+            assert!(svg.contains(word), "{vary:?} {quantity}: no `{word}`");
+        }
+        assert_eq!(&figure::png(&svg, "test").unwrap()[1..4], b"PNG");
+    }
+    for (vary, quantity, plot) in [(&[torque, speed], "phi", &waterfall::PLOT), (&[torque, speed], "chi", &map::PLOT)] {
+        assert!(matches!(study(vary, None, quantity, plot), Err(PlotError::Nothing { .. })), "{quantity}");
+    }
+}
+
+fn sweep_of(vary: &[&str], samples: Option<usize>) -> Manifest {
+    let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml");
+    let request = Request {
+        vary: vary.iter().map(|axis| axis.to_string()).collect(),
+        overrides: vec![],
+        samples,
+        seed: 0,
+        from: 0.0,
+        record: ["events", "state", "energy", "extremes"].map(Into::into).into(),
+        spectra: true,
+    };
+    Manifest::new(&Sweep::load(&scene, crate::generated::MODELS, &request).unwrap(), &request, None)
 }

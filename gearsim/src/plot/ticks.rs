@@ -105,6 +105,11 @@ impl Ruler {
         }
     }
 
+    /// Length of a decade of a logarithmic axis, 1 being that of the whole.
+    pub fn decade(&self) -> f64 {
+        1.0 / (self.high - self.low)
+    }
+
     fn multiples(&self, step: f64) -> impl Iterator<Item = f64> {
         let slack = 1e-9 * (self.high - self.low) / step;
         let (first, last) = ((self.low / step - slack).ceil(), (self.high / step + slack).floor());

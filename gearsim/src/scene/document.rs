@@ -9,7 +9,7 @@ use super::error::Report;
 
 /// Where something is written.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Place {
+pub(crate) struct Place {
     /// Number of the text: the file, or an override.
     pub source: usize,
     /// Bytes of the text.
@@ -44,13 +44,13 @@ pub(super) struct Entry {
 
 /// A text being read: its number, and how far what is parsed lies from its beginning.
 #[derive(Clone, Copy)]
-pub(super) struct Origin {
+pub(crate) struct Origin {
     pub source: usize,
     pub offset: usize,
 }
 
 impl Origin {
-    pub(super) fn place(self, span: Range<usize>) -> Place {
+    pub(crate) fn place(self, span: Range<usize>) -> Place {
         Place { source: self.source, span: span.start + self.offset..span.end + self.offset }
     }
 

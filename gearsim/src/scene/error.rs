@@ -43,6 +43,11 @@ impl SceneErrors {
         &self.problems
     }
 
+    /// What is wrong, in one line.
+    pub fn brief(&self) -> String {
+        self.problems.iter().map(|problem| problem.message.as_str()).collect::<Vec<_>>().join("; ")
+    }
+
     /// The errors as text for people, at most `width` columns wide where that is possible.
     pub fn render(&self, width: usize, color: bool) -> String {
         let theme = GraphicalTheme {
@@ -75,30 +80,30 @@ impl fmt::Display for SceneErrors {
 impl std::error::Error for SceneErrors {}
 
 /// Collects problems while a scene is read.
-#[derive(Debug)]
-pub(super) struct Report {
+#[derive(Debug, Clone)]
+pub(crate) struct Report {
     sources: Vec<NamedSource<Arc<str>>>,
     problems: Vec<(Place, Problem)>,
 }
 
 impl Report {
-    pub(super) fn new() -> Report {
+    pub(crate) fn new() -> Report {
         Report { sources: Vec::new(), problems: Vec::new() }
     }
 
     /// Adds a text that problems may point into, and returns its number.
-    pub(super) fn source(&mut self, name: &str, text: &str) -> usize {
+    pub(crate) fn source(&mut self, name: &str, text: &str) -> usize {
         self.sources.push(NamedSource::new(name, Arc::from(text)));
         self.sources.len() - 1
     }
 
     /// The text at a place.
-    pub(super) fn text(&self, place: &Place) -> &str {
+    pub(crate) fn text(&self, place: &Place) -> &str {
         self.sources.get(place.source).and_then(|s| s.inner().get(place.span.clone())).unwrap_or_default()
     }
 
     /// Adds a problem: `message` says what is wrong, `label` is written at the place, `help` says what to do.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         place: &Place,
         message: impl Into<String>,
@@ -115,11 +120,11 @@ impl Report {
         self.problems.push((place.clone(), problem));
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.problems.is_empty()
     }
 
-    pub(super) fn into_errors(mut self, scene: &str) -> SceneErrors {
+    pub(crate) fn into_errors(mut self, scene: &str) -> SceneErrors {
         self.problems.sort_by_key(|(place, _)| (place.source, place.span.start));
         SceneErrors { scene: scene.to_string(), problems: self.problems.into_iter().map(|(_, p)| p).collect() }
     }

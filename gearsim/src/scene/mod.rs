@@ -34,13 +34,14 @@
 
 mod check;
 pub mod dimension;
-mod document;
+pub(crate) mod document;
 mod effects;
-mod error;
+pub(crate) mod error;
 mod field;
 mod keys;
 mod laws;
 mod measure;
+mod measured;
 mod output;
 mod overrides;
 mod parameters;
@@ -48,12 +49,15 @@ pub mod quantity;
 mod read;
 mod start;
 mod symbol;
+pub mod template;
 #[cfg(test)]
 mod tests;
 pub mod unit;
 
 pub use error::{Problem, SceneErrors};
 pub(crate) use error::{did_you_mean, list};
+pub use measured::{time, unit_of};
+pub use template::Template;
 
 use crate::model::{Model, Start};
 

@@ -6,13 +6,11 @@ use super::error::Report;
 /// Keys deeper than any that a scene has: the tree is walked recursively, so its depth must have an end.
 const MAX_DEPTH: usize = 16;
 
-/// Shown before an override where it is quoted, so that it looks as it was typed.
-const OPTION: &str = "--set ";
-
 /// Writes an override into the tree. What is wrong with its form is reported; its value is checked with the scene.
-pub(super) fn apply(root: &mut Node, text: &str, report: &mut Report) {
-    let source = report.source("command line", &format!("{OPTION}{text}"));
-    let origin = Origin { source, offset: OPTION.len() };
+/// `option` is shown before it where it is quoted, so that it looks as it was typed.
+pub(super) fn apply(root: &mut Node, option: &str, text: &str, report: &mut Report) {
+    let source = report.source("command line", &format!("{option}{text}"));
+    let origin = Origin { source, offset: option.len() };
     let Some((path, value)) = text.split_once('=') else {
         let help = "write --set KEY=VALUE, e.g. --set run.t_end=\"1 s\"";
         return report.add(&origin.place(0..text.len()), "an override without a value", "no `=`", help);
@@ -21,7 +19,7 @@ pub(super) fn apply(root: &mut Node, text: &str, report: &mut Report) {
         let help = "write the key as in the file, its tables before it: parameters.T0, laws.k.steps.0.value";
         return report.add(&origin.place(0..path.len()), "an override of no possible key", "not a key", help);
     };
-    if let Some(node) = read_value(value, Origin { source, offset: OPTION.len() + path.len() + 1 }, report) {
+    if let Some(node) = read_value(value, Origin { source, offset: option.len() + path.len() + 1 }, report) {
         set(root, &keys, node, report);
     }
 }

@@ -46,6 +46,18 @@ impl Quantity {
     }
 }
 
+/// The number and the unit of a quantity, as they are written.
+///
+/// # Errors
+/// As [`Quantity::parse`].
+pub fn split(text: &str) -> Result<(f64, &str), UnitError> {
+    Quantity::parse(text)?;
+    let start = text.len() - text.trim_start().len();
+    let (_, _, end) = number(text, start)?;
+    // A number that was just read as part of a quantity is one to f64.
+    Ok((text[start..end].parse().unwrap_or(f64::NAN), text[end..].trim()))
+}
+
 /// The decimal number at `start`: its mantissa, its power of ten, and where it ends.
 fn number(text: &str, start: usize) -> Result<(&str, i64, usize), UnitError> {
     let skip = |from: usize, what: fn(char) -> bool| from + text[from..].chars().take_while(|c| what(*c)).count();

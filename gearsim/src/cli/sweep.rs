@@ -1,0 +1,141 @@
+//! `gearsim sweep`: one scene at many points, on all cores.
+
+mod pictures;
+mod report;
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Parser;
+
+use super::failure::Failure;
+use super::progress::Points;
+use super::{Verb, provenance, terminal};
+use crate::generated::MODELS;
+use crate::output::OutputFolder;
+use crate::sweep::folder::{self, Folder};
+use crate::sweep::record::GROUPS;
+use crate::sweep::{Manifest, Request, Shard, Sweep};
+pub(super) use pictures::Pictures;
+pub(super) use report::{Done, said};
+
+/// Run a scene at many points, and put one row each into a table
+#[derive(Parser)]
+#[command(name = "sweep", after_help = after_help())]
+pub(super) struct SweepCommand {
+    /// The scene: a TOML file
+    scene: PathBuf,
+    /// A key of the scene and its values, e.g. --vary parameters.T0="1 N*m:100 N*m:50"; may be repeated
+    #[arg(long, value_name = "KEY=VALUES", required = true)]
+    vary: Vec<String>,
+    /// Folder for the results; created where missing, gone on with if it holds a part of this sweep
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Writes a value over one of the scene, at all points; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Points of random axes, at every place of the grid of the others
+    #[arg(long, value_name = "N")]
+    samples: Option<usize>,
+    /// Seed of random axes
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// What to record
+    #[arg(long, value_name = "GROUPS", value_delimiter = ',', default_value = "events,state,energy,extremes")]
+    record: Vec<String>,
+    /// Takes extremes and spectra from this time on, when what the start has shaken up has settled
+    #[arg(long, value_name = "TIME", default_value = "0 s")]
+    from: String,
+    #[command(flatten)]
+    pictures: Pictures,
+    /// Runs only share I of N of the points; `gearsim merge` joins them
+    #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
+    shard: Shard,
+    /// Threads [default: one for each core]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// What stands below the options; the groups of quantities say themselves what they have.
+fn after_help() -> String {
+    let groups = GROUPS.iter().map(|group| format!("  {:<10}{}\n", group.name, group.doc)).collect::<String>();
+    format!(
+        "\
+Values of an axis:
+  KEY=A:B:N              N values from A to B, evenly, both included
+  KEY=log:A:B:N          N values in equal ratios
+  KEY=V1,V2,V3           these
+  KEY=uniform:A:B        random ones, as many as --samples says; log-uniform:A:B likewise
+Numbers without a unit are in the SI unit of the key. Of several axes the last counts fastest.
+
+Writes sweep.parquet, one row a point in this order, sweep.json and plots. A point that cannot be
+simulated is a row with its reason. Interrupted, the same command goes on where it was. The bytes of
+the result depend neither on the number of threads nor on interruptions and shards.
+
+What can be recorded:
+{groups}extremes and peak need samples at output.rate, which take longer than the motion itself: a sweep
+without them is faster.
+
+Examples:
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=1:100:50
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --map first_reflection \\
+      --vary parameters.T0=\"log:1 N*m:500 N*m:50\" --vary start.speed=\"100 rpm:6000 rpm:60\"
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --samples 1000 \\
+      --vary start.speed=\"uniform:100 rpm:900 rpm\"
+  on the second of eight machines, and then, with all their folders, on one:
+  gearsim sweep SCENE --vary KEY=A:B:N --shard 2/8 --out shard2
+  gearsim merge shard1 shard2 shard3 shard4 shard5 shard6 shard7 shard8 --out whole"
+    )
+}
+
+impl Verb for SweepCommand {
+    fn run(self) -> Result<(), Failure> {
+        let from = crate::scene::time(&self.from).map_err(|why| Failure::Impossible {
+            what: format!("--from \"{}\" is not a time: {why}", self.from),
+            help: "write for example --from \"0.1 s\"".into(),
+        })?;
+        let request = Request {
+            vary: self.vary.clone(),
+            overrides: self.overrides.clone(),
+            samples: self.samples,
+            seed: self.seed,
+            from,
+            record: self.record.clone(),
+            spectra: self.pictures.waterfall,
+        };
+        let sweep = Sweep::load(&self.scene, MODELS, &request)?;
+        let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);
+        let layout = manifest.layout(MODELS)?;
+        self.pictures.check(&layout)?;
+        let default = || Path::new("out").join(format!("{}_sweep", sweep.scene()));
+        let path = self.out.clone().unwrap_or_else(default);
+        OutputFolder::probe(&path)?;
+
+        let begin = Instant::now();
+        let mut folder = Folder::open(&path, &manifest, &layout)?;
+        let there = folder.rows()?;
+        let mine = |point: &usize| self.shard.has(*point);
+        let todo: Vec<usize> = (0..sweep.points).filter(|point| mine(point) && !there.contains_key(point)).collect();
+        let before = there.len();
+        drop(there);
+        let threads = self.threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
+        let mut bar = Points::new(todo.len(), self.quiet);
+        sweep.run(&todo, threads, |rows| Ok(folder.keep(&rows)?), |count| bar.at(count))?;
+        drop(bar);
+        let rows = folder.finish()?;
+
+        let mut files = vec![folder::ROWS.to_owned(), crate::sweep::manifest::FILE.to_owned()];
+        if rows.len() == sweep.points {
+            files.extend(self.pictures.draw(&path, &manifest, &layout, &rows)?);
+        }
+        if !self.quiet {
+            let done = Done { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads: threads.get() };
+            terminal::say(&said(&path, &files, &manifest, &rows, Some(done)));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,225 @@
+//! Sweeps from the command line: the same bytes by any way, and what is refused.
+
+use std::num::NonZeroUsize;
+use std::path::Path;
+
+use clap::Parser;
+
+use super::{go, scene};
+use crate::cli::Verb;
+use crate::cli::failure::Failure;
+use crate::cli::merge::Merge;
+use crate::cli::provenance;
+use crate::cli::sweep::SweepCommand;
+use crate::generated::MODELS;
+use crate::output::parquet;
+use crate::sweep::folder::Folder;
+use crate::sweep::{Manifest, Request, Sweep};
+
+/// Points that differ in what they cost, one of which is refused.
+const VARY: [&str; 2] = ["start.speed=100 rpm:900 rpm:5", "parameters.I1=2890 kg*mm^2,1e-300 kg*m^2,3000 kg*mm^2"];
+const SET: [&str; 2] = ["run.t_end=0.02 s", "output.rate=20 kHz"];
+
+fn arguments<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    let vary = VARY.iter().flat_map(|axis| ["--vary", axis]);
+    let set = SET.iter().flat_map(|value| ["--set", value]);
+    vary.chain(set).chain(["-q"]).chain(more.iter().copied()).collect()
+}
+
+fn sweep(out: &Path, more: &[&str]) -> Result<(), Failure> {
+    go::<SweepCommand>(out, &arguments(more))
+}
+
+fn merge(from: &[&Path], out: &Path) -> Result<(), Failure> {
+    let from = from.iter().map(|path| path.display().to_string());
+    let all = ["gearsim".to_owned()].into_iter().chain(from);
+    let all = all.chain(["--out".into(), out.display().to_string(), "-q".into()]);
+    Merge::try_parse_from(all).map_err(Failure::Usage).and_then(Merge::run)
+}
+
+/// Every file in a folder and its bytes.
+fn content(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+    let mut files: Vec<_> =
+        entries.map(|e| (e.file_name().into_string().unwrap(), std::fs::read(e.path()).unwrap_or_default())).collect();
+    files.sort();
+    files
+}
+
+fn assert_same(a: &Path, b: &Path) {
+    let names = |folder: &Path| content(folder).into_iter().map(|(name, _)| name).collect::<Vec<_>>();
+    assert_eq!(names(a), names(b));
+    for (a, b) in content(a).iter().zip(content(b)) {
+        assert!(a.1 == b.1, "{} differs", a.0);
+    }
+}
+
+#[test]
+fn threads_and_shards_do_not_show_in_the_results() {
+    let root = tempfile::tempdir().unwrap();
+    let at = |name: &str| root.path().join(name);
+    sweep(&at("one"), &["--threads", "1"]).unwrap();
+    let names: Vec<_> = content(&at("one")).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["map_phi_max.png", "map_phi_max.svg", "sweep.json", "sweep.parquet"]);
+    sweep(&at("two"), &["--threads", "2"]).unwrap();
+    assert_same(&at("one"), &at("two"));
+
+    for shard in 1..=3 {
+        sweep(&at(&format!("s{shard}")), &["--shard", &format!("{shard}/3")]).unwrap();
+    }
+    merge(&[&at("s2"), &at("s3"), &at("s1")], &at("merged")).unwrap();
+    assert_same(&at("one"), &at("merged"));
+
+    // Shards into one folder, one after the other, come to the same.
+    for shard in ["2/2", "1/2"] {
+        sweep(&at("together"), &["--shard", shard]).unwrap();
+    }
+    assert_same(&at("one"), &at("together"));
+}
+
+#[test]
+fn a_table_has_a_row_a_point_in_their_order() {
+    let root = tempfile::tempdir().unwrap();
+    sweep(root.path(), &[]).unwrap();
+    let (table, provenance) = parquet::read(&root.path().join("sweep.parquet")).unwrap();
+    let points: Vec<f64> = (0..15).map(f64::from).collect();
+    assert_eq!(table.numbers("point").unwrap(), points);
+    let speed = table.numbers("start.speed").unwrap();
+    // In rad/s, to the rounding of a product and a quotient.
+    for (i, rpm) in [(0, 100.0), (14, 900.0)] {
+        assert!((speed[i] / (rpm * std::f64::consts::PI / 30.0) - 1.0).abs() < 1e-15, "{}", speed[i]);
+    }
+    assert_eq!(table.numbers("parameters.I1").unwrap()[2], 3e-3);
+    let status = table.words("status").unwrap();
+    let refused: Vec<usize> = (0..15).filter(|&i| status[i] == "refused").collect();
+    assert_eq!(refused, [1, 4, 7, 10, 13]);
+    assert!(table.words("reason").unwrap()[1].contains("mass matrix"));
+    assert!(table.numbers("phi_max").unwrap()[1].is_nan() && table.numbers("phi_max").unwrap()[2] > 0.0);
+    assert!(provenance.iter().any(|(name, value)| name == "sweep" && value.contains("100 rpm:900 rpm:5")));
+}
+
+#[test]
+fn an_interrupted_sweep_goes_on_and_equals_the_whole() {
+    let root = tempfile::tempdir().unwrap();
+    let (whole, cut) = (root.path().join("whole"), root.path().join("cut"));
+    sweep(&whole, &[]).unwrap();
+    {
+        let request = Request {
+            vary: VARY.map(Into::into).into(),
+            overrides: SET.map(Into::into).into(),
+            samples: None,
+            seed: 0,
+            from: 0.0,
+            record: ["events", "state", "energy", "extremes"].map(Into::into).into(),
+            spectra: false,
+        };
+        let sweep = Sweep::load(&scene(), MODELS, &request).unwrap();
+        let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);
+        let layout = manifest.layout(MODELS).unwrap();
+        let mut folder = Folder::open(&cut, &manifest, &layout).unwrap();
+        for points in [&[3, 1, 2][..], &[14], &[7, 9, 12]] {
+            sweep.run(points, NonZeroUsize::MIN, |rows| Ok(folder.keep(&rows)?), |_| {}).unwrap();
+        }
+        assert_eq!(folder.rows().unwrap().len(), 7);
+        // While it is open nobody else may fill it.
+        let failure = super::sweeps::sweep(&cut, &[]).unwrap_err();
+        assert!(failure.to_string().contains("another gearsim is at work"), "{failure}");
+    }
+    let parts: Vec<_> = content(&cut.join("parts")).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(parts, ["lock", "rows-00000001.parquet", "rows-00000007.parquet", "rows-00000014.parquet"]);
+    std::fs::remove_file(cut.join("parts/rows-00000007.parquet")).unwrap();
+    // What a crash may leave of a file that was being written.
+    std::fs::write(cut.join("parts/.gearsim-x"), "half").unwrap();
+    sweep(&cut, &[]).unwrap();
+    assert_same(&whole, &cut);
+    // Once more: nothing is left to run, and nothing changes.
+    sweep(&cut, &[]).unwrap();
+    assert_same(&whole, &cut);
+}
+
+#[test]
+fn spectra_are_kept_and_merged_too() {
+    let root = tempfile::tempdir().unwrap();
+    let at = |name: &str| root.path().join(name);
+    let run = |out: &Path, more: &[&str]| {
+        let all = [
+            "--vary",
+            VARY[0],
+            "--set",
+            SET[0],
+            "--set",
+            SET[1],
+            "-q",
+            "--waterfall",
+            "--record",
+            "peak",
+            "--from",
+            "5 ms",
+        ];
+        go::<SweepCommand>(out, &[&all, more].concat())
+    };
+    run(&at("whole"), &["--map", "phi_peak_frequency"]).unwrap();
+    let names: Vec<_> = content(&at("whole")).into_iter().map(|(name, _)| name).collect();
+    assert!(names.contains(&"waterfall_phi.png".into()) && names.contains(&"spectra.parquet".into()), "{names:?}");
+    run(&at("a"), &["--shard", "1/2"]).unwrap();
+    run(&at("b"), &["--shard", "2/2"]).unwrap();
+    merge(&[&at("a"), &at("b")], &at("merged")).unwrap();
+    for file in ["sweep.json", "sweep.parquet", "spectra.parquet"] {
+        let read = |folder: &str| std::fs::read(at(folder).join(file)).unwrap();
+        assert!(read("whole") == read("merged"), "{file} differs");
+    }
+}
+
+#[test]
+fn what_does_not_belong_together_is_refused_by_name() {
+    let root = tempfile::tempdir().unwrap();
+    let at = |name: &str| root.path().join(name);
+    for shard in ["1/3", "2/3"] {
+        sweep(&at(&shard[..1]), &["--shard", shard]).unwrap();
+    }
+    let before = content(&at("1"));
+    for (more, named) in [
+        (["--set", "parameters.zeta=0.2"], "values set"),
+        (["--vary", "parameters.zeta=0.2,0.3"], "axes"),
+        (["--from", "1 ms"], "from [s]: 0.001 here, 0 there"),
+        (["--record", "energy"], "recorded"),
+        (["--seed", "5"], "seed"),
+    ] {
+        let failure = sweep(&at("1"), &more).unwrap_err();
+        assert!(failure.code() == 2 && failure.to_string().contains("holds another sweep"), "{failure}");
+        assert!(failure.to_string().contains(named), "{failure}");
+    }
+    assert!(before == content(&at("1")));
+
+    let failure = merge(&[&at("1"), &at("2")], &at("out")).unwrap_err().to_string();
+    assert!(failure.contains("5 of 15 points are missing: 2, 5, 8, 11, 14"), "{failure}");
+    let failure = merge(&[&at("1"), &at("2"), &at("1")], &at("out")).unwrap_err().to_string();
+    assert!(failure.contains("points 0, 3, 6, 9, 12 are in") && failure.contains("every shard once"), "{failure}");
+    sweep(&at("other"), &["--shard", "3/3", "--seed", "1"]).unwrap();
+    let failure = merge(&[&at("1"), &at("2"), &at("other")], &at("out")).unwrap_err().to_string();
+    assert!(failure.contains("different sweeps") && failure.contains("seed: 1 here, 0 there"), "{failure}");
+    let failure = merge(&[root.path()], &at("out")).unwrap_err().to_string();
+    assert!(failure.contains("holds no sweep"), "{failure}");
+    assert!(!at("out").exists());
+}
+
+#[test]
+fn a_sweep_that_makes_no_sense_writes_nothing() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let cases: [(&[&str], &str); 7] = [
+        (&["--vary", "parameters.T0=1:x:3"], "a problem"),
+        (&["--map", "phi_maxx"], "did you mean `phi_max`?"),
+        (&["--waterfall"], "over one varied number"),
+        (&["--from", "3 m"], "a time is wanted"),
+        (&["--from", "1 s"], "the run ends at 0.02 s"),
+        (&["--shard", "4/3"], "I/N"),
+        (&["--threads", "0"], "threads"),
+    ];
+    for (more, expected) in cases {
+        let failure = sweep(&out, more).unwrap_err();
+        assert_eq!(failure.code(), 2, "{more:?}");
+        assert!(failure.to_string().contains(expected), "{more:?}: {failure}");
+    }
+    assert!(content(root.path()).is_empty());
+}

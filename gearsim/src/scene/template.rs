@@ -1,0 +1,104 @@
+//! A scene read but not checked: what the points of a sweep write their values over, each its own.
+
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use super::document::{self, Node, Origin, Place, Value};
+use super::error::Report;
+use super::{Scene, SceneErrors, check, keys, overrides};
+use crate::model::Model;
+
+/// A scene's text as a tree, with overrides written over it, and what is wrong with it so far.
+#[derive(Debug, Clone)]
+pub struct Template {
+    name: String,
+    root: Node,
+    /// Where tables would be added.
+    end: Place,
+    report: Report,
+    hash: Sha256,
+}
+
+impl Template {
+    /// Reads the file of a scene. See [`Template::parse`].
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Template, SceneErrors> {
+        let shown = path.display().to_string();
+        let name = path.file_stem().map_or_else(|| shown.clone(), |stem| stem.to_string_lossy().into_owned());
+        let unreadable = |message| SceneErrors::unreadable(&name, message, "give the path of a scene, a TOML file");
+        let bytes = std::fs::read(path).map_err(|error| unreadable(format!("cannot read {shown}: {error}")))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            unreadable(format!("{shown} is not text: byte {} is not UTF-8", error.utf8_error().valid_up_to()))
+        })?;
+        Template::parse(&name, &shown, &text, overrides)
+    }
+
+    /// Reads the text of a scene, and writes the `overrides` over it.
+    ///
+    /// # Errors
+    ///
+    /// Where the text is no TOML. All else is found by [`Template::scene`].
+    pub fn parse(name: &str, source_name: &str, text: &str, overrides: &[String]) -> Result<Template, SceneErrors> {
+        let mut report = Report::new();
+        let origin = Origin { source: report.source(source_name, text), offset: 0 };
+        let Some(root) = document::read(text, origin, &mut report) else {
+            return Err(report.into_errors(name));
+        };
+        let end = text.trim_end().len();
+        let hash = Sha256::new_with_prefix(text);
+        let mut template = Template { name: name.to_string(), root, end: origin.place(end..end), report, hash };
+        template.set("--set ", overrides);
+        Ok(template)
+    }
+
+    /// The scene of one of `models` that it is after writing `values` (`run.t_end=1 s`), of options `--vary`, over it.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong with it.
+    pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneErrors> {
+        let mut all = self.clone();
+        all.set("--vary ", values);
+        let Template { name, root, end, mut report, hash } = all;
+        match check::scene(&root, &end, models, &mut report) {
+            Some(scene) if report.is_empty() => Ok(Scene { name, hash: hexadecimal(hash), ..scene }),
+            _ => Err(report.into_errors(&name)),
+        }
+    }
+
+    /// Name: the file's stem.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// SHA-256 of the text and, after a zero byte each, the overrides: without any, that of the file.
+    pub fn hash(&self) -> String {
+        hexadecimal(self.hash.clone())
+    }
+
+    /// The model that it names, if it is one of `models`.
+    pub fn model(&self, models: &[&'static Model]) -> Option<&'static Model> {
+        let Value::Table(entries) = &self.root.value else { return None };
+        match &keys::get(entries, "model")?.value {
+            Value::Text(name) => models.iter().copied().find(|model| model.name == name),
+            _ => None,
+        }
+    }
+
+    /// What is wrong with it so far, to be added to.
+    pub(crate) fn report(&self) -> Report {
+        self.report.clone()
+    }
+
+    fn set(&mut self, option: &str, texts: &[String]) {
+        for text in texts {
+            overrides::apply(&mut self.root, option, text, &mut self.report);
+            self.hash.update([0]);
+            self.hash.update(text);
+        }
+    }
+}
+
+fn hexadecimal(hash: Sha256) -> String {
+    format!("{:x}", hash.finalize())
+}

@@ -1,0 +1,159 @@
+//! What a sweep is, as `sweep.json` in its folder says it: results that have the same manifest belong together.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::record::{self, Column, GROUPS};
+use super::{Error, Plan, Request, Sweep, impossible, plan::MOST_POINTS};
+use crate::engine::Entry;
+use crate::model::Model;
+use crate::output::OutputError;
+use crate::output::summary::Number;
+use crate::scene::Template;
+
+/// Its name in a folder.
+pub const FILE: &str = "sweep.json";
+
+/// What a sweep is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Manifest {
+    /// Program, e.g. `gearsim`.
+    pub program: String,
+    /// Its version.
+    pub version: String,
+    /// The commit it was built from, where known.
+    pub commit: Option<String>,
+    /// Name of the scene.
+    pub scene: String,
+    /// SHA-256 of the scene's text and overrides.
+    pub scene_sha256: String,
+    /// Name of the model.
+    pub model: String,
+    /// Overrides at all points.
+    pub overrides: Vec<String>,
+    /// The axes, as they were written.
+    pub vary: Vec<String>,
+    /// Points at every place of the grid, if there are random axes.
+    pub samples: Option<usize>,
+    /// Seed of random axes.
+    pub seed: u64,
+    /// Number of points.
+    pub points: usize,
+    /// Time from which extremes and spectra are taken [s].
+    pub from: Number,
+    /// The groups of quantities that are recorded.
+    pub record: Vec<String>,
+    /// Whether the spectra are kept.
+    pub spectra: bool,
+}
+
+impl Manifest {
+    /// Of a sweep that was asked for by `request`, run by the program built from `commit`.
+    pub fn new(sweep: &Sweep, request: &Request, commit: Option<&str>) -> Manifest {
+        Manifest {
+            program: "gearsim".into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            commit: commit.map(Into::into),
+            scene: sweep.scene().into(),
+            scene_sha256: sweep.hash(),
+            model: sweep.entry.model.name.into(),
+            overrides: request.overrides.clone(),
+            vary: request.vary.clone(),
+            samples: request.samples,
+            seed: request.seed,
+            points: sweep.points,
+            from: Number(sweep.from),
+            record: sweep.groups.iter().map(|group| group.name.into()).collect(),
+            spectra: sweep.spectra,
+        }
+    }
+
+    /// The manifest in a folder; `None` if it has none. Errors: [`OutputError::Read`].
+    pub fn read(folder: &Path) -> Result<Option<Manifest>, OutputError> {
+        let path = folder.join(FILE);
+        let failed = |why: String| OutputError::Read { path: path.clone(), why };
+        match std::fs::read(&path) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(failed(error.to_string())),
+            Ok(bytes) => serde_json::from_slice(&bytes).map(Some).map_err(|error| failed(error.to_string())),
+        }
+    }
+
+    /// The text of `sweep.json`. Errors: [`OutputError::Format`].
+    pub fn json(&self) -> Result<String, OutputError> {
+        Ok(serde_json::to_string_pretty(self).map_err(|e| OutputError::format("JSON", e))? + "\n")
+    }
+
+    /// Its points, and the columns of their rows.
+    ///
+    /// # Errors
+    /// Where this program does not know the model or cannot read the axes.
+    pub fn layout(&self, entries: &[Entry]) -> Result<Layout, Error> {
+        let Some(entry) = entries.iter().find(|entry| entry.model.name == self.model) else {
+            let help = "use the program that ran the sweep";
+            return impossible(format!("model `{}` of the sweep is not part of this program", self.model), help);
+        };
+        let template = Template::parse(&self.scene, super::manifest::FILE, "", &[])?;
+        let request = Request {
+            vary: self.vary.clone(),
+            overrides: vec![],
+            samples: self.samples,
+            seed: self.seed,
+            from: self.from.0,
+            record: self.record.clone(),
+            spectra: self.spectra,
+        };
+        let plan = super::plan(&template, *entry, &request)?;
+        if plan.points() != Some(self.points) || self.points > MOST_POINTS {
+            return impossible(
+                format!("{FILE} says {} points, which its axes do not make", self.points),
+                "run it again",
+            );
+        }
+        let groups: Vec<_> = GROUPS.iter().filter(|group| self.record.iter().any(|name| name == group.name)).collect();
+        let columns = record::columns(&groups, entry.model);
+        let units = super::row::units(&plan, entry.model);
+        Ok(Layout { model: entry.model, plan, columns, units })
+    }
+
+    /// In what it differs from `other`, in words; empty if in nothing.
+    pub fn differences(&self, other: &Manifest) -> Vec<String> {
+        let mut found = vec![];
+        let mut compare = |what: &str, here: String, there: String| {
+            if here != there {
+                found.push(format!("{what}: {here} here, {there} there"));
+            }
+        };
+        let list = |texts: &[String]| if texts.is_empty() { "none".into() } else { texts.join(", ") };
+        let build = |m: &Manifest| format!("{} {} ({})", m.program, m.version, m.commit.as_deref().unwrap_or("-"));
+        compare("program", build(self), build(other));
+        compare("scene", self.scene.clone(), other.scene.clone());
+        compare("model", self.model.clone(), other.model.clone());
+        compare("values set", list(&self.overrides), list(&other.overrides));
+        if self.overrides == other.overrides {
+            compare("text of the scene (SHA-256)", self.scene_sha256.clone(), other.scene_sha256.clone());
+        }
+        compare("axes", list(&self.vary), list(&other.vary));
+        compare("samples", format!("{:?}", self.samples), format!("{:?}", other.samples));
+        compare("seed", self.seed.to_string(), other.seed.to_string());
+        compare("points", self.points.to_string(), other.points.to_string());
+        compare("from [s]", self.from.0.to_string(), other.from.0.to_string());
+        compare("recorded", list(&self.record), list(&other.record));
+        compare("spectra", self.spectra.to_string(), other.spectra.to_string());
+        found
+    }
+}
+
+/// The shape of the results of a sweep.
+pub struct Layout {
+    /// The model.
+    pub model: &'static Model,
+    /// Its points.
+    pub plan: Plan,
+    /// Its recorded columns.
+    pub columns: Vec<Column>,
+    /// SI units of the columns of the varied keys.
+    pub units: Vec<String>,
+}

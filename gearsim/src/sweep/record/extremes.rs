@@ -1,0 +1,67 @@
+//! How far coordinates and speeds swing: extremes, of samples and limits at events; mean and root mean square about it,
+//! of the evenly spaced samples. Of coordinates that roll on, their speeds only.
+
+use super::{Column, Group, column, rolling, row_from};
+use crate::engine::Outcome;
+use crate::model::Model;
+use crate::trajectory::Moment;
+
+pub(super) const GROUP: Group = Group {
+    name: "extremes",
+    doc: "of every coordinate and speed after --from: phi_min, phi_max, phi_mean, phi_rms",
+    samples: true,
+    limits: true,
+    columns,
+    values,
+};
+
+fn columns(model: &Model) -> Vec<Column> {
+    let four = |name: String, unit: String| {
+        ["min", "max", "mean", "rms"].map(|what| column(format!("{name}_{what}"), unit.clone()))
+    };
+    let mut columns = vec![];
+    for (c, rolls) in rolling(model) {
+        if !rolls {
+            columns.extend(four(c.name.to_owned(), c.unit.to_owned()));
+        }
+        columns.extend(four(format!("{}_dot", c.name), format!("{}/s", c.unit)));
+    }
+    columns
+}
+
+fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
+    let run = &outcome.trajectory;
+    let begin = row_from(run, from);
+    let mut values = vec![];
+    for ((_, rolls), (q, v)) in rolling(run.model).zip(run.q.iter().zip(&run.q_dot)) {
+        if !rolls {
+            values.extend(swing(&q[begin..], &run.moment[begin..]));
+        }
+        values.extend(swing(&v[begin..], &run.moment[begin..]));
+    }
+    values
+}
+
+/// Least, greatest, mean, and rms about the mean.
+fn swing(x: &[f64], moments: &[Moment]) -> [f64; 4] {
+    let samples = || x.iter().zip(moments).filter(|(_, m)| **m == Moment::Sample).map(|(x, _)| x);
+    let n = samples().count() as f64;
+    if n == 0.0 {
+        return [f64::NAN; 4];
+    }
+    let least = x.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = x.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let mean = samples().sum::<f64>() / n;
+    let square = samples().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n;
+    [least, greatest, mean, square.sqrt()]
+}
+
+#[test]
+fn a_sine_swings_by_its_amplitude_and_has_the_rms_of_one() {
+    let n = 1000;
+    let x: Vec<f64> = (0..n).map(|i| 3.0 + 2.0 * (std::f64::consts::TAU * i as f64 / n as f64).sin()).collect();
+    let [least, greatest, mean, rms] = swing(&x, &vec![Moment::Sample; n]);
+    // Rounding of a sum of a thousand.
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+    assert!(near(least, 1.0) && near(greatest, 5.0) && near(mean, 3.0) && near(rms, 2.0_f64.sqrt()));
+}

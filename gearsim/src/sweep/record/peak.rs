@@ -1,0 +1,36 @@
+//! The highest line of the spectrum of each coordinate that does not roll on: its frequency and its density.
+
+use super::{Column, Group, column, elastic};
+use crate::engine::Outcome;
+use crate::model::Model;
+use crate::sweep::spectra;
+
+pub(super) const GROUP: Group = Group {
+    name: "peak",
+    doc: "of each spectrum after --from: phi_peak_frequency, phi_peak_density",
+    samples: true,
+    limits: false,
+    columns,
+    values,
+};
+
+fn columns(model: &Model) -> Vec<Column> {
+    let both = |i: usize| {
+        let (name, unit) = (model.coordinates[i].name, model.coordinates[i].unit);
+        [column(format!("{name}_peak_frequency"), "Hz"), column(format!("{name}_peak_density"), format!("{unit}^2/Hz"))]
+    };
+    elastic(model).into_iter().flat_map(both).collect()
+}
+
+fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
+    let run = &outcome.trajectory;
+    elastic(run.model)
+        .into_iter()
+        .flat_map(|i| {
+            let Some(spectrum) = spectra::of(run, i, from) else { return [f64::NAN; 2] };
+            // The line at 0 is what is left of the mean.
+            let lines = spectrum.frequency.iter().zip(&spectrum.density).skip(1);
+            lines.max_by(|a, b| a.1.total_cmp(b.1)).map_or([f64::NAN; 2], |(f, p)| [*f, *p])
+        })
+        .collect()
+}

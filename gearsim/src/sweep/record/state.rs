@@ -1,0 +1,24 @@
+//! Where the run ended: every coordinate, unwrapped, and its speed.
+
+use super::{Column, Group, column, last};
+use crate::engine::Outcome;
+use crate::model::Model;
+
+pub(super) const GROUP: Group = Group {
+    name: "state",
+    doc: "every coordinate and speed at the end: phi, phi_dot",
+    samples: false,
+    limits: false,
+    columns,
+    values,
+};
+
+fn columns(model: &Model) -> Vec<Column> {
+    let both = |name: &str, unit: &str| [column(name, unit), column(format!("{name}_dot"), format!("{unit}/s"))];
+    model.coordinates.iter().flat_map(|c| both(c.name, c.unit)).collect()
+}
+
+fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
+    let run = &outcome.trajectory;
+    run.q.iter().zip(&run.q_dot).flat_map(|(q, v)| [last(q), last(v)]).collect()
+}

@@ -1,0 +1,137 @@
+//! Runs the points of a sweep on all cores. Each is a function of its number alone, so that neither threads nor the
+//! order in which they finish show in the results.
+
+use std::num::NonZeroUsize;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+
+use super::row::{Row, Status};
+use super::{Error, Sweep, record, spectra};
+use crate::engine::Outcome;
+use crate::scene::Scene;
+
+/// Results are kept this often [s]: at first, and at most; in between, as often as a fiftieth of the time that the
+/// sweep has taken. What lies between is lost if it is interrupted.
+const KEEP_EVERY: (f64, f64) = (2.0, 60.0);
+/// Rows that are kept before their time.
+const KEEP_ROWS: usize = 1 << 14;
+/// How often rows are taken from the workers; to be woken for each would cost as much as a short run.
+const LOOK_EVERY: Duration = Duration::from_millis(2);
+
+impl Sweep {
+    /// Runs `points` on `threads` threads, in any order. `keep` is given the rows from time to time, `watch` how many
+    /// are there.
+    ///
+    /// # Errors
+    /// Those of `keep`, which end the sweep, and where there are no threads to be had.
+    pub fn run(
+        &self,
+        points: &[usize],
+        threads: NonZeroUsize,
+        mut keep: impl FnMut(Vec<Row>) -> Result<(), Error>,
+        mut watch: impl FnMut(usize),
+    ) -> Result<(), Error> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
+        let pool = pool.map_err(|error| Error::Impossible {
+            what: format!("cannot start {threads} threads: {error}"),
+            help: "use fewer: --threads 1".into(),
+        })?;
+        let over = AtomicBool::new(false);
+        let (send, receive) = mpsc::channel();
+        std::thread::scope(|scope| {
+            let over = &over;
+            let worker = scope.spawn(move || {
+                // One by one: points differ in what they cost by orders of magnitude.
+                let each = points.par_iter().with_max_len(1);
+                pool.install(|| {
+                    each.for_each_with(send, |send, &point| {
+                        if !over.load(Ordering::Relaxed) {
+                            // The receiver is gone only when it is over.
+                            let _ = send.send(self.point(point));
+                        }
+                    });
+                });
+            });
+            let mut gather = || {
+                let (begin, mut kept, mut rows, mut count) = (Instant::now(), Instant::now(), vec![], 0);
+                loop {
+                    // Asked before the rows are taken: if it is, they are the last.
+                    let ended = worker.is_finished();
+                    let before = rows.len();
+                    rows.extend(receive.try_iter());
+                    count += rows.len() - before;
+                    watch(count);
+                    let often = (0.02 * begin.elapsed().as_secs_f64()).clamp(KEEP_EVERY.0, KEEP_EVERY.1);
+                    if ended || rows.len() >= KEEP_ROWS || kept.elapsed().as_secs_f64() > often {
+                        if !rows.is_empty() {
+                            keep(std::mem::take(&mut rows))?;
+                        }
+                        kept = Instant::now();
+                    }
+                    if ended {
+                        return Ok(());
+                    }
+                    std::thread::sleep(LOOK_EVERY);
+                }
+            };
+            let result = gather();
+            over.store(true, Ordering::Relaxed);
+            result
+        })
+    }
+
+    /// Runs one point. Whatever is wrong with it is in its row.
+    pub fn point(&self, point: usize) -> Row {
+        // A mistake of ours at one point must not cost the others.
+        let run = catch_unwind(AssertUnwindSafe(|| self.attempt(point)));
+        run.unwrap_or_else(|_| self.refused(point, "gearsim failed at this point, which is a mistake in it".into()))
+    }
+
+    fn attempt(&self, point: usize) -> Row {
+        let mut scene = match self.template.scene(&self.plan.overrides(point), &[self.entry.model]) {
+            Ok(scene) => scene,
+            Err(errors) => return self.refused(point, errors.brief()),
+        };
+        self.record_only_what_is_needed(&mut scene);
+        match (self.entry.run)(&scene, &mut |_| {}) {
+            Ok(outcome) => self.row(point, &outcome),
+            Err(refusal) => self.refused(point, refusal.to_string()),
+        }
+    }
+
+    /// Samples take longer than the motion: none are taken if nothing is made of them.
+    fn record_only_what_is_needed(&self, scene: &mut Scene) {
+        if !self.spectra && !self.groups.iter().any(|group| group.samples) {
+            scene.output.rate = 0.5 / scene.t_end;
+        }
+        scene.output.events = self.groups.iter().any(|group| group.limits);
+    }
+
+    fn row(&self, point: usize, outcome: &Outcome) -> Row {
+        let run = &outcome.trajectory;
+        let line = |i: usize| {
+            let spectrum = spectra::of(run, i, self.from)?;
+            let coordinate = run.model.coordinates[i].name.into();
+            Some(spectra::Line { coordinate, frequency: spectrum.frequency, density: spectrum.density })
+        };
+        Row {
+            point,
+            status: if outcome.stopped_by.is_some() { Status::Stopped } else { Status::Done },
+            reason: outcome.stopped_by.as_ref().map_or(String::new(), |stop| stop.to_string()),
+            numbers: self.groups.iter().flat_map(|group| (group.values)(outcome, self.from)).collect(),
+            spectra: match self.spectra {
+                true => record::elastic(run.model).into_iter().filter_map(line).collect(),
+                false => vec![],
+            },
+        }
+    }
+
+    fn refused(&self, point: usize, reason: String) -> Row {
+        let numbers = vec![f64::NAN; self.columns().len()];
+        Row { point, status: Status::Refused, reason, numbers, spectra: vec![] }
+    }
+}

@@ -1,0 +1,152 @@
+//! Which points a sweep has, and that each is the run that it says it is.
+
+use super::{load, request};
+use crate::engine::Outcome;
+use crate::generated::MODELS;
+use crate::scene::Scene;
+use crate::sweep::row::Status;
+use crate::sweep::{Plan, Request};
+
+fn plan(vary: &[&str], samples: Option<usize>) -> Plan {
+    load(&Request { samples, seed: 3, ..request(vary) }).unwrap_or_else(|e| panic!("{vary:?}: {e}")).plan
+}
+
+fn points(plan: &Plan) -> Vec<String> {
+    (0..plan.points().unwrap()).map(|i| plan.values(i).join(" | ")).collect()
+}
+
+#[test]
+fn the_last_axis_counts_fastest() {
+    let grid = plan(&["parameters.T0=1:3:3", "start.speed=100 rpm,200 rpm"], None);
+    let expected = [
+        "1 N*m | 100 rpm",
+        "1 N*m | 200 rpm",
+        "2 N*m | 100 rpm",
+        "2 N*m | 200 rpm",
+        "3 N*m | 100 rpm",
+        "3 N*m | 200 rpm",
+    ];
+    assert_eq!(points(&grid), expected);
+}
+
+#[test]
+fn values_are_those_that_one_would_type() {
+    let cases: [(&str, &str); 9] = [
+        ("parameters.zeta=0.1:0.5:5", "0.1 0.2 0.3 0.4 0.5"),
+        ("parameters.T0=3:1:3", "3 N*m 2 N*m 1 N*m"),
+        ("parameters.T0=log:1 N*m:1000 N*m:4", "1 N*m 10 N*m 100 N*m 1000 N*m"),
+        ("start.speed=100 rpm:300 rpm:3", "100 rpm 200 rpm 300 rpm"),
+        ("start.speed=0:300 rpm:2", "0 rpm 300 rpm"),
+        ("parameters.T0=1 kN*m:2000 N*m:3", "1000 kg*m^2/s^2 1500 kg*m^2/s^2 2000 kg*m^2/s^2"),
+        ("parameters.T0=1, 2 kN*cm ,3", "1 N*m 2 kN*cm 3 N*m"),
+        ("start.phi=static,0.01", "static 0.01 rad"),
+        ("effects=[\"damping\"],[\"damping\",\"torques\"]", "[\"damping\"] [\"damping\",\"torques\"]"),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(points(&plan(&[text], None)).join(" "), expected, "{text}");
+    }
+}
+
+#[test]
+fn random_points_are_a_function_of_seed_and_number_alone() {
+    let axes = ["start.speed=uniform:100 rpm:300 rpm", "parameters.zeta=0.1,0.2", "parameters.T0=log-uniform:1:100"];
+    let few = plan(&axes, Some(50));
+    assert_eq!(few.points(), Some(100));
+    let values: Vec<Vec<String>> = (0..100).map(|i| few.values(i)).collect();
+    // The grid counts slower than the samples.
+    assert!(values[..50].iter().all(|v| v[1] == "0.1") && values[50..].iter().all(|v| v[1] == "0.2"));
+    for v in &values {
+        let (speed, torque) = (crate::sweep::axis::number(&v[0]), crate::sweep::axis::number(&v[2]));
+        assert!((100.0..=300.0).contains(&speed) && (1.0..=100.0).contains(&torque), "{v:?}");
+    }
+    let mut distinct = values.clone();
+    distinct.sort();
+    distinct.dedup();
+    assert_eq!(distinct.len(), 100);
+    let below_ten = values.iter().filter(|v| crate::sweep::axis::number(&v[2]) < 10.0).count();
+    // Half of them by their logarithms; five standard deviations of 100 tosses.
+    assert!((25..=75).contains(&below_ten), "{below_ten}");
+    assert_eq!(plan(&axes, Some(200)).values(20), few.values(20));
+    assert_ne!(Plan { seed: 4, ..few.clone() }.values(20), few.values(20));
+}
+
+/// The same point by `--set`: the whole account to the last bit.
+#[test]
+fn a_point_is_the_run_that_its_values_make() {
+    let request = request(&["parameters.T0=1:9:7", "start.speed=log:100 rpm:500 rpm:5"]);
+    let sweep = load(&request).unwrap();
+    for point in [0, 17, 34] {
+        let row = sweep.point(point);
+        let overrides = [request.overrides.clone(), sweep.plan.overrides(point)].concat();
+        let scene = Scene::load(&super::scene(), &overrides, &[MODELS[0].model]).unwrap();
+        let outcome: Outcome = (MODELS[0].run)(&scene, &mut |_| {}).unwrap();
+        assert_eq!(row.status, Status::Done);
+        let column = |name: &str| row.numbers[sweep.columns().iter().position(|(n, _)| n == name).unwrap()];
+        let run = &outcome.trajectory;
+        let last = |v: &Vec<f64>| v[v.len() - 1].to_bits();
+        assert_eq!(column("phi").to_bits(), last(&run.q[1]));
+        assert_eq!(column("theta_dot").to_bits(), last(&run.q_dot[0]));
+        assert_eq!(column("dissipated").to_bits(), last(&run.dissipated));
+        assert_eq!(column("residual").to_bits(), last(&run.residual));
+        assert_eq!(column("cell_changes"), outcome.counts.cell_changes as f64);
+        let greatest = run.q[1].iter().copied().fold(f64::MIN, f64::max);
+        assert_eq!(column("phi_max").to_bits(), greatest.to_bits());
+    }
+}
+
+/// What the pages of the paper's scenes say (models/scenes/oh2005, "Loss of speed"), worked out by other code.
+#[test]
+fn the_first_reflection_is_when_the_paper_s_pages_have_it() {
+    let path = super::scene().with_file_name("spectrum_600rpm_exact.toml");
+    let all = request(&["parameters.T0=30,50"]);
+    let request = Request { overrides: vec!["run.t_end=1.6 s".into()], record: vec!["events".into()], ..all };
+    let sweep = crate::sweep::Sweep::load(&path, MODELS, &request).unwrap();
+    let column = sweep.columns().iter().position(|(name, _)| name == "first_reflection").unwrap();
+    // Three digits are printed there.
+    for (point, t, half_digit) in [(0, 1.50, 0.005), (1, 0.469, 0.0005)] {
+        let found = sweep.point(point).numbers[column];
+        assert!((found - t).abs() <= half_digit, "{found} s");
+    }
+}
+
+/// Without samples the account is the same: they only look on.
+#[test]
+fn what_is_recorded_does_not_change_the_motion() {
+    let all = request(&["parameters.T0=1:500:4"]);
+    let few = Request { record: vec!["state".into(), "energy".into()], ..all.clone() };
+    let (all, few) = (load(&all).unwrap(), load(&few).unwrap());
+    let events = all.columns().iter().position(|(name, _)| name == "theta").unwrap();
+    for point in 0..4 {
+        let (a, b) = (all.point(point).numbers, few.point(point).numbers);
+        assert!(a[events..events + b.len()].iter().zip(&b).all(|(a, b)| a.to_bits() == b.to_bits()), "{a:?} {b:?}");
+    }
+}
+
+/// Each way in which a point can fail is a row with its reason.
+#[test]
+fn a_failing_point_is_a_row_with_its_reason() {
+    let cases = [
+        // The numbers make no system.
+        ("parameters.I1=2890 kg*mm^2,1e-300 kg*m^2", Status::Refused, "mass matrix"),
+        // Admissible by themselves, but these lead beyond all numbers, and against a step without end.
+        ("start.phi_dot=1 rad/s,1e307 rad/s", Status::Stopped, "no longer finite"),
+        ("parameters.T0=10,1e160", Status::Stopped, "followed one another"),
+    ];
+    for (axis, status, reason) in cases {
+        let sweep = load(&request(&[axis])).unwrap();
+        let (good, bad) = (sweep.point(0), sweep.point(1));
+        assert_eq!((good.status, good.reason.as_str()), (Status::Done, ""), "{axis}");
+        assert_eq!(bad.status, status, "{axis}: {}", bad.reason);
+        assert!(bad.reason.contains(reason), "{axis}: {}", bad.reason);
+        assert_eq!(bad.numbers.len(), good.numbers.len());
+    }
+    // Widths that fill the pitch only together: their combination is refused where it does not.
+    let widths =
+        ["laws.k.steps=[{value=\"1 kN*m\",width=\"1 rad\"},{value=\"2 kN*m\",width=\"2 rad\"},{value=\"1 kN*m\"}]"];
+    let mut two = request(&["laws.k.steps.0.width=1 rad:4 rad:2", "laws.k.steps.1.width=2 rad:4 rad:2"]);
+    two.overrides.extend(widths.map(Into::into));
+    let sweep = load(&two).unwrap();
+    let status: Vec<_> = (0..4).map(|point| sweep.point(point).status).collect();
+    assert_eq!(status, [Status::Done, Status::Done, Status::Done, Status::Refused]);
+    assert!(sweep.point(3).reason.contains("leaves nothing of the pitch"), "{}", sweep.point(3).reason);
+}
