@@ -3,7 +3,7 @@
 
 use crate::ensemble::cells::{Cells, Modes};
 use crate::ensemble::elementary::{exp_m1, sin_cos};
-use crate::ensemble::pack::{LANES, Pack};
+use crate::ensemble::pack::{LANES, Mask, Pack};
 
 /// The motion from a given state on.
 pub struct Flight<'a, const N: usize> {
@@ -27,8 +27,20 @@ pub struct Point {
 }
 
 impl Point {
+    /// This where `mask` says so, the other elsewhere.
+    #[inline(always)]
+    pub fn or(self, mask: Mask, other: &Point) -> Point {
+        Point {
+            s1: self.s1.or(mask, other.s1),
+            s2: self.s2.or(mask, other.s2),
+            decay: self.decay.or(mask, other.decay),
+            moved: self.moved.or(mask, other.moved),
+            gained: self.gained.or(mask, other.gained),
+        }
+    }
+
     /// Not moved.
-    const STILL: Point = {
+    pub const STILL: Point = {
         let zero = Pack([0.0; LANES]);
         Point { s1: zero, s2: zero, decay: zero, moved: zero, gained: zero }
     };

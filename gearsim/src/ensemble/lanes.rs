@@ -40,18 +40,43 @@ pub struct Lanes<const N: usize> {
     pub lateness: Vec<Pack>,
 }
 
+/// What simulations must have in common to be side by side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kind<const N: usize> {
+    /// Cells in a pitch.
+    places: usize,
+    /// Coordinate that is the phase.
+    phase: usize,
+    /// Which modes are rigid, in every cell; the others oscillate.
+    rigid: [bool; N],
+}
+
+impl<const N: usize> Kind<N> {
+    /// That of a simulation; `None` if it can be in no lane: its events are never plain, or a mode is rigid in some cells
+    /// only, or damped beyond oscillating.
+    pub fn of(simulation: &Simulation<'_, N>) -> Option<Self> {
+        let law = simulation.laws.first().filter(|_| simulation.is_plain())?;
+        let cells = simulation.cells().all();
+        let rigid: [bool; N] = std::array::from_fn(|i| cells[0].cell.modes[i].is_rigid());
+        let oscillates = |mode: &Mode| mode.damped_frequency() > 0.1 * mode.sigma;
+        let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };
+        let fits = cells.iter().all(|cell| cell.cell.modes.iter().zip(&rigid).all(plain));
+        fits.then_some(Kind { places: law.pitch.cells(), phase: law.phase, rigid })
+    }
+}
+
 /// Evaluations of the motion beyond which a lane is left to the scalar engine.
 const MOST: usize = 3;
 
 impl<const N: usize> Lanes<N> {
-    /// Empty lanes for simulations like this one; `None` if it cannot be in one.
-    pub fn new(like: &Simulation<'_, N>) -> Option<Self> {
+    /// Empty lanes for simulations of one kind.
+    pub fn new(kind: Kind<N>) -> Self {
         let zero = Pack::all(0.0);
-        let places = like.laws[0].pitch.cells();
-        Some(Lanes {
+        let Kind { places, phase, rigid } = kind;
+        Lanes {
             tables: vec![Cells::empty(); places],
-            rigid: rigid(like)?,
-            phase: like.laws[0].phase,
+            rigid,
+            phase,
             compliance: zero,
             direction: [zero; N],
             q: [zero; N],
@@ -63,13 +88,7 @@ impl<const N: usize> Lanes<N> {
             turns: [0; LANES],
             changes: [0; LANES],
             lateness: vec![zero; places],
-        })
-    }
-
-    /// Whether a simulation can be in a lane beside those that are.
-    pub fn fits(&self, simulation: &Simulation<'_, N>) -> bool {
-        let law = &simulation.laws[0];
-        law.pitch.cells() == self.tables.len() && law.phase == self.phase && rigid(simulation) == Some(self.rigid)
+        }
     }
 
     /// Puts a simulation into a lane; its cells only if it is `new` there.
@@ -105,11 +124,11 @@ impl<const N: usize> Lanes<N> {
         simulation.counts.cell_changes += self.changes[lane];
     }
 
-    /// Passes one step in every lane that can; tells which have.
+    /// Passes one step in those of the `active` lanes that can; tells which have.
     #[inline(always)]
-    pub fn pass(&mut self) -> Mask {
-        let first = self.at[0];
-        let together = self.at.iter().all(|at| *at == first);
+    pub fn pass(&mut self, active: Mask) -> Mask {
+        let first = (0..LANES).find(|lane| active.says(*lane)).map_or(0, |lane| self.at[lane]);
+        let together = (0..LANES).all(|lane| !active.says(lane) || self.at[lane] == first);
         let gathered;
         let cells = if together {
             &self.tables[first]
@@ -121,7 +140,7 @@ impl<const N: usize> Lanes<N> {
 
         // Certainty: the steady part of the phase's speed outweighs all that the oscillations can do.
         let (mut drift, mut wobble) = (Pack::all(0.0), Pack::all(0.0));
-        let mut sure = Mask::of(|_| true);
+        let mut sure = active;
         for i in 0..N {
             let (c, v, a) = (cells.modes[i].part, flight.speed[i], flight.acceleration(i));
             if self.rigid[i] {
@@ -139,12 +158,13 @@ impl<const N: usize> Lanes<N> {
         let steady = gap / drift.abs();
 
         // Newton's method, from the time that the cell took last.
-        let lateness = self.lateness(together);
+        let lateness = self.lateness(together, first);
         let mut t = (steady + lateness).zip(steady, |t, steady| if t > 0.0 { t } else { steady });
-        let mut points = flight.all_at(&self.rigid, t);
-        let mut done = Mask::of(|_| false);
-        for round in 0..MOST {
-            let [s, r, a, jerk, snap] = self.signal(cells, &flight, &points, sign);
+        let mut near = flight.all_at(&self.rigid, t);
+        // Each lane's result is that of its first good step, however long the others take.
+        let (mut points, mut taken, mut done) = (near, t, Mask::of(|_| false));
+        for round in 1..=MOST {
+            let [s, r, a, jerk, snap] = self.signal(cells, &flight, &near, sign);
             let f = gap - s;
             // The root of f - r dt - a dt²/2 - jerk dt³/6 - snap dt⁴/24 by reversion of the series.
             let inverse = 1.0 / r;
@@ -155,16 +175,21 @@ impl<const N: usize> Lanes<N> {
             let angle = dt.abs() * cells.rate;
             let next = a * a + j.abs();
             let lacking = (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs();
-            let near = angle.compare(a, |angle, a| (angle <= NEAR) & (a.abs() < 0.1)).and(r.compare(r, |r, _| r > 0.0));
-            done = near.and(lacking.compare(t, |l, t| l <= f64::EPSILON * t));
-            if done.covers(sure) || round + 1 == MOST {
-                points = flight.all_shifted(&self.rigid, &points, t, dt);
-                t = t + dt;
+            let good = angle.compare(a, |angle, a| (angle <= NEAR) & (a.abs() < 0.1)).and(r.compare(r, |r, _| r > 0.0));
+            let good = good.and(lacking.compare(t, |l, t| l <= f64::EPSILON * t)).without(done);
+            let shifted = flight.all_shifted(&self.rigid, &near, t, dt);
+            for i in 0..N {
+                points[i] = shifted[i].or(good, &points[i]);
+            }
+            taken = (t + dt).or(good, taken);
+            done = done.with(good);
+            if done.covers(sure) || round == MOST {
                 break;
             }
             t = t + dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
-            points = flight.all_at(&self.rigid, t);
+            near = flight.all_at(&self.rigid, t);
         }
+        let t = taken;
         sure = sure.and(done).and(t.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left));
         sure = sure.and((cells.rate * t).compare(t, |angle, _| (angle >= 0.5) & (angle < LARGEST_ANGLE)));
 
@@ -187,10 +212,10 @@ impl<const N: usize> Lanes<N> {
             }
         }
         let v = q_dot[self.phase];
-        let taken = 2.0 * self.compliance * dv;
-        let square = v * v - taken;
+        let lowered = 2.0 * self.compliance * dv;
+        let square = v * v - lowered;
         sure = sure.and(square.compare(v, |square, v| (square > 0.0) & v.is_finite()));
-        let gain = -(sign * taken) / (square.sqrt() + v.abs());
+        let gain = -(sign * lowered) / (square.sqrt() + v.abs());
         q[self.phase] = cells.entered[1].or(up, cells.entered[0]);
 
         // Only where all of it holds.
@@ -200,7 +225,7 @@ impl<const N: usize> Lanes<N> {
         }
         self.dissipated = lost.or(sure, self.dissipated);
         self.advance(t, sure);
-        self.remember(t - steady, sure, together);
+        self.remember(t - steady, sure, together, first);
         self.enter(up, sure);
         sure
     }
@@ -231,17 +256,17 @@ impl<const N: usize> Lanes<N> {
     }
 
     #[inline(always)]
-    fn lateness(&self, together: bool) -> Pack {
+    fn lateness(&self, together: bool, first: usize) -> Pack {
         if together {
-            return self.lateness[self.at[0]];
+            return self.lateness[first];
         }
         Pack(std::array::from_fn(|lane| self.lateness[self.at[lane]].0[lane]))
     }
 
     #[inline(always)]
-    fn remember(&mut self, lateness: Pack, sure: Mask, together: bool) {
+    fn remember(&mut self, lateness: Pack, sure: Mask, together: bool, first: usize) {
         if together {
-            let kept = &mut self.lateness[self.at[0]];
+            let kept = &mut self.lateness[first];
             *kept = lateness.or(sure, *kept);
             return;
         }
@@ -267,13 +292,4 @@ impl<const N: usize> Lanes<N> {
             };
         }
     }
-}
-
-/// Which modes are rigid in every cell; `None` where one is so in some cells only, or is damped beyond oscillating.
-fn rigid<const N: usize>(simulation: &Simulation<'_, N>) -> Option<[bool; N]> {
-    let cells = simulation.cells().all();
-    let rigid = std::array::from_fn(|i| cells[0].cell.modes[i].is_rigid());
-    let oscillates = |mode: &Mode| mode.damped_frequency() > 0.1 * mode.sigma;
-    let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };
-    cells.iter().all(|cell| cell.cell.modes.iter().zip(&rigid).all(plain)).then_some(rigid)
 }

@@ -2,7 +2,8 @@
 //!
 //! A simulation whose next event is plain (its phase monotone for certain, the step passed, before the end of its run) takes
 //! it in a lane; any other event it takes by itself, in the scalar engine, and comes back. So it goes through the same events
-//! as alone, with the same guarantee, to states that differ by roundings only, whatever its neighbours do.
+//! as alone, with the same guarantee, to states that differ from those of the scalar engine by roundings only. Whatever its
+//! neighbours, its result is the same to the last bit.
 //!
 //! `pulp` picks the instructions that the processor has.
 
@@ -18,7 +19,7 @@ use pulp::{Arch, NullaryFnOnce};
 
 use crate::engine::Stop;
 use crate::engine::simulate::Simulation;
-use lanes::Lanes;
+use lanes::{Kind, Lanes};
 use pack::{LANES, Mask};
 
 /// Runs simulations to their ends, unrecorded.
@@ -26,97 +27,79 @@ use pack::{LANES, Mask};
 /// # Errors
 /// For each, why it could not go on.
 pub fn run<const N: usize>(simulations: &mut [Simulation<'_, N>]) -> Vec<Result<(), Stop>> {
-    let results = vec![Ok(()); simulations.len()];
-    let mut ensemble = Ensemble { simulations, results, lanes: None, held: [None; LANES], waiting: 0 };
-    (0..LANES).for_each(|lane| ensemble.next(lane));
-    while let Some(lanes) = &mut ensemble.lanes
-        && ensemble.held.iter().any(Option::is_some)
-    {
-        let active = Mask::of(|lane| ensemble.held[lane].is_some());
-        let passed = Arch::new().dispatch(Advance { lanes, active });
-        for lane in (0..LANES).filter(|lane| active.says(*lane) && !passed.says(*lane)) {
-            ensemble.by_itself(lane);
-        }
-    }
-    ensemble.results
-}
-
-/// Simulations, some of them in lanes.
-struct Ensemble<'s, 'a, const N: usize> {
-    simulations: &'s mut [Simulation<'a, N>],
-    results: Vec<Result<(), Stop>>,
-    lanes: Option<Lanes<N>>,
-    /// The simulation in each lane.
-    held: [Option<usize>; LANES],
-    /// The next simulation that has not begun.
-    waiting: usize,
-}
-
-/// Goes on in all lanes until one of the `active` cannot.
-struct Advance<'l, const N: usize> {
-    lanes: &'l mut Lanes<N>,
-    active: Mask,
-}
-
-impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
-    type Output = Mask;
-
-    #[inline(always)]
-    fn call(self) -> Mask {
-        loop {
-            let passed = self.lanes.pass();
-            if !passed.covers(self.active) {
-                return passed;
+    let kinds: Vec<_> = simulations.iter().map(Kind::of).collect();
+    let mut results = vec![Ok(()); simulations.len()];
+    let mut ensemble = Ensemble { results: &mut results, simulations };
+    let mut done: Vec<Option<Kind<N>>> = vec![];
+    for kind in &kinds {
+        if !done.contains(kind) {
+            done.push(*kind);
+            let members: Vec<usize> = (0..kinds.len()).filter(|i| kinds[*i] == *kind).collect();
+            match kind {
+                Some(kind) => ensemble.side_by_side(*kind, &members),
+                None => members.into_iter().for_each(|which| while !ensemble.step(which) {}),
             }
         }
     }
+    results
+}
+
+/// Simulations, and what has become of them.
+struct Ensemble<'s, 'a, const N: usize> {
+    simulations: &'s mut [Simulation<'a, N>],
+    results: &'s mut [Result<(), Stop>],
 }
 
 impl<const N: usize> Ensemble<'_, '_, N> {
-    /// Puts the next simulation into a lane, if there is one.
-    fn next(&mut self, lane: usize) {
-        while self.held[lane].is_none() && self.waiting < self.simulations.len() {
-            self.waiting += 1;
-            self.enter(lane, self.waiting - 1, true);
+    /// Runs the `members` of one kind in lanes.
+    fn side_by_side(&mut self, kind: Kind<N>, members: &[usize]) {
+        let mut lanes = Lanes::new(kind);
+        let mut members = members.iter().copied();
+        let mut held = [None; LANES];
+        let mut waiting = Mask::of(|_| true);
+        let mut left = waiting;
+        loop {
+            for lane in (0..LANES).filter(|lane| left.says(*lane)) {
+                if let Some(which) = held[lane].take() {
+                    lanes.unload(lane, &mut self.simulations[which]);
+                    if !self.step(which) && self.ready(which) {
+                        lanes.load(lane, &self.simulations[which], false);
+                        held[lane] = Some(which);
+                    }
+                }
+                while held[lane].is_none()
+                    && let Some(which) = members.next()
+                {
+                    if self.ready(which) {
+                        lanes.load(lane, &self.simulations[which], true);
+                        held[lane] = Some(which);
+                    }
+                }
+            }
+            waiting = waiting.with(left);
+            let active = Mask::of(|lane| held[lane].is_some());
+            if active == Mask::of(|_| false) {
+                return;
+            }
+            let job = Advance { lanes: &mut lanes, active: active.without(waiting), waiting: active.and(waiting) };
+            (left, waiting) = Arch::new().dispatch(job);
         }
     }
 
-    /// Has the simulation in a lane take an event by itself, and come back or make room.
-    fn by_itself(&mut self, lane: usize) {
-        let (Some(lanes), Some(which)) = (&self.lanes, self.held[lane].take()) else { return };
-        lanes.unload(lane, &mut self.simulations[which]);
-        if !self.step(which) {
-            self.enter(lane, which, false);
-        }
-        self.next(lane);
-    }
-
-    /// Puts a simulation into a lane, once its next event could be a plain one and it is in step with the other lanes. It
-    /// may come to its end before.
-    fn enter(&mut self, lane: usize, which: usize, new: bool) {
-        let mut patience = self.simulations[which].laws.first().map_or(0, |law| law.pitch.cells());
+    /// Takes a simulation to the beginning of a pitch, where it can join the others, or to its end, or at least to where its
+    /// next event could be a plain one; tells whether it goes on from there.
+    fn ready(&mut self, which: usize) -> bool {
+        let mut patience = self.simulations[which].laws[0].pitch.cells();
         loop {
             let simulation = &self.simulations[which];
-            if simulation.is_plain() && (patience == 0 || self.in_step(simulation.laws[0].cell)) {
-                let lanes = self.lanes.take().or_else(|| Lanes::new(simulation));
-                self.lanes = lanes;
-                if let Some(lanes) = self.lanes.as_mut().filter(|lanes| lanes.fits(simulation)) {
-                    lanes.load(lane, simulation, new);
-                    self.held[lane] = Some(which);
-                    return;
-                }
+            if simulation.is_plain() && (patience == 0 || simulation.laws[0].cell == 0) {
+                return true;
             }
             patience = patience.saturating_sub(1);
             if self.step(which) {
-                return;
+                return false;
             }
         }
-    }
-
-    /// Whether all lanes are in the cell `at`: then none has to be gathered.
-    fn in_step(&self, at: usize) -> bool {
-        let lanes = self.lanes.iter().flat_map(|lanes| lanes.at.iter().zip(&self.held));
-        lanes.filter(|(_, held)| held.is_some()).all(|(other, _)| *other == at)
     }
 
     /// One event of a simulation; tells whether it has come to its end.
@@ -126,5 +109,36 @@ impl<const N: usize> Ensemble<'_, '_, N> {
             self.results[which] = Err(stop);
             true
         })
+    }
+}
+
+/// Goes on in all lanes until one of the `active` cannot. Lanes that are `waiting` join when the others begin a pitch, too, so
+/// that all are in one cell.
+struct Advance<'l, const N: usize> {
+    lanes: &'l mut Lanes<N>,
+    active: Mask,
+    waiting: Mask,
+}
+
+impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
+    /// Lanes that could not go on, and those that still wait.
+    type Output = (Mask, Mask);
+
+    #[inline(always)]
+    fn call(self) -> (Mask, Mask) {
+        let Advance { lanes, mut active, mut waiting } = self;
+        let mut waited = 0;
+        loop {
+            let leader = (0..LANES).find(|lane| active.says(*lane));
+            if leader.is_none_or(|leader| lanes.at[leader] == 0) || waited >= lanes.tables.len() {
+                active = active.with(waiting);
+                waiting = waiting.without(waiting);
+            }
+            waited += 1;
+            let passed = lanes.pass(active);
+            if !passed.covers(active) {
+                return (active.without(passed), waiting);
+            }
+        }
     }
 }

@@ -43,12 +43,32 @@ impl Mask {
         Mask(result)
     }
 
+    /// Lanes for which one or both hold.
+    #[inline(always)]
+    pub fn with(self, other: Mask) -> Mask {
+        let mut result = [0; LANES];
+        for i in 0..LANES {
+            result[i] = self.0[i] | other.0[i];
+        }
+        Mask(result)
+    }
+
+    /// Lanes of these that are not among the `others`.
+    #[inline(always)]
+    pub fn without(self, others: Mask) -> Mask {
+        let mut result = [0; LANES];
+        for i in 0..LANES {
+            result[i] = self.0[i] & !others.0[i];
+        }
+        Mask(result)
+    }
+
     /// Whether every lane of `other` is one of these.
     #[inline(always)]
     pub fn covers(self, other: Mask) -> bool {
         let mut lacking = 0;
         for i in 0..LANES {
-            lacking |= other.0[i] & !self.0[i];
+            lacking |= other.without(self).0[i];
         }
         lacking == 0
     }
