@@ -3,6 +3,7 @@
 mod derive;
 mod fuzz;
 mod hard_cases;
+mod instructions;
 mod oh2005;
 mod soak;
 
@@ -26,6 +27,8 @@ enum Verb {
     HardCases(hard_cases::HardCases),
     /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
     Fuzz(fuzz::Fuzz),
+    /// Count the instructions of the main paths under valgrind; write them to tests/instructions.md.
+    Instructions(instructions::Instructions),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
     /// Run very many events without damping: how the energy error grows, into out/soak.
@@ -37,6 +40,7 @@ fn main() -> ExitCode {
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
         Verb::Fuzz(verb) => verb.run(),
+        Verb::Instructions(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
     };
