@@ -51,7 +51,7 @@ pub struct Series {
 }
 
 /// Derivatives of a [`Series`], from the second on.
-pub const TERMS: usize = 8;
+pub const TERMS: usize = 12;
 /// Roundings of a derivative.
 const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 

@@ -105,10 +105,10 @@ impl Away {
                 low = t
             }
             let next = t - y / slope;
-            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
             if (next - t).abs() <= f64::EPSILON * t {
                 return Some(next);
             }
+            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
             t = next;
         }
         Some(t)
