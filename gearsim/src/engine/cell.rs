@@ -196,7 +196,7 @@ impl<'a, const N: usize> Flight<'a, N> {
         let Response { s1, s2, .. } = point.responses[i];
         let (v, f) = (self.speed[i], self.force[i]);
         point.moved[i] = v * s1 + f * s2;
-        point.gained[i] = (f - 2.0 * sigma * v) * s1 - omega2 * v * s2;
+        point.gained[i] = (f - 2.0 * sigma * v) * s1 - omega2 * s2 * v;
     }
 
     /// Bound on the rates of its modes [1/s].

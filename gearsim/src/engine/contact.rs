@@ -164,7 +164,10 @@ impl<const N: usize> Contact<N> {
             let on_speed = watch.modal.1.iter().any(|x| *x != 0.0).then_some(&watch.modal.1);
             let signal = Signal { flight, on_moved: &watch.modal.0, on_speed };
             let mut trial = flight.begin();
-            if (Search { signal, down, up, horizon }).first(&mut trial, cost)?.is_some() {
+            if (Search { signal, rate: signal.derivatives(&trial)[1], down, up, horizon })
+                .first(&mut trial, cost)?
+                .is_some()
+            {
                 (horizon, first) = (trial.t, Some((watch.law, watch.ending)));
                 *point = trial;
             }

@@ -2,14 +2,22 @@
 //!
 //! The phase s(t) = s_0 + sum c_i dxi_i(t) of a linear cell starts between two boundaries. Its first crossing is found
 //! in one of two ways. If the steady part of its speed outweighs all that the oscillations can do, s is monotone: the
-//! crossing is the only one, and Newton in a bracket finds it. Otherwise the search marches: with |s''| <= B from here
-//! on, no boundary at distance f, approached at the rate r, is reached before the first root of f - r h - B h²/2. A
-//! march by that step never passes a crossing, and leaves a boundary it starts on (f = 0, r < 0) by itself; leaving at
-//! rest (r = 0), it goes by the higher derivatives. Where the oscillations cannot reach as far as the boundary, the march
-//! goes at once to where they first could.
+//! crossing is the only one, and Newton in a bracket finds it. Otherwise the search marches, by steps that are proved not
+//! to pass a crossing ([`step`]); where the oscillations cannot reach as far as the boundary, at once to where they first
+//! could. It ends where one simple root is proved to lie ahead, and Newton finds that.
+//!
+//! A phase that starts on a boundary and leaves it has s(0) = 0 for a known root. It is divided out ([`departure`]), so
+//! that the return is found to rounding of its own time, however short.
 //!
 //! Depth: a boundary touched to within [`Search::tolerance`] (a few roundings of s) without passing is a graze: no
 //! event, counted.
+
+mod bernstein;
+mod departure;
+mod step;
+
+use departure::Departure;
+use step::Approach;
 
 use crate::engine::cell::Point;
 use crate::engine::mode::NEAR;
@@ -48,6 +56,8 @@ pub struct Cost {
 pub struct Search<'a, const N: usize> {
     /// What is watched.
     pub signal: Signal<'a, N>,
+    /// Its rate at the start, as exactly as it is known.
+    pub rate: f64,
     /// Distance to the lower boundary, >= 0; may be infinite.
     pub down: f64,
     /// Distance to the upper boundary, >= 0; may be infinite.
@@ -147,26 +157,37 @@ impl<const N: usize> Search<'_, N> {
 
     /// Marches by steps that cannot pass a crossing.
     fn march(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, u64> {
+        match self.depart(point) {
+            Some(Departure::Back { side, t }) => {
+                self.go(point, t, cost);
+                return Ok((t < self.horizon).then_some(side));
+            }
+            Some(Departure::Clear { until }) => self.go(point, until, cost),
+            None => {}
+        }
         let tolerance = self.tolerance();
         let mut approached = [false; 2];
         for _ in 0..MOST_STEPS {
             cost.steps += 1;
             let t = point.t;
-            let [moved, rate, acceleration, jerk, _] = self.signal.derivatives(point);
+            let [moved, rates @ ..] = self.signal.derivatives(point);
             let bounds = self.signal.bounds(point);
+            let rounding = self.signal.rounding(point);
             let reach = self.signal.reach(point);
+            let slack = 0.5 * tolerance.max(rounding.value);
             let mut h = f64::INFINITY;
-            for (i, (side, full)) in [(Side::Upper, self.up), (Side::Lower, self.down)].into_iter().enumerate() {
+            for (i, (side, full)) in self.sides().into_iter().enumerate() {
                 if full.is_infinite() {
                     continue;
                 }
                 let sign = side.sign();
-                let (gap, r, a, j) = (full - sign * moved, sign * rate, sign * acceleration, sign * jerk);
+                let [r, a, j, _] = rates.map(|x| sign * x);
+                let gap = full - sign * moved;
                 if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
                     // Here or hereabouts: does it pass, or turn within the tolerance?
-                    let depth = if a < 0.0 { gap + r * r / (2.0 * a) } else { f64::NEG_INFINITY };
-                    if depth <= -tolerance || a >= 0.0 {
-                        return Ok((t < self.horizon).then_some(side));
+                    let turns = a + rounding.acceleration < 0.0;
+                    if !turns || gap + r * r / (2.0 * a) <= -tolerance {
+                        return Ok(self.here(side, full, [gap, r, a], point, cost));
                     }
                     cost.grazes += 1;
                     approached[i] = false;
@@ -178,18 +199,19 @@ impl<const N: usize> Search<'_, N> {
                     cost.grazes += 1;
                 }
                 approached[i] = r > 0.0;
-                let (gap, bound) = (gap.max(0.0), bounds[0]);
-                if r > 0.0 && 2.0 * bound * (gap + tolerance) < 0.99 * r * r {
-                    // One root, simple, before anything else can happen; rounding of the gap does not make it one.
-                    if gap / (r + (2.0 * bound * gap).sqrt()) > self.horizon - t {
+                let approach = Approach { gap: gap.max(0.0), r, a, j, bounds, rounding };
+                if let Some((earliest, latest)) = approach.single(tolerance) {
+                    if earliest > self.horizon - t {
                         continue;
                     }
-                    let bracket = (t + 0.5 * gap / r, t + 2.0 * gap / r);
-                    self.go(point, t + gap / r, cost);
+                    let bracket = (t + 0.5 * approach.gap / r, t + latest);
+                    self.go(point, t + approach.gap / r, cost);
                     return Ok(self.newton(side, full, bracket, point, cost));
                 }
-                let clear = clear_of(gap, r, a, j, bounds, tolerance);
-                h = h.min(clear.max(reach.time(gap, sign)));
+                let safe = reach.time(approach.gap, sign);
+                if safe < h {
+                    h = h.min(safe.max(approach.clear(slack, self.horizon - t)));
+                }
             }
             let next = t + h;
             if next >= self.horizon || next.is_nan() {
@@ -200,30 +222,32 @@ impl<const N: usize> Search<'_, N> {
         Err(MOST_STEPS)
     }
 
+    fn sides(&self) -> [(Side, f64); 2] {
+        [(Side::Upper, self.up), (Side::Lower, self.down)]
+    }
+
+    /// The crossing that lies hereabouts, within the tolerance ahead or behind.
+    fn here(
+        &self,
+        side: Side,
+        full: f64,
+        [gap, r, a]: [f64; 3],
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Option<Side> {
+        let t = point.t;
+        let off = gap.abs();
+        let wide = 4.0 * off / (r + (r * r + 2.0 * a * gap).max(0.0).sqrt());
+        if t == 0.0 || !wide.is_finite() {
+            return (t < self.horizon).then_some(side);
+        }
+        let bracket = if gap > 0.0 { (t, t + wide) } else { ((t - wide).max(0.0), t) };
+        self.newton(side, full, bracket, point, cost)
+    }
+
     #[inline]
     fn go(&self, point: &mut Point<N>, t: f64, cost: &mut Cost) {
         cost.evaluations += 1;
         self.signal.flight.go(point, t);
     }
-}
-
-/// A time for which a boundary at distance `gap`, approached at rate `r`, acceleration `a` and jerk `j`, is not met;
-/// `bounds` are those on the second, third and fourth derivative.
-fn clear_of(gap: f64, r: f64, a: f64, j: f64, bounds: [f64; 3], tolerance: f64) -> f64 {
-    // The first root of gap - r h - B h²/2.
-    let root = (r * r + 2.0 * bounds[0] * gap).sqrt();
-    let second = if r > 0.0 {
-        2.0 * gap / (r + root)
-    } else if bounds[0] > 0.0 {
-        (root - r) / bounds[0]
-    } else {
-        f64::INFINITY
-    };
-    // Leaving it: what the first derivatives give outweighs the bound on the next.
-    let leaving = |d: f64, bound: f64| if bound > 0.0 { -d / bound } else { f64::INFINITY };
-    let third = if r <= 0.0 && a < 0.0 { 3.0 * leaving(a, bounds[1]) } else { 0.0 };
-    let fourth = if r <= 0.0 && a <= 0.0 && j < 0.0 { 4.0 * leaving(j, bounds[2]) } else { 0.0 };
-    let clear = second.max(third).max(fourth);
-    // At rest on the boundary: nothing else bounds the step; a tolerance's worth is safe.
-    if clear == 0.0 { (2.0 * tolerance / bounds[0]).sqrt() } else { clear }
 }

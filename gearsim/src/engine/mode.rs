@@ -120,6 +120,13 @@ impl Mode {
         -2.0 * self.sigma * y_dot - self.omega2 * y
     }
 
+    /// Sizes of what the speed, the acceleration and their next two derivatives are sums of.
+    pub fn sizes(&self, (v, a): (f64, f64)) -> [f64; 4] {
+        let (v, a) = (v.abs(), a.abs() + 4.0 * self.sigma * v.abs());
+        let jerk = 2.0 * self.sigma * a + self.omega2 * v;
+        [v, a, jerk, 2.0 * self.sigma * jerk + self.omega2 * a]
+    }
+
     /// S1 and S2 after the time `t` >= 0 [s].
     #[inline]
     pub fn response(&self, t: f64) -> Response {

@@ -26,6 +26,35 @@ pub struct Reach {
     deviation: f64,
 }
 
+/// What a signal and its first derivatives may be off by rounding.
+#[derive(Debug, Clone, Copy)]
+pub struct Rounding {
+    /// Itself.
+    pub value: f64,
+    /// The first.
+    pub rate: f64,
+    /// The second.
+    pub acceleration: f64,
+    /// The third.
+    pub jerk: f64,
+}
+
+/// A signal about its start: s(t) = s'(0) t + sum over k >= 2 of s^(k)(0) t^k/k!, and a remainder.
+#[derive(Debug, Clone, Copy)]
+pub struct Series {
+    /// s'', s''', ... at the start.
+    pub derivatives: [f64; TERMS],
+    /// What each may be off by rounding.
+    pub rounding: [f64; TERMS],
+    /// Bound on the next one, from the start on.
+    pub bound: f64,
+}
+
+/// Derivatives of a [`Series`], from the second on.
+pub const TERMS: usize = 12;
+/// Roundings of a derivative.
+const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
+
 impl Reach {
     /// Time before which a boundary at distance `gap` in the direction `sign` is out of reach.
     pub fn time(&self, gap: f64, sign: f64) -> f64 {
@@ -104,6 +133,47 @@ impl<const N: usize> Signal<'_, N> {
             }
         }
         sum.map(|bound| bound * (1.0 + 1e-12))
+    }
+
+    /// What it and its first derivatives at a point may be off by rounding: of what they are the sum of, now and at the start.
+    pub fn rounding(&self, point: &Point<N>) -> Rounding {
+        let mut sum = [0.0; 4];
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let mut sizes = mode.sizes(self.flight.rates_at_start(i));
+            sizes.iter_mut().zip(mode.sizes(self.flight.rates(i, point))).for_each(|(size, now)| *size += now);
+            let (c, d) = (self.on_moved[i].abs(), self.on_speed.map_or(0.0, |d| d[i].abs()));
+            sum[0] += ROUNDINGS * (c * point.moved[i].abs() + d * point.gained[i].abs());
+            for k in 0..3 {
+                sum[k + 1] += ROUNDINGS * (c * sizes[k] + d * sizes[k + 1]);
+            }
+        }
+        let [value, rate, acceleration, jerk] = sum;
+        Rounding { value, rate, acceleration, jerk }
+    }
+
+    /// It about its start.
+    pub fn series(&self) -> Series {
+        let mut series = Series { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
+        for (i, mode) in self.flight.modes().iter().enumerate() {
+            let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));
+            let (mut v, mut a) = self.flight.rates_at_start(i);
+            let [mut v_size, mut a_size, ..] = mode.sizes((v, a));
+            for k in 0..TERMS {
+                let (jerk, jerk_size) = (mode.next(v, a), 2.0 * mode.sigma * a_size + mode.omega2 * v_size);
+                series.derivatives[k] += c * a + d * jerk;
+                series.rounding[k] += ROUNDINGS * (c.abs() * a_size + d.abs() * jerk_size);
+                (v, a, v_size, a_size) = (a, jerk, a_size, jerk_size);
+            }
+            let next = mode.next(v, a);
+            // A rigid motion under a force has no further derivatives, but its bound is infinite: it is not asked.
+            if c != 0.0 && (a != 0.0 || next != 0.0) {
+                series.bound += c.abs() * mode.bound(a, next);
+            }
+            if d != 0.0 && (a != 0.0 || next != 0.0) {
+                series.bound += d.abs() * mode.bound(next, mode.next(a, next));
+            }
+        }
+        series
     }
 
     /// How far the oscillations carry it about its steady course, from a point on.

@@ -111,8 +111,9 @@ pub fn first<const N: usize>(
     [down, up]: [f64; 2],
     horizon: f64,
 ) -> Result<Met, u64> {
-    let search = Search { signal: Signal { flight, on_moved: participation, on_speed: None }, down, up, horizon };
     let (mut point, mut cost): (Point<N>, Cost) = (flight.begin(), Cost::default());
+    let signal = Signal { flight, on_moved: participation, on_speed: None };
+    let search = Search { signal, rate: signal.derivatives(&point)[1], down, up, horizon };
     let side = search.first(&mut point, &mut cost)?;
     Ok(Met { side, t: if side.is_some() { point.t } else { horizon }, cost })
 }

@@ -10,12 +10,14 @@ mod case;
 #[path = "../common/mod.rs"]
 mod common;
 mod linear;
+mod models;
 mod noise;
 mod pair;
 mod table;
 
 mod absent;
 mod cells;
+mod contact;
 mod damping;
 mod digits;
 mod ends;
@@ -32,10 +34,14 @@ mod resonance;
 mod scenes;
 mod splits;
 mod stiff;
+mod together;
+mod trapped;
 
 use std::process::ExitCode;
 
 use case::{Case, check};
+// Where the expansions of the models find the engine, as they do within gearsim.
+use gearsim::{engine, model};
 use libtest_mimic::{Arguments, Trial};
 use table::Table;
 
@@ -43,8 +49,10 @@ use table::Table;
 const GROUPS: &[&[Case]] = &[
     graze::CASES,
     jump::CASES,
-    // 3, held and pressed contact
+    trapped::CASES,
+    contact::CASES,
     ends::CASES,
+    together::CASES,
     splits::CASES,
     ratios::CASES,
     damping::CASES,

@@ -1,7 +1,7 @@
 //! One gear pair in the engine and in 50 digits: the same events, at times and with an end as exact as conditioning allows.
 //!
-//! A tooth pressed against a step bounces ever faster, and the reference follows it beyond all digits of `f64`, without end:
-//! what is compared ends before.
+//! A tooth pressed against a step bounces ever faster, until the engine holds it; the reference follows it without end: what
+//! is compared ends before.
 //!
 //! Conditioning is seen in the reference: what becomes of disturbances of 1e-10 in the start and in the stiffnesses. The unit of an
 //! error is what eps for 1e-10 would have become, plus eps of the number itself, an event; events are compared as long as the
@@ -18,8 +18,10 @@ const DISTURBANCE: f64 = 1e-10;
 /// Part of an oscillation up to which disturbances may grow.
 const CALM: f64 = 1e-6;
 
-/// Bounces closer than this part of an oscillation are those of a pressed tooth, soon no higher than a touch is deep.
-const PRESSED: f64 = 1e-2;
+/// Bounces closer than this part of an oscillation are those of a pressed tooth, about to be held.
+const PRESSED: f64 = 1e-5;
+/// Events after which a comparison ends: the reference takes its time.
+const MOST: usize = 80;
 
 /// What a comparison came to.
 #[derive(Debug, Default)]
@@ -77,9 +79,10 @@ pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
     compared
 }
 
-/// Half-way between the last two events before a tooth is pressed, if one is.
+/// Half-way between the last two events before a tooth is pressed, if one is, or there are too many.
 fn until_pressed(events: &[oh2005::Event], w0: f64) -> Option<f64> {
-    let pressed = events.windows(2).position(|pair| (pair[1].t - pair[0].t) * w0 < PRESSED)?;
+    let pressed = events.windows(2).take(MOST).position(|pair| (pair[1].t - pair[0].t) * w0 < PRESSED);
+    let pressed = pressed.or((events.len() > MOST).then_some(MOST))?;
     let before = if pressed > 0 { events[pressed - 1].t } else { 0.0 };
     Some(0.5 * (before + events[pressed].t))
 }

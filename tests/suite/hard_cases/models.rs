@@ -1,5 +1,28 @@
 //! Small models with closed forms, written out as the derivation would.
 
+use gearsim::engine::{Entry, Outcome};
+use gearsim::scene::Scene;
+
+/// Runs a scene of one of them to its end.
+pub fn run(entry: &Entry, text: &str) -> Outcome {
+    let scene = Scene::parse("case", "case.toml", text, &[], &[entry.model])
+        .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)));
+    let outcome = (entry.run)(&scene, &mut |_| {}).expect("a scene that can be simulated");
+    assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
+    outcome
+}
+
+/// q and q' at the end.
+pub fn end(outcome: &Outcome) -> (Vec<f64>, Vec<f64>) {
+    let last = |columns: &[Vec<f64>]| columns.iter().map(|c| *c.last().expect("a run has an end")).collect();
+    (last(&outcome.trajectory.q), last(&outcome.trajectory.q_dot))
+}
+
+/// Energy unaccounted for, of the energy at the start.
+pub fn residual(outcome: &Outcome) -> f64 {
+    crate::case::largest(outcome.trajectory.residual.iter().map(|r| r.abs())) / outcome.energy_at_start
+}
+
 /// A damped rotor under a torque, whose angle stiffens the spring of a second, loaded rotor: pressed against a step it
 /// cannot climb.
 pub mod pressed {

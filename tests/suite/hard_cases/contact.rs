@@ -1,0 +1,155 @@
+//! Row 3: a phase pressed against a step, held, let go.
+
+use gearsim::engine::{Entry, Outcome};
+
+use crate::case::{Case, largest};
+use crate::common;
+use crate::models::{self, end, pressed::Pressed, residual};
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "3",
+        name: "a rotor pressed by a net torque, damped: where it comes to rest",
+        proves: "held at the step to the bit, the sprung rotor where its load has it",
+        tolerance: 1e-12,
+        unit: "rad, rad/s",
+        reason: "what is ignored at the hold is 1e-12 of the energy, and none of it of the sprung rotor",
+        measure: |_| rest(&pressed()),
+    },
+    Case {
+        row: "3",
+        name: "bounces before it is held",
+        proves: "each takes 2 v/T and damping 2 c v²/(3 T): 3 T/(2 c v) of them down to the least v that is followed",
+        tolerance: 1e-3,
+        unit: "of their number",
+        reason: "the first few bounces are long, and lose more than their share",
+        measure: |note| {
+            let outcome = pressed();
+            *note = format!("{} bounces", outcome.counts.reflections);
+            (outcome.counts.reflections as f64 * least() / (1.5 * 0.5) - 1.0).abs()
+        },
+    },
+    Case {
+        row: "3",
+        name: "energy ignored by a hold",
+        proves: "v²/(2 G) at the hold is in the account, and below 1e-12 of T + V",
+        tolerance: 1.0,
+        unit: "1e-12 of the energy",
+        reason: "the stated threshold",
+        measure: |_| pressed().ignored / (1e-12 * ENERGY),
+    },
+    Case {
+        row: "3",
+        name: "energy of the bounces, the hold and the rest after it",
+        proves: "T + V - W + D + what is ignored stays what it was",
+        tolerance: 1e-13,
+        unit: "of the energy at the start",
+        reason: "roundings of the loss, a bounce each, of small parts of the energy",
+        measure: |_| residual(&pressed()),
+    },
+    Case {
+        row: "3",
+        name: "a reaction that pulls lets go",
+        proves: "held until phi has come to T0/k1, then free: both in closed form",
+        tolerance: 2e-9,
+        unit: "of the motion's sizes",
+        reason: "the hold ends when the reaction pulls by 1e-9 of its forces: so late is what follows",
+        measure: |_| release(),
+    },
+    Case {
+        row: "3",
+        name: "a step that vanishes lets through",
+        proves: "phi through zero makes dV = 0: theta slips through without loss, in closed form",
+        tolerance: 1e-13,
+        unit: "of the motion's sizes",
+        reason: "roundings of four closed forms and of the frequencies",
+        measure: |_| slip(),
+    },
+];
+
+const PRESSED: Entry = Entry::new::<Pressed, 2>();
+/// T + V of the pressed rotor at rest: load²/(2 k) [J].
+const ENERGY: f64 = 10.0;
+
+/// Under a torque and damping the bounces come ever faster, and end in a hold that lasts.
+fn pressed() -> Outcome {
+    models::run(
+        &PRESSED,
+        r#"
+        model = "pressed"
+        effects = ["stiffness_step"]
+        parameters = { T = "0.5 N*m", load = "10 N*m", c = "1 N*m*s" }
+        laws.k.steps = [{ value = "5 N*m", width = "0.4 rad" }, { value = "50 N*m" }]
+        run.t_end = "1000 s"
+        "#,
+    )
+}
+
+/// Least speed that is followed: v²/2 = 1e-12 of T + V.
+fn least() -> f64 {
+    (2e-12 * ENERGY).sqrt()
+}
+
+fn rest(outcome: &Outcome) -> f64 {
+    let (q, v) = end(outcome);
+    let held = (outcome.counts.holds, outcome.counts.cell_changes) == (1, 0) && q[0] == 0.4 && v[0] == 0.0;
+    if held { largest([(q[1] - 2.0).abs(), v[1].abs()]) } else { f64::INFINITY }
+}
+
+/// The gear pair at rest at the boundary theta = 0, below which the mesh is stiffer, with phi at `phi` times T0/k1.
+fn at_rest(t0: f64, phi: f64, t_end: f64) -> Outcome {
+    let overrides = [
+        r#"effects=["stiffness_step", "torques"]"#.into(),
+        format!("parameters.T0={t0:?} N*m"),
+        "start.speed=0 rpm".into(),
+        format!("start.phi={:?} rad", phi * t0 / 1430.0),
+        format!("run.t_end={t_end:?} s"),
+    ];
+    common::run(&common::scene("oh2005/energy_300rpm", &overrides))
+}
+
+/// Angular frequencies of phi with theta free, sqrt(M2 k), and with theta held, sqrt(2 k/(a + b)); M1/M2.
+fn frequencies(k: f64) -> (f64, f64, f64) {
+    let (a, b) = (0.00289 / 24f64.powi(2), 0.7402 / 96f64.powi(2));
+    let (m1, m2) = ((1.0 / a - 1.0 / b) / 2.0, (1.0 / a + 1.0 / b) / 2.0);
+    ((m2 * k).sqrt(), (2.0 * k / (a + b)).sqrt(), m1 / m2)
+}
+
+/// Rest of phi in the softer mesh under 10 N m.
+const REST: f64 = 10.0 / 1430.0;
+
+/// How far theta, phi and their speeds at the end are off, in units of REST and of `speed`; infinite where events are
+/// others, or energy is lost.
+fn off(outcome: &Outcome, events: (u64, u64), [theta, phi]: [f64; 2], speeds: [f64; 2], speed: f64) -> f64 {
+    if (outcome.counts.holds, outcome.counts.cell_changes) != events || residual(outcome) > 1e-14 {
+        return f64::INFINITY;
+    }
+    let (q, v) = end(outcome);
+    let angles = [q[0] - theta, q[1] - phi].map(|x| x.abs() / REST);
+    let speeds = [v[0] - speeds[0], v[1] - speeds[1]].map(|x| x.abs() / speed.abs());
+    largest(angles.into_iter().chain(speeds))
+}
+
+/// phi = 3 T0/k1 accelerates theta down, against a step up: held, until phi has come to T0/k1 and the reaction pulls.
+fn release() -> f64 {
+    let (free, held, ratio) = frequencies(1430.0);
+    let after = 0.3 / free;
+    let outcome = at_rest(10.0, 3.0, std::f64::consts::FRAC_PI_2 / held + after);
+    let speed = -2.0 * REST * held;
+    let (phi, phi_dot) = (REST + speed / free * (free * after).sin(), speed * (free * after).cos());
+    let (theta, theta_dot) = (ratio * (phi - REST - speed * after), ratio * (phi_dot - speed));
+    off(&outcome, (1, 0), [theta, phi], [theta_dot, phi_dot], speed)
+}
+
+/// phi swings from 2 |T0|/k1 through zero to negative rest: there the step vanishes, and theta slips through.
+fn slip() -> f64 {
+    let (_, held, ratio) = frequencies(1430.0);
+    let (free, ..) = frequencies(2780.0);
+    let (after, beyond) = (0.2 / free, 10.0 / 2780.0);
+    let outcome = at_rest(-10.0, -2.0, (1.0f64 / 3.0).acos() / held + after);
+    let speed = -3.0 * REST * held * (1.0f64 - 1.0 / 9.0).sqrt();
+    let (c, s) = ((free * after).cos(), (free * after).sin());
+    let (phi, phi_dot) = (-beyond + beyond * c + speed / free * s, -beyond * free * s + speed * c);
+    let (theta, theta_dot) = (ratio * (phi - speed * after), ratio * (phi_dot - speed));
+    off(&outcome, (1, 1), [theta, phi], [theta_dot, phi_dot], speed)
+}
