@@ -171,7 +171,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             }
             let (lower, upper) = law.bounds();
             let s = self.state.q[law.phase];
-            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: None };
+            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: here.on_speed[i].as_ref() };
             let search = Search { signal, down: s - lower, up: upper - s, horizon };
             // The first law's search moves the point itself: mostly there is no other.
             let place = if i == 0 { &mut *point } else { &mut trial };

@@ -16,6 +16,7 @@ mod table;
 
 mod absent;
 mod cells;
+mod coupled;
 mod damping;
 mod digits;
 mod ends;
@@ -54,6 +55,7 @@ const GROUPS: &[&[Case]] = &[
     // 11, backlash
     resonance::CASES,
     stiff::CASES,
+    coupled::CASES,
     limits::CASES,
     ramps::CASES,
     refusals::CASES,
