@@ -124,6 +124,13 @@ impl<const N: usize> Cell<N> {
         Flight { cell: self, speed, force }
     }
 
+    /// The motion of the difference (dq, dq') of two motions: no load acts on it.
+    pub fn difference(&self, dq: &SVector<f64, N>, dq_dot: &SVector<f64, N>) -> Flight<'_, N> {
+        let Flight { speed, force, .. } = self.flight(dq, dq_dot);
+        let loaded = self.flight(&SVector::zeros(), &SVector::zeros());
+        Flight { cell: self, speed: speed - loaded.speed, force: force - loaded.force }
+    }
+
     /// How c.q + d.q' follows the modes: by what they move, and by what speed they gain, if that counts (N each).
     pub fn follow(&self, c: &SVector<f64, N>, d: Option<&SVector<f64, N>>) -> (SVector<f64, N>, Option<SVector<f64, N>>) {
         match (&self.coupling, d) {
@@ -149,7 +156,10 @@ impl<const N: usize> Cell<N> {
 }
 
 /// M, M⁻¹, C, K, f of `equations` with law values `k`.
-fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<Matrices, Refusal> {
+///
+/// # Errors
+/// Where M is not positive definite, or a number overflows.
+pub fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<Matrices, Refusal> {
     let matrix = |rows: [[f64; N]; N]| DMatrix::<f64>::from_fn(N, N, |i, j| rows[i][j]);
     let mass = matrix(equations.mass());
     if mass.iter().any(|x| !x.is_finite()) {

@@ -3,7 +3,7 @@
 //! From the inside out, one file each: `mode` (one degree of freedom, exact), `modal` (matrices to modes), `cell` (a
 //! motion along them), `coupling` (what more there is where damping couples them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
 //! `contact` (a phase held at a step), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
-//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run).
+//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run), `system` (equations of any number of coordinates, as analyses see them).
 
 pub mod cell;
 pub mod cells;
@@ -24,6 +24,7 @@ pub mod record;
 pub mod signal;
 pub mod simulate;
 mod start;
+pub mod system;
 
 pub use error::{Refusal, Stop};
 pub use outcome::{Entry, Outcome};

@@ -14,7 +14,7 @@
 //! B z' = A z, z = (xi', xi''), B = [G, 1; 1, 0], and B-orthogonal to one another (P. Lancaster, Lambda-matrices and
 //! vibrating systems, 1966); B z = (F, xi') with F = g - Omega² xi.
 
-use nalgebra::{DMatrix, DVector, Matrix2};
+use nalgebra::{DMatrix, DVector};
 
 use super::pairs::{Pair, eigenpairs};
 use super::{refine, subspace};
@@ -38,8 +38,9 @@ pub struct Coupled {
     pub damping: DMatrix<f64>,
 }
 
-/// Largest condition number of a pair among the others: as many digits are lost.
-const WORST: f64 = 1e7;
+/// Largest condition number c of a pair among the others: parts of the motion are up to c times its size, and their
+/// phases turn by c roundings, which leaves 8 digits.
+const WORST: f64 = 1e4;
 /// Largest part of a motion that its modes may miss.
 const INCOMPLETE: f64 = 1e-8;
 
@@ -52,6 +53,7 @@ impl Coupled {
         let n = omega2.len();
         let mut pairs: Vec<Pair> = vec![];
         for group in groups(damping) {
+            let clusters = pairs.iter().map(|p| p.cluster + 1).max().unwrap_or(0);
             let (w, g) = (subspace::pick(omega2, &group), subspace::block(damping, &group));
             for pair in solve(&w, &g)? {
                 let whole = |x: &DVector<f64>| {
@@ -59,7 +61,7 @@ impl Coupled {
                     group.iter().zip(x.iter()).for_each(|(&i, x)| all[i] = *x);
                     all
                 };
-                pairs.push(Pair { x1: whole(&pair.x1), x2: whole(&pair.x2), own: group[pair.own], ..pair });
+                pairs.push(Pair { x1: whole(&pair.x1), x2: whole(&pair.x2), cluster: clusters + pair.cluster, ..pair });
             }
         }
         pairs.sort_by(|p, q| (p.b, p.s).partial_cmp(&(q.b, q.s)).unwrap_or(std::cmp::Ordering::Equal));
@@ -111,17 +113,18 @@ fn groups(damping: &DMatrix<f64>) -> Vec<Vec<usize>> {
 fn solve(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Pair>, Refusal> {
     if let [omega2] = omega2 {
         let (x1, x2) = (DVector::from_element(1, 1.0), DVector::zeros(1));
-        return Ok(vec![Pair { x1, x2, s: g[(0, 0)], b: *omega2, own: 0 }]);
+        return Ok(vec![Pair { x1, x2, s: g[(0, 0)], b: *omega2, cluster: 0 }]);
     }
-    let (mut pairs, mut taken) = (vec![], vec![]);
-    for values in eigenpairs(omega2, g)? {
-        let rigid = values[0].1 == 0.0;
-        let starts = if rigid {
-            subspace::of_rigid(omega2, g, &values, &mut taken)
-        } else {
-            subspace::of(omega2, g, &values)
+    let mut pairs = vec![];
+    let mut rigid = (0..omega2.len()).filter(|&i| omega2[i] == 0.0);
+    for (cluster, values) in eigenpairs(omega2, g)?.into_iter().enumerate() {
+        let of_rigid = values[0].1 == 0.0;
+        let starts = match of_rigid {
+            true => subspace::of_rigid(omega2, g, &values, &mut rigid)?,
+            false => subspace::of(omega2, g, &values)?,
         };
-        pairs.extend(starts?.into_iter().map(|start| refine::newton(omega2, g, start)));
+        let cluster = if of_rigid { 0 } else { cluster + 1 };
+        pairs.extend(starts.into_iter().map(|start| Pair { cluster, ..refine::newton(omega2, g, start) }));
     }
     Ok(pairs)
 }
@@ -129,34 +132,26 @@ fn solve(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Pair>, Refusal> {
 /// Rows that give a', a'' of each pair from (xi', F): 2n x 2n.
 fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatrix<f64>, Refusal> {
     let n = omega2.len();
-    let mut rows = DMatrix::zeros(2 * n, 2 * n);
-    let mut columns = DMatrix::zeros(2 * n, 2 * n); // of (xi', F)
+    // Z as (xi', F) and as (xi', xi''): the first is B times the second, its halves exchanged.
+    let (mut forces, mut rates) = (DMatrix::zeros(2 * n, 2 * n), DMatrix::zeros(2 * n, 2 * n));
     for (k, p) in pairs.iter().enumerate() {
-        let (b, s, g1, g2) = (p.b, p.s, g * &p.x1, g * &p.x2);
-        let speed = &p.x1 - &p.x2 * s;
-        // The Gram matrix of the pair, ZᵀBZ.
-        let e11 = p.x1.dot(&g1) - 2.0 * b * p.x1.dot(&p.x2);
-        let e12 = p.x1.dot(&g2) + p.x1.dot(&speed) - b * p.x2.dot(&p.x2);
-        let e22 = p.x2.dot(&g2) + 2.0 * p.x2.dot(&speed);
-        let inverse = Matrix2::new(e11, e12, e12, e22).try_inverse();
-        let e = inverse.filter(|e| e.iter().all(|x| x.is_finite())).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
-        for i in 0..n {
-            let on_speed = [-b * p.x2[i], speed[i]];
-            let on_force = [p.x1[i], p.x2[i]];
-            for r in 0..2 {
-                rows[(2 * k + r, i)] = e[(r, 0)] * on_speed[0] + e[(r, 1)] * on_speed[1];
-                rows[(2 * k + r, n + i)] = e[(r, 0)] * on_force[0] + e[(r, 1)] * on_force[1];
-            }
-            columns[(i, 2 * k)] = p.x1[i];
-            columns[(i, 2 * k + 1)] = p.x2[i];
-            columns[(n + i, 2 * k)] = g1[i] - b * p.x2[i];
-            columns[(n + i, 2 * k + 1)] = g2[i] + speed[i];
+        let (x1, x2) = (&p.x1, &p.x2);
+        for (r, (speed, acceleration)) in [(x1.clone(), x2 * -p.b), (x2.clone(), x1 - x2 * p.s)].into_iter().enumerate() {
+            forces.view_mut((0, 2 * k + r), (n, 1)).copy_from(&speed);
+            forces.view_mut((n, 2 * k + r), (n, 1)).copy_from(&(g * &speed + &acceleration));
+            rates.view_mut((0, 2 * k + r), (n, 1)).copy_from(&acceleration);
+            rates.view_mut((n, 2 * k + r), (n, 1)).copy_from(&speed);
         }
     }
-    let rates: Vec<f64> = pairs.iter().map(Pair::rate).collect();
+    // Zᵀ B z = (xi''ᵀ, xi'ᵀ)(xi', F): orthogonal but for pairs of one cluster, whose Gram matrices are taken out.
+    let products = rates.transpose() * &forces;
+    let gram = DMatrix::from_fn(2 * n, 2 * n, |i, j| {
+        if pairs[i / 2].cluster == pairs[j / 2].cluster { products[(i, j)] } else { 0.0 }
+    });
+    let rows = gram.lu().solve(&rates.transpose()).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     let units: Vec<f64> = (0..n).map(|i| omega2[i].sqrt().max(g[(i, i)])).map(|u| if u > 0.0 { u } else { 1.0 }).collect();
-    let rows = biorthogonal(&rows, &columns)?;
-    verify(&units, &rates, &rows, &columns)?;
+    let rows = biorthogonal(&rows, &forces)?;
+    verify(&units, &pairs.iter().map(Pair::rate).collect::<Vec<_>>(), &rows, &forces)?;
     Ok(rows)
 }
 

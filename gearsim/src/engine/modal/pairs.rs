@@ -2,9 +2,10 @@
 //!
 //! Complex ones go with their conjugates. Of the real ones half are of the fast kind and half of the slow kind: from
 //! lambda = -inf on, where lambda² + lambda G + Omega² is positive definite, a fast one adds a negative direction to it
-//! and a slow one takes one away, like brackets (P. Lancaster & L. Rodman, SIAM Rev. 47, 2005, the sign characteristic). A
-//! fast one goes with the slow one that closes its bracket; such are those that can meet and become defective, at critical
-//! damping, or become complex. Rigid motions that are damped have lambda = 0, slow.
+//! and a slow one takes one away, like brackets: the sign characteristic (I. Gohberg, P. Lancaster & L. Rodman, Matrix
+//! Polynomials, 1982). Two of one kind pass through one another; a fast and a slow one that meet become defective, and
+//! then complex. So a fast one goes with the nearest slow one, and where they meet they do so within one mode, as at
+//! critical damping. Rigid motions that are damped have lambda = 0, slow.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
@@ -21,8 +22,8 @@ pub struct Pair {
     pub s: f64,
     /// b = omega² = lambda1 lambda2 \[1/s²\].
     pub b: f64,
-    /// The coordinate in which X1 = 1, X2 = 0: a is its displacement by this mode.
-    pub own: usize,
+    /// Pairs of one cluster share (s, b), or all b = 0, and need not be orthogonal to one another.
+    pub cluster: usize,
 }
 
 impl Pair {
@@ -49,13 +50,14 @@ pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Vec<(f64, f64)
     let mut real: Vec<Complex<f64>> = values.iter().copied().filter(nearly_real).collect();
     real.extend(omega2.iter().filter(|w| **w == 0.0).map(|_| Complex::from(0.0)));
     real.sort_by(|x, y| (x.re, x.im).partial_cmp(&(y.re, y.im)).unwrap_or(std::cmp::Ordering::Equal));
-    let mut open = vec![];
-    for (value, fast) in real.iter().zip(kinds(omega2, g, &real)) {
-        match open.pop() {
-            other if fast => open.extend(other.into_iter().chain([*value])),
-            Some(other) => pairs.push((-(other + value).re, (other * value).re.max(0.0))),
-            None => return Err(Refusal::Defective { condition: f64::INFINITY }),
-        }
+    let mut left: Vec<(Complex<f64>, bool)> = real.iter().copied().zip(kinds(omega2, g, &real)).collect();
+    while left.len() > 1 {
+        let apart = |i: usize, j: usize| (left[i].0 - left[j].0).norm() / left[i].0.norm().max(left[j].0.norm());
+        let opposite = (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| left[i].1 != left[j].1);
+        let nearest = opposite.min_by(|x, y| apart(x.0, x.1).total_cmp(&apart(y.0, y.1)));
+        let Some((i, j)) = nearest else { break };
+        let (second, first) = (left.remove(j).0, left.remove(i).0);
+        pairs.push((-(first + second).re, (first * second).re.max(0.0)));
     }
     if pairs.len() != omega2.len() {
         return Err(Refusal::Defective { condition: f64::INFINITY });

@@ -42,8 +42,10 @@ pub fn row_scale(omega2: &[f64], g: &DMatrix<f64>, rate: f64, i: usize) -> f64 {
     omega2[i] + rate * (rate + g[(i, i)])
 }
 
-/// The pairs of a cluster of values (s, b), each with one coordinate j that is its own: X1 = 1, X2 = 0 there, and both 0
-/// at those of the others.
+/// The pairs of a cluster of values (s, b).
+///
+/// Each is spanned by a vector y = (X1, rate X2) of the null space and its image C y = (-b X2, rate (X1 - s X2)), that is
+/// by a' and a''; of several y that with the largest image aside of itself and of the pairs before is taken.
 ///
 /// # Errors
 /// Where the values are defective.
@@ -51,30 +53,40 @@ pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec
     let (n, size) = (omega2.len(), 2 * values.len());
     let (s, b) = mean(values);
     let rate = b.sqrt().max(s);
-    let mut null = null_space(pencil(omega2, g, s, b, rate), size)?;
-    let mut own = vec![];
-    for k in 0..values.len() {
-        // The coordinate in which the space left has the largest determinant.
-        let left = null.columns(2 * k, size - 2 * k).into_owned();
-        let area = |j: &usize| {
-            let (p, q) = (left.row(*j), left.row(n + j));
-            p.norm_squared() * q.norm_squared() - p.dot(&q).powi(2)
+    let mut left = null_space(pencil(omega2, g, s, b, rate), size)?;
+    let mut pairs = vec![];
+    while left.len() > 1 {
+        let mixed = (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let mixed = mixed.flat_map(|(i, j)| [(&left[i] + &left[j]).normalize(), (&left[i] - &left[j]).normalize()]);
+        let candidates: Vec<DVector<f64>> = left.iter().cloned().chain(mixed).collect();
+        // Within what is left: the image may have parts in the pairs before.
+        let aside = |y: &DVector<f64>| {
+            let image = image(y, s, b, rate);
+            let within = left.iter().map(|v| v * v.dot(&image)).sum::<DVector<f64>>();
+            &within - y * y.dot(&within)
         };
-        let j = largest((0..n).filter(|j| !own.contains(j)), area)?;
-        own.push(j);
-        eliminate(&mut null, j, 2 * k)?;
-        eliminate(&mut null, n + j, 2 * k + 1)?;
+        let best = candidates.into_iter().max_by(|x, y| aside(x).norm().total_cmp(&aside(y).norm()));
+        let y = best.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+        let other = aside(&y);
+        if other.norm() < NULL {
+            return Err(Refusal::Defective { condition: 1.0 / other.norm() });
+        }
+        left = without(&left, &[y.clone(), other.normalize()]);
+        pairs.push(Pair { x1: y.rows(0, n).into_owned(), x2: y.rows(n, n) / rate, s, b, cluster: 0 });
     }
-    let pair = |k: usize| {
-        let x1 = DVector::from_fn(n, |i, _| null[(i, 2 * k)]);
-        let x2 = DVector::from_fn(n, |i, _| null[(n + i, 2 * k)] / rate);
-        Pair { x1, x2, s, b, own: own[k] }
-    };
-    Ok((0..values.len()).map(pair).collect())
+    Ok(pairs)
 }
 
-/// The same where b = 0: a decay and the rigid motion that stays. With lambda = -s and (lambda² + lambda G + Omega²) phi = 0,
-/// phi_j = 1, it is X1 = e_j, X1 + lambda X2 = phi, for a rigid mode j that is not in `taken`.
+/// C y, over the rate.
+pub fn image(y: &DVector<f64>, s: f64, b: f64, rate: f64) -> DVector<f64> {
+    let n = y.len() / 2;
+    DVector::from_fn(2 * n, |i, _| {
+        if i < n { -b / (rate * rate) * y[n + i] } else { y[i - n] - s / rate * y[i] }
+    })
+}
+
+/// The same where b = 0: a decay and a rigid motion e_j that stays, j in `rigid`. With lambda = -s and
+/// (lambda² + lambda G + Omega²) phi = 0 it is X1 = e_j, X1 + lambda X2 = phi; phi and e_j need have nothing in common.
 ///
 /// # Errors
 /// Where the values are defective.
@@ -82,30 +94,27 @@ pub fn of_rigid(
     omega2: &[f64],
     g: &DMatrix<f64>,
     values: &[(f64, f64)],
-    taken: &mut Vec<usize>,
+    rigid: &mut impl Iterator<Item = usize>,
 ) -> Result<Vec<Pair>, Refusal> {
     let n = omega2.len();
     let s = mean(values).0;
-    let scaled = DMatrix::from_fn(n, n, |i, j| {
+    let null = null_space(quadratic(omega2, g, s), values.len())?;
+    let pair = |phi: DVector<f64>| {
+        let j = rigid.next().ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+        let x1 = DVector::from_fn(n, |i, _| f64::from(u8::from(i == j)));
+        let phi = if phi[j] < 0.0 { -phi } else { phi };
+        Ok(Pair { x2: (&x1 - phi) / s, x1, s, b: 0.0, cluster: 0 })
+    };
+    null.into_iter().map(pair).collect()
+}
+
+/// lambda² + lambda G + Omega² at lambda = -s, its rows scaled.
+pub fn quadratic(omega2: &[f64], g: &DMatrix<f64>, s: f64) -> DMatrix<f64> {
+    let n = omega2.len();
+    DMatrix::from_fn(n, n, |i, j| {
         let own = if i == j { s * s + omega2[i] } else { 0.0 };
         (own - s * g[(i, j)]) / row_scale(omega2, g, s, i)
-    });
-    let mut null = null_space(scaled, values.len())?;
-    let mut own = vec![];
-    for k in 0..values.len() {
-        let left = null.columns(k, values.len() - k).into_owned();
-        let free = (0..n).filter(|j| omega2[*j] == 0.0 && !taken.contains(j));
-        let j = largest(free, |j| left.row(*j).norm_squared())?;
-        taken.push(j);
-        own.push(j);
-        eliminate(&mut null, j, k)?;
-    }
-    let pair = |k: usize| {
-        let x1 = DVector::from_fn(n, |i, _| f64::from(u8::from(i == own[k])));
-        let x2 = (&x1 - null.column(k)) / s;
-        Pair { x1, x2, s, b: 0.0, own: own[k] }
-    };
-    Ok((0..values.len()).map(pair).collect())
+    })
 }
 
 fn mean(values: &[(f64, f64)]) -> (f64, f64) {
@@ -113,8 +122,8 @@ fn mean(values: &[(f64, f64)]) -> (f64, f64) {
     (values.iter().map(|v| v.0).sum::<f64>() / count, values.iter().map(|v| v.1).sum::<f64>() / count)
 }
 
-/// A basis of the null space of a matrix that is known to have `size` dimensions of it.
-fn null_space(a: DMatrix<f64>, size: usize) -> Result<DMatrix<f64>, Refusal> {
+/// An orthonormal basis of the null space of a matrix that is known to have `size` dimensions of it.
+fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal> {
     let svd = a.svd(false, true);
     let v = svd.v_t.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     let mut order: Vec<usize> = (0..v.nrows()).collect();
@@ -123,24 +132,18 @@ fn null_space(a: DMatrix<f64>, size: usize) -> Result<DMatrix<f64>, Refusal> {
     if largest.is_nan() || largest > NULL {
         return Err(Refusal::Defective { condition: 1.0 / largest });
     }
-    Ok(DMatrix::from_fn(v.ncols(), size, |i, c| v[(order[c], i)]))
+    Ok(order[..size].iter().map(|&i| v.row(i).transpose()).collect())
 }
 
-/// Which of some coordinates is largest by `size`; refused where that is next to nothing.
-fn largest(of: impl Iterator<Item = usize>, size: impl Fn(&usize) -> f64) -> Result<usize, Refusal> {
-    let best = of.max_by(|i, j| size(i).total_cmp(&size(j)));
-    best.filter(|j| size(j) > 1e-20).ok_or(Refusal::Defective { condition: f64::INFINITY })
-}
-
-/// Makes column `at` of a basis 1 in `row`, and the others 0 there, by those from `at` on.
-fn eliminate(basis: &mut DMatrix<f64>, row: usize, at: usize) -> Result<(), Refusal> {
-    let pivot = largest(at..basis.ncols(), |c| basis[(row, *c)].abs())?;
-    basis.swap_columns(at, pivot);
-    let column = basis.column(at) / basis[(row, at)];
-    basis.set_column(at, &column);
-    for c in (0..basis.ncols()).filter(|&c| c != at) {
-        let less = basis.column(c) - &column * basis[(row, c)];
-        basis.set_column(c, &less);
+/// An orthonormal basis of what `basis` spans without two of its directions, themselves orthonormal.
+fn without(basis: &[DVector<f64>], taken: &[DVector<f64>; 2]) -> Vec<DVector<f64>> {
+    let mut all = taken.to_vec();
+    while all.len() < basis.len() {
+        // Of what is left of each the largest, made orthogonal twice: once is not enough for rounding.
+        let rest = |v: &DVector<f64>| all.iter().chain(&all).fold(v.clone(), |v, u| &v - u * u.dot(&v));
+        let largest = basis.iter().map(rest).max_by(|x, y| x.norm().total_cmp(&y.norm()));
+        let Some(largest) = largest else { break };
+        all.push(largest.normalize());
     }
-    Ok(())
+    all.split_off(2)
 }
