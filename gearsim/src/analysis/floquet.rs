@@ -13,8 +13,10 @@ use crate::engine::modal::Modal;
 use crate::engine::system::System;
 use crate::scene::Scene;
 
+mod chart;
 mod period;
 
+pub use chart::{Chart, Spot, Varied};
 pub use period::{Aperiodic, Stretch, stretches};
 
 /// Why the stability of a scene is not found.

@@ -3,7 +3,9 @@
 mod compare;
 mod failure;
 mod files;
+mod floquet;
 mod models;
+mod modes;
 mod number;
 mod progress;
 mod provenance;
@@ -24,6 +26,8 @@ use failure::Failure;
 const COMMANDS: &[Command] = &[
     Command::of::<run::Run>(), //
     Command::of::<compare::Compare>(),
+    Command::of::<modes::Modes>(),
+    Command::of::<floquet::Floquets>(),
     Command::of::<models::Models>(),
 ];
 

@@ -151,7 +151,7 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
     let rows = gram.lu().solve(&rates.transpose()).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     let units: Vec<f64> = (0..n).map(|i| omega2[i].sqrt().max(g[(i, i)])).map(|u| if u > 0.0 { u } else { 1.0 }).collect();
     let rows = biorthogonal(&rows, &forces)?;
-    verify(&units, &pairs.iter().map(Pair::rate).collect::<Vec<_>>(), &rows, &forces)?;
+    verify(&units, &rows, &forces)?;
     Ok(rows)
 }
 
@@ -171,27 +171,17 @@ fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f
     whole.lu().solve(rows).ok_or(Refusal::Defective { condition: f64::INFINITY })
 }
 
-/// Refuses modes that do not make up every motion, or only by parts much larger than their sum.
-fn verify(units: &[f64], rates: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<(), Refusal> {
+/// Refuses modes that do not make up every motion, or only by parts much larger than their sum: sum_k |Z_k| |W_k| on its
+/// diagonal, which no scaling of coordinates or modes changes.
+fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<(), Refusal> {
     let n = units.len();
+    let parts = |i: usize| columns.row(i).iter().zip(rows.column(i).iter()).map(|(z, w)| (z * w).abs()).sum::<f64>();
+    let condition = (0..2 * n).map(parts).fold(0.0, |worst, x| if x.is_nan() || x > worst { x } else { worst });
     // Speeds as they are, forces over the rate of what they move.
-    let unit = |i: usize, rate: f64| if i < n { 1.0 } else { units[i - n].max(rate) };
-    let mut whole = DMatrix::<f64>::zeros(2 * n, 2 * n);
-    let mut condition = 0f64;
-    for (k, &rate) in rates.iter().enumerate() {
-        let (z, l) = (columns.columns(2 * k, 2), rows.rows(2 * k, 2));
-        whole += z * l;
-        let scale = [1.0, if rate > 0.0 { rate } else { 1.0 }];
-        let size = |f: &dyn Fn(usize, usize) -> f64| {
-            (0..2 * n).map(|i| f(i, 0).powi(2) + f(i, 1).powi(2)).sum::<f64>().sqrt()
-        };
-        let of_columns = size(&|i, r| z[(i, r)] * scale[r] / unit(i, rate));
-        let of_rows = size(&|i, r| l[(r, i)] / scale[r] * unit(i, rate));
-        let larger = of_columns * of_rows;
-        condition = if larger.is_nan() || larger > condition { larger } else { condition };
-    }
+    let unit = |i: usize| if i < n { 1.0 } else { units[i - n] };
+    let whole = columns * rows;
     let missed = DMatrix::from_fn(2 * n, 2 * n, |i, j| {
-        (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j, 0.0) / unit(i, 0.0)
+        (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i)
     });
     let complete = missed.iter().all(|x| x.abs() <= INCOMPLETE);
     if complete && condition <= WORST { Ok(()) } else { Err(Refusal::Defective { condition }) }
