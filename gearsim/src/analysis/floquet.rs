@@ -110,15 +110,12 @@ impl Floquet {
         // Motions that only dampers hold stay where they come to rest: multipliers 1 that say nothing.
         for _ in 0..split.drifting {
             let apart = |z: &Complex<f64>| (z - 1.0).norm();
-            let nearest = (0..multipliers.len()).min_by(|&i, &j| apart(&multipliers[i]).total_cmp(&apart(&multipliers[j])));
+            let nearest =
+                (0..multipliers.len()).min_by(|&i, &j| apart(&multipliers[i]).total_cmp(&apart(&multipliers[j])));
             nearest.map(|i| multipliers.remove(i));
         }
         multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-        let verdict = if size == 2 {
-            of_one(monodromy.trace(), monodromy.determinant())
-        } else {
-            of_all(&multipliers)
-        };
+        let verdict = if size == 2 { of_one(monodromy.trace(), monodromy.determinant()) } else { of_all(&multipliers) };
         let mesh = courses.iter().find(|c| c.steps).map_or(0.0, Course::frequency);
         let natural = omega / std::f64::consts::TAU;
         Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh })
@@ -223,7 +220,13 @@ impl Split {
         let (n, e) = (self.basis.nrows(), self.elastic);
         let mut reduced = DMatrix::zeros(2 * e, 2 * e);
         for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let unit = if row == column { 1.0 } else if row == 1 { 1.0 / omega } else { omega };
+            let unit = if row == column {
+                1.0
+            } else if row == 1 {
+                1.0 / omega
+            } else {
+                omega
+            };
             let part = &self.onto * propagator.view((row * n, column * n), (n, n)) * &self.basis;
             reduced.view_mut((row * e, column * e), (e, e)).copy_from(&(part * unit));
         }

@@ -77,7 +77,14 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
         } else if let Some(last) = levels.last_mut() {
             last.1 = law.period;
         }
-        Course { name: law.name, levels, period: law.period, start: begin.rem_euclid(law.period), speed: speeds[phase], steps }
+        Course {
+            name: law.name,
+            levels,
+            period: law.period,
+            start: begin.rem_euclid(law.period),
+            speed: speeds[phase],
+            steps,
+        }
     };
     scene.model.laws.iter().enumerate().map(course).collect()
 }

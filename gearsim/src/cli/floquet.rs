@@ -143,7 +143,11 @@ impl Floquets {
             None => vec![row(None)?],
             Some((vary, values)) => values.iter().map(|y| row(Some(vary.set(*y)))).collect::<Result<_, _>>()?,
         };
-        let varied = |vary: &Vary, values: &[f64]| Varied { name: vary.key.clone(), unit: vary.unit.clone(), values: values.to_vec() };
+        let varied = |vary: &Vary, values: &[f64]| Varied {
+            name: vary.key.clone(),
+            unit: vary.unit.clone(),
+            values: values.to_vec(),
+        };
         Ok(Some(Chart {
             scene: scene.name.clone(),
             x: varied(along, &x),
@@ -159,7 +163,8 @@ fn table(chart: &Chart) -> Result<Table, OutputError> {
     let ys: Vec<f64> = chart.y.as_ref().map_or(vec![0.0], |y| y.values.clone());
     let each = |of: &dyn Fn(f64, f64, Option<Spot>) -> f64| {
         let rows = chart.rows.iter().zip(&ys);
-        rows.flat_map(|(row, y)| row.iter().zip(&chart.x.values).map(|(s, x)| of(*x, *y, *s)).collect::<Vec<_>>()).collect()
+        rows.flat_map(|(row, y)| row.iter().zip(&chart.x.values).map(|(s, x)| of(*x, *y, *s)).collect::<Vec<_>>())
+            .collect()
     };
     let known = |spot: Option<Spot>, of: fn(Spot) -> f64| spot.map_or(f64::NAN, of);
     table.push(&chart.x.name, &chart.x.unit, Values::Number(each(&|x, _, _| x)))?;

@@ -135,12 +135,20 @@ impl Modes {
         }
         let level = |(&level, course): (&usize, &Course)| {
             let found = course.levels.get(level).map(|l| l.0);
-            found.ok_or_else(|| wrong(format!("law `{}` has levels 0 to {}, no {level}", course.name, course.levels.len() - 1)))
+            found.ok_or_else(|| {
+                wrong(format!("law `{}` has levels 0 to {}, no {level}", course.name, course.levels.len() - 1))
+            })
         };
         cell.iter().zip(courses).map(level).collect()
     }
 
-    fn json(&self, scene: &Scene, courses: &[Course], chosen: &CellModes, cells: &[CellModes]) -> Result<String, Failure> {
+    fn json(
+        &self,
+        scene: &Scene,
+        courses: &[Course],
+        chosen: &CellModes,
+        cells: &[CellModes],
+    ) -> Result<String, Failure> {
         let meeting = |m: &modes::Meeting| Meeting {
             law: courses[m.law].name,
             harmonic: m.harmonic,
@@ -156,7 +164,10 @@ impl Modes {
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
-            provenance: Provenance { solver: "modes of linear cells".into(), ..provenance::of(scene, &self.source.overrides) },
+            provenance: Provenance {
+                solver: "modes of linear cells".into(),
+                ..provenance::of(scene, &self.source.overrides)
+            },
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         Ok(json + "\n")

@@ -132,7 +132,11 @@ impl<const N: usize> Cell<N> {
     }
 
     /// How c.q + d.q' follows the modes: by what they move, and by what speed they gain, if that counts (N each).
-    pub fn follow(&self, c: &SVector<f64, N>, d: Option<&SVector<f64, N>>) -> (SVector<f64, N>, Option<SVector<f64, N>>) {
+    pub fn follow(
+        &self,
+        c: &SVector<f64, N>,
+        d: Option<&SVector<f64, N>>,
+    ) -> (SVector<f64, N>, Option<SVector<f64, N>>) {
         match (&self.coupling, d) {
             (None, d) => (self.shapes.tr_mul(c), d.map(|d| self.shapes.tr_mul(d))),
             (Some(coupling), d) => {

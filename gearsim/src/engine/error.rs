@@ -22,7 +22,9 @@ pub enum Refusal {
         "the damping brings vibrations of a cell together so closely that they are no longer independent (condition number {condition:.0e}): change a damping or an inertia by a part in 1e6, which parts them"
     )]
     Defective { condition: f64 },
-    #[error("the damping feeds energy to a vibration of a cell (which grows at {rate:e} 1/s): it must take energy from every motion")]
+    #[error(
+        "the damping feeds energy to a vibration of a cell (which grows at {rate:e} 1/s): it must take energy from every motion"
+    )]
     Feeding { rate: f64 },
     #[error("`{coordinate}` starts so many pitches off that the number does not say where in a pitch it is")]
     Far { coordinate: &'static str },

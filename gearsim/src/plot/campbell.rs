@@ -32,7 +32,11 @@ pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figur
     for (l, course) in moving.iter().enumerate() {
         let ratio = course.frequency() / first.frequency();
         for harmonic in 1..=HARMONICS {
-            let label = if harmonic == 1 { format!("harmonics 1 to {HARMONICS} of the mesh {}", course.name) } else { String::new() };
+            let label = if harmonic == 1 {
+                format!("harmonics 1 to {HARMONICS} of the mesh {}", course.name)
+            } else {
+                String::new()
+            };
             let end = longest.min(top / (ratio * harmonic as f64));
             let mut line = Series::new(l, label, vec![0.0, end], vec![0.0, ratio * harmonic as f64 * end]);
             line.style = Style { dashes: &[], width: if harmonic == 1 { 1.5 } else { 0.9 }, ..line.style };

@@ -7,7 +7,7 @@ use crate::analysis::floquet::{Chart, Spot};
 const FRAME: f64 = 400.0;
 /// Classes of growth a period, ln|mu|, and their colours, weak ones first: light to dark of one hue.
 const CLASSES: [(f64, f64, &str, &str); 4] = [
-    (0.0, 0.05, "unstable, growth a period below 0.05", "#a6cee3"),
+    (0.0, 0.05, "unstable: ln|μ| a period below 0.05", "#a6cee3"),
     (0.05, 0.2, "0.05 to 0.2", "#4f9bcb"),
     (0.2, 0.5, "0.2 to 0.5", "#0072b2"),
     (0.5, f64::INFINITY, "above 0.5", "#003f6b"),
@@ -25,9 +25,11 @@ pub fn draw(chart: &Chart) -> Result<Figure, PlotError> {
         None => curve(chart),
         Some(_) => map(chart),
     };
+    let refused = chart.rows.iter().flatten().any(Option::is_none);
+    let blank = if refused { ", blank: stable or refused" } else { "" };
     Ok(Figure {
         title: "Stability of steady rotation".into(),
-        subtitle: Some(format!("{}; Floquet multipliers \u{3bc} of the exact cells, blank: stable or unknown", chart.scene)),
+        subtitle: Some(format!("{}; Floquet multipliers μ of the exact cells{blank}", chart.scene)),
         x: Axis::linear(chart.x.label(), chart.x.unit.clone()).between(chart.x.low(), chart.x.high()),
         panels: vec![panel],
     })

@@ -32,7 +32,7 @@ pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
             series.style = Style { dashes: &[], width: STEM, ..series.style };
             series
         };
-        let head = if mode.damped > 0.0 { format!("{:.5} Hz", significant(mode.natural)) } else { "overdamped".into() };
+        let head = if mode.damped > 0.0 { format!("{} Hz", significant(mode.natural)) } else { "overdamped".into() };
         let mut series = vec![Series {
             style: Style { colour: "#777777", ..Style::PLAIN },
             ..Series::new(0, "", vec![-0.6, coordinates.len() as f64 - 0.4], vec![0.0, 0.0])
@@ -49,7 +49,12 @@ pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
     let x = Axis::linear("coordinate", "").between(-0.6, coordinates.len() as f64 - 0.4).named(names);
     let left = vibrating.len().saturating_sub(MOST);
     let more = if left > 0 { format!("; {left} higher modes are in modes.json") } else { String::new() };
-    let levels = scene.model.laws.iter().zip(&cell.levels).map(|(law, k)| format!("{} = {k:.4} {}", law.name, law.unit));
+    let levels = scene
+        .model
+        .laws
+        .iter()
+        .zip(&cell.levels)
+        .map(|(law, k)| format!("{} = {} {}", law.name, significant(*k), law.unit));
     let levels: Vec<String> = levels.collect();
     Ok(Figure {
         title: "Mode shapes".into(),

@@ -44,7 +44,8 @@ impl Ruler {
         if scale == Scale::Log10 {
             step = step.ceil();
         }
-        let mut ruler = Ruler { scale, low, high, step, offset: 0.0, exponent: 0, decimals: 0, names: axis.names.clone() };
+        let mut ruler =
+            Ruler { scale, low, high, step, offset: 0.0, exponent: 0, decimals: 0, names: axis.names.clone() };
         if scale == Scale::Linear {
             ruler.shorten();
         }

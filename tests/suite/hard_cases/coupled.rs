@@ -113,11 +113,26 @@ macro_rules! of_all {
             (0..40)
                 .flat_map(|_| {
                     [
-                        { let $drawn = Drawn::<2>::new($noise); $what },
-                        { let $drawn = Drawn::<3>::new($noise); $what },
-                        { let $drawn = Drawn::<4>::new($noise); $what },
-                        { let $drawn = Drawn::<6>::new($noise); $what },
-                        { let $drawn = Drawn::<8>::new($noise); $what },
+                        {
+                            let $drawn = Drawn::<2>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<3>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<4>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<6>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<8>::new($noise);
+                            $what
+                        },
                     ]
                 })
                 .collect::<Vec<f64>>(),
@@ -228,8 +243,13 @@ fn continuity(_: &mut String) -> f64 {
     let at = |coupling: f64| {
         let off = coupling * 0.1;
         let damping = [[0.1, off, 0.0], [off, 0.2, -off], [0.0, -off, 0.1]];
-        let system =
-            Linear { mass: diagonal([1.0; 3]), damping, stiffness: diagonal([1.0, 2.0, 5.0]), load: [0.3, 0.0, 0.1], normal: [1.0; 3] };
+        let system = Linear {
+            mass: diagonal([1.0; 3]),
+            damping,
+            stiffness: diagonal([1.0, 2.0, 5.0]),
+            load: [0.3, 0.0, 0.1],
+            normal: [1.0; 3],
+        };
         let cell = system.cell();
         let flight = cell.flight(&SVector::from([0.1, -0.2, 0.3]), &SVector::from([0.5, 0.4, -0.3]));
         let point = flight.at(20.0);
@@ -271,7 +291,12 @@ fn coincident(note: &mut String) -> f64 {
     }
     // Two equal pairs of oscillators, damped alike, seen through a rotation of each two alike: all eigenvalues double.
     let mut worst = 0f64;
-    for (c, k) in [([0.2, 0.0, 0.05], [1.0, 3.0]), ([5.0, 0.0, 1.0], [1.0, 3.0]), ([2.0, 0.3, 0.9], [1.0, 1.0]), ([9.0, 7.0, 2.0], [2.0, 0.0])] {
+    for (c, k) in [
+        ([0.2, 0.0, 0.05], [1.0, 3.0]),
+        ([5.0, 0.0, 1.0], [1.0, 3.0]),
+        ([2.0, 0.3, 0.9], [1.0, 1.0]),
+        ([9.0, 7.0, 2.0], [2.0, 0.0]),
+    ] {
         let block = |a: [[f64; 2]; 2]| -> [[f64; 4]; 4] {
             std::array::from_fn(|i| std::array::from_fn(|j| if i % 2 == j % 2 { a[i / 2][j / 2] } else { 0.0 }))
         };
@@ -290,9 +315,12 @@ fn coincident(note: &mut String) -> f64 {
             load: [0.0; 3],
             normal: [1.0; 3],
         };
-        worst = worst
-            .max(error(&system, &[0.1, 0.2, -0.1, 0.3], &[1.0, -0.5, 0.2, 0.7], 9.0))
-            .max(error(&critical, &[0.1, 0.2, -0.1], &[1.0, -0.5, 0.2], 9.0));
+        worst = worst.max(error(&system, &[0.1, 0.2, -0.1, 0.3], &[1.0, -0.5, 0.2, 0.7], 9.0)).max(error(
+            &critical,
+            &[0.1, 0.2, -0.1],
+            &[1.0, -0.5, 0.2],
+            9.0,
+        ));
     }
     *note = "4 double spectra, and one critical mode".to_string();
     worst

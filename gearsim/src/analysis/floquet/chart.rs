@@ -71,7 +71,11 @@ impl Chart {
         let rising = first.windows(2).all(|w| w[1] > w[0]);
         let same = all.iter().all(|row| row.iter().zip(first).all(|(a, b)| (a - b).abs() <= 1e-9 * b.abs()));
         if rising && same {
-            self.x = Varied { name: "mesh frequency / natural frequency".into(), unit: String::new(), values: first.clone() };
+            self.x = Varied {
+                name: "mesh frequency / natural frequency".into(),
+                unit: String::new(),
+                values: first.clone(),
+            };
         }
         self
     }

@@ -55,7 +55,12 @@ pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
             other.round() >= 1.0 && (other - other.round()).abs() <= WHOLE * other
         });
         let Some(whole) = whole else {
-            return Err(Aperiodic::Incommensurate { first: first.name, second: course.name, ratio, most: MOST_PITCHES });
+            return Err(Aperiodic::Incommensurate {
+                first: first.name,
+                second: course.name,
+                ratio,
+                most: MOST_PITCHES,
+            });
         };
         pitches = pitches / gcd(pitches, whole) * whole;
     }
@@ -94,4 +99,33 @@ fn level(course: &Course, t: f64) -> f64 {
 
 fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn course(name: &'static str, speed: f64, start: f64) -> Course {
+        Course { name, levels: vec![(1.0, 0.25), (2.0, 1.0)], period: 1.0, start, speed, steps: true }
+    }
+
+    #[test]
+    fn meshes_of_whole_tooth_numbers_have_a_common_period() {
+        let (period, stretches) = stretches(&[course("a", 24.0, 0.0), course("b", -36.0, 0.5)]).unwrap();
+        assert!((period - 2.0 / 24.0).abs() < 1e-15);
+        let time = |which: usize| stretches.iter().filter(|s| s.levels[which] == 1.0).map(|s| s.time).sum::<f64>();
+        let whole: f64 = stretches.iter().map(|s| s.time).sum();
+        for part in [time(0), time(1)] {
+            assert!((part - 0.25 * period).abs() < 1e-15, "a quarter of the time at the first level");
+        }
+        assert!((whole - period).abs() < 1e-15);
+        // Two pitches of a and three of b, two steps each, and the start.
+        assert!((10..=11).contains(&stretches.len()), "{}", stretches.len());
+    }
+
+    #[test]
+    fn others_have_none() {
+        let wrong = stretches(&[course("a", 1.0, 0.0), course("b", 2f64.sqrt(), 0.0)]).unwrap_err();
+        assert!(matches!(wrong, Aperiodic::Incommensurate { first: "a", second: "b", .. }), "{wrong}");
+    }
 }

@@ -14,7 +14,13 @@ const LEAST: f64 = 0.005;
 const PARTS: usize = 6;
 
 /// Everything.
-pub(super) fn render(scene: &Scene, courses: &[Course], chosen: &CellModes, cells: &[CellModes], width: usize) -> String {
+pub(super) fn render(
+    scene: &Scene,
+    courses: &[Course],
+    chosen: &CellModes,
+    cells: &[CellModes],
+    width: usize,
+) -> String {
     let mut text = format!("modes at {}\n\n", levels(scene, &chosen.levels));
     if chosen.coupled {
         text += "Damping couples the modes: shapes are complex, their parts told by size and phase.\n\n";
@@ -112,7 +118,11 @@ fn harmonics(courses: &[Course], chosen: &CellModes) -> String {
     }
     for m in near {
         let percent = 100.0 * (m.ratio - 1.0);
-        let _ = writeln!(text, "  harmonic {} of {} is {percent:+.1} % from mode {}", m.harmonic, courses[m.law].name, m.mode);
+        let _ = writeln!(
+            text,
+            "  harmonic {} of {} is {percent:+.1} % from mode {}",
+            m.harmonic, courses[m.law].name, m.mode
+        );
     }
     text
 }

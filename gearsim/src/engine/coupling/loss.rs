@@ -76,7 +76,9 @@ impl Loss {
             }
             let half = 0.5 * (end - begin);
             for (x, weight) in GAUSS_16 {
-                sum += weight * half * (self.power(rates, begin + half * (1.0 - x)) + self.power(rates, begin + half * (1.0 + x)));
+                sum += weight
+                    * half
+                    * (self.power(rates, begin + half * (1.0 - x)) + self.power(rates, begin + half * (1.0 + x)));
             }
             begin = end;
         }

@@ -71,7 +71,9 @@ impl Coupled {
         let functionals = functionals(omega2, damping, &pairs)?;
         let by = |f: &dyn Fn(usize, usize) -> f64| DMatrix::from_fn(n, n, f);
         let rows = |r: usize, of: usize| by(&|k, i| functionals[(2 * k + r, of * n + i)]);
-        let force = |of: usize| by(&|k, i| functionals[(2 * k + 1, of * n + i)] + pairs[k].s * functionals[(2 * k, of * n + i)]);
+        let force = |of: usize| {
+            by(&|k, i| functionals[(2 * k + 1, of * n + i)] + pairs[k].s * functionals[(2 * k, of * n + i)])
+        };
         Ok(Coupled {
             modes: pairs.iter().map(|p| Mode::new(0.5 * p.s, p.b)).collect(),
             by_speed: by(&|i, k| pairs[k].x1[i]),
@@ -136,7 +138,8 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
     let (mut forces, mut rates) = (DMatrix::zeros(2 * n, 2 * n), DMatrix::zeros(2 * n, 2 * n));
     for (k, p) in pairs.iter().enumerate() {
         let (x1, x2) = (&p.x1, &p.x2);
-        for (r, (speed, acceleration)) in [(x1.clone(), x2 * -p.b), (x2.clone(), x1 - x2 * p.s)].into_iter().enumerate() {
+        for (r, (speed, acceleration)) in [(x1.clone(), x2 * -p.b), (x2.clone(), x1 - x2 * p.s)].into_iter().enumerate()
+        {
             forces.view_mut((0, 2 * k + r), (n, 1)).copy_from(&speed);
             forces.view_mut((n, 2 * k + r), (n, 1)).copy_from(&(g * &speed + &acceleration));
             rates.view_mut((0, 2 * k + r), (n, 1)).copy_from(&acceleration);
@@ -149,7 +152,8 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
         if pairs[i / 2].cluster == pairs[j / 2].cluster { products[(i, j)] } else { 0.0 }
     });
     let rows = gram.lu().solve(&rates.transpose()).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
-    let units: Vec<f64> = (0..n).map(|i| omega2[i].sqrt().max(g[(i, i)])).map(|u| if u > 0.0 { u } else { 1.0 }).collect();
+    let units: Vec<f64> =
+        (0..n).map(|i| omega2[i].sqrt().max(g[(i, i)])).map(|u| if u > 0.0 { u } else { 1.0 }).collect();
     let rows = biorthogonal(&rows, &forces)?;
     verify(&units, &rows, &forces)?;
     Ok(rows)
@@ -180,9 +184,8 @@ fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<
     // Speeds as they are, forces over the rate of what they move.
     let unit = |i: usize| if i < n { 1.0 } else { units[i - n] };
     let whole = columns * rows;
-    let missed = DMatrix::from_fn(2 * n, 2 * n, |i, j| {
-        (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i)
-    });
+    let missed =
+        DMatrix::from_fn(2 * n, 2 * n, |i, j| (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i));
     let complete = missed.iter().all(|x| x.abs() <= INCOMPLETE);
     if complete && condition <= WORST { Ok(()) } else { Err(Refusal::Defective { condition }) }
 }

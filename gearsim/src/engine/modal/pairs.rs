@@ -53,7 +53,8 @@ pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Vec<(f64, f64)
     let mut left: Vec<(Complex<f64>, bool)> = real.iter().copied().zip(kinds(omega2, g, &real)).collect();
     while left.len() > 1 {
         let apart = |i: usize, j: usize| (left[i].0 - left[j].0).norm() / left[i].0.norm().max(left[j].0.norm());
-        let opposite = (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| left[i].1 != left[j].1);
+        let opposite =
+            (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| left[i].1 != left[j].1);
         let nearest = opposite.min_by(|x, y| apart(x.0, x.1).total_cmp(&apart(y.0, y.1)));
         let Some((i, j)) = nearest else { break };
         let (second, first) = (left.remove(j).0, left.remove(i).0);
@@ -82,7 +83,8 @@ fn eigenvalues(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Re
         _ => 0.0,
     });
     let size = a.amax();
-    let schur = Schur::try_new(a / size, f64::EPSILON, 100_000).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+    let schur =
+        Schur::try_new(a / size, f64::EPSILON, 100_000).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     Ok(schur.complex_eigenvalues().iter().map(|z| z * size).collect())
 }
 
@@ -97,7 +99,11 @@ fn kinds(omega2: &[f64], g: &DMatrix<f64>, real: &[Complex<f64>]) -> Vec<bool> {
         }
         let count = i - first;
         // Beyond the last one nothing is negative, for lambda = 0 is of the slow kind.
-        let after = if i == real.len() { 0 } else { negative(omega2, g, -(real[i].re * real[i - 1].re).sqrt().max(0.5 * -real[i - 1].re)) };
+        let after = if i == real.len() {
+            0
+        } else {
+            negative(omega2, g, -(real[i].re * real[i - 1].re).sqrt().max(0.5 * -real[i - 1].re))
+        };
         let fast = ((count + after) as i64 - before as i64).clamp(0, 2 * count as i64) as usize / 2;
         kinds.extend((0..count).map(|k| k < fast));
         (first, before) = (i, after);

@@ -80,9 +80,7 @@ pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec
 /// C y, over the rate.
 pub fn image(y: &DVector<f64>, s: f64, b: f64, rate: f64) -> DVector<f64> {
     let n = y.len() / 2;
-    DVector::from_fn(2 * n, |i, _| {
-        if i < n { -b / (rate * rate) * y[n + i] } else { y[i - n] - s / rate * y[i] }
-    })
+    DVector::from_fn(2 * n, |i, _| if i < n { -b / (rate * rate) * y[n + i] } else { y[i - n] - s / rate * y[i] })
 }
 
 /// The same where b = 0: a decay and a rigid motion e_j that stays, j in `rigid`. With lambda = -s and
