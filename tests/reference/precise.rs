@@ -2,11 +2,12 @@
 //!
 //! Cells are linear, of any number of modes, under-, critically and overdamped or without stiffness. Numbers are
 //! dashu's integers with an exponent ([`number`]), the motion of a mode is in [`cell`], the first crossing in
-//! [`crossing`], the gear pair of Oh, Grosh & Barber on top of them in [`mod@scene`].
+//! [`crossing`], any linear cell by its matrix exponential in [`exponential`], the gear pair of Oh, Grosh & Barber on top of them in [`mod@scene`].
 
 pub mod cell;
 pub mod crossing;
 mod elementary;
+pub mod exponential;
 mod judge;
 pub mod number;
 #[cfg(test)]

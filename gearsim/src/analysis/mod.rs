@@ -1,3 +1,6 @@
-//! What is computed from a recording after the run.
+//! What is computed from a recording after the run, and from the equations without one.
 
+pub mod floquet;
+pub mod modes;
 pub mod spectrum;
+pub mod steady;

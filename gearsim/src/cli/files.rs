@@ -3,7 +3,7 @@
 use crate::engine::Outcome;
 use crate::output::summary::{Counts, Energy, Named, Number, Summary};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
-use crate::plot::{self, PlotError, Run};
+use crate::plot::{self, Figure, PlotError, Run};
 use crate::scene::Scene;
 
 use super::provenance;
@@ -40,6 +40,25 @@ pub(super) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) 
         }
     }
     Ok(warnings)
+}
+
+/// Writes a figure as SVG and PNG; one that cannot be drawn is told to `warn`, and costs nothing else.
+pub(super) fn figure(
+    folder: &mut OutputFolder,
+    name: &str,
+    figure: Result<Figure, PlotError>,
+    warn: fn(&str),
+) -> Result<(), OutputError> {
+    match figure.and_then(|figure| Ok((figure.svg()?, figure.png()?))) {
+        Ok((svg, png)) => {
+            folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
+            folder.write_bytes(&format!("{name}.png"), &png)
+        }
+        Err(error) => {
+            warn(&format!("no plot `{name}`: {error}"));
+            Ok(())
+        }
+    }
 }
 
 fn draw(name: &str, runs: &[Run<'_>]) -> Result<(String, Vec<u8>), PlotError> {

@@ -3,8 +3,10 @@
 mod compare;
 mod failure;
 mod files;
+mod floquet;
 mod merge;
 mod models;
+mod modes;
 mod number;
 mod progress;
 mod provenance;
@@ -28,6 +30,8 @@ const COMMANDS: &[Command] = &[
     Command::of::<compare::Compare>(),
     Command::of::<sweep::SweepCommand>(),
     Command::of::<merge::Merge>(),
+    Command::of::<modes::Modes>(),
+    Command::of::<floquet::Floquets>(),
     Command::of::<models::Models>(),
 ];
 

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::failure::Failure;
 use super::progress::Progress;
-use crate::engine::Outcome;
+use crate::engine::{Entry, Outcome};
 use crate::generated::MODELS;
 use crate::output::OutputFolder;
 use crate::scene::Scene;
@@ -27,8 +27,14 @@ pub(super) struct Source {
 impl Source {
     /// The scene, checked.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
+        self.load_with(&[])
+    }
+
+    /// The same with further values written over it.
+    pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
         let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
-        Scene::load(&self.scene, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
+        let overrides: Vec<String> = self.overrides.iter().chain(further).cloned().collect();
+        Scene::load(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
     }
 
     /// The folder for the results, `out/<scene><suffix>` if none is given. Nothing is created, but what would fail
@@ -41,13 +47,18 @@ impl Source {
     }
 }
 
-/// Runs a scene, with a progress bar if it takes long and is not `quiet`.
-pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
+/// The model of a scene, as the program knows it.
+pub(super) fn entry(scene: &Scene) -> Result<&'static Entry, Failure> {
     let unknown = || Failure::Impossible {
         what: format!("model `{}` is not part of this program", scene.model.name),
         help: "`gearsim models` lists those that are".into(),
     };
-    let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)?;
+    MODELS.iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)
+}
+
+/// Runs a scene, with a progress bar if it takes long and is not `quiet`.
+pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
+    let entry = entry(scene)?;
     let mut progress = Progress::new(scene.t_end, quiet);
     let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
     (entry.run)(scene, &mut |t| progress.at(t)).map_err(refused)

@@ -30,6 +30,11 @@ pub(super) fn complain(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", text.trim_end());
 }
 
+/// Writes what is missing but does no harm to stderr.
+pub(super) fn warn(text: &str) {
+    complain(&wrap(&format!("warning: {text}"), width()));
+}
+
 /// `text` with its lines broken at blanks, `width` columns at most; what continues a line is indented as it is.
 pub(super) fn wrap(text: &str, width: usize) -> String {
     let mut wrapped = String::new();

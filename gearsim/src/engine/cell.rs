@@ -1,13 +1,15 @@
 //! A linear cell: M q'' + C q' + K q = f with constant matrices, taken apart into modes once.
 //!
 //! With mass-normalised shapes X ([`modal`](crate::engine::modal)), q = q_0 + X dxi, and each xi_i moves as a [`Mode`].
-//! Rigid-body modes are exact: K has no part in them.
+//! Rigid-body modes are exact: K has no part in them. Where damping couples the modes, q = q_0 + X dxi + Y dxi'
+//! ([`coupling`](crate::engine::coupling)).
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use crate::engine::coupling::Coupling;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
-use crate::engine::modal::{Matrices, Modal, inverse_root};
+use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
 use crate::engine::mode::{Mode, Response};
 
 /// The modes of one cell.
@@ -25,6 +27,8 @@ pub struct Cell<const N: usize> {
     pub load: SVector<f64, N>,
     /// Bound on the rates of its modes [1/s].
     pub rate: f64,
+    /// What is more where damping couples the modes.
+    pub coupling: Option<Box<Coupling<N>>>,
 }
 
 impl<const N: usize> Cell<N> {
@@ -68,7 +72,7 @@ impl<const N: usize> Cell<N> {
         ))
     }
 
-    /// With N modes; those that are not there are at rest for ever.
+    /// With N modes; those that are not there are at rest for ever. `shapes` and the like are those of the undamped modes.
     fn from_modal(modal: &Modal, shapes: &DMatrix<f64>, momentum: &DMatrix<f64>, springs: &DMatrix<f64>) -> Self {
         let rows = |a: &DMatrix<f64>| SMatrix::from_fn(|i, j| if i < a.nrows() { a[(i, j)] } else { 0.0 });
         Cell {
@@ -78,25 +82,88 @@ impl<const N: usize> Cell<N> {
             momentum: rows(momentum),
             springs: rows(springs),
             load: SVector::from_fn(|i, _| modal.load.get(i).copied().unwrap_or(0.0)),
+            coupling: None,
+        }
+        .coupled_by(modal.coupled.as_ref())
+    }
+
+    /// The cell in the modes that move by themselves, instead of those of the undamped system.
+    fn coupled_by(self, coupled: Option<&Coupled>) -> Self {
+        let Some(coupled) = coupled else { return self };
+        let whole = |a: &DMatrix<f64>| {
+            SMatrix::<f64, N, N>::from_fn(|i, j| if i < a.nrows() && j < a.ncols() { a[(i, j)] } else { 0.0 })
+        };
+        let ([speed, speed_by_force], [force_by_speed, force]) =
+            (coupled.speed.each_ref().map(whole), coupled.force.each_ref().map(whole));
+        let coupling = Coupling::new(
+            coupled,
+            self.shapes * whole(&coupled.by_acceleration),
+            force_by_speed * self.momentum,
+            (speed_by_force * self.load, speed_by_force * self.springs),
+        );
+        Cell {
+            modes: std::array::from_fn(|i| coupled.modes.get(i).copied().unwrap_or(Mode::new(0.0, 0.0))),
+            shapes: self.shapes * whole(&coupled.by_speed),
+            momentum: speed * self.momentum,
+            springs: force * self.springs,
+            load: force * self.load,
+            rate: coupled.modes.iter().map(|m| m.rate).fold(0.0, f64::max),
+            coupling: Some(Box::new(coupling)),
         }
     }
 
     /// The motion from the state (q, q') on, for as long as the cell lasts.
     #[inline]
     pub fn flight(&self, q: &SVector<f64, N>, q_dot: &SVector<f64, N>) -> Flight<'_, N> {
-        let speed = self.momentum * q_dot;
-        let force = self.load - self.springs * q;
+        let mut speed = self.momentum * q_dot;
+        let mut force = self.load - self.springs * q;
+        if let Some(coupling) = &self.coupling {
+            speed += coupling.speed(q);
+            force += coupling.force(q_dot);
+        }
         Flight { cell: self, speed, force }
     }
 
-    /// How the phase n.q follows the modes: n.X (N).
+    /// The motion of the difference (dq, dq') of two motions: no load acts on it.
+    pub fn difference(&self, dq: &SVector<f64, N>, dq_dot: &SVector<f64, N>) -> Flight<'_, N> {
+        let Flight { speed, force, .. } = self.flight(dq, dq_dot);
+        let loaded = self.flight(&SVector::zeros(), &SVector::zeros());
+        Flight { cell: self, speed: speed - loaded.speed, force: force - loaded.force }
+    }
+
+    /// How c.q + d.q' follows the modes: by what they move, and by what speed they gain, if that counts (N each).
+    pub fn follow(
+        &self,
+        c: &SVector<f64, N>,
+        d: Option<&SVector<f64, N>>,
+    ) -> (SVector<f64, N>, Option<SVector<f64, N>>) {
+        match (&self.coupling, d) {
+            (None, d) => (self.shapes.tr_mul(c), d.map(|d| self.shapes.tr_mul(d))),
+            (Some(coupling), d) => {
+                let (mut on_moved, mut on_speed) = (self.shapes.tr_mul(c), coupling.shapes.tr_mul(c));
+                if let Some(d) = d {
+                    let (by_speed, by_acceleration) = (self.shapes.tr_mul(d), coupling.shapes.tr_mul(d));
+                    for (i, mode) in self.modes.iter().enumerate() {
+                        on_moved[i] -= mode.omega2 * by_acceleration[i];
+                        on_speed[i] += by_speed[i] - 2.0 * mode.sigma * by_acceleration[i];
+                    }
+                }
+                (on_moved, Some(on_speed))
+            }
+        }
+    }
+
+    /// How the phase n.q follows what the modes move: n.X (N).
     pub fn participation(&self, normal: &SVector<f64, N>) -> SVector<f64, N> {
         self.shapes.transpose() * normal
     }
 }
 
 /// M, M⁻¹, C, K, f of `equations` with law values `k`.
-fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<Matrices, Refusal> {
+///
+/// # Errors
+/// Where M is not positive definite, or a number overflows.
+pub fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Result<Matrices, Refusal> {
     let matrix = |rows: [[f64; N]; N]| DMatrix::<f64>::from_fn(N, N, |i, j| rows[i][j]);
     let mass = matrix(equations.mass());
     if mass.iter().any(|x| !x.is_finite()) {
@@ -208,12 +275,22 @@ impl<'a, const N: usize> Flight<'a, N> {
     /// Increments of q and q' at a point.
     #[inline]
     pub fn increments(&self, point: &Point<N>) -> (SVector<f64, N>, SVector<f64, N>) {
-        (self.cell.shapes * point.moved, self.cell.shapes * point.gained)
+        let (shapes, Point { moved, gained, .. }) = (&self.cell.shapes, point);
+        match &self.cell.coupling {
+            None => (shapes * moved, shapes * gained),
+            Some(coupling) => {
+                let further = SVector::from_fn(|i, _| self.cell.modes[i].next(moved[i], gained[i]));
+                (shapes * moved + coupling.shapes * gained, shapes * gained + coupling.shapes * further)
+            }
+        }
     }
 
     /// Energy lost to damping until a point [J], by integration of the speeds.
     #[inline]
     pub fn dissipated(&self, point: &Point<N>) -> f64 {
+        if let Some(coupling) = &self.cell.coupling {
+            return coupling.dissipated(self, point.t);
+        }
         let mut lost = 0.0;
         for i in 0..N {
             let mode = &self.cell.modes[i];

@@ -20,6 +20,8 @@ pub struct Prepared<const N: usize> {
     pub cell: Cell<N>,
     /// n.X of each law.
     pub participation: Vec<SVector<f64, N>>,
+    /// n.Y of each law, where damping couples the modes: how the phase follows their speeds.
+    pub on_speed: Vec<Option<SVector<f64, N>>>,
 }
 
 /// More cells than this are refused: their modes would take minutes and gigabytes.
@@ -54,8 +56,8 @@ impl<const N: usize> Cells<N> {
 impl<const N: usize> Prepared<N> {
     /// A cell with the laws' participation.
     pub fn new(cell: Cell<N>, laws: &[Law<N>]) -> Self {
-        let participation = laws.iter().map(|l| cell.participation(&l.surface.normal)).collect();
-        Prepared { cell, participation }
+        let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
+        Prepared { cell, participation, on_speed }
     }
 }
 

@@ -78,7 +78,7 @@ impl<const N: usize> Contact<N> {
     /// to rest and gives the energy that this ignores [J].
     ///
     /// # Errors
-    /// Where the damping couples the modes of the motion that is left.
+    /// Where the motion that is left has no modes.
     pub fn begin(
         equations: &dyn Equations<N>,
         laws: &[Law<N>],
@@ -133,7 +133,8 @@ impl<const N: usize> Contact<N> {
             let barriers = held.iter().filter_map(|&(law, side)| barrier(equations, laws, law, side, state, &k));
             let mut watches: Vec<Watch<N>> = reactions.into_iter().chain(barriers).collect();
             for watch in &mut watches {
-                watch.modal = (cell.participation(&watch.on_q), cell.participation(&watch.on_speed));
+                let (on_moved, on_speed) = cell.follow(&watch.on_q, Some(&watch.on_speed));
+                watch.modal = (on_moved, on_speed.unwrap_or_else(SVector::zeros));
             }
             let left = Prepared::new(cell, laws);
             return Ok((Some(Contact { laws: held, left, watches }), ignored));

@@ -19,14 +19,17 @@ pub enum Refusal {
     #[error("the stiffness is negative in some direction (omega^2 = {omega2:e} 1/s^2): the model would fly apart")]
     Unstable { omega2: f64 },
     #[error(
-        "the damping couples the modes of a cell (by {coupling:.1e} of the largest): only modal damping is simulated"
+        "the damping brings vibrations of a cell together so closely that they are no longer independent (condition number {condition:.0e}): change a damping or an inertia by a part in 1e6, which parts them"
     )]
-    CoupledDamping { coupling: f64 },
+    Defective { condition: f64 },
     #[error(
-        "the damping couples the modes of a cell (by {coupling:.1e} of the largest), and the compensated mode has none \
-         for such cells: set run.precision = \"plain\""
+        "the damping couples the modes of a cell, and the compensated mode has none for such cells: set run.precision = \"plain\""
     )]
-    CompensatedCoupling { coupling: f64 },
+    CompensatedCoupling,
+    #[error(
+        "the damping feeds energy to a vibration of a cell (which grows at {rate:e} 1/s): it must take energy from every motion"
+    )]
+    Feeding { rate: f64 },
     #[error("`{coordinate}` starts so many pitches off that the number does not say where in a pitch it is")]
     Far { coordinate: &'static str },
     #[error(

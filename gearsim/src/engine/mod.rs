@@ -1,15 +1,16 @@
 //! The engine: exact propagation in linear cells, guaranteed crossings, jumps that conserve energy.
 //!
 //! From the inside out, one file each: `mode` (one degree of freedom, exact), `modal` (matrices to modes), `cell` (a
-//! motion along them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
+//! motion along them), `coupling` (what more there is where damping couples them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
 //! `contact` (a phase held at a step), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
-//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run).
+//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run), `system` (equations of any number of coordinates, as analyses see them).
 
 pub mod cell;
 pub mod cells;
 pub mod clock;
 pub mod compensated;
 pub mod contact;
+pub mod coupling;
 pub mod crossing;
 pub mod equations;
 pub mod error;
@@ -25,6 +26,7 @@ pub mod record;
 pub mod signal;
 pub mod simulate;
 mod start;
+pub mod system;
 
 pub use error::{Refusal, Stop};
 pub use outcome::{Entry, Outcome};

@@ -9,6 +9,13 @@ use nalgebra::{DMatrix, DVector};
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
 
+pub mod coupled;
+mod pairs;
+mod refine;
+mod subspace;
+
+pub use coupled::Coupled;
+
 /// The matrices of a cell (n x n each) and its load (n).
 #[derive(Debug, Clone)]
 pub struct Matrices {
@@ -27,7 +34,7 @@ pub struct Matrices {
 /// Modes with mass-normalised shapes X, Xᵀ M X = 1: q = X xi. Rigid ones first, then by rising frequency.
 #[derive(Debug, Clone)]
 pub struct Modal {
-    /// The modes (n).
+    /// The modes (n); without the damping between them, where there is any.
     pub modes: Vec<Mode>,
     /// X, a shape a column.
     pub shapes: DMatrix<f64>,
@@ -37,6 +44,8 @@ pub struct Modal {
     pub springs: DMatrix<f64>,
     /// Xᵀ f.
     pub load: DVector<f64>,
+    /// The modes that move by themselves, where damping couples those above.
+    pub coupled: Option<Coupled>,
 }
 
 /// Eigenvalues of K, scaled to a unit diagonal, below this are rounding.
@@ -47,12 +56,14 @@ const COINCIDENT: f64 = 1e-12;
 const UNDAMPED: f64 = 1e-15;
 /// Largest damping between two modes, relative to that within them, taken for rounding.
 const COUPLED: f64 = 1e-10;
+/// Roundings of X, each, in the damping between two modes.
+const ROUNDINGS: f64 = 64.0;
 
 impl Modal {
     /// The modes of a cell.
     ///
     /// # Errors
-    /// Where M is not positive definite, K is not positive semidefinite, a number overflows, or C couples the modes.
+    /// Where M is not positive definite, K is not positive semidefinite, a number overflows, or C makes modes defective.
     pub fn of(m: &Matrices) -> Result<Modal, Refusal> {
         let n = m.load.len();
         let matrices = [&m.mass, &m.mobility, &m.damping, &m.stiffness];
@@ -93,11 +104,17 @@ impl Modal {
         }
         rotate_coincident(&omega2, &m.damping, &mut shapes, &mut momentum);
 
-        let modes = damped(&omega2, &(shapes.transpose() * &m.damping * &shapes))?;
+        let damping = shapes.transpose() * &m.damping * &shapes;
+        let modes = damped(&omega2, &damping)?;
+        let rounding = ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
+        let coupled = match couples(&damping, &rounding) {
+            true => Some(Coupled::of(&omega2, &above(&damping, &rounding))?),
+            false => None,
+        };
         // Xᵀ K = omega² Xᵀ M.
         let springs = DMatrix::from_fn(n, n, |i, j| omega2[i] * momentum[(i, j)]);
         let load = shapes.transpose() * &m.load;
-        Ok(Modal { modes, shapes, momentum, springs, load })
+        Ok(Modal { modes, shapes, momentum, springs, load, coupled })
     }
 }
 
@@ -120,13 +137,27 @@ fn rotate_coincident(omega2: &[f64], damping: &DMatrix<f64>, shapes: &mut DMatri
     }
 }
 
+/// Whether damping couples two modes by more than the roundings of C seen through X.
+fn couples(damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> bool {
+    let n = damping.nrows();
+    (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).any(|(i, j)| {
+        let within = (damping[(i, i)] * damping[(j, j)]).abs().sqrt();
+        damping[(i, j)].abs() > (COUPLED * within).max(rounding[(i, j)])
+    })
+}
+
+/// The damping without its roundings, exactly symmetric.
+fn above(damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = damping.nrows();
+    let lost = |i: usize| damping[(i, i)] <= rounding[(i, i)];
+    DMatrix::from_fn(n, n, |i, j| {
+        let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
+        if mean.abs() <= rounding[(i, j)] || lost(i) || lost(j) { 0.0 } else { mean }
+    })
+}
+
 fn damped(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Vec<Mode>, Refusal> {
-    let strongest = damping.diagonal().amax();
-    let n = omega2.len();
-    let coupling = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).map(|at| damping[at].abs()).fold(0.0, f64::max);
-    if coupling > COUPLED * strongest {
-        return Err(Refusal::CoupledDamping { coupling: coupling / strongest });
-    }
+    let (strongest, n) = (damping.diagonal().amax(), omega2.len());
     // A rounding error's worth of damping is none: an undamped mode must keep its energy.
     let sigma = |i: usize| if damping[(i, i)] <= UNDAMPED * strongest { 0.0 } else { 0.5 * damping[(i, i)] };
     let modes: Vec<Mode> = (0..n).map(|i| Mode::new(sigma(i), omega2[i])).collect();

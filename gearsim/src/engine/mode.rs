@@ -55,7 +55,7 @@ pub struct Response {
 }
 
 /// Below this product of fastest rate and time the series is used.
-const SHORT: f64 = 0.5;
+pub(in crate::engine) const SHORT: f64 = 0.5;
 /// Up to this product of rate and time six terms of the series suffice: the seventh is below 1e-16 of the first.
 pub const NEAR: f64 = 8e-3;
 /// Relative distance from critical damping within which the root of omega² - sigma² is expanded instead.
@@ -248,5 +248,6 @@ fn decayed(rate: f64, t: f64) -> f64 {
 }
 
 mod loss;
+pub(in crate::engine) use loss::GAUSS_16;
 #[cfg(test)]
 mod tests;

@@ -10,6 +10,7 @@ use crate::engine::equations::{Derived, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
+use crate::engine::system::{self, System};
 use crate::model::Model;
 use crate::scene::{Precision, Scene};
 use crate::trajectory::{Moment, Trajectory};
@@ -40,7 +41,12 @@ pub struct Entry {
     pub model: &'static Model,
     /// How a scene of it is run.
     pub run: Run,
+    /// The equations of a scene of it, for analyses.
+    pub system: SystemOf,
 }
+
+/// The equations of a scene, of any number of coordinates.
+pub type SystemOf = fn(&Scene) -> Result<Box<dyn System>, Refusal>;
 
 /// Runs a scene, telling the model time [s] to a watcher as it goes.
 pub type Run = fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>;
@@ -48,7 +54,7 @@ pub type Run = fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>;
 impl Entry {
     /// The entry of a derived model.
     pub const fn new<D: Derived<N>, const N: usize>() -> Entry {
-        Entry { model: &D::MODEL, run: run::<D, N> }
+        Entry { model: &D::MODEL, run: run::<D, N>, system: system::of::<D, N> }
     }
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::engine::cell::{Flight, Point};
+use crate::engine::mode::Mode;
 
 /// s(t) = c.dxi(t) + d.dxi'(t).
 #[derive(Debug, Clone, Copy)]
@@ -76,20 +77,37 @@ impl<const N: usize> Signal<'_, N> {
         self.on_moved.dot(&point.moved) + self.on_speed.map_or(0.0, |d| d.dot(&point.gained))
     }
 
-    /// Steady part of its rate, and a cheap bound on the rest; the bound is infinite if speeds contribute.
+    /// Steady part of its rate, and a cheap bound on the rest.
     #[inline]
     pub fn drift_and_wobble(&self) -> (f64, f64) {
-        let (mut drift, mut wobble) = (0.0, if self.on_speed.is_some() { f64::INFINITY } else { 0.0 });
+        let (mut drift, mut wobble) = (0.0, 0.0);
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let c = self.on_moved[i];
             let (v, a) = self.flight.rates_at_start(i);
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
+            } else if mode.omega2 == 0.0 && mode.sigma > 0.0 {
+                let excess = -a / (2.0 * mode.sigma);
+                drift += c * (v - excess);
+                wobble += (c * excess).abs();
             } else if c != 0.0 {
                 wobble += c.abs() * mode.rough_bound(v, a);
             }
         }
+        if let Some(d) = self.on_speed {
+            wobble += self.wobble_by_speeds(d);
+        }
         (drift, wobble)
+    }
+
+    /// The bound on what the accelerations of the modes add to its rate.
+    #[cold]
+    fn wobble_by_speeds(&self, d: &SVector<f64, N>) -> f64 {
+        let bound = |(i, mode): (usize, &Mode)| {
+            let (v, a) = self.flight.rates_at_start(i);
+            if d[i] == 0.0 { 0.0 } else { d[i].abs() * mode.rough_bound(a, mode.next(v, a)) }
+        };
+        self.flight.modes().iter().enumerate().map(bound).sum()
     }
 
     /// Its value at a point and its first four derivatives there.
@@ -192,6 +210,13 @@ impl<const N: usize> Signal<'_, N> {
                 let y = -(a + 2.0 * mode.sigma * v) / mode.omega2;
                 reach.deviation += c * y + d * v;
                 reach.amplitude += c.abs() * mode.bound(y, v) + d.abs() * mode.bound(v, a);
+            } else if mode.sigma > 0.0 {
+                // What speed there is beyond the final one dies away.
+                let excess = -a / (2.0 * mode.sigma);
+                let y = -excess / (2.0 * mode.sigma);
+                reach.drift += c * (v - excess);
+                reach.deviation += c * y + d * excess;
+                reach.amplitude += (c * y).abs() + (d * excess).abs();
             } else {
                 reach.amplitude = f64::INFINITY;
             }

@@ -224,7 +224,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             }
             let (lower, upper) = law.bounds();
             let s = self.state.q[law.phase];
-            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: None };
+            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: here.on_speed[i].as_ref() };
             let rate = law.surface.normal.dot(&self.state.q_dot);
             let search = Search { signal, rate, down: s - lower, up: upper - s, horizon };
             // The first law's search moves the point itself: mostly there is no other.

@@ -51,17 +51,24 @@ pub struct Axis {
     pub scale: Scale,
     /// Ends of the axis in data units; `None`: wherever the data end.
     pub range: Option<(f64, f64)>,
+    /// Names at 0, 1, 2, ... instead of numbers; empty: numbers.
+    pub names: Vec<String>,
 }
 
 impl Axis {
     /// A linear axis as long as its data.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, range: None }
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, range: None, names: vec![] }
     }
 
     /// A logarithmic axis as long as its data. Values that have no logarithm leave gaps.
     pub fn log10(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Axis { scale: Scale::Log10, ..Axis::linear(label, unit) }
+    }
+
+    /// The same axis with names at 0, 1, 2, ... instead of numbers.
+    pub fn named(self, names: Vec<String>) -> Self {
+        Axis { names, ..self }
     }
 
     /// The same axis between `low` and `high`.

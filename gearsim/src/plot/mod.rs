@@ -1,11 +1,14 @@
 //! Plots of recordings: one file and one line of [`PLOTS`] each.
 
+pub mod campbell;
 mod canvas;
 mod decimate;
 mod energy;
 pub mod figure;
+pub mod floquet;
 mod heat;
 pub mod map;
+pub mod modes;
 mod motion;
 mod spectrum;
 mod ticks;

@@ -16,6 +16,8 @@ pub struct Ruler {
     exponent: i32,
     /// Decimals of the numbers at the ticks.
     decimals: usize,
+    /// Names at 0, 1, 2, ... instead of numbers.
+    names: Vec<String>,
 }
 
 impl Ruler {
@@ -42,7 +44,8 @@ impl Ruler {
         if scale == Scale::Log10 {
             step = step.ceil();
         }
-        let mut ruler = Ruler { scale, low, high, step, offset: 0.0, exponent: 0, decimals: 0 };
+        let mut ruler =
+            Ruler { scale, low, high, step, offset: 0.0, exponent: 0, decimals: 0, names: axis.names.clone() };
         if scale == Scale::Linear {
             ruler.shorten();
         }
@@ -77,11 +80,17 @@ impl Ruler {
 
     /// Places of the ticks between 0 and 1, and the numbers beside them.
     pub fn ticks(&self) -> Vec<(f64, String)> {
+        if !self.names.is_empty() {
+            return self.names.iter().enumerate().map(|(i, name)| (self.fraction(i as f64), name.clone())).collect();
+        }
         self.multiples(self.step).map(|x| (self.fraction(x), self.number(x))).collect()
     }
 
     /// Places of the small ticks between them: the whole decades of a logarithmic axis, fifths of a linear one.
     pub fn minor(&self) -> Vec<f64> {
+        if !self.names.is_empty() {
+            return vec![];
+        }
         let step = match self.scale {
             Scale::Log10 => 1.0,
             Scale::Linear => self.step / 5.0,

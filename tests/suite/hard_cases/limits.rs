@@ -1,7 +1,7 @@
 //! Row 13: coincident and defective modes, against the matrix exponential.
 
-mod exponential;
-
+use gearsim_tests::precise::exponential::Exponential;
+use gearsim_tests::precise::number::{Real, Scalar};
 use nalgebra::{SMatrix, SVector};
 
 use crate::case::{Case, largest};
@@ -81,11 +81,19 @@ fn cells(note: &mut String, seed: u64, kind: Kind) -> f64 {
         let cell = system.cell();
         let flight = cell.flight(&SVector::from(q), &SVector::from(v));
         let (dq, dv) = flight.increments(&flight.at(t));
-        let exact = exponential::propagate(&system, q, v, t);
+        let exact = propagate(&system, q, v, t);
         let rate = omega.iter().fold(0.0, |m: f64, w| m.max(w * (1.0 + 2.0 * zeta)));
         // Sizes: a motion of the fastest mode at unit size has the speed `rate`.
         let size = largest((0..3).map(|i| exact.0[i].abs().max(q[i].abs()))) + t * largest(v.map(f64::abs));
         let apart = |i: usize| (q[i] + dq[i] - exact.0[i]).abs().max((v[i] + dv[i] - exact.1[i]).abs() / rate.max(1.0));
         largest((0..3).map(apart)) / (size * f64::EPSILON * (1.0 + rate * t))
     }))
+}
+
+/// q and q' after the time `t` \[s\].
+fn propagate(system: &Linear<3>, q: [f64; 3], v: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
+    let [q, v] = [q, v].map(|x| x.map(Real::<192>::exact));
+    let whole = Exponential::new(&system.mass, &system.damping, &system.stiffness, &system.load);
+    let (q, v) = whole.over(&Real::exact(t)).of(&q, &v);
+    (std::array::from_fn(|i| q[i].approx()), std::array::from_fn(|i| v[i].approx()))
 }

@@ -18,6 +18,7 @@ mod table;
 mod absent;
 mod cells;
 mod contact;
+mod coupled;
 mod damping;
 mod digits;
 mod ends;
@@ -62,6 +63,7 @@ const GROUPS: &[&[Case]] = &[
     // 11, backlash
     resonance::CASES,
     stiff::CASES,
+    coupled::CASES,
     limits::CASES,
     ramps::CASES,
     refusals::CASES,

@@ -105,14 +105,14 @@ fn cells(note: &mut String) -> f64 {
     }
     all.push((Linear { stiffness: diagonal([1.0, -1e-3]), ..sound }, "unstable"));
     all.push((Linear { stiffness: with(2.0), ..sound }, "unstable"));
-    all.push((Linear { stiffness: diagonal([1.0, 2.0]), damping: with(0.1), ..sound }, "coupled"));
+    all.push((Linear { stiffness: diagonal([1.0, 2.0]), damping: with(2.0), ..sound }, "feeding"));
     *note = format!("{} cells", all.len());
     count(all.into_iter().map(|(cell, expected)| {
         let named = match catch_unwind(|| Cell::new(&cell, &[]).err()) {
             Ok(Some(Refusal::Overflow)) => "overflow",
             Ok(Some(Refusal::Mass)) => "mass",
             Ok(Some(Refusal::Unstable { .. })) => "unstable",
-            Ok(Some(Refusal::CoupledDamping { .. })) => "coupled",
+            Ok(Some(Refusal::Feeding { .. })) => "feeding",
             Ok(_) => "accepted",
             Err(_) => "a panic",
         };

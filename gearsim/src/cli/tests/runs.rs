@@ -5,6 +5,8 @@ use std::path::Path;
 use super::go;
 use crate::cli::compare::Compare;
 use crate::cli::failure::Failure;
+use crate::cli::floquet::Floquets;
+use crate::cli::modes::Modes;
 use crate::cli::run::Run;
 use crate::engine::Stop;
 use crate::output::{Summary, parquet};
@@ -86,4 +88,31 @@ fn a_run_that_stopped_has_an_exit_code_of_its_own() {
     assert_eq!(failure.code(), 3);
     let text = failure.to_string();
     assert!(text.contains("scene x stopped early: at t = 0.1 s") && text.contains("out/x"), "{text}");
+}
+
+#[test]
+fn modes_and_multipliers_are_written_with_their_plots() {
+    let root = tempfile::tempdir().unwrap();
+    let json = |file: &str| -> serde_json::Value {
+        serde_json::from_slice(&std::fs::read(root.path().join(file)).unwrap()).unwrap()
+    };
+    go::<Modes>(root.path(), &["--cell", "1"]).unwrap();
+    let modes = json("modes.json");
+    assert_eq!(modes["chosen"]["levels"][0], 2780.0);
+    // sqrt(M2 k)/2 pi of the gear pair.
+    let m2 = 0.5 * (24f64.powi(2) / 2.89e-3 + 96f64.powi(2) / 0.7402);
+    let expected = (m2 * 2780.0).sqrt() / std::f64::consts::TAU;
+    let found = modes["chosen"]["modes"][1]["natural_frequency"].as_f64().unwrap();
+    assert!((found / expected - 1.0).abs() < 1e-14, "{found}, not {expected}");
+    go::<Floquets>(root.path(), &["--vary", "start.speed=4000..14000 rpm", "--points", "9"]).unwrap();
+    assert_eq!(json("floquet.json")["verdict"], "stable");
+    let expected = "campbell.png campbell.svg floquet.json modes.json shapes.png shapes.svg stability.csv stability.png \
+                    stability.svg";
+    assert_eq!(names(root.path()).join(" "), expected);
+    for wrong in [["--cell", "2"], ["--cell", "0,1"]] {
+        assert_eq!(go::<Modes>(root.path(), &wrong).unwrap_err().code(), 2);
+    }
+    for wrong in [["--vary", "start.speed=3"], ["--vary", "start.sped=1..2 rpm"], ["--points", "1"]] {
+        assert_eq!(go::<Floquets>(root.path(), &wrong).unwrap_err().code(), 2, "{wrong:?}");
+    }
 }

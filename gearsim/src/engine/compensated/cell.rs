@@ -51,8 +51,8 @@ impl<const N: usize> Cell<N> {
         let strongest = (0..N).map(|i| modal[(i, i)].hi().abs()).fold(0.0, f64::max);
         let pairs = (0..N).flat_map(|i| (0..i).map(move |j| (i, j)));
         let coupling = pairs.map(|at| modal[at].hi().abs()).fold(0.0, f64::max);
-        if coupling > COUPLED * strongest {
-            return Err(Refusal::CompensatedCoupling { coupling: coupling / strongest });
+        if plain.coupling.is_some() || coupling > COUPLED * strongest {
+            return Err(Refusal::CompensatedCoupling);
         }
         let modes = std::array::from_fn(|i| {
             let zero_or = |is_zero: bool, x: Df64| if is_zero { Df64::from(0.0) } else { x };

@@ -1,0 +1,249 @@
+//! Stability of steady rotation: the stiffnesses are periodic in time, and a small disturbance grows a period by the
+//! Floquet multipliers, the eigenvalues of the product of the cells' exact propagators (mechanics: Meissner's equation and
+//! its kind; G. Floquet, 1883).
+//!
+//! Rigid motions, null space of every K and of C, have the double multiplier 1 and are split off exactly, through their
+//! M-orthogonal complement; the verdict is on what is left.
+
+use nalgebra::{Complex, DMatrix};
+
+use crate::analysis::steady::{self, Course};
+use crate::engine::Refusal;
+use crate::engine::modal::Modal;
+use crate::engine::system::System;
+use crate::scene::Scene;
+
+mod chart;
+mod period;
+
+pub use chart::{Chart, Spot, Varied};
+pub use period::{Aperiodic, Stretch, stretches};
+
+/// Why the stability of a scene is not found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the messages are the documentation
+pub enum FloquetError {
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    #[error(transparent)]
+    Aperiodic(#[from] Aperiodic),
+    #[error("nothing vibrates: every motion of the model is rigid")]
+    Rigid,
+    #[error("the multipliers overflow: a period at this speed is too long beside what grows in it")]
+    Overflow,
+}
+
+/// The multipliers of a scene.
+#[derive(Debug, Clone)]
+pub struct Floquet {
+    /// Common period of all stiffnesses [s].
+    pub period: f64,
+    /// Multipliers of all motions that are not rigid, largest first.
+    pub multipliers: Vec<Complex<f64>>,
+    /// Rigid motions, left out.
+    pub rigid: usize,
+    /// What comes of them.
+    pub verdict: Verdict,
+    /// Lowest natural frequency [Hz] at the mean stiffness.
+    pub natural: f64,
+    /// Frequency of the first mesh that steps [Hz].
+    pub mesh: f64,
+}
+
+/// What becomes of a small disturbance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It dies away.
+    Stable,
+    /// It stays: nothing damps it, nothing feeds it.
+    Neutral,
+    /// It stays or grows linearly: two multipliers meet on the unit circle, which an undamped system leaves there.
+    Border,
+    /// It grows with the period of the stiffness, a real multiplier above 1.
+    Growing,
+    /// It grows with twice that period, a real multiplier below -1.
+    Alternating,
+    /// It grows at a frequency of its own, two complex multipliers outside the unit circle.
+    Combination,
+}
+
+impl Verdict {
+    /// Whether a disturbance grows exponentially.
+    pub fn is_unstable(self) -> bool {
+        matches!(self, Verdict::Growing | Verdict::Alternating | Verdict::Combination)
+    }
+}
+
+/// How far from the unit circle multipliers are told from it; two that meet there are known to a root of rounding.
+const CIRCLE: f64 = 1e-7;
+/// The same for one vibration, whose trace and determinant decide.
+const TRACE: f64 = 1e-11;
+/// Multipliers nearer than this on the unit circle meet.
+const MEET: f64 = 1e-4;
+
+impl Floquet {
+    /// The multipliers of `scene` in steady rotation at the speeds it starts with.
+    ///
+    /// # Errors
+    /// Where a cell has no modes, or the stiffnesses have no common period.
+    pub fn of(scene: &Scene, system: &dyn System) -> Result<Floquet, FloquetError> {
+        let courses = steady::courses(scene, system);
+        let (period, stretches) = stretches(&courses)?;
+        let means: Vec<f64> = courses.iter().map(Course::mean).collect();
+        let lowest = Modal::of(&system.matrices(&means)?)?.modes.iter().map(|m| m.omega2).find(|w| *w > 0.0);
+        let omega = lowest.ok_or(FloquetError::Rigid)?.sqrt();
+
+        let split = Split::of(system, &stretches)?;
+        let size = 2 * split.elastic;
+        let mut monodromy = DMatrix::<f64>::identity(size, size);
+        for stretch in &stretches {
+            monodromy = split.reduced(&system.propagator(&stretch.levels, stretch.time)?, omega) * monodromy;
+        }
+        if monodromy.iter().any(|x| !x.is_finite()) {
+            return Err(FloquetError::Overflow);
+        }
+        let mut multipliers: Vec<Complex<f64>> = if size == 2 {
+            pair(monodromy.trace(), monodromy.determinant()).to_vec()
+        } else {
+            monodromy.complex_eigenvalues().iter().copied().collect()
+        };
+        // Motions that only dampers hold stay where they come to rest: multipliers 1 that say nothing.
+        for _ in 0..split.drifting {
+            let apart = |z: &Complex<f64>| (z - 1.0).norm();
+            let nearest =
+                (0..multipliers.len()).min_by(|&i, &j| apart(&multipliers[i]).total_cmp(&apart(&multipliers[j])));
+            nearest.map(|i| multipliers.remove(i));
+        }
+        multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+        let verdict = if size == 2 { of_one(monodromy.trace(), monodromy.determinant()) } else { of_all(&multipliers) };
+        let mesh = courses.iter().find(|c| c.steps).map_or(0.0, Course::frequency);
+        let natural = omega / std::f64::consts::TAU;
+        Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh })
+    }
+
+    /// Exponential growth of a disturbance a period, the logarithm of the largest multiplier; negative where it dies away.
+    pub fn growth(&self) -> f64 {
+        self.multipliers.first().map_or(f64::NEG_INFINITY, |z| z.norm().ln())
+    }
+}
+
+/// The two multipliers of a trace and a determinant, without cancellation.
+fn pair(trace: f64, determinant: f64) -> [Complex<f64>; 2] {
+    let d = 0.25 * trace * trace - determinant;
+    if d < 0.0 {
+        let z = Complex::new(0.5 * trace, (-d).sqrt());
+        return [z, z.conj()];
+    }
+    let large = 0.5 * trace + d.sqrt().copysign(trace);
+    [Complex::from(large), Complex::from(if large == 0.0 { 0.0 } else { determinant / large })]
+}
+
+/// The verdict on one vibration: |trace| <= 1 + determinant, determinant <= 1.
+fn of_one(trace: f64, determinant: f64) -> Verdict {
+    let beyond = trace.abs() - (1.0 + determinant);
+    let undamped = (determinant - 1.0).abs() <= TRACE;
+    match beyond {
+        b if b > TRACE && trace > 0.0 => Verdict::Growing,
+        b if b > TRACE => Verdict::Alternating,
+        b if b >= -TRACE => Verdict::Border,
+        _ if undamped => Verdict::Neutral,
+        _ => Verdict::Stable,
+    }
+}
+
+fn of_all(multipliers: &[Complex<f64>]) -> Verdict {
+    let Some(first) = multipliers.first() else { return Verdict::Neutral };
+    if first.norm() > 1.0 + CIRCLE {
+        let real = first.im.abs() <= CIRCLE * first.norm();
+        return match (real, first.re > 0.0) {
+            (false, _) => Verdict::Combination,
+            (true, true) => Verdict::Growing,
+            (true, false) => Verdict::Alternating,
+        };
+    }
+    if first.norm() < 1.0 - CIRCLE {
+        return Verdict::Stable;
+    }
+    let on = || multipliers.iter().take_while(|z| z.norm() >= 1.0 - CIRCLE);
+    let meet = on().enumerate().any(|(i, z)| on().take(i).any(|other| (z - other).norm() <= MEET));
+    if meet { Verdict::Border } else { Verdict::Neutral }
+}
+
+/// Rigid motions parted from the others.
+struct Split {
+    rigid: usize,
+    elastic: usize,
+    /// Directions that no spring holds but some damper sees.
+    drifting: usize,
+    /// E, a basis of what is M-orthogonal to the rigid motions (n x elastic), and (EᵀME)⁻¹EᵀM.
+    basis: DMatrix<f64>,
+    onto: DMatrix<f64>,
+}
+
+/// Singular values below this part of the largest are rounding.
+const NULL: f64 = 1e-12;
+
+impl Split {
+    fn of(system: &dyn System, stretches: &[Stretch]) -> Result<Split, FloquetError> {
+        let first = system.matrices(&stretches[0].levels)?;
+        let n = first.load.len();
+        // In units in which M has a unit diagonal.
+        let unit = first.mass.diagonal().map(|m| 1.0 / m.sqrt());
+        let scaled = |a: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| a[(i, j)] * unit[i] * unit[j]);
+        let mut springs = DMatrix::zeros(0, n);
+        let below = |above: DMatrix<f64>, a: &DMatrix<f64>| {
+            let size = a.amax();
+            let rows = above.nrows();
+            let mut all = above.insert_rows(rows, n, 0.0);
+            all.rows_mut(rows, n).copy_from(&if size > 0.0 { a / size } else { a.clone() });
+            all
+        };
+        for stretch in stretches {
+            springs = below(springs, &scaled(&system.matrices(&stretch.levels)?.stiffness));
+        }
+        let held = below(springs.clone(), &scaled(&first.damping));
+        let (rigid, unheld) = (null_space(&held), null_space(&springs).ncols());
+        let rigid = DMatrix::from_fn(n, rigid.ncols(), |i, j| rigid[(i, j)] * unit[i]);
+        let basis = null_space(&(rigid.transpose() * &first.mass * DMatrix::from_diagonal(&unit)));
+        let basis = DMatrix::from_diagonal(&unit) * basis;
+        if basis.ncols() == 0 {
+            return Err(FloquetError::Rigid);
+        }
+        let momentum = basis.transpose() * &first.mass;
+        let onto = (&momentum * &basis).cholesky().ok_or(Refusal::Mass)?.solve(&momentum);
+        let (elastic, drifting) = (basis.ncols(), unheld - rigid.ncols());
+        Ok(Split { rigid: rigid.ncols(), elastic, drifting, basis, onto })
+    }
+
+    /// A propagator of (q, q') as one of what is not rigid, (e, e'/omega).
+    fn reduced(&self, propagator: &DMatrix<f64>, omega: f64) -> DMatrix<f64> {
+        let (n, e) = (self.basis.nrows(), self.elastic);
+        let mut reduced = DMatrix::zeros(2 * e, 2 * e);
+        for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let unit = if row == column {
+                1.0
+            } else if row == 1 {
+                1.0 / omega
+            } else {
+                omega
+            };
+            let part = &self.onto * propagator.view((row * n, column * n), (n, n)) * &self.basis;
+            reduced.view_mut((row * e, column * e), (e, e)).copy_from(&(part * unit));
+        }
+        reduced
+    }
+}
+
+/// An orthonormal basis of the null space of a matrix of n columns.
+fn null_space(a: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = a.ncols();
+    let (values, vectors) = {
+        // Square at least, so that all right singular vectors are there.
+        let padded = a.clone().insert_rows(a.nrows(), n.saturating_sub(a.nrows()), 0.0);
+        let svd = padded.svd(false, true);
+        (svd.singular_values, svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n)))
+    };
+    let largest = values.amax();
+    let null: Vec<usize> = (0..n).filter(|&i| values[i] <= NULL * largest).collect();
+    DMatrix::from_fn(n, null.len(), |i, c| vectors[(null[c], i)])
+}

@@ -1,0 +1,131 @@
+//! One period of all stiffnesses: the common multiple of their pitches, cut where any of them steps.
+
+use crate::analysis::steady::Course;
+
+/// Why there is no period.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)]
+pub enum Aperiodic {
+    #[error(
+        "no stiffness of the scene steps, so nothing is periodic: name the effect `stiffness_step`, and give a law two levels"
+    )]
+    Constant,
+    #[error("the phase of `{law}` stands still: give the scene a speed in [start]")]
+    Still { law: &'static str },
+    #[error(
+        "the meshes `{first}` and `{second}` have no common period: their frequencies are as {ratio}, not as whole numbers up to {most}"
+    )]
+    Incommensurate { first: &'static str, second: &'static str, ratio: f64, most: u64 },
+    #[error("a common period of all meshes has more than {most} steps")]
+    Long { most: usize },
+}
+
+/// A part of the period in which no stiffness steps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// The value of each law.
+    pub levels: Vec<f64>,
+    /// How long it lasts [s].
+    pub time: f64,
+}
+
+/// Largest number of pitches of one mesh for which another has a whole number too: tooth numbers are smaller.
+const MOST_PITCHES: u64 = 1000;
+/// How well the ratio of two mesh frequencies is known.
+const WHOLE: f64 = 1e-9;
+/// Steps in a period, at most.
+const MOST_STEPS: usize = 100_000;
+
+/// The period [s] and its stretches.
+///
+/// # Errors
+/// Where there is none.
+pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
+    let stepping: Vec<&Course> = courses.iter().filter(|c| c.steps).collect();
+    let first = *stepping.first().ok_or(Aperiodic::Constant)?;
+    if let Some(still) = stepping.iter().find(|c| c.speed == 0.0 || !c.frequency().is_normal()) {
+        return Err(Aperiodic::Still { law: still.name });
+    }
+    // Pitches of the first mesh in the period.
+    let mut pitches = 1u64;
+    for course in &stepping {
+        let ratio = course.frequency() / first.frequency();
+        let whole = (1..=MOST_PITCHES).find(|&p| {
+            let other = ratio * p as f64;
+            other.round() >= 1.0 && (other - other.round()).abs() <= WHOLE * other
+        });
+        let Some(whole) = whole else {
+            return Err(Aperiodic::Incommensurate {
+                first: first.name,
+                second: course.name,
+                ratio,
+                most: MOST_PITCHES,
+            });
+        };
+        pitches = pitches / gcd(pitches, whole) * whole;
+    }
+    let period = pitches as f64 / first.frequency();
+    let count = stepping.iter().map(|c| c.frequency() * period * c.levels.len() as f64).sum::<f64>();
+    if count > MOST_STEPS as f64 {
+        return Err(Aperiodic::Long { most: MOST_STEPS });
+    }
+    let mut cuts: Vec<f64> = stepping.iter().flat_map(|c| steps(c, period)).chain([0.0, period]).collect();
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup_by(|later, earlier| *later - *earlier <= 1e-12 * period);
+    let stretch = |pair: &[f64]| {
+        let middle = 0.5 * (pair[0] + pair[1]);
+        Stretch { levels: courses.iter().map(|c| level(c, middle)).collect(), time: pair[1] - pair[0] }
+    };
+    Ok((period, cuts.windows(2).map(stretch).collect()))
+}
+
+/// The times at which a stiffness steps, within the period.
+fn steps(course: &Course, period: f64) -> Vec<f64> {
+    let pitches = (course.frequency() * period).round() as u64;
+    let one = course.period / course.speed.abs();
+    // How far on its way each step lies.
+    let way = |end: f64| {
+        let forward = if course.speed > 0.0 { end - course.start } else { course.start - end };
+        forward.rem_euclid(course.period) / course.speed.abs()
+    };
+    (0..pitches).flat_map(|p| course.levels.iter().map(move |&(_, end)| way(end) + p as f64 * one)).collect()
+}
+
+fn level(course: &Course, t: f64) -> f64 {
+    let phase = (course.start + course.speed * t).rem_euclid(course.period);
+    let here = course.levels.iter().find(|(_, end)| phase < *end);
+    here.or(course.levels.last()).map_or(0.0, |(value, _)| *value)
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn course(name: &'static str, speed: f64, start: f64) -> Course {
+        Course { name, levels: vec![(1.0, 0.25), (2.0, 1.0)], period: 1.0, start, speed, steps: true }
+    }
+
+    #[test]
+    fn meshes_of_whole_tooth_numbers_have_a_common_period() {
+        let (period, stretches) = stretches(&[course("a", 24.0, 0.0), course("b", -36.0, 0.5)]).unwrap();
+        assert!((period - 2.0 / 24.0).abs() < 1e-15);
+        let time = |which: usize| stretches.iter().filter(|s| s.levels[which] == 1.0).map(|s| s.time).sum::<f64>();
+        let whole: f64 = stretches.iter().map(|s| s.time).sum();
+        for part in [time(0), time(1)] {
+            assert!((part - 0.25 * period).abs() < 1e-15, "a quarter of the time at the first level");
+        }
+        assert!((whole - period).abs() < 1e-15);
+        // Two pitches of a and three of b, two steps each, and the start.
+        assert!((10..=11).contains(&stretches.len()), "{}", stretches.len());
+    }
+
+    #[test]
+    fn others_have_none() {
+        let wrong = stretches(&[course("a", 1.0, 0.0), course("b", 2f64.sqrt(), 0.0)]).unwrap_err();
+        assert!(matches!(wrong, Aperiodic::Incommensurate { first: "a", second: "b", .. }), "{wrong}");
+    }
+}

@@ -1,0 +1,163 @@
+//! Natural frequencies, damping, mode shapes and energies of the cells of a scene.
+//!
+//! A mode is a pair of eigenvalues lambda of M lambda² + C lambda + K: natural frequency |lambda|/2 pi, damping factor
+//! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, shape phi, complex where damping couples the modes.
+//!
+//! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), for K is linear in
+//!   the laws; what is left is that of all other springs.
+//! - Share of a coordinate in the kinetic energy: Re(conj(phi_i) (M phi)_i)/(phi* M phi). Shares add up to one; where inertia
+//!   couples coordinates, one may be negative.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use crate::analysis::steady::Course;
+use crate::engine::Refusal;
+use crate::engine::modal::{Matrices, Modal};
+use crate::engine::mode::Mode;
+use crate::engine::system::System;
+
+/// The modes of one cell.
+#[derive(Debug, Clone)]
+pub struct CellModes {
+    /// The value of each law.
+    pub levels: Vec<f64>,
+    /// Rigid motions first, then by rising frequency.
+    pub modes: Vec<Vibration>,
+    /// Whether damping couples the modes of the undamped system.
+    pub coupled: bool,
+}
+
+/// One mode.
+#[derive(Debug, Clone)]
+pub struct Vibration {
+    /// Natural frequency [Hz]; 0 for a rigid motion.
+    pub natural: f64,
+    /// Frequency of the damped vibration [Hz]; 0 where it does not oscillate.
+    pub damped: f64,
+    /// Damping factor; `None` for a rigid motion.
+    pub zeta: Option<f64>,
+    /// Amplitude of each coordinate; the one of most inertia, largest sqrt(M_ii) |phi_i|, is 1.
+    pub shape: Vec<Complex<f64>>,
+    /// Share of each law in the strain energy; empty for a rigid motion.
+    pub strain: Vec<f64>,
+    /// Share of all other springs.
+    pub other_strain: f64,
+    /// Share of each coordinate in the kinetic energy.
+    pub kinetic: Vec<f64>,
+}
+
+/// More cells than this are not looked at one by one.
+pub const MOST_CELLS: usize = 64;
+
+/// Every combination of levels, the first law's changing fastest; none if there are more than [`MOST_CELLS`].
+pub fn combinations(courses: &[Course]) -> Vec<Vec<f64>> {
+    let count = courses.iter().map(|c| c.levels.len()).fold(1, usize::saturating_mul);
+    if count > MOST_CELLS {
+        return vec![];
+    }
+    let levels = |mut index: usize| {
+        let level = |course: &Course| {
+            let at = index % course.levels.len();
+            index /= course.levels.len();
+            course.levels[at].0
+        };
+        courses.iter().map(level).collect()
+    };
+    (0..count).map(levels).collect()
+}
+
+/// The modes of the cell with law values `k`.
+///
+/// # Errors
+/// Those of [`Modal::of`].
+pub fn of(system: &dyn System, k: &[f64]) -> Result<CellModes, Refusal> {
+    let matrices = system.matrices(k)?;
+    let modal = Modal::of(&matrices)?;
+    let without = |law: usize| {
+        let mut k = k.to_vec();
+        k[law] = 0.0;
+        system.matrices(&k).map(|m| &matrices.stiffness - m.stiffness)
+    };
+    let springs = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
+    let modes = modal.coupled.as_ref().map_or(&modal.modes, |coupled| &coupled.modes);
+    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), &matrices, &springs);
+    Ok(CellModes {
+        levels: k.to_vec(),
+        modes: modes.iter().enumerate().map(vibration).collect(),
+        coupled: modal.coupled.is_some(),
+    })
+}
+
+/// phi = X1 + lambda X2 in the coordinates; where a mode does not oscillate, that of its slower decay.
+fn shape(modal: &Modal, i: usize, mode: &Mode) -> DVector<Complex<f64>> {
+    let complex = |x: DVector<f64>| x.map(Complex::from);
+    let Some(coupled) = &modal.coupled else { return complex(modal.shapes.column(i).into_owned()) };
+    let w = mode.damped_frequency();
+    let lambda = if w > 0.0 {
+        Complex::new(-mode.sigma, w)
+    } else {
+        let kappa = (mode.sigma * mode.sigma - mode.omega2).max(0.0).sqrt();
+        Complex::from(if mode.sigma > 0.0 { -mode.omega2 / (mode.sigma + kappa) } else { 0.0 })
+    };
+    let [x1, x2] = [&coupled.by_speed, &coupled.by_acceleration].map(|x| complex(&modal.shapes * x.column(i)));
+    x1 + x2 * lambda
+}
+
+fn vibration(mode: &Mode, shape: DVector<Complex<f64>>, m: &Matrices, springs: &[DMatrix<f64>]) -> Vibration {
+    let weight = |i: usize| m.mass[(i, i)].sqrt() * shape[i].norm();
+    let heaviest = (0..shape.len()).max_by(|&i, &j| weight(i).total_cmp(&weight(j))).unwrap_or(0);
+    let unit = shape[heaviest];
+    let shape = shape.map(|x| x / unit);
+    let energy = |a: &DMatrix<f64>| shape.dotc(&(a.map(Complex::from) * &shape)).re;
+    let momentum = m.mass.map(Complex::from) * &shape;
+    let (kinetic, total) = (energy(&m.mass), energy(&m.stiffness));
+    let rigid = mode.omega2 == 0.0;
+    let strain: Vec<f64> = if rigid { vec![] } else { springs.iter().map(|k| energy(k) / total).collect() };
+    let omega = mode.omega2.sqrt();
+    Vibration {
+        natural: omega / TAU,
+        damped: mode.damped_frequency() / TAU,
+        zeta: (!rigid).then(|| mode.sigma / omega),
+        other_strain: if rigid { 0.0 } else { 1.0 - strain.iter().sum::<f64>() },
+        strain,
+        kinetic: shape.iter().zip(momentum.iter()).map(|(x, p)| (x.conj() * p).re / kinetic).collect(),
+        shape: shape.iter().copied().collect(),
+    }
+}
+
+/// A harmonic of a mesh frequency near a natural frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting {
+    /// The law whose mesh it is.
+    pub law: usize,
+    /// Which harmonic of the mesh frequency, from 1 on.
+    pub harmonic: usize,
+    /// Which mode.
+    pub mode: usize,
+    /// Frequency of the harmonic over that of the mode.
+    pub ratio: f64,
+}
+
+/// Harmonics looked at.
+pub const HARMONICS: usize = 8;
+/// How near they are told.
+pub const NEAR: f64 = 0.1;
+
+/// The harmonics of the mesh frequencies within [`NEAR`] of a damped frequency, nearest first.
+pub fn meetings(courses: &[Course], cell: &CellModes) -> Vec<Meeting> {
+    let mut meetings = vec![];
+    for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {
+        for (mode, vibration) in cell.modes.iter().enumerate().filter(|(_, v)| v.damped > 0.0) {
+            for harmonic in 1..=HARMONICS {
+                let ratio = harmonic as f64 * course.frequency() / vibration.damped;
+                if (ratio - 1.0).abs() <= NEAR {
+                    meetings.push(Meeting { law, harmonic, mode, ratio });
+                }
+            }
+        }
+    }
+    meetings.sort_by(|a, b| (a.ratio - 1.0).abs().total_cmp(&(b.ratio - 1.0).abs()));
+    meetings
+}

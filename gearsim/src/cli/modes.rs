@@ -1,0 +1,188 @@
+//! `gearsim modes`: natural frequencies, damping, shapes and energies of a scene's cells.
+
+mod table;
+
+use clap::Parser;
+use serde::Serialize;
+
+use super::failure::Failure;
+use super::simulate::{Source, entry};
+use super::{Verb, files, provenance, report, terminal};
+use crate::analysis::modes::{self, CellModes};
+use crate::analysis::steady::{self, Course};
+use crate::output::summary::Provenance;
+use crate::output::{OutputError, OutputFolder};
+use crate::plot;
+use crate::scene::Scene;
+
+/// Natural frequencies, damping, mode shapes and energies of a scene's cells
+#[derive(Parser)]
+#[command(
+    name = "modes",
+    after_help = "\
+A cell is a combination of the levels of the scene's stiffnesses. Told in full is that of the mid
+stiffnesses, (max + min)/2 of each law, or the one chosen by --cell; the frequencies of all others in a table.
+
+Writes modes.json with everything, the plot of the shapes, and the plot of natural frequencies and mesh
+harmonics over the speed (Campbell).
+
+Examples:
+  gearsim modes models/scenes/oh2005/energy_300rpm.toml
+  gearsim modes models/scenes/oh2005/energy_300rpm.toml --cell 1 --out out/modes"
+)]
+pub(super) struct Modes {
+    #[command(flatten)]
+    source: Source,
+    /// Which level of each law, counted from 0, e.g. 1 or 0,1; default: the mid stiffnesses
+    #[arg(long, value_name = "LEVEL,...", value_delimiter = ',')]
+    cell: Option<Vec<usize>>,
+}
+
+/// The content of `modes.json`.
+#[derive(Serialize)]
+struct Report<'a> {
+    scene: &'a str,
+    model: &'a str,
+    /// Names of the coordinates, in the order of every shape.
+    coordinates: Vec<&'a str>,
+    /// Names of the laws, in the order of all levels and strains.
+    laws: Vec<&'a str>,
+    /// The cell told in full.
+    chosen: Cell,
+    /// Every combination of levels; empty where there are too many.
+    cells: Vec<Cell>,
+    /// Mesh frequency of each law at the scene's speed [Hz]; `null` where it does not step.
+    mesh_frequencies: Vec<Option<f64>>,
+    /// Harmonics of a mesh frequency near a damped frequency of the chosen cell.
+    meetings: Vec<Meeting<'a>>,
+    provenance: Provenance,
+}
+
+#[derive(Serialize)]
+struct Cell {
+    /// Value of each law [SI].
+    levels: Vec<f64>,
+    /// Whether damping couples the modes of the undamped system.
+    coupled_by_damping: bool,
+    modes: Vec<Mode>,
+}
+
+#[derive(Serialize)]
+struct Mode {
+    /// [Hz]; 0 for a rigid motion.
+    natural_frequency: f64,
+    /// [Hz]; 0 where it does not oscillate.
+    damped_frequency: f64,
+    /// `null` for a rigid motion.
+    damping_factor: Option<f64>,
+    /// Real and imaginary part for each coordinate.
+    shape: Vec<[f64; 2]>,
+    /// Share of each law in the strain energy; empty for a rigid motion.
+    strain_energy: Vec<f64>,
+    /// Share of all other springs.
+    strain_energy_of_others: f64,
+    /// Share of each coordinate in the kinetic energy.
+    kinetic_energy: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Meeting<'a> {
+    law: &'a str,
+    harmonic: usize,
+    mode: usize,
+    /// Frequency of the harmonic over that of the mode.
+    ratio: f64,
+}
+
+impl Verb for Modes {
+    fn run(self) -> Result<(), Failure> {
+        let scene = self.source.load()?;
+        let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
+        let system = (entry(&scene)?.system)(&scene).map_err(refused)?;
+        let courses = steady::courses(&scene, &*system);
+        let chosen = modes::of(&*system, &self.levels(&scene, &courses)?).map_err(refused)?;
+        let cells = modes::combinations(&courses).iter().map(|k| modes::of(&*system, k)).collect::<Result<Vec<_>, _>>();
+        let cells = cells.map_err(refused)?;
+        let path = self.source.folder(&scene, "_modes")?;
+        let mut folder = OutputFolder::create(path)?;
+        let drawn = [
+            ("shapes", plot::modes::draw(&scene, &chosen)),
+            ("campbell", plot::campbell::draw(&scene, &courses, &chosen)),
+        ];
+        for (name, figure) in drawn {
+            files::figure(&mut folder, name, figure, terminal::warn)?;
+        }
+        let json = self.json(&scene, &courses, &chosen, &cells)?;
+        folder.write_bytes("modes.json", json.as_bytes())?;
+        let width = terminal::width();
+        let text = table::render(&scene, &courses, &chosen, &cells, width);
+        let written = report::files(folder.path(), folder.files(), width);
+        terminal::say(&format!("{}\n{text}\n{written}", report::scene(&scene, width)));
+        Ok(())
+    }
+}
+
+impl Modes {
+    /// The value of each law in the cell that is told in full.
+    fn levels(&self, scene: &Scene, courses: &[Course]) -> Result<Vec<f64>, Failure> {
+        let Some(cell) = &self.cell else { return Ok(scene.laws.iter().map(|law| law.mid()).collect()) };
+        let wrong = |what: String| Failure::Impossible {
+            what,
+            help: "--cell takes one number a law, in the order of the model, e.g. --cell 0 or --cell 0,1".into(),
+        };
+        if cell.len() != courses.len() {
+            return Err(wrong(format!("--cell has {} numbers, the model {} laws", cell.len(), courses.len())));
+        }
+        let level = |(&level, course): (&usize, &Course)| {
+            let found = course.levels.get(level).map(|l| l.0);
+            found.ok_or_else(|| {
+                wrong(format!("law `{}` has levels 0 to {}, no {level}", course.name, course.levels.len() - 1))
+            })
+        };
+        cell.iter().zip(courses).map(level).collect()
+    }
+
+    fn json(
+        &self,
+        scene: &Scene,
+        courses: &[Course],
+        chosen: &CellModes,
+        cells: &[CellModes],
+    ) -> Result<String, Failure> {
+        let meeting = |m: &modes::Meeting| Meeting {
+            law: courses[m.law].name,
+            harmonic: m.harmonic,
+            mode: m.mode,
+            ratio: m.ratio,
+        };
+        let report = Report {
+            scene: &scene.name,
+            model: scene.model.name,
+            coordinates: scene.model.coordinates.iter().map(|c| c.name).collect(),
+            laws: scene.model.laws.iter().map(|l| l.name).collect(),
+            chosen: cell(chosen),
+            cells: cells.iter().map(cell).collect(),
+            mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),
+            meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
+            provenance: Provenance {
+                solver: "modes of linear cells".into(),
+                ..provenance::of(scene, &self.source.overrides)
+            },
+        };
+        let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
+        Ok(json + "\n")
+    }
+}
+
+fn cell(cell: &CellModes) -> Cell {
+    let mode = |v: &modes::Vibration| Mode {
+        natural_frequency: v.natural,
+        damped_frequency: v.damped,
+        damping_factor: v.zeta,
+        shape: v.shape.iter().map(|z| [z.re, z.im]).collect(),
+        strain_energy: v.strain.clone(),
+        strain_energy_of_others: v.other_strain,
+        kinetic_energy: v.kinetic.clone(),
+    };
+    Cell { levels: cell.levels.clone(), coupled_by_damping: cell.coupled, modes: cell.modes.iter().map(mode).collect() }
+}

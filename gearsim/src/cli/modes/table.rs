@@ -1,0 +1,128 @@
+//! The modes of a scene as text.
+
+use std::fmt::Write;
+
+use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, NEAR, Vibration, meetings};
+use crate::analysis::steady::Course;
+use crate::cli::number::short;
+use crate::cli::terminal;
+use crate::scene::Scene;
+
+/// Shares below this are not told.
+const LEAST: f64 = 0.005;
+/// Parts of a shape that are told, at most, largest first.
+const PARTS: usize = 6;
+
+/// Everything.
+pub(super) fn render(
+    scene: &Scene,
+    courses: &[Course],
+    chosen: &CellModes,
+    cells: &[CellModes],
+    width: usize,
+) -> String {
+    let mut text = format!("modes at {}\n\n", levels(scene, &chosen.levels));
+    if chosen.coupled {
+        text += "Damping couples the modes: shapes are complex, their parts told by size and phase.\n\n";
+    }
+    for (i, mode) in chosen.modes.iter().enumerate() {
+        text += &one(scene, i, mode, width);
+    }
+    text += "\n";
+    text += &all(scene, cells);
+    text + &harmonics(courses, chosen)
+}
+
+fn levels(scene: &Scene, values: &[f64]) -> String {
+    let level = |(law, value): (&crate::model::Law, &f64)| format!("{} = {} {}", law.name, short(*value), law.unit);
+    let all: Vec<_> = scene.model.laws.iter().zip(values).map(level).collect();
+    if all.is_empty() { "constant stiffness".into() } else { all.join(", ") }
+}
+
+fn one(scene: &Scene, i: usize, mode: &Vibration, width: usize) -> String {
+    let head = match mode.zeta {
+        None => "rigid motion".to_owned(),
+        Some(zeta) if mode.damped > 0.0 => {
+            format!("{} Hz, damped {} Hz, zeta {}", short(mode.natural), short(mode.damped), short(zeta))
+        }
+        Some(zeta) => format!("{} Hz, does not oscillate, zeta {}", short(mode.natural), short(zeta)),
+    };
+    let names: Vec<&str> = scene.model.coordinates.iter().map(|c| c.name).collect();
+    let mut parts: Vec<usize> = (0..names.len()).collect();
+    parts.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
+    let shape = parts.iter().take(PARTS).map(|&i| {
+        let z = mode.shape[i];
+        match z.im.abs() > 1e-6 * z.norm() {
+            true => format!("{} {} ∠ {:.0}°", names[i], short(z.norm()), z.arg().to_degrees()),
+            false => format!("{} {}", names[i], short(z.re)),
+        }
+    });
+    let mut shape: String = shape.collect::<Vec<_>>().join(", ");
+    if names.len() > PARTS {
+        shape += ", ...";
+    }
+    let laws = scene.model.laws.iter().map(|l| l.name).zip(mode.strain.iter().copied());
+    let strain = shares(laws.chain([("other springs", mode.other_strain)]));
+    let kinetic = shares(names.iter().copied().zip(mode.kinetic.iter().copied()));
+    let mut text = format!("{i:>4}  {head}\n");
+    for (name, says) in [("shape", shape), ("strain", strain), ("kinetic", kinetic)] {
+        if says.is_empty() {
+            continue;
+        }
+        for (n, line) in terminal::wrap(&says, width.saturating_sub(16).max(20)).lines().enumerate() {
+            let _ = writeln!(text, "      {:<8}  {line}", if n == 0 { name } else { "" });
+        }
+    }
+    text
+}
+
+/// Shares in percent, largest first.
+fn shares<'a>(of: impl Iterator<Item = (&'a str, f64)>) -> String {
+    let mut told: Vec<(&str, f64)> = of.filter(|(_, share)| share.abs() >= LEAST).collect();
+    told.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    told.truncate(PARTS);
+    told.iter().map(|(name, share)| format!("{name} {:.0} %", 100.0 * share)).collect::<Vec<_>>().join(", ")
+}
+
+/// Natural frequencies of every cell.
+fn all(scene: &Scene, cells: &[CellModes]) -> String {
+    if cells.is_empty() {
+        return format!("The levels make more than {MOST_CELLS} cells: choose one by --cell.\n\n");
+    }
+    if cells.len() == 1 {
+        return String::new();
+    }
+    let mut text = String::from("natural frequencies in Hz of every cell, rigid motions left out\n\n");
+    for cell in cells {
+        let frequencies = cell.modes.iter().filter(|m| m.natural > 0.0).map(|m| format!("{:>9}", short(m.natural)));
+        let frequencies: Vec<String> = frequencies.take(8).collect();
+        let more = if cell.modes.iter().filter(|m| m.natural > 0.0).count() > 8 { " ..." } else { "" };
+        let _ = writeln!(text, "  {:<40}{}{more}", levels(scene, &cell.levels), frequencies.concat());
+    }
+    text + "\n"
+}
+
+/// Where mesh harmonics meet natural frequencies.
+fn harmonics(courses: &[Course], chosen: &CellModes) -> String {
+    let moving: Vec<&Course> = courses.iter().filter(|c| c.steps && c.speed != 0.0).collect();
+    if moving.is_empty() {
+        return "The scene has no speed, or nothing steps: no mesh frequencies.\n".into();
+    }
+    let mut text = String::new();
+    for course in moving {
+        let _ = writeln!(text, "mesh frequency of {}: {} Hz", course.name, short(course.frequency()));
+    }
+    let near = meetings(courses, chosen);
+    if near.is_empty() {
+        let _ = writeln!(text, "  none of its first {HARMONICS} harmonics is within {:.0} % of a mode", 100.0 * NEAR);
+    }
+    for m in near {
+        let percent = 100.0 * (m.ratio - 1.0);
+        let _ = writeln!(
+            text,
+            "  harmonic {} of {} is {percent:+.1} % from mode {}",
+            m.harmonic, courses[m.law].name, m.mode
+        );
+    }
+    text
+}

@@ -1,0 +1,166 @@
+//! What damping takes from modes that it couples: ∫ uᵀG u dt of u = sum X1 a' + X2 a'', an integral of the speeds.
+//!
+//! In closed form over all pairs of exponentials, u = sum c phi e^{lambda t}, phi = X1 + lambda X2:
+//!
+//! ```text
+//! ∫ uᵀG u dt = sum_{k,l} c_k c_l (phi_kᵀG phi_l) (e^{(lambda_k + lambda_l) t} - 1)/(lambda_k + lambda_l)
+//! ```
+//!
+//! and by Gauss-Legendre quadrature where that cancels: for short times, and near critical damping.
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use crate::engine::modal::Coupled;
+use crate::engine::mode::{GAUSS_16, Mode, SHORT};
+
+/// The damped modes of one cell.
+#[derive(Debug, Clone)]
+pub struct Loss {
+    modes: Vec<Mode>,
+    /// X1, X2, G.
+    by_speed: DMatrix<f64>,
+    by_acceleration: DMatrix<f64>,
+    damping: DMatrix<f64>,
+    /// The exponentials; `None` where two of them nearly coincide.
+    closed: Option<Closed>,
+    /// Fastest rate \[1/s\].
+    rate: f64,
+}
+
+/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l.
+#[derive(Debug, Clone)]
+struct Closed {
+    /// Mode of each, lambda, and the other of its pair.
+    exponents: Vec<(usize, Complex<f64>, Complex<f64>)>,
+    weights: DMatrix<Complex<f64>>,
+}
+
+/// Eigenvalues closer than this part of their size are not taken apart.
+const APART: f64 = 0.1;
+
+impl Loss {
+    pub fn new(coupled: &Coupled) -> Loss {
+        let Coupled { modes, by_speed, by_acceleration, damping, .. } = coupled;
+        let damped = |k: usize| {
+            let seen = |x: &DMatrix<f64>| (damping * x.column(k)).amax() > 0.0;
+            seen(by_speed) || seen(by_acceleration)
+        };
+        let damped: Vec<usize> = (0..modes.len()).filter(|&k| damped(k)).collect();
+        Loss {
+            closed: Closed::new(coupled, &damped),
+            modes: modes.clone(),
+            by_speed: by_speed.clone(),
+            by_acceleration: by_acceleration.clone(),
+            damping: damping.clone(),
+            rate: damped.iter().map(|&k| modes[k].rate).fold(0.0, f64::max),
+        }
+    }
+
+    /// The integral until `t` \[s\] from the speeds a' and accelerations a'' of the modes at the start.
+    pub fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
+        match &self.closed {
+            Some(closed) if self.rate * t >= SHORT => closed.until(rates, t),
+            _ => self.by_quadrature(rates, t),
+        }
+    }
+
+    /// Panels over which the fastest motion that is left turns by two radians; the 16-point rule is exact to rounding there.
+    fn by_quadrature(&self, rates: &[(f64, f64)], t: f64) -> f64 {
+        let (mut begin, mut sum) = (0.0, 0.0);
+        while begin < t {
+            let alive = |mode: &&Mode| slowest(mode) * begin < 40.0;
+            let rate = self.modes.iter().filter(alive).map(|mode| mode.rate).fold(0.0, f64::max);
+            let end = if rate > 0.0 { t.min(begin + 2.0 / rate) } else { t };
+            if end <= begin {
+                break;
+            }
+            let half = 0.5 * (end - begin);
+            for (x, weight) in GAUSS_16 {
+                sum += weight
+                    * half
+                    * (self.power(rates, begin + half * (1.0 - x)) + self.power(rates, begin + half * (1.0 + x)));
+            }
+            begin = end;
+        }
+        sum
+    }
+
+    /// uᵀG u at the time `t`.
+    fn power(&self, rates: &[(f64, f64)], t: f64) -> f64 {
+        let speeds: Vec<(f64, f64)> = self
+            .modes
+            .iter()
+            .zip(rates)
+            .map(|(mode, &(v, a))| {
+                let r = mode.response(t);
+                let jerk = mode.next(v, a);
+                (v + a * r.s1 - mode.omega2 * v * r.s2, a + jerk * r.s1 - mode.omega2 * a * r.s2)
+            })
+            .collect();
+        let v = DVector::from_fn(speeds.len(), |i, _| speeds[i].0);
+        let a = DVector::from_fn(speeds.len(), |i, _| speeds[i].1);
+        let u = &self.by_speed * v + &self.by_acceleration * a;
+        u.dot(&(&self.damping * &u))
+    }
+}
+
+/// Rate at which a mode has died away, at least \[1/s\].
+fn slowest(mode: &Mode) -> f64 {
+    let (sigma, omega2) = (mode.sigma, mode.omega2);
+    if sigma * sigma <= omega2 { sigma } else { omega2 / (sigma + (sigma * sigma - omega2).sqrt()) }
+}
+
+impl Closed {
+    fn new(coupled: &Coupled, damped: &[usize]) -> Option<Closed> {
+        let mut exponents = vec![];
+        for &k in damped {
+            let Mode { sigma, omega2, .. } = coupled.modes[k];
+            let omega = omega2.sqrt();
+            let d = (omega - sigma) * (omega + sigma);
+            if d.abs() < APART * APART * omega2.max(sigma * sigma) {
+                return None;
+            }
+            let (first, second) = if d > 0.0 {
+                (Complex::new(-sigma, d.sqrt()), Complex::new(-sigma, -d.sqrt()))
+            } else {
+                let fast = sigma + (-d).sqrt();
+                (Complex::from(-omega2 / fast), Complex::from(-fast))
+            };
+            exponents.extend([(k, first, second), (k, second, first)]);
+        }
+        let shape = |&(k, lambda, _): &(usize, Complex<f64>, Complex<f64>)| {
+            let complex = |x: &DMatrix<f64>| x.column(k).map(Complex::from);
+            complex(&coupled.by_speed) + complex(&coupled.by_acceleration) * lambda
+        };
+        let shapes: Vec<DVector<Complex<f64>>> = exponents.iter().map(shape).collect();
+        let damping = coupled.damping.map(Complex::from);
+        let weights = DMatrix::from_fn(shapes.len(), shapes.len(), |i, j| shapes[i].dot(&(&damping * &shapes[j])));
+        Some(Closed { exponents, weights })
+    }
+
+    fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
+        let part = |&(k, lambda, other): &(usize, Complex<f64>, Complex<f64>)| {
+            let (v, a) = rates[k];
+            (Complex::from(a) - other * v) / (lambda - other)
+        };
+        let parts: Vec<Complex<f64>> = self.exponents.iter().map(part).collect();
+        let mut sum = 0.0;
+        for (i, (&(_, lambda, _), c)) in self.exponents.iter().zip(&parts).enumerate() {
+            for (j, (&(_, other, _), d)) in self.exponents.iter().zip(&parts).enumerate().take(i + 1) {
+                let twice = if i == j { 1.0 } else { 2.0 };
+                sum += twice * (c * d * self.weights[(i, j)] * decayed(lambda + other, t)).re;
+            }
+        }
+        sum
+    }
+}
+
+/// ∫ e^{lambda s} ds over \[0, t\].
+fn decayed(lambda: Complex<f64>, t: f64) -> Complex<f64> {
+    if lambda.norm() * t == 0.0 {
+        return Complex::from(t);
+    }
+    let (decay, (h, c)) = ((lambda.re * t).exp_m1(), (0.5 * lambda.im * t).sin_cos());
+    let e = 1.0 + decay;
+    Complex::new(decay - 2.0 * h * h * e, 2.0 * h * c * e) / lambda
+}

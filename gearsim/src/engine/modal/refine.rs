@@ -1,0 +1,99 @@
+//! A pair of eigenvalues and its shapes, polished by Newton's method to the digits of the matrices.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::pairs::Pair;
+use super::subspace::{image, pencil, quadratic, row_scale};
+
+/// Newton's method doubles the digits; more steps than this do not help.
+const STEPS: usize = 8;
+/// Damping below this part of what makes it up is rounding.
+const UNDAMPED: f64 = 1e-14;
+
+/// The pair near `start`; as it was where no step makes it better.
+pub fn newton(omega2: &[f64], g: &DMatrix<f64>, start: Pair) -> Pair {
+    let mut best = start;
+    let mut error = residual(omega2, g, &best).amax();
+    for _ in 0..STEPS {
+        let Some(next) = step(omega2, g, &best) else { break };
+        let rest = residual(omega2, g, &next).amax();
+        // Written so that NaN ends it.
+        if !(rest < 0.5 * error && next.b >= 0.0) {
+            break;
+        }
+        (best, error) = (next, rest);
+    }
+    // A pair whose shapes no damper sees keeps its energy.
+    let seen = best.x1.abs().dot(&(g.abs() * best.x1.abs())) / best.x1.norm_squared();
+    if best.s.abs() <= UNDAMPED * seen {
+        best.s = 0.0;
+    }
+    best
+}
+
+/// What the equations of a pair leave, scaled (2n).
+fn residual(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> DVector<f64> {
+    let (n, rate) = (omega2.len(), pair.rate());
+    let (g1, g2) = (g * &pair.x1 - &pair.x1 * pair.s, g * &pair.x2 - &pair.x2 * pair.s);
+    DVector::from_fn(2 * n, |row, _| {
+        let (i, scale) = (row % n, row_scale(omega2, g, rate, row % n));
+        let stiff = omega2[i] - pair.b;
+        if row < n {
+            (stiff * pair.x1[i] - pair.b * g2[i]) / scale
+        } else {
+            (stiff * pair.x2[i] + g1[i] - pair.s * g2[i]) * rate / scale
+        }
+    })
+}
+
+/// One step for (X1, rate X2, s/rate, b/rate²), across the pair: along y and C y there is nothing to gain.
+fn step(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> Option<Pair> {
+    if pair.b == 0.0 {
+        return step_rigid(omega2, g, pair);
+    }
+    let (n, rate) = (omega2.len(), pair.rate());
+    let Pair { s, b, .. } = *pair;
+    let g2 = g * &pair.x2 - &pair.x2 * s;
+    let y = DVector::from_fn(2 * n, |i, _| if i < n { pair.x1[i] } else { rate * pair.x2[i - n] });
+    let image = image(&y, s, b, rate);
+    let by = |row: usize| {
+        let (i, scale) = (row % n, row_scale(omega2, g, rate, row % n));
+        if row < n {
+            [b * pair.x2[i] * rate / scale, -(pair.x1[i] + g2[i]) * rate * rate / scale]
+        } else {
+            let by_s = s * pair.x2[i] - pair.x1[i] - g2[i];
+            [by_s * rate * rate / scale, -pair.x2[i] * rate * rate * rate / scale]
+        }
+    };
+    let mut jacobian = DMatrix::zeros(2 * n + 2, 2 * n + 2);
+    jacobian.view_mut((0, 0), (2 * n, 2 * n)).copy_from(&pencil(omega2, g, s, b, rate));
+    for i in 0..2 * n {
+        let [by_s, by_b] = by(i);
+        (jacobian[(i, 2 * n)], jacobian[(i, 2 * n + 1)]) = (by_s, by_b);
+        (jacobian[(2 * n, i)], jacobian[(2 * n + 1, i)]) = (y[i], image[i]);
+    }
+    let left = residual(omega2, g, pair).insert_rows(2 * n, 2, 0.0);
+    let change = jacobian.lu().solve(&-left)?;
+    let x1 = DVector::from_fn(n, |i, _| pair.x1[i] + change[i]);
+    let x2 = DVector::from_fn(n, |i, _| pair.x2[i] + change[n + i] / rate);
+    let (s, b) = (s + change[2 * n] * rate, b + change[2 * n + 1] * rate * rate);
+    Some(Pair { x1, x2, s, b, cluster: pair.cluster })
+}
+
+/// The same for the decay beside a rigid motion, which is exact: for (phi, lambda).
+fn step_rigid(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> Option<Pair> {
+    let (n, s) = (omega2.len(), pair.s);
+    let phi = &pair.x1 - &pair.x2 * s;
+    let matrix = quadratic(omega2, g, s);
+    let slope = g * &phi - &phi * (2.0 * s);
+    let mut jacobian = matrix.clone().insert_column(n, 0.0).insert_row(n, 0.0);
+    for i in 0..n {
+        jacobian[(i, n)] = slope[i] * s / row_scale(omega2, g, s, i);
+        jacobian[(n, i)] = phi[i];
+    }
+    let left = (matrix * &phi).insert_row(n, 0.0);
+    let change = jacobian.lu().solve(&-left)?;
+    let phi = phi + change.rows(0, n);
+    let s = s - change[n] * s;
+    Some(Pair { x1: pair.x1.clone(), x2: (&pair.x1 - phi) / s, s, b: 0.0, cluster: pair.cluster })
+}

@@ -1,0 +1,147 @@
+//! The shapes of a pair of eigenvalues: the null space of
+//! [Omega² - b, -b (G - s); G - s, Omega² - b - s (G - s)] for (X1, X2), of two dimensions for each pair that shares (s, b).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::pairs::Pair;
+use crate::engine::error::Refusal;
+
+/// Singular values of the scaled matrix that count as zero, at most: beyond, no two-dimensional space is invariant, and
+/// the eigenvalue that the pairs share is defective.
+const NULL: f64 = 1e-7;
+
+/// Elements of `all` at `group`.
+pub fn pick(all: &[f64], group: &[usize]) -> Vec<f64> {
+    group.iter().map(|&i| all[i]).collect()
+}
+
+/// Rows and columns of `all` at `group`.
+pub fn block(all: &DMatrix<f64>, group: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(group.len(), group.len(), |i, j| all[(group[i], group[j])])
+}
+
+/// The matrix above, rows and columns scaled: it acts on (X1, rate X2).
+pub fn pencil(omega2: &[f64], g: &DMatrix<f64>, s: f64, b: f64, rate: f64) -> DMatrix<f64> {
+    let n = omega2.len();
+    DMatrix::from_fn(2 * n, 2 * n, |row, column| {
+        let (i, j) = (row % n, column % n);
+        let scale = row_scale(omega2, g, rate, i);
+        let off = g[(i, j)] - if i == j { s } else { 0.0 };
+        let on = if i == j { omega2[i] - b } else { 0.0 };
+        match (row < n, column < n) {
+            (true, true) => on / scale,
+            (true, false) => -b * off / (scale * rate),
+            (false, true) => off * rate / scale,
+            (false, false) => (on - s * off) / scale,
+        }
+    })
+}
+
+/// Size of row i, and of row n + i times the rate.
+pub fn row_scale(omega2: &[f64], g: &DMatrix<f64>, rate: f64, i: usize) -> f64 {
+    omega2[i] + rate * (rate + g[(i, i)])
+}
+
+/// The pairs of a cluster of values (s, b).
+///
+/// Each is spanned by a vector y = (X1, rate X2) of the null space and its image C y = (-b X2, rate (X1 - s X2)), that is
+/// by a' and a''; of several y that with the largest image aside of itself and of the pairs before is taken.
+///
+/// # Errors
+/// Where the values are defective.
+pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec<Pair>, Refusal> {
+    let (n, size) = (omega2.len(), 2 * values.len());
+    let (s, b) = mean(values);
+    let rate = b.sqrt().max(s);
+    let mut left = null_space(pencil(omega2, g, s, b, rate), size)?;
+    let mut pairs = vec![];
+    while left.len() > 1 {
+        let mixed = (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let mixed = mixed.flat_map(|(i, j)| [(&left[i] + &left[j]).normalize(), (&left[i] - &left[j]).normalize()]);
+        let candidates: Vec<DVector<f64>> = left.iter().cloned().chain(mixed).collect();
+        // Within what is left: the image may have parts in the pairs before.
+        let aside = |y: &DVector<f64>| {
+            let image = image(y, s, b, rate);
+            let within = left.iter().map(|v| v * v.dot(&image)).sum::<DVector<f64>>();
+            &within - y * y.dot(&within)
+        };
+        let best = candidates.into_iter().max_by(|x, y| aside(x).norm().total_cmp(&aside(y).norm()));
+        let y = best.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+        let other = aside(&y);
+        if other.norm() < NULL {
+            return Err(Refusal::Defective { condition: 1.0 / other.norm() });
+        }
+        left = without(&left, &[y.clone(), other.normalize()]);
+        pairs.push(Pair { x1: y.rows(0, n).into_owned(), x2: y.rows(n, n) / rate, s, b, cluster: 0 });
+    }
+    Ok(pairs)
+}
+
+/// C y, over the rate.
+pub fn image(y: &DVector<f64>, s: f64, b: f64, rate: f64) -> DVector<f64> {
+    let n = y.len() / 2;
+    DVector::from_fn(2 * n, |i, _| if i < n { -b / (rate * rate) * y[n + i] } else { y[i - n] - s / rate * y[i] })
+}
+
+/// The same where b = 0: a decay and a rigid motion e_j that stays, j in `rigid`. With lambda = -s and
+/// (lambda² + lambda G + Omega²) phi = 0 it is X1 = e_j, X1 + lambda X2 = phi; phi and e_j need have nothing in common.
+///
+/// # Errors
+/// Where the values are defective.
+pub fn of_rigid(
+    omega2: &[f64],
+    g: &DMatrix<f64>,
+    values: &[(f64, f64)],
+    rigid: &mut impl Iterator<Item = usize>,
+) -> Result<Vec<Pair>, Refusal> {
+    let n = omega2.len();
+    let s = mean(values).0;
+    let null = null_space(quadratic(omega2, g, s), values.len())?;
+    let pair = |phi: DVector<f64>| {
+        let j = rigid.next().ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+        let x1 = DVector::from_fn(n, |i, _| f64::from(u8::from(i == j)));
+        let phi = if phi[j] < 0.0 { -phi } else { phi };
+        Ok(Pair { x2: (&x1 - phi) / s, x1, s, b: 0.0, cluster: 0 })
+    };
+    null.into_iter().map(pair).collect()
+}
+
+/// lambda² + lambda G + Omega² at lambda = -s, its rows scaled.
+pub fn quadratic(omega2: &[f64], g: &DMatrix<f64>, s: f64) -> DMatrix<f64> {
+    let n = omega2.len();
+    DMatrix::from_fn(n, n, |i, j| {
+        let own = if i == j { s * s + omega2[i] } else { 0.0 };
+        (own - s * g[(i, j)]) / row_scale(omega2, g, s, i)
+    })
+}
+
+fn mean(values: &[(f64, f64)]) -> (f64, f64) {
+    let count = values.len() as f64;
+    (values.iter().map(|v| v.0).sum::<f64>() / count, values.iter().map(|v| v.1).sum::<f64>() / count)
+}
+
+/// An orthonormal basis of the null space of a matrix that is known to have `size` dimensions of it.
+fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal> {
+    let svd = a.svd(false, true);
+    let v = svd.v_t.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+    let mut order: Vec<usize> = (0..v.nrows()).collect();
+    order.sort_by(|&i, &j| svd.singular_values[i].total_cmp(&svd.singular_values[j]));
+    let largest = svd.singular_values[order[size - 1]];
+    if largest.is_nan() || largest > NULL {
+        return Err(Refusal::Defective { condition: 1.0 / largest });
+    }
+    Ok(order[..size].iter().map(|&i| v.row(i).transpose()).collect())
+}
+
+/// An orthonormal basis of what `basis` spans without two of its directions, themselves orthonormal.
+fn without(basis: &[DVector<f64>], taken: &[DVector<f64>; 2]) -> Vec<DVector<f64>> {
+    let mut all = taken.to_vec();
+    while all.len() < basis.len() {
+        // Of what is left of each the largest, made orthogonal twice: once is not enough for rounding.
+        let rest = |v: &DVector<f64>| all.iter().chain(&all).fold(v.clone(), |v, u| &v - u * u.dot(&v));
+        let largest = basis.iter().map(rest).max_by(|x, y| x.norm().total_cmp(&y.norm()));
+        let Some(largest) = largest else { break };
+        all.push(largest.normalize());
+    }
+    all.split_off(2)
+}

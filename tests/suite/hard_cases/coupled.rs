@@ -1,0 +1,327 @@
+//! Row 13: damping that couples the modes, against the matrix exponential in 50 digits.
+
+mod draw;
+
+use gearsim::engine::cell::Cell;
+use gearsim::engine::crossing::{Cost, Search, Side};
+use gearsim::engine::error::Refusal;
+use gearsim::engine::signal::Signal;
+use gearsim_tests::precise::exponential::Exponential;
+use gearsim_tests::precise::number::{Real, Scalar};
+use nalgebra::SVector;
+
+use crate::case::{Case, NONE, WRONG, largest};
+use crate::linear::{Linear, diagonal};
+use crate::noise::Noise;
+use draw::Drawn;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "13",
+        name: "random cells whose damping couples 2 to 8 coordinates",
+        proves: "q and q' of the matrix exponential: weak, strong and over-critical damping, rigid motions too",
+        tolerance: 100.0,
+        unit: "eps cond (1 + rate t) of the speeds",
+        reason: "cond, sqrt of the largest ratio of inertias and of stiffnesses, is what rounding the matrices costs",
+        measure: motions,
+    },
+    Case {
+        row: "13",
+        name: "energy that damping takes from them",
+        proves: "the integral of the speeds is the loss of energy of the matrix exponential",
+        tolerance: 100.0,
+        unit: "eps cond (1 + rate t) of the energy that passes",
+        reason: "as for the motions",
+        measure: losses,
+    },
+    Case {
+        row: "13",
+        name: "first crossings of random cells with coupled damping",
+        proves: "each is a root of the matrix exponential's, no sample of it lies beyond the boundary before",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: crossings,
+    },
+    Case {
+        row: "13",
+        name: "damping between two modes, relative, of 1e-2 to 1e-16",
+        proves: "the motion tends to that of uncoupled modes, with the coupling",
+        tolerance: 0.2,
+        unit: "coupling + 16 eps",
+        reason: "a tenth of the coupling is a force on motions of size one, off resonance; below 1e-10 it is left out",
+        measure: continuity,
+    },
+    Case {
+        row: "13",
+        name: "two vibrations that coalesce, a part of 1e-1 to 1e-6 before they do",
+        proves: "no digits are lost but those that the parting takes",
+        tolerance: 20.0,
+        unit: "eps (1 + rate t)/part",
+        reason: "the condition number c of the pair is 1/sqrt(part): c roundings turn each phase, c times the motion large",
+        measure: coalescing,
+    },
+    Case {
+        row: "13",
+        name: "defective vibrations, and coincident ones that are not",
+        proves: "the first are refused by name, the second are simulated as the matrix exponential says",
+        tolerance: 100.0,
+        unit: "eps (1 + rate t)",
+        reason: "as for the random cells",
+        measure: coincident,
+    },
+];
+
+type Digits = Real<192>;
+
+/// The exact motion of a cell.
+fn exact<const N: usize>(system: &Linear<N>) -> Exponential<192> {
+    Exponential::new(&system.mass, &system.damping, &system.stiffness, &system.load)
+}
+
+fn digits<const N: usize>(x: &[f64; N]) -> Vec<Digits> {
+    x.iter().map(|x| Digits::exact(*x)).collect()
+}
+
+/// The error of q and q' after `t`, in roundings of (1 + rate t) of the largest speed; all in units of sqrt(M).
+fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64) -> f64 {
+    let cell = system.cell();
+    let flight = cell.flight(&SVector::from(*q), &SVector::from(*v));
+    let (dq, dv) = flight.increments(&flight.at(t));
+    let exact = exact(system);
+    let (x, y) = exact.over(&Digits::exact(t)).of(&digits(q), &digits(v));
+    let apart = |i: usize, from: f64, d: f64, to: &Digits| {
+        system.mass[i][i].sqrt() * (to.clone() - Digits::exact(from) - Digits::exact(d)).approx().abs()
+    };
+    let place = largest((0..N).map(|i| apart(i, q[i], dq[i], &x[i])));
+    let speed = largest((0..N).map(|i| apart(i, v[i], dv[i], &y[i])));
+    let size = |v: &dyn Fn(usize) -> f64| largest((0..N).map(|i| system.mass[i][i].sqrt() * v(i).abs()));
+    // The speeds on the way, at the ends and at two places between.
+    let middle = |part: f64| {
+        let (_, y) = exact.over(&Digits::exact(part * t)).of(&digits(q), &digits(v));
+        size(&|i| y[i].approx())
+    };
+    let fastest = size(&|i| v[i]).max(size(&|i| y[i].approx())).max(middle(0.1)).max(middle(0.45));
+    place.max(speed / cell.rate).max(speed * t.min(1.0 / cell.rate)) / fastest * cell.rate.max(1.0 / t)
+        / (f64::EPSILON * (1.0 + cell.rate * t))
+}
+
+/// Something of 40 cells of each of 2, 3, 4, 6 and 8 coordinates.
+macro_rules! of_all {
+    ($noise:expr, $drawn:ident => $what:expr) => {
+        largest(
+            (0..40)
+                .flat_map(|_| {
+                    [
+                        {
+                            let $drawn = Drawn::<2>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<3>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<4>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<6>::new($noise);
+                            $what
+                        },
+                        {
+                            let $drawn = Drawn::<8>::new($noise);
+                            $what
+                        },
+                    ]
+                })
+                .collect::<Vec<f64>>(),
+        )
+    };
+}
+
+fn motions(note: &mut String) -> f64 {
+    let (mut noise, mut coupled, mut all) = (Noise::new(1301), 0, 0);
+    let worst = of_all!(&mut noise, drawn => {
+        (all, coupled) = (all + 1, coupled + usize::from(drawn.system.cell().coupling.is_some()));
+        drawn.judged(error(&drawn.system, &drawn.q, &drawn.v, drawn.t))
+    });
+    *note = format!("{coupled} of {all} cells coupled");
+    worst
+}
+
+fn losses(note: &mut String) -> f64 {
+    let (mut noise, mut most) = (Noise::new(1302), 0f64);
+    let worst = of_all!(&mut noise, drawn => {
+        let system = &drawn.system;
+        let cell = system.cell();
+        let flight = cell.flight(&SVector::from(drawn.q), &SVector::from(drawn.v));
+        let lost = flight.dissipated(&flight.at(drawn.t));
+        let (q, v) = exact(system).over(&Digits::exact(drawn.t)).of(&digits(&drawn.q), &digits(&drawn.v));
+        let [before, after] = [(digits(&drawn.q), digits(&drawn.v)), (q.clone(), v)].map(|(q, v)| {
+            quadratic(&system.mass, &v) + quadratic(&system.stiffness, &q)
+        });
+        let work = (0..q.len()).fold(Digits::exact(0.0), |sum, i| {
+            sum + Digits::exact(system.load[i]) * (q[i].clone() - Digits::exact(drawn.q[i]))
+        });
+        let want = (before.clone() - after.clone() + work.clone()).approx();
+        let passes = before.approx().max(after.approx()).max(want);
+        most = most.max(want / passes);
+        drawn.judged((lost - want).abs() / (passes * f64::EPSILON * (1.0 + cell.rate * drawn.t)))
+    });
+    *note = format!("up to {:.0} % of the energy", 100.0 * most);
+    worst
+}
+
+/// xᵀA x/2.
+fn quadratic<const N: usize>(a: &[[f64; N]; N], x: &[Digits]) -> Digits {
+    let entries = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
+    entries
+        .fold(Digits::exact(0.0), |sum, (i, j)| sum + Digits::exact(a[i][j]) * x[i].clone() * x[j].clone())
+        .scaled(-1)
+}
+
+fn crossings(note: &mut String) -> f64 {
+    let (mut noise, mut met, mut all) = (Noise::new(1303), 0, 0);
+    let mut wrong = 0.0;
+    for _ in 0..60 {
+        wrong += crossing(&Drawn::<2>::new(&mut noise), &mut noise, &mut met);
+        wrong += crossing(&Drawn::<3>::new(&mut noise), &mut noise, &mut met);
+        wrong += crossing(&Drawn::<5>::new(&mut noise), &mut noise, &mut met);
+        all += 3;
+    }
+    *note = format!("{met} of {all} met a boundary");
+    wrong
+}
+
+/// Samples of the exact motion on the way.
+const SAMPLES: usize = 400;
+
+/// 1 if the first crossing of n.q of a boundary within its reach is not what samples of the exact motion say.
+fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize) -> f64 {
+    let system = Linear { normal: [(); N].map(|()| noise.even()), ..drawn.system };
+    let propagator = exact(&system);
+    let step = propagator.over(&(Digits::exact(drawn.t).over(SAMPLES as u32)));
+    let phase = |q: &[Digits]| {
+        (0..N).fold(Digits::exact(0.0), |sum, i| {
+            sum + Digits::exact(system.normal[i]) * (q[i].clone() - Digits::exact(drawn.q[i]))
+        })
+    };
+    let (mut q, mut v, mut way) = (digits(&drawn.q), digits(&drawn.v), vec![0.0]);
+    for _ in 0..SAMPLES {
+        (q, v) = step.of(&q, &v);
+        way.push(phase(&q).approx());
+    }
+    let high = largest(way.iter().copied());
+    let low = largest(way.iter().map(|x| -x));
+    let (up, down) = ((0.2 + 0.9 * noise.unit()) * high, (0.2 + 0.9 * noise.unit()) * low);
+    let (up, down) = (if up > 0.0 { up } else { low }, if down > 0.0 { down } else { high });
+    let cell = system.cell();
+    let flight = cell.flight(&SVector::from(drawn.q), &SVector::from(drawn.v));
+    let (on_moved, on_speed) = cell.follow(&SVector::from(system.normal), None);
+    let signal = Signal { flight: &flight, on_moved: &on_moved, on_speed: on_speed.as_ref() };
+    let mut point = flight.begin();
+    let found = Search { signal, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());
+    let Ok(side) = found else { return 1.0 };
+    let end = if side.is_some() { point.t } else { drawn.t };
+    // What the motion is known to, in the phase.
+    let slack = drawn.slack() * (high + low);
+    let beyond = |x: f64| x > up + slack || x < -down - slack;
+    let first = way.iter().position(|x| beyond(*x)).map_or(f64::INFINITY, |i| i as f64 * drawn.t / SAMPLES as f64);
+    let Some(side) = side else { return f64::from(u8::from(first < drawn.t)) };
+    *met += 1;
+    let (q, _) = propagator.over(&Digits::exact(end)).of(&digits(&drawn.q), &digits(&drawn.v));
+    let level = if side == Side::Upper { up } else { -down };
+    let wrong = (phase(&q).approx() - level).abs() > slack || first < end;
+    if wrong {
+        println!("t = {end:e} at {level:e}, first sample beyond {first:e}: {drawn:?}");
+    }
+    f64::from(u8::from(wrong))
+}
+
+fn continuity(_: &mut String) -> f64 {
+    let at = |coupling: f64| {
+        let off = coupling * 0.1;
+        let damping = [[0.1, off, 0.0], [off, 0.2, -off], [0.0, -off, 0.1]];
+        let system = Linear {
+            mass: diagonal([1.0; 3]),
+            damping,
+            stiffness: diagonal([1.0, 2.0, 5.0]),
+            load: [0.3, 0.0, 0.1],
+            normal: [1.0; 3],
+        };
+        let cell = system.cell();
+        let flight = cell.flight(&SVector::from([0.1, -0.2, 0.3]), &SVector::from([0.5, 0.4, -0.3]));
+        let point = flight.at(20.0);
+        let (dq, dv) = flight.increments(&point);
+        (dq, dv, flight.dissipated(&point))
+    };
+    let none = at(0.0);
+    largest((4..=32).map(|half| {
+        let coupling = 10f64.powf(-0.5 * f64::from(half));
+        let with = at(coupling);
+        let apart = (with.0 - none.0).amax().max((with.1 - none.1).amax()).max((with.2 - none.2).abs());
+        apart / (coupling + 16.0 * f64::EPSILON)
+    }))
+}
+
+/// Two oscillators whose vibrations coalesce where part = 0: the pencil's determinant is (lambda² + s lambda + b)².
+fn nearly_defective(part: f64) -> Linear<2> {
+    let (s, b): (f64, f64) = (0.1, 1.0);
+    Linear {
+        mass: diagonal([1.0; 2]),
+        damping: diagonal([2.0 * s * (1.0 + part), 0.0]),
+        stiffness: [[s * s + b, s * b.sqrt()], [s * b.sqrt(), b]],
+        load: [0.0; 2],
+        normal: [1.0, 0.0],
+    }
+}
+
+fn coalescing(_: &mut String) -> f64 {
+    largest((1..=6).flat_map(|power| {
+        let part = 10f64.powi(-power);
+        [part, -part].map(|part| error(&nearly_defective(part), &[0.2, -0.1], &[1.0, 0.5], 30.0) * part.abs())
+    }))
+}
+
+fn coincident(note: &mut String) -> f64 {
+    let refused = |part: f64| matches!(Cell::new(&nearly_defective(part), &[]), Err(Refusal::Defective { .. }));
+    if !refused(0.0) || refused(1e-6) {
+        return f64::INFINITY;
+    }
+    // Two equal pairs of oscillators, damped alike, seen through a rotation of each two alike: all eigenvalues double.
+    let mut worst = 0f64;
+    for (c, k) in [
+        ([0.2, 0.0, 0.05], [1.0, 3.0]),
+        ([5.0, 0.0, 1.0], [1.0, 3.0]),
+        ([2.0, 0.3, 0.9], [1.0, 1.0]),
+        ([9.0, 7.0, 2.0], [2.0, 0.0]),
+    ] {
+        let block = |a: [[f64; 2]; 2]| -> [[f64; 4]; 4] {
+            std::array::from_fn(|i| std::array::from_fn(|j| if i % 2 == j % 2 { a[i / 2][j / 2] } else { 0.0 }))
+        };
+        let system = Linear {
+            mass: diagonal([1.0; 4]),
+            damping: block([[c[0], c[2]], [c[2], c[0] + c[1]]]),
+            stiffness: block([[k[0], -0.0], [-0.0, k[1]]]),
+            load: [0.1, 0.2, 0.0, -0.1],
+            normal: [1.0; 4],
+        };
+        // A critically damped mode beside two that are coupled.
+        let critical = Linear {
+            mass: diagonal([1.0; 3]),
+            damping: [[0.4, 0.3, 0.0], [0.3, 0.6, 0.0], [0.0, 0.0, 6.0]],
+            stiffness: diagonal([1.0, 4.0, 9.0]),
+            load: [0.0; 3],
+            normal: [1.0; 3],
+        };
+        worst = worst.max(error(&system, &[0.1, 0.2, -0.1, 0.3], &[1.0, -0.5, 0.2, 0.7], 9.0)).max(error(
+            &critical,
+            &[0.1, 0.2, -0.1],
+            &[1.0, -0.5, 0.2],
+            9.0,
+        ));
+    }
+    *note = "4 double spectra, and one critical mode".to_string();
+    worst
+}

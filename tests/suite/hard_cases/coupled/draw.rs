@@ -1,0 +1,88 @@
+//! A random cell whose damping couples its coordinates: inertias on springs and dampers between them and to the ground.
+
+use crate::linear::Linear;
+use crate::noise::Noise;
+
+/// A cell and its start.
+#[derive(Debug, Clone)]
+pub struct Drawn<const N: usize> {
+    pub system: Linear<N>,
+    pub q: [f64; N],
+    pub v: [f64; N],
+    /// Length of the flight [s].
+    pub t: f64,
+    /// sqrt of the largest ratio of inertias times that of stiffnesses.
+    condition: f64,
+}
+
+impl<const N: usize> Drawn<N> {
+    /// Draws one.
+    pub fn new(noise: &mut Noise) -> Self {
+        let unit = noise.power(-2.0, 2.0);
+        let spread = 3.0 * noise.unit();
+        let inertias = [(); N].map(|()| noise.power(-0.5 * spread, 0.5 * spread));
+        let mut mass = [[0.0; N]; N];
+        (0..N).for_each(|i| mass[i][i] = inertias[i]);
+        // Springs in a chain, some to the ground, some across; none to the ground in a third of all cells.
+        let mut stiffness = [[0.0; N]; N];
+        let (mut stiffest, mut softest) = (0f64, f64::INFINITY);
+        let grounded = noise.below(3) > 0;
+        for i in 0..N {
+            for j in i + 1..N {
+                if j == i + 1 || noise.below(3) == 0 {
+                    let k = unit * unit * noise.power(-0.5 * spread, 0.5 * spread);
+                    (stiffest, softest) = (stiffest.max(k), softest.min(k));
+                    between(&mut stiffness, i, j, k);
+                }
+            }
+            if grounded && (i == 0 || noise.below(2) == 0) {
+                let k = unit * unit * noise.power(-0.5 * spread, 0.5 * spread);
+                (stiffest, softest) = (stiffest.max(k), softest.min(k));
+                stiffness[i][i] += k;
+            }
+        }
+        // Dampers: weak, or of every strength up to far beyond critical.
+        let strength = [(-4.0, -2.0), (-2.0, 0.0), (-1.0, 1.0), (-3.0, 2.0)][noise.below(4)];
+        let mut damping = [[0.0; N]; N];
+        for _ in 0..1 + noise.below(N) {
+            let (i, j) = (noise.below(N), noise.below(N));
+            let c = unit * noise.power(strength.0, strength.1);
+            if i == j || noise.below(4) == 0 {
+                damping[i][i] += c;
+            } else {
+                between(&mut damping, i, j, c);
+            }
+        }
+        let load = [(); N].map(|()| if noise.below(3) == 0 { unit * unit * noise.even() } else { 0.0 });
+        Drawn {
+            system: Linear { mass, damping, stiffness, load, normal: [1.0; N] },
+            q: [(); N].map(|()| noise.even()),
+            v: [(); N].map(|()| unit * noise.even()),
+            t: noise.power(-2.0, 2.0) / unit,
+            condition: (10f64.powf(spread) * stiffest / softest).sqrt(),
+        }
+    }
+
+    /// An error, by what it costs to round such matrices.
+    pub fn judged(&self, error: f64) -> f64 {
+        let judged = error / self.condition;
+        if !(judged < 1e3) {
+            println!("{judged:e}: {self:?}");
+        }
+        judged
+    }
+
+    /// To which part of its way the motion is known, at least.
+    pub fn slack(&self) -> f64 {
+        let rate = self.system.cell().rate;
+        1e3 * f64::EPSILON * self.condition * (1.0 + rate * self.t)
+    }
+}
+
+/// Adds what acts between two coordinates.
+fn between<const N: usize>(a: &mut [[f64; N]; N], i: usize, j: usize, k: f64) {
+    a[i][i] += k;
+    a[j][j] += k;
+    a[i][j] -= k;
+    a[j][i] -= k;
+}

@@ -1,0 +1,115 @@
+//! Published natural frequencies of torsional systems, and what a mode says of itself.
+//!
+//! Source: M. I. Friswell, J. E. T. Penny, S. D. Garvey & A. W. Lees, Dynamics of Rotating Machines, Cambridge 2010,
+//! Chapter 9.
+
+use gearsim::analysis::modes::{self, CellModes};
+use gearsim::engine::Refusal;
+use gearsim::engine::equations::Switching;
+use gearsim::engine::modal::Matrices;
+use gearsim::engine::system::System;
+use nalgebra::{DMatrix, DVector};
+
+use crate::models::{DAMPERS, scene};
+
+/// Discs, and shafts between two of them; no laws.
+struct Discs {
+    inertias: Vec<f64>,
+    shafts: Vec<(usize, usize, f64)>,
+}
+
+impl System for Discs {
+    fn matrices(&self, _: &[f64]) -> Result<Matrices, Refusal> {
+        let n = self.inertias.len();
+        let mut stiffness = DMatrix::zeros(n, n);
+        for &(i, j, k) in &self.shafts {
+            stiffness[(i, i)] += k;
+            stiffness[(j, j)] += k;
+            stiffness[(i, j)] -= k;
+            stiffness[(j, i)] -= k;
+        }
+        let diagonal = DVector::from_vec(self.inertias.clone());
+        Ok(Matrices {
+            mass: DMatrix::from_diagonal(&diagonal),
+            mobility: DMatrix::from_diagonal(&diagonal.map(|j| 1.0 / j)),
+            damping: DMatrix::zeros(n, n),
+            stiffness,
+            load: DVector::zeros(n),
+        })
+    }
+    fn propagator(&self, _: &[f64], _: f64) -> Result<DMatrix<f64>, Refusal> {
+        unreachable!("nobody asks for the motion")
+    }
+    fn switching(&self, _: usize) -> Switching {
+        Switching::Never
+    }
+    fn motion(&self, _: usize) -> Vec<f64> {
+        vec![]
+    }
+}
+
+fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
+    let discs = Discs { inertias: inertias.to_vec(), shafts: shafts.to_vec() };
+    modes::of(&discs, &[]).expect("discs on shafts have modes")
+}
+
+/// Frequencies as printed, to half a unit of their last digit.
+fn assert_frequencies(found: &CellModes, printed: &[&str]) {
+    assert_eq!(found.modes.len(), printed.len());
+    for (mode, printed) in found.modes.iter().zip(printed) {
+        let decimals = printed.split_once('.').map_or(0, |(_, digits)| digits.len());
+        assert_eq!(format!("{:.decimals$}", mode.natural), *printed);
+    }
+}
+
+#[test]
+fn two_discs_on_a_shaft() {
+    assert_frequencies(&of(&[211.4, 8.3], &[(0, 1, 9.775e6)]), &["0", "176.1"]);
+}
+
+#[test]
+fn five_discs_in_a_row_example_9_7_1() {
+    let shafts = [(0, 1, 12e3), (1, 2, 12e3), (2, 3, 14e3), (3, 4, 10e3)];
+    let found = of(&[3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], &shafts);
+    assert_frequencies(&found, &["0", "81.21", "141.21", "378.95", "536.36"]);
+    for mode in &found.modes {
+        let kinetic: f64 = mode.kinetic.iter().sum();
+        assert!((kinetic - 1.0).abs() < 1e-14, "shares of the kinetic energy add up to {kinetic}");
+    }
+}
+
+/// Gear B meshes rigidly with gear A, 1:1: one coordinate for both, with three shafts.
+#[test]
+fn three_branches_at_a_pair_of_gears() {
+    let shafts = [(0, 1, 1e4), (1, 2, 5e3), (1, 3, 5e3)];
+    assert_frequencies(&of(&[400e-6, 50e-6, 700e-6, 700e-6], &shafts), &["0", "425.4", "634.1", "3247.2"]);
+}
+
+/// Where damping couples the modes: each eigenvalue and shape satisfy (lambda² M + lambda C + K) phi = 0, and the strain
+/// energies of the law and of the other spring are in the ratio of theirs.
+#[test]
+fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
+    use nalgebra::Complex;
+    let scene = scene("parameters = { c1 = \"0.4 N*m*s\", c2 = \"0.3 N*m*s\" }\nrun.t_end = \"1 s\"");
+    let system = (DAMPERS.system)(&scene).expect("a linear model");
+    let cell = modes::of(&*system, &[5.0]).expect("it has modes");
+    assert!(cell.coupled);
+    let m = system.matrices(&[5.0]).expect("matrices");
+    let mut oscillating = 0;
+    for mode in cell.modes.iter().filter(|mode| mode.damped > 0.0) {
+        oscillating += 1;
+        let omega = std::f64::consts::TAU * mode.natural;
+        let zeta = mode.zeta.expect("not rigid");
+        let lambda = Complex::new(-zeta * omega, std::f64::consts::TAU * mode.damped);
+        let complex = |a: &DMatrix<f64>| a.map(Complex::from);
+        let phi = DVector::from_vec(mode.shape.clone());
+        let pencil = complex(&m.mass) * (lambda * lambda) + complex(&m.damping) * lambda + complex(&m.stiffness);
+        let left = (pencil * &phi).map(|z| z.norm()).amax();
+        // Three products of a size of K |phi| = 50.
+        assert!(left < 1e-13 * 50.0, "{left:e}");
+        let (second, third) = (mode.shape[1].norm_sqr() * 5.0, (mode.shape[2] - mode.shape[1]).norm_sqr() * 20.0);
+        assert!((mode.strain[0] - second / (second + third)).abs() < 1e-13);
+        assert!((mode.other_strain - third / (second + third)).abs() < 1e-13);
+    }
+    assert_eq!(oscillating, 2);
+}

@@ -1,0 +1,138 @@
+//! Parametric instability: published and recomputed boundaries, and multipliers against 50 digits.
+
+use gearsim::analysis::floquet::{Aperiodic, Floquet, FloquetError, Verdict};
+use gearsim::scene::Scene;
+use gearsim_tests::precise::number::{Real, Scalar};
+
+use crate::common;
+use crate::damped::cell;
+use crate::models::{DAMPERS, FIRST_ENDS, LEVELS, scene};
+
+/// The gear pair of Oh, Grosh & Barber (2005), k1 : k2 = 1.43 : 2.78, with two tooth pairs over 0.725 of a pitch, in steady
+/// rotation so fast that the mesh frequency is `ratio` of the natural frequency at the mean stiffness; and with damping zeta
+/// relative to that frequency.
+fn pair(base: &Scene, zeta: f64, ratio: f64) -> Floquet {
+    let system = |scene: &Scene| (common::model("gear_pair").system)(scene).expect("the gear pair is linear");
+    let mut scene = base.clone();
+    let law = &scene.laws[0];
+    // The model's zeta is relative to the mid stiffness.
+    let of = |name: &str| base.model.parameters.iter().position(|p| p.name == name).expect("a parameter");
+    scene.parameters[of("zeta")] = zeta * (law.mean() / law.mid()).sqrt();
+    scene.start.motions = vec![0.0; scene.start.motions.len()];
+    scene.start.q_dot[0] = Some(1.0);
+    let natural = Floquet::of(&scene, &*system(&scene)).expect("it has multipliers").natural;
+    scene.start.q_dot[0] = Some(ratio * natural * std::f64::consts::TAU);
+    Floquet::of(&scene, &*system(&scene)).expect("it has multipliers")
+}
+
+fn base() -> Scene {
+    let widths = 0.275 * std::f64::consts::TAU;
+    let steps =
+        format!("laws.k.steps=[{{ value = \"1.43 kN*m\", width = \"{widths:?} rad\" }}, {{ value = \"2.78 kN*m\" }}]");
+    common::scene("oh2005/energy_300rpm", &[steps])
+}
+
+/// Where instability begins between two ratios, one stable and one unstable.
+fn boundary(base: &Scene, zeta: f64, mut stable: f64, mut unstable: f64) -> f64 {
+    let grows = |ratio: f64| pair(base, zeta, ratio).verdict.is_unstable();
+    assert!(!grows(stable) && grows(unstable), "zeta {zeta}: no boundary between {stable} and {unstable}");
+    while (stable - unstable).abs() > 1e-7 {
+        let middle = 0.5 * (stable + unstable);
+        if grows(middle) { unstable = middle } else { stable = middle }
+    }
+    0.5 * (stable + unstable)
+}
+
+/// Boundaries of the parametric instability of the gear pair of Oh, Grosh & Barber (2005), recomputed independently from its
+/// numbers (design notes, "Published numbers to hold the code against"): mesh frequency over mean natural frequency.
+#[test]
+fn the_gear_pair_is_unstable_where_meissners_equation_is() {
+    let base = base();
+    for (zeta, inside, printed) in [
+        (0.0, 2.0, [1.868, 2.131]),
+        (0.0, 1.0, [0.944, 1.045]),
+        (0.05, 2.0, [1.911, 2.083]),
+        (0.05, 0.993, [0.982, 1.0045]),
+    ] {
+        let found = [0.85, 1.15].map(|side| boundary(&base, zeta, side * inside, inside));
+        println!("zeta {zeta}: {:.4} to {:.4}, printed {} to {}", found[0], found[1], printed[0], printed[1]);
+        for (found, printed) in found.into_iter().zip(printed) {
+            // Printed to three decimals, some of them cut and not rounded.
+            assert!((found - printed).abs() < 1e-3, "{found}, not {printed}");
+        }
+    }
+    let growing =
+        (0..=400).map(|i| 0.8 + 0.0035 * f64::from(i)).find(|ratio| pair(&base, 0.1, *ratio).verdict.is_unstable());
+    assert_eq!(growing, None, "none at zeta = 0.1");
+}
+
+#[test]
+fn verdicts_are_named() {
+    let base = base();
+    assert_eq!(pair(&base, 0.05, 1.5).verdict, Verdict::Stable);
+    assert_eq!(pair(&base, 0.0, 1.5).verdict, Verdict::Neutral);
+    assert_eq!(pair(&base, 0.0, 2.0).verdict, Verdict::Alternating);
+    assert_eq!(pair(&base, 0.0, 1.0).verdict, Verdict::Growing);
+    let edge = boundary(&base, 0.0, 1.7, 2.0);
+    let near = [-1e-7, -1e-8, 1e-8, 1e-7].map(|d| pair(&base, 0.0, edge + d).verdict);
+    assert!(near.contains(&Verdict::Neutral) && near.contains(&Verdict::Alternating), "{near:?}");
+    // On the border itself, where the trace is -2 to rounding.
+    let (mut stable, mut unstable) = (edge - 1e-6, edge + 1e-6);
+    let verdict = loop {
+        let middle = 0.5 * (stable + unstable);
+        match pair(&base, 0.0, middle).verdict {
+            Verdict::Alternating => unstable = middle,
+            Verdict::Neutral => stable = middle,
+            other => break other,
+        }
+        assert!(unstable - stable > 1e-15, "no border between {stable} and {unstable}");
+    };
+    assert_eq!(verdict, Verdict::Border);
+}
+
+/// Damping that couples two vibrations and a rotor that only it holds: trace and determinant of a period in 50 digits.
+#[test]
+fn multipliers_of_coupled_damping_are_those_of_the_matrix_exponential() {
+    for (c1, c2, speed) in [(0.05, 0.3, 2.0), (0.4, 0.0, 1.1), (3.0, 9.0, 0.7)] {
+        let scene = scene(&format!(
+            "parameters = {{ c1 = \"{c1:?} N*m*s\", c2 = \"{c2:?} N*m*s\" }}\nstart.speed = \"{speed:?} rad/s\"\nrun.t_end = \"1 s\""
+        ));
+        let system = (DAMPERS.system)(&scene).expect("a linear model");
+        let floquet = Floquet::of(&scene, &*system).expect("it has multipliers");
+        assert_eq!(floquet.rigid, 0);
+        assert!((floquet.period - 1.0 / speed).abs() < 1e-15);
+        let steps = [(LEVELS[0], FIRST_ENDS), (LEVELS[1], 1.0 - FIRST_ENDS)];
+        let steps = steps.map(|(k, width)| cell(k, c1, c2, 0.0).over(&(Real::exact(width) / Real::exact(speed))));
+        let mut trace = 0.0;
+        for i in 0..6 {
+            let unit =
+                |from: usize| (0..3).map(|j| Real::exact(f64::from(u8::from(from + j == i)))).collect::<Vec<_>>();
+            let (mut q, mut v) = (unit(0), unit(3));
+            for step in &steps {
+                (q, v) = step.of(&q, &v);
+            }
+            trace += if i < 3 { q[i].approx() } else { v[i - 3].approx() };
+        }
+        // The rotor that nothing holds stays where it is: a multiplier 1, which is left out.
+        assert_eq!(floquet.multipliers.len(), 5);
+        let sum: f64 = floquet.multipliers.iter().map(|z| z.re).sum();
+        assert!((sum + 1.0 - trace).abs() < 1e-12, "{sum} + 1, not {trace}");
+        // det = e^{-trace(M⁻¹C) T}.
+        let determinant = (-(2.0 * c1 + c2 / 0.5) / speed).exp();
+        let product = floquet.multipliers.iter().product::<nalgebra::Complex<f64>>();
+        assert!((product.re - determinant).abs() < 1e-12, "{product}, not {determinant}");
+        assert_eq!(floquet.verdict.is_unstable(), floquet.growth() > 0.0);
+    }
+}
+
+#[test]
+fn what_is_not_periodic_is_refused_by_name() {
+    let refused = |base: &Scene| {
+        let system = (common::model("gear_pair").system)(base).expect("the gear pair is linear");
+        Floquet::of(base, &*system).expect_err("no period")
+    };
+    let still = common::scene("oh2005/energy_300rpm", &["start.speed=0 rpm".into()]);
+    assert_eq!(refused(&still), FloquetError::Aperiodic(Aperiodic::Still { law: "k" }));
+    let constant = common::scene("oh2005/energy_300rpm", &["effects=[\"damping\"]".into()]);
+    assert_eq!(refused(&constant), FloquetError::Aperiodic(Aperiodic::Constant));
+}
