@@ -1,7 +1,7 @@
 //! gearsim: energy-conserving simulation of gear systems.
 //!
 //! A scene ([`scene`]) names a derived model ([`generated`], described by [`model`]) and the effects it has; the
-//! [`engine`] runs it exactly from step to step; [`trajectory`] holds what was recorded, [`analysis`] and [`plot`] make
+//! [`engine`] runs it exactly from step to step, or one of the [`methods`] does; [`trajectory`] holds what was recorded, [`analysis`] and [`plot`] make
 //! pictures of it, [`output`] writes files. The program in `cli` joins them.
 
 // Units in square brackets are not links.
@@ -11,6 +11,7 @@ pub mod analysis;
 pub mod cli;
 pub mod engine;
 pub mod generated;
+pub mod methods;
 pub mod model;
 pub mod output;
 pub mod plot;

@@ -22,7 +22,7 @@ pub mod phase;
 pub mod record;
 pub mod signal;
 pub mod simulate;
-mod start;
+pub(crate) mod start;
 
 pub use error::{Refusal, Stop};
 pub use outcome::{Entry, Outcome};

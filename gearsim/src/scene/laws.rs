@@ -9,10 +9,13 @@ use crate::model::{Law, Model};
 const PITCH_TOLERANCE: f64 = 1e-9;
 
 impl Stiffness {
-    /// Half-way between the greatest and the least level [unit of the law].
+    /// Half-way between its greatest and its least value [unit of the law].
     pub fn mid(&self) -> f64 {
-        let levels = || self.steps.iter().map(|step| step.value);
-        (levels().fold(f64::NEG_INFINITY, f64::max) + levels().fold(f64::INFINITY, f64::min)) / 2.0
+        let levels = self.steps.iter().map(|step| (step.value, step.value));
+        let curves = self.curves.iter().zip(&self.steps).map(|(curve, step)| curve.extremes(step.width));
+        let ends: Vec<_> = if self.steps_only() { levels.collect() } else { curves.collect() };
+        let (low, high) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, e| (m.0.min(e.0), m.1.max(e.1)));
+        (high + low) / 2.0
     }
 
     /// Average over one pitch [unit of the law].
@@ -165,7 +168,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let step = |&(value, width): &(f64, Option<f64>)| Step { value, width: width.unwrap_or(rest) };
-        Some(Stiffness { steps: levels.iter().map(step).collect() })
+        Some(Stiffness::stepping(levels.iter().map(step).collect()))
     }
 }
 

@@ -23,6 +23,9 @@
 //!
 //! [run]
 //! t_end = "0.1 s"
+//! method = "dop853"                           # or exact, dopri5, radau, rk4, rk4_grid; default: exact where cells are linear
+//! tolerance = 1e-9                            # of an adaptive method; this is the default
+//! # step = "1 us"                             # of rk4, which has steps of one length
 //!
 //! [output]
 //! rate = "20 kHz"                             # default: 10000 samples in the whole run
@@ -32,6 +35,7 @@
 //! ```
 
 mod check;
+pub mod curve;
 pub mod dimension;
 mod document;
 mod effects;
@@ -45,14 +49,17 @@ mod overrides;
 mod parameters;
 pub mod quantity;
 mod read;
+pub mod solver;
 mod start;
 mod symbol;
 #[cfg(test)]
 mod tests;
 pub mod unit;
 
+pub use curve::Curve;
 pub use error::{Problem, SceneErrors};
 pub(crate) use error::{did_you_mean, list};
+pub use solver::Solver;
 
 use crate::model::{Model, Start};
 
@@ -78,6 +85,8 @@ pub struct Scene {
     pub start: Beginning,
     /// End of the run [s].
     pub t_end: f64,
+    /// How it is solved.
+    pub solver: Solver,
     /// What is recorded and drawn.
     pub output: Output,
     /// SHA-256 of the scene's text and overrides, in hexadecimal: names the scene in every output.
@@ -88,11 +97,13 @@ pub struct Scene {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects(pub u32);
 
-/// A stiffness that is constant between the steps of one pitch.
+/// A stiffness over one pitch: constant between its steps, or smooth between its kinks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stiffness {
-    /// The levels over one pitch, in the order in which a positive phase meets them.
+    /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.
     pub steps: Vec<Step>,
+    /// What it follows in each cell; empty where it is constant there.
+    pub curves: Vec<Curve>,
 }
 
 /// One level of a [`Stiffness`].

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node};
 use super::error::Report;
-use super::{Output, PLOTS, field, keys, measure};
+use super::{Output, PLOTS, Solver, field, keys, measure, solver};
 
 /// Keys of `[output]`.
 pub(super) const KEYS: [&str; 4] = ["rate", "events", "plots", "csv"];
@@ -16,14 +16,23 @@ const DEFAULT_SAMPLES: f64 = 1e4;
 /// Earliest end of a run [s]: earlier, its sampling rate would not be finite.
 const MIN_END: f64 = 1e-300;
 
-/// Reads the end of the run [s]; what to add goes to `absent` if there is no `[run]`.
-pub(super) fn read_run(entries: &[Entry], absent: &mut Vec<(&str, String)>, report: &mut Report) -> Option<f64> {
+/// Reads the end of the run [s] and how it is solved; what to add goes to `absent` if there is no `[run]`.
+pub(super) fn read_run(
+    entries: &[Entry],
+    absent: &mut Vec<(&str, String)>,
+    report: &mut Report,
+) -> (Option<f64>, Option<Solver>) {
     let Some(run) = keys::get(entries, "run") else {
         absent.push(("[run]", "[run]\nt_end = \"... s\"".to_string()));
-        return None;
+        return (None, None);
     };
-    let given = field::table("run", run, report)?;
-    keys::known(given, "[run]", &["t_end"], report);
+    let Some(given) = field::table("run", run, report) else { return (None, None) };
+    let allowed: Vec<_> = ["t_end"].into_iter().chain(solver::KEYS).collect();
+    keys::known(given, "[run]", &allowed, report);
+    (read_end(given, run, report), solver::read(given, run, report))
+}
+
+fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
     let Some(node) = keys::get(given, "t_end") else {
         let line = "t_end = \"... s\"".to_string();
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
