@@ -13,6 +13,7 @@ mod simulate;
 mod terminal;
 #[cfg(test)]
 mod tests;
+mod work_precision;
 
 use std::process::ExitCode;
 
@@ -24,6 +25,7 @@ use failure::Failure;
 const COMMANDS: &[Command] = &[
     Command::of::<run::Run>(), //
     Command::of::<compare::Compare>(),
+    Command::of::<work_precision::WorkPrecision>(),
     Command::of::<models::Models>(),
 ];
 

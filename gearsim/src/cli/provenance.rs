@@ -1,26 +1,33 @@
 //! Where a result comes from, as every file says it.
 
+use crate::engine::Outcome;
 use crate::output::summary::Provenance;
 use crate::scene::Scene;
 
 /// The commit that the program was built from, where known.
 const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
 
-/// Where the results of `scene`, read with `overrides`, come from.
-pub(super) fn of(scene: &Scene, overrides: &[String]) -> Provenance {
+/// Where the results of `scene`, read with `overrides` and run to `outcome`, come from.
+pub(super) fn of(scene: &Scene, overrides: &[String], outcome: &Outcome) -> Provenance {
+    let solver = match (outcome.solver.method, scene.solver.step) {
+        ("exact", _) => "exact cells, guaranteed first crossing".into(),
+        ("rk4_grid", Some(h)) => format!("rk4 in steps of {h} s, events taken after the step in which they fall"),
+        (method, Some(h)) => format!("{method} in steps of {h} s, first crossing of its dense output"),
+        (method, None) => format!("{method} at {:e}, first crossing of its dense output", scene.solver.tolerance),
+    };
     Provenance {
         program: "gearsim".into(),
         version: env!("CARGO_PKG_VERSION").into(),
         commit: COMMIT.map(Into::into),
         scene_sha256: scene.hash.clone(),
-        solver: "exact cells, guaranteed first crossing".into(),
+        solver,
         overrides: overrides.to_vec(),
     }
 }
 
 /// The same as pairs of name and value, with what was simulated.
-pub(super) fn pairs(scene: &Scene, overrides: &[String]) -> Vec<(&'static str, String)> {
-    let provenance = of(scene, overrides);
+pub(super) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> Vec<(&'static str, String)> {
+    let provenance = of(scene, overrides, outcome);
     vec![
         ("program", provenance.program),
         ("version", provenance.version),

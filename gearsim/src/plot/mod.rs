@@ -7,8 +7,9 @@ pub mod figure;
 mod motion;
 mod spectrum;
 mod ticks;
+pub mod work_precision;
 
-pub use figure::{Axis, Figure, Panel, Scale, Series, Style};
+pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
 
 use crate::analysis::spectrum::SpectrumError;
 use crate::trajectory::Trajectory;
