@@ -60,10 +60,10 @@ impl Pitch {
         self.curves.get(cell).map_or([self.levels[cell], 0.0, 0.0], |curve| curve.at(x))
     }
 
-    /// Stiffness at that side of a cell, within it.
-    fn edge(&self, cell: usize, side: Side) -> f64 {
+    /// k and its derivatives at that side of a cell, within it.
+    fn edge(&self, cell: usize, side: Side) -> [f64; 3] {
         let (lower, upper) = self.bounds(cell);
-        self.course(cell, if side == Side::Upper { upper - lower } else { 0.0 })[0]
+        self.course(cell, if side == Side::Upper { upper - lower } else { 0.0 })
     }
 
     /// The step of the stiffness beyond a side of a cell; 0 at a mere kink.
@@ -73,9 +73,11 @@ impl Pitch {
             return self.levels[beyond] - self.levels[cell];
         }
         let other = if side == Side::Upper { Side::Lower } else { Side::Upper };
-        let (here, there) = (self.edge(cell, side), self.edge(beyond, other));
-        // Curves that meet do so to rounding.
-        if (there - here).abs() <= 1e-12 * here.abs().max(there.abs()) { 0.0 } else { there - here }
+        let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, other));
+        // Curves that meet do so to rounding, of their values and of the boundaries.
+        let places = 16.0 * f64::EPSILON * self.period() * (slope.abs() + beyond.abs());
+        let rounding = places + 1e-12 * here.abs().max(there.abs());
+        if (there - here).abs() <= rounding { 0.0 } else { there - here }
     }
 
     /// Lower and upper boundary of a cell.

@@ -10,6 +10,8 @@ use crate::model::Model;
 use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
 
+mod smooth;
+
 use super::Method;
 use super::advance::{Advance, Events, MOST_STEPS, Settings};
 use super::control::Steps;

@@ -2,6 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::error::Report;
+use super::smooth::{self, Smooth};
 use super::{Step, Stiffness, field, keys, measure};
 use crate::model::{Law, Model};
 
@@ -11,10 +12,7 @@ const PITCH_TOLERANCE: f64 = 1e-9;
 impl Stiffness {
     /// Half-way between its greatest and its least value [unit of the law].
     pub fn mid(&self) -> f64 {
-        let levels = self.steps.iter().map(|step| (step.value, step.value));
-        let curves = self.curves.iter().zip(&self.steps).map(|(curve, step)| curve.extremes(step.width));
-        let ends: Vec<_> = if self.steps_only() { levels.collect() } else { curves.collect() };
-        let (low, high) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, e| (m.0.min(e.0), m.1.max(e.1)));
+        let (low, high) = self.extremes();
         (high + low) / 2.0
     }
 
@@ -84,12 +82,22 @@ impl<'a> Reader<'a> {
     fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
-        keys::known(entries, &format!("[{table}]"), &["steps"], report);
+        let allowed: Vec<_> = ["steps"].into_iter().chain(smooth::KEYS).collect();
+        keys::known(entries, &format!("[{table}]"), &allowed, report);
+        let smooth = Smooth { law: self.law, phase: self.phase, entries, place: &node.place };
+        if let Some(read) = smooth.instead_of_steps(report) {
+            return read;
+        }
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());
             keys::missing(&[("steps", line)], &format!("[{table}]"), &node.place, report);
             return None;
         };
+        let stepping = self.stepping(steps, report)?;
+        smooth.ramped(stepping, report)
+    }
+
+    fn stepping(&self, steps: &Node, report: &mut Report) -> Option<Stiffness> {
         let items = field::array(&self.path, steps, &self.steps(), report)?;
         let Some((last, before)) = items.split_last() else {
             let help = format!("write for example {}", self.steps());

@@ -15,6 +15,12 @@
 //!     { value = "1.43 kN*m", width = "1.73 rad" },
 //!     { value = "2.78 kN*m" },                # the last without a width: the rest of the pitch
 //! ]
+//! # ramp = "0.01 rad"                         # straight ramps of this width in place of the steps, about them
+//! # In place of steps, smooth over the pitch: a Fourier series, sum a cos(order 2 pi s/pitch + phase),
+//! # mean = "2.1 kN*m"
+//! # harmonics = [{ order = 1, amplitude = "0.6 kN*m", phase = "30 deg" }]
+//! # or a periodic cubic spline through points:
+//! # table = [{ at = "0 rad", value = "1.5 kN*m" }, { at = "2 rad", value = "2.7 kN*m" }, { at = "4 rad", value = "2.2 kN*m" }]
 //!
 //! [start]
 //! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
@@ -49,6 +55,7 @@ mod overrides;
 mod parameters;
 pub mod quantity;
 mod read;
+mod smooth;
 pub mod solver;
 mod start;
 mod symbol;

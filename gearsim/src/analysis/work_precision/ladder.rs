@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::model::Start;
 use crate::scene::Scene;
 use crate::scene::solver::{Method, Solver};
 
@@ -84,7 +85,7 @@ pub fn families(scenes: &Scenes, reference: &Reference) -> Vec<Family> {
         fixed("rk4, events located", Method::Rk4),
         fixed("rk4, events ignored", Method::Rk4Grid),
     ];
-    let ramps: Vec<Rung> = RAMPS.filter_map(|k| ramp(&scene, 10f64.powi(-k))).collect();
+    let ramps: Vec<Rung> = RAMPS.filter_map(|k| ramp(&scene, reference, 10f64.powi(-k))).collect();
     if !ramps.is_empty() {
         families.push(method("ramps for steps (dop853)", ramps));
     }
@@ -96,15 +97,24 @@ pub fn families(scenes: &Scenes, reference: &Reference) -> Vec<Family> {
 }
 
 /// The scene with ramps of `part` of a pitch for its steps; `None` if it has no room for them, or no steps.
-fn ramp(scene: &Scene, part: f64) -> Option<Rung> {
+fn ramp(scene: &Scene, reference: &Reference, part: f64) -> Option<Rung> {
+    let start = &reference.outcome.trajectory;
+    let column = |name: &str| scene.model.coordinates.iter().position(|c| c.name == name);
     let widths: Vec<f64> = scene.model.laws.iter().map(|law| part * law.period).collect();
-    let ramped = scene.laws.iter().zip(&widths).map(|(law, width)| law.ramped(*width));
+    let ramped = scene.model.laws.iter().zip(&scene.laws).zip(&widths).map(|((law, stiffness), width)| {
+        // A scene that starts on a step has it behind itself, and so must the ramp be.
+        let behind = column(law.phase).is_none_or(|i| start.q_dot[i][0] >= 0.0);
+        stiffness.ramped(*width, if behind { 1.0 } else { 0.0 })
+    });
     let laws: Vec<_> = ramped.collect::<Option<_>>()?;
     if laws.iter().all(|law| law.steps_only()) {
         return None;
     }
-    let blur = widths.iter().fold(0.0f64, |m, w| m.max(*w));
+    let mut scene = Scene { laws, ..scene.clone() };
+    scene.start.q = start.q.iter().map(|q| Start::At(q[0])).collect();
+    scene.start.q_dot = start.q_dot.iter().map(|v| Some(v[0])).collect();
     // Far below what the ramps themselves cost in accuracy.
-    let solver = Solver { method: Some(Method::Dop853), tolerance: 1e-3 * part, step: None };
-    Some(Rung { setting: format!("eps = {blur:.1e}"), scene: Scene { laws, solver, ..scene.clone() }, blur })
+    scene.solver = Solver { method: Some(Method::Dop853), tolerance: (1e-2 * part).max(1e-12), step: None };
+    let blur = widths.iter().fold(0.0f64, |m, w| m.max(*w));
+    Some(Rung { setting: format!("eps = {blur:.1e}"), scene, blur })
 }

@@ -70,8 +70,12 @@ pub fn words(measured: &WorkPrecision) -> String {
     for curve in measured.curves.iter().filter(|curve| curve.kind == Kind::Equations) {
         if let Some((point, error)) = curve.points.first().and_then(|point| Some((point, point.error()?))) {
             let percent = 100.0 * error;
-            let wrong = if percent < 0.1 { format!("{percent:.1e}") } else { format!("{percent:.1}") };
-            said.push(format!("The {} cost {} and are wrong by {wrong} %.", curve.label, time(point.seconds.0)));
+            let wrong = match percent {
+                p if p < 0.1 => format!("{p:.0e} %"),
+                p if p < 100.0 => format!("{p:.1} %"),
+                p => format!("{:.1} times the motion itself", p / 100.0),
+            };
+            said.push(format!("The {} cost {} and are wrong by {wrong}.", curve.label, time(point.seconds.0)));
         }
     }
     for curve in methods().filter(|curve| curve.failures() > 0) {
@@ -102,7 +106,11 @@ pub fn prices(measured: &WorkPrecision) -> String {
 
 /// The whole table in Markdown: a line a method, then a line a point.
 pub fn markdown(measured: &WorkPrecision) -> String {
-    let mut text = format!("# What accuracy costs: {}\n\n{}\n\n", measured.scene, words(measured));
+    let mut text = format!(
+        "# What accuracy costs: {}\n\n![Error against processor time](work_precision.png)\n\n{}\n\n",
+        measured.scene,
+        words(measured)
+    );
     text += &format!(
         "Errors are the largest along the path, each coordinate and speed in units of its size, a rolling one of a pitch; \
          {} events. The reference is itself known to {:.0e}, and errors are not told from that. Times are processor times \
