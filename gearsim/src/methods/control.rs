@@ -1,5 +1,7 @@
 //! How long a step is: by its error (adaptive), or always the same (fixed).
 
+use nalgebra::SVector;
+
 use super::flow::{Flow, Scale};
 
 /// How long steps are.
@@ -37,11 +39,8 @@ impl<const N: usize> Control<N> {
     pub fn new(steps: Steps, start: &Flow<N>, speeds: [f64; N], rate: f64, exponent: f64, most: f64) -> Self {
         let rate = rate.max(1.0 / most);
         let size = |v: f64| if v > 0.0 && v.is_finite() { v } else { 1.0 };
-        let mut reached = Scale { q: start.q, v: start.v };
-        for i in 0..N {
-            reached.v[i] = FLOOR * size(speeds[i]);
-            reached.q[i] = reached.v[i] / rate;
-        }
+        let v = SVector::from(speeds.map(|speed| FLOOR * size(speed)));
+        let mut reached = Scale { q: v / rate, v };
         reached.reach(start);
         let h = match steps {
             Steps::Adaptive(tolerance) => (tolerance.powf(exponent) / rate).min(most),

@@ -106,8 +106,8 @@ fn bernstein(c: &[f64]) -> [f64; MOST] {
 /// The coefficients on the two halves (de Casteljau).
 fn halves(b: &[f64; MOST], n: usize) -> ([f64; MOST], [f64; MOST]) {
     let (mut left, mut right) = ([0.0; MOST], *b);
-    for i in 0..n {
-        left[i] = right[0];
+    for (i, left) in left.iter_mut().enumerate().take(n) {
+        *left = right[0];
         for j in 0..n - 1 - i {
             right[j] = 0.5 * (right[j] + right[j + 1]);
         }

@@ -186,6 +186,34 @@ fn the_same_events_as_the_exact_engine() {
     }
 }
 
+/// theta swings once towards a boundary, theta_0 + (M1/M2) phi_0 (cos wt - 1), and turns 10^-k beyond it or before it: every
+/// method passes it in the first case and not in the second. Sampling would see neither dip.
+#[test]
+fn dips_below_a_boundary() {
+    let (i1, i2): (f64, f64) = (2890e-6 / 576.0, 740200e-6 / 9216.0);
+    let ratio = (1.0 / i1 - 1.0 / i2) / (1.0 / i1 + 1.0 / i2);
+    let phi = 0.01;
+    for method in ["dopri5", "dop853", "radau"] {
+        for k in 3..9 {
+            for (sign, passes) in [(1.0, true), (-1.0, false)] {
+                let theta = 1.73 + 2.0 * ratio * phi - sign * 10f64.powi(-k);
+                let overrides = [
+                    "effects=[\"stiffness_step\"]".to_string(),
+                    format!("run.method={method:?}"),
+                    "run.tolerance=1e-12".to_string(),
+                    format!("start.theta=\"{theta:?} rad\""),
+                    "start.speed=0".to_string(),
+                    format!("start.phi=\"{phi:?} rad\""),
+                    // A little over half a period of phi at the upper level: one turn.
+                    "run.t_end=\"0.00025 s\"".to_string(),
+                ];
+                let outcome = run(&overrides.iter().map(String::as_str).collect::<Vec<_>>());
+                assert_eq!(outcome.counts.cell_changes > 0, passes, "{method}: 1e-{k} {sign}");
+            }
+        }
+    }
+}
+
 /// On a grid that knows of no events the order is one, whatever the method's: a jump is late by up to a step.
 #[test]
 fn a_grid_without_events_is_of_first_order() {

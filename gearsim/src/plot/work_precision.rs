@@ -45,7 +45,7 @@ fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> 
         let (x, y) = good.into_iter().unzip();
         let mut line = Series::new(i, curve.label, x, y);
         line.style.marker = Marker::nth(i);
-        line.style.width = 1.2;
+        line.style.width = if curve.points.len() > 1 { 1.2 } else { 0.0 };
         let colour = line.style.colour;
         series.push(line);
         let (x, y) = curve.points.iter().filter(failed).map(place).unzip();

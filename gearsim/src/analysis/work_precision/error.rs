@@ -22,8 +22,8 @@ pub struct Errors {
     pub energy: f64,
 }
 
-/// The errors of `run`. Samples whose phase is within `blur` of a step \[unit of the phase\] are not compared: there a ramp
-/// is not a step by its nature.
+/// The errors of `run`. Where ramps of width `blur` \[unit of the phase\] stand for steps, samples that may lie in one are not
+/// compared: there a ramp is not a step by its nature.
 pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     let (a, b) = (&run.trajectory, &reference.trajectory);
     let sizes = sizes(b);
@@ -44,7 +44,9 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     let phase = b.model.laws.first().and_then(|law| b.model.coordinates.iter().position(|c| c.name == law.phase));
     let near = |j: usize| {
         let (t, speed) = (b.t[j], phase.map_or(f64::INFINITY, |phase| b.q_dot[phase][j].abs()));
-        let window = (1.01 * times.unwrap_or(0.0)).max(blur / speed);
+        // A ramp takes its time, and those before it took theirs.
+        let passed = theirs.partition_point(|&event| b.t[event] <= t) + 1;
+        let window = (1.01 * times.unwrap_or(0.0)).max(blur / speed * passed as f64);
         let next = theirs.partition_point(|&event| b.t[event] < t - window);
         theirs.get(next).is_some_and(|&event| b.t[event] <= t + window)
     };
@@ -73,7 +75,7 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
 
 /// Whether the end of the run is too near to an event to be compared.
 fn near_end(b: &Trajectory, near: &dyn Fn(usize) -> bool) -> bool {
-    b.len() > 0 && near(b.len() - 1)
+    !b.is_empty() && near(b.len() - 1)
 }
 
 /// The sizes of the coordinates and of the speeds of a run.

@@ -1,8 +1,11 @@
-//! Prices and words, from curves made by hand.
+//! Prices and words, from curves made by hand; and a scene, measured.
 
 use super::ladder::Kind;
 use super::table::{self, Price};
-use super::{Curve, Errors, Point, WorkPrecision};
+use super::{Curve, Errors, Point, Scenes, WorkPrecision};
+use crate::generated::MODELS;
+use crate::model::Model;
+use crate::scene::Scene;
 
 fn point(error: f64, seconds: f64, right_events: bool) -> Point {
     let errors = Errors { end: error, path: error, times: None, events: i64::from(!right_events), energy: error };
@@ -52,4 +55,46 @@ fn words_say_what_is_measured() {
     let text = table::markdown(&measured);
     assert!(text.contains("never"), "{text}");
     assert_eq!(table::csv(&measured).lines().count(), 5);
+}
+
+/// The paper's gear pair over four steps: errors fall as the methods say, ramps' as their width, and the cheaper equations'
+/// not at all.
+#[test]
+fn errors_of_a_scene() {
+    let scene = |effects: &str| {
+        let text = format!(
+            r#"model = "gear_pair"
+            effects = [{effects}]
+            parameters = {{ I1 = "2890 kg*mm^2", I2 = "740200 kg*mm^2", zeta = 0.05, T0 = "10 N*m" }}
+            laws.k.steps = [{{ value = "1.43 kN*m", width = "1.73 rad" }}, {{ value = "2.78 kN*m" }}]
+            start.speed = "600 rpm"
+            run.t_end = "0.01 s""#
+        );
+        let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
+        Scene::parse("test", "test", &text, &[], &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    };
+    let exact = scene(r#""stiffness_step", "damping", "torques""#);
+    let rigid = scene(r#""stiffness_step", "rigid_kinematics", "damping", "torques""#);
+    let scenes = Scenes { exact, cheaper: vec![("rigid", rigid)] };
+    let run = |scene: &Scene| (MODELS.iter().find(|m| m.model.name == "gear_pair").unwrap().run)(scene, &mut |_| {});
+    let measured = super::measure(&scenes, &run, 1, &mut |_| {}).unwrap();
+    let of = |name: &str| {
+        let curve = measured.curves.iter().find(|curve| curve.label.contains(name)).unwrap();
+        curve.points.iter().map(|point| point.error().unwrap()).collect::<Vec<f64>>()
+    };
+    assert!(measured.events >= 4 && measured.floor < 1e-11, "{} {}", measured.events, measured.floor);
+    assert!(measured.curves.iter().all(|curve| curve.failures() == 0));
+    for (name, reached) in [("dopri5", 1e-9), ("dop853", 1e-9), ("radau", 1e-9), ("located", 1e-8)] {
+        let errors = of(name);
+        assert!(errors.len() >= 8 && errors.iter().any(|e| *e < reached), "{name}: {errors:?}");
+    }
+    // A decade of width is a decade of error; the widest are beyond first order.
+    let ramps = of("ramps");
+    assert!(ramps[2..5].windows(2).all(|e| (8.0..12.5).contains(&(e[0] / e[1]))), "{ramps:?}");
+    let (grid, rigid) = (of("ignored"), of("rigid"));
+    assert!(grid[10] < 0.1 * grid[0] && grid[10] > 1e-6, "{grid:?}");
+    assert!(rigid[0] > 1e-3, "{rigid:?}");
+    // What is drawn and written of it can be.
+    assert!(crate::plot::work_precision::draw(&measured).svg().unwrap().contains("exact cells"));
+    assert!(table::csv(&measured).lines().count() > 60);
 }
