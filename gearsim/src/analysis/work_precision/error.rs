@@ -40,20 +40,24 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     let matched = events == 0 && !mine.is_empty();
     let times = matched.then(|| mine.iter().zip(&theirs).fold(0.0f64, |m, (&i, &j)| m.max((a.t[i] - b.t[j]).abs())));
 
-    // Events of the reference, and how near to each a sample is not compared.
+    // Row j of the reference, and i of the run at the same time: is an event of one, and not of the other, between them?
+    // A ramp's events have no times: they are as far off as the phases are apart, and the ramp is wide; where only one has
+    // turned back so far, they have an event between them.
     let phase = b.model.laws.first().and_then(|law| b.model.coordinates.iter().position(|c| c.name == law.phase));
-    let near = |j: usize| {
-        let (t, speed) = (b.t[j], phase.map_or(f64::INFINITY, |phase| b.q_dot[phase][j].abs()));
-        // A ramp takes its time, and those before it took theirs.
-        let passed = theirs.partition_point(|&event| b.t[event] <= t) + 1;
-        let window = (1.01 * times.unwrap_or(0.0)).max(blur / speed * passed as f64);
+    let near = |i: usize, j: usize| {
+        let ramp = phase.filter(|_| blur > 0.0).map_or(0.0, |phase| {
+            let (mine, theirs) = (a.q_dot[phase][i], b.q_dot[phase][j]);
+            let apart = blur + (a.q[phase][i] - b.q[phase][j]).abs();
+            if mine * theirs > 0.0 { apart / mine.abs().min(theirs.abs()) } else { f64::INFINITY }
+        });
+        let (t, window) = (b.t[j], ramp.max(1.01 * times.unwrap_or(0.0)));
         let next = theirs.partition_point(|&event| b.t[event] < t - window);
         theirs.get(next).is_some_and(|&event| b.t[event] <= t + window)
     };
     let (a_samples, b_samples) = (rows(a, Moment::Sample), rows(b, Moment::Sample));
     let mut path = 0.0f64;
     for (&i, &j) in a_samples.iter().zip(&b_samples) {
-        if a.t[i] == b.t[j] && !near(j) {
+        if a.t[i] == b.t[j] && !near(i, j) {
             path = path.max(difference(i, j));
         }
     }
@@ -70,12 +74,7 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
         _ => f64::NAN,
     };
     let energy = a.residual.iter().fold(0.0f64, |m, x| m.max(x.abs())) / reference.energy_at_start;
-    Errors { end, path: path.max(if near_end(b, &near) { 0.0 } else { end }), times, events, energy }
-}
-
-/// Whether the end of the run is too near to an event to be compared.
-fn near_end(b: &Trajectory, near: &dyn Fn(usize) -> bool) -> bool {
-    !b.is_empty() && near(b.len() - 1)
+    Errors { end, path, times, events, energy }
 }
 
 /// The sizes of the coordinates and of the speeds of a run.
