@@ -74,7 +74,11 @@ fn compensated_runs_agree_with_fifty_digits_to_rounding() {
         let start = pair.start(rpm);
         let precise = precise::scene(&pair, &start, t_end, 50);
         let error = |precision| {
-            let scene = Scene { precision, ..gear_pair(&pair, start.theta_dot, t_end) };
+            let scene = {
+                let mut scene = gear_pair(&pair, start.theta_dot, t_end);
+                scene.solver.precision = precision;
+                scene
+            };
             let outcome = run(&scene);
             assert_eq!(outcome.counts.cell_changes + outcome.counts.reflections, precise.events.len() as u64);
             let t = &outcome.trajectory;

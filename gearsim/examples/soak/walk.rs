@@ -57,7 +57,7 @@ impl Walk {
         let equations = outcome::equations::<GearPair, 2>(&scene)?;
         let begun = Instant::now();
         let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
-        if scene.precision == Precision::Compensated {
+        if scene.solver.precision == Precision::Compensated {
             outcome::compensate::<GearPair, 2>(&mut simulation, &scene)?;
         }
         let (start, k) = (simulation.state, simulation.levels());

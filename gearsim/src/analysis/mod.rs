@@ -4,3 +4,4 @@ pub mod floquet;
 pub mod modes;
 pub mod spectrum;
 pub mod steady;
+pub mod work_precision;

@@ -1,7 +1,7 @@
 //! The files of a run.
 
 use crate::engine::Outcome;
-use crate::output::summary::{Counts, Energy, Named, Number, Summary};
+use crate::output::summary::{Counts, Energy, Method, Named, Number, Summary};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
 use crate::scene::Scene;
@@ -17,7 +17,7 @@ pub(super) fn trajectory(
     outcome: &Outcome,
 ) -> Result<(), OutputError> {
     let table = Table::of_trajectory(&outcome.trajectory)?;
-    let provenance = provenance::pairs(scene, overrides);
+    let provenance = provenance::pairs(scene, overrides, outcome);
     let pairs = || provenance.iter().map(|(name, value)| (*name, value.as_str()));
     folder.write(&format!("{name}.parquet"), |sink| parquet::write(&table, pairs(), sink))?;
     if as_csv {
@@ -82,6 +82,12 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         cell_changes: counts.cell_changes,
         reflections: counts.reflections,
         energy: Energy::at_end(run).unwrap_or(no_energy),
+        method: Method {
+            name: outcome.solver.method.into(),
+            why: outcome.solver.why.clone(),
+            steps: outcome.solver.steps,
+            rejected: outcome.solver.rejected,
+        },
         counts: Counts {
             function_evaluations: counts.cost.evaluations,
             root_steps: counts.cost.steps,
@@ -95,6 +101,6 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),
         parameters: parameters.collect(),
         files,
-        provenance: provenance::of(scene, overrides),
+        provenance: provenance::of(scene, overrides, provenance::solver(scene, outcome)),
     }
 }

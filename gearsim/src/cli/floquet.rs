@@ -91,10 +91,7 @@ impl Verb for Floquets {
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
-            provenance: Provenance {
-                solver: "product of exact cell propagators".into(),
-                ..provenance::of(&scene, &self.source.overrides)
-            },
+            provenance: provenance::of(&scene, &self.source.overrides, "product of exact cell propagators".into()),
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         folder.write_bytes("floquet.json", (json + "\n").as_bytes())?;

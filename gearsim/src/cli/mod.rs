@@ -17,6 +17,7 @@ mod sweep;
 mod terminal;
 #[cfg(test)]
 mod tests;
+mod work_precision;
 
 use std::process::ExitCode;
 
@@ -32,6 +33,7 @@ const COMMANDS: &[Command] = &[
     Command::of::<merge::Merge>(),
     Command::of::<modes::Modes>(),
     Command::of::<floquet::Floquets>(),
+    Command::of::<work_precision::WorkPrecision>(),
     Command::of::<models::Models>(),
 ];
 

@@ -164,10 +164,7 @@ impl Modes {
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
-            provenance: Provenance {
-                solver: "modes of linear cells".into(),
-                ..provenance::of(scene, &self.source.overrides)
-            },
+            provenance: provenance::of(scene, &self.source.overrides, "modes of linear cells".into()),
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         Ok(json + "\n")

@@ -32,7 +32,9 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         false => format!("{} s of {} s: stopped early", number::short(summary.t_end.0), number::short(scene.t_end)),
     };
     let lost = format!("{} J of {} J at the start", number::short(energy.dissipated.0), at_start(summary));
+    let method = format!("{}: {}", summary.method.name, summary.method.why);
     let lines = [
+        ("method", method),
         ("simulated", reached),
         ("end state", state(scene, summary)),
         ("cell changes", summary.cell_changes.to_string()),
@@ -92,7 +94,12 @@ fn unaccounted(summary: &Summary) -> String {
 /// What the run cost.
 fn time(summary: &Summary, rows: usize) -> String {
     let each = per_event(summary).map_or(String::new(), |each| format!(", {each} an event"));
-    format!("{}{each} (with the recording of {rows} rows)", number::time(summary.cpu_seconds.0))
+    let steps = match (summary.method.steps, summary.method.rejected) {
+        (0, _) => String::new(),
+        (steps, 0) => format!(", {steps} steps"),
+        (steps, rejected) => format!(", {steps} steps and {rejected} in vain"),
+    };
+    format!("{}{each}{steps} (with the recording of {rows} rows)", number::time(summary.cpu_seconds.0))
 }
 
 /// What an event cost, if there was one.

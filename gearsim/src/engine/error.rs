@@ -6,8 +6,10 @@
 pub enum Refusal {
     #[error("the effects of the scene contradict one another")]
     Effects,
-    #[error("the equations are not linear between two steps ({terms}), and only linear cells are simulated so far")]
-    Nonlinear { terms: &'static str },
+    #[error(
+        "the equations are not linear between two steps ({terms}), so there is no exact solution: name another method in [run], or none"
+    )]
+    Nonlinear { terms: String },
     #[error("the steps of the model's stiffnesses make {cells} cells; {most} are simulated at most")]
     Cells { cells: usize, most: usize },
     #[error(
@@ -26,6 +28,10 @@ pub enum Refusal {
         "the damping couples the modes of a cell, and the compensated mode has none for such cells: set run.precision = \"plain\""
     )]
     CompensatedCoupling,
+    #[error(
+        "only exact cells are compensated, and this scene is not solved by them ({0}): set run.precision = \"plain\""
+    )]
+    CompensatedNumerical(String),
     #[error(
         "the damping feeds energy to a vibration of a cell (which grows at {rate:e} 1/s): it must take energy from every motion"
     )]
@@ -56,4 +62,12 @@ pub enum Stop {
     Held { t: f64, state: String, cell: usize, reason: Refusal },
     #[error("at t = {t} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})")]
     Search { t: f64, steps: usize, state: String, cell: usize },
+    #[error(
+        "at t = {t} s no step of {method} is short enough, down to {h:e} s ({state}, cell {cell}): the motion has no limit there, or the tolerance is below what numbers can hold"
+    )]
+    Step { t: f64, h: f64, method: &'static str, state: String, cell: usize },
+    #[error(
+        "at t = {t} s {steps} steps were tried, and the run is given up ({state}, cell {cell}): allow a larger error or end it earlier"
+    )]
+    Steps { t: f64, steps: u64, state: String, cell: usize },
 }

@@ -84,9 +84,19 @@ impl<const N: usize> Law<N> {
         Ok(laws)
     }
 
-    /// The stiffness now.
+    /// The stiffness now, where it is constant in its cells; else its mean in this one.
     pub fn level(&self) -> f64 {
         self.pitch.level(self.cell)
+    }
+
+    /// k, dk/ds and d²k/ds² where the coordinate is `q` at the time `t`.
+    #[inline]
+    pub fn course(&self, q: f64, t: f64) -> [f64; 3] {
+        if self.pitch.steps_only() {
+            return [self.level(), 0.0, 0.0];
+        }
+        let s = self.frozen.map_or(q, |frozen| frozen.origin + frozen.speed * t);
+        self.pitch.course(self.cell, s - self.bounds().0)
     }
 
     /// Length of one turn of the coordinate, 0 where none are counted.
@@ -96,7 +106,7 @@ impl<const N: usize> Law<N> {
 
     /// The step of the stiffness beyond a side of the present cell.
     pub fn step(&self, side: Side) -> f64 {
-        self.pitch.level(self.pitch.beyond(self.cell, side).0) - self.level()
+        self.pitch.step(self.cell, side)
     }
 
     /// The same in twice the digits.

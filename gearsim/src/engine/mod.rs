@@ -25,7 +25,7 @@ pub mod real;
 pub mod record;
 pub mod signal;
 pub mod simulate;
-mod start;
+pub(crate) mod start;
 pub mod system;
 
 pub use error::{Refusal, Stop};

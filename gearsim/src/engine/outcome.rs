@@ -10,7 +10,11 @@ use crate::engine::equations::{Derived, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
+use crate::engine::start;
 use crate::engine::system::{self, System};
+use crate::methods;
+use crate::methods::advance::{Advance, Settings};
+use crate::methods::choice::{self, Choice};
 use crate::model::Model;
 use crate::scene::{Precision, Scene};
 use crate::trajectory::{Moment, Trajectory};
@@ -26,12 +30,27 @@ pub struct Outcome {
     pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
+    /// How it was solved.
+    pub solver: Solver,
     /// Why the run ended before its time, if it did.
     pub stopped_by: Option<Stop>,
     /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
     pub reference_frequency: Option<f64>,
     /// Processor time that the simulation took, with its recording [s].
     pub cpu_seconds: f64,
+}
+
+/// How a run was solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solver {
+    /// The method, by its name in scenes; the one that took over, if one did.
+    pub method: &'static str,
+    /// Why it was this one.
+    pub why: String,
+    /// Steps of a numerical method; 0 for the exact one.
+    pub steps: u64,
+    /// Steps that it tried in vain.
+    pub rejected: u64,
 }
 
 /// A model as the program knows it: its description, and how to run a scene of it.
@@ -82,30 +101,93 @@ pub fn compensate<D: Derived<N>, const N: usize>(
 
 fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
     let equations = equations::<D, N>(scene)?;
-    let mut simulation = Simulation::new(scene.model, &*equations, scene)?;
-    if scene.precision == Precision::Compensated {
+    let choice = choice::of(scene, &start::begin(&*equations, scene)?.1)?;
+    match choice::numerical(&choice, scene) {
+        None => exact::<D, N>(scene, &*equations, choice, watch),
+        Some(_) if scene.solver.precision == Precision::Compensated => Err(Refusal::CompensatedNumerical(choice.why)),
+        Some((method, settings)) => numerical(scene, &*equations, choice, method, settings, watch),
+    }
+}
+
+/// By the exact engine.
+fn exact<D: Derived<N>, const N: usize>(
+    scene: &Scene,
+    equations: &dyn Equations<N>,
+    choice: Choice,
+    watch: &mut dyn FnMut(f64),
+) -> Result<Outcome, Refusal> {
+    let mut simulation = Simulation::new(scene.model, equations, scene)?;
+    if scene.solver.precision == Precision::Compensated {
         compensate::<D, N>(&mut simulation, scene)?;
     }
     let lengths = simulation.turn_lengths();
-    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, &simulation.levels());
+    let mut recorder = Recorder::new(scene.model, equations, lengths, simulation.state, &simulation.levels());
     let begin = ThreadTime::now();
     let stopped_by = simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
-    let cpu_seconds = begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64();
+    let cpu_seconds = since(begin);
     if stopped_by.is_some() {
         let (state, lost) = (simulation.state, (simulation.dissipated, simulation.ignored));
         recorder.row(simulation.clock.now(), Moment::Sample, &state, &simulation.levels(), lost);
     }
-    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    let reference_frequency = Cell::new(&*equations, &mids)
-        .ok()
-        .and_then(|cell| cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0));
     Ok(Outcome {
         energy_at_start: recorder.energy_at_start,
         trajectory: recorder.trajectory,
         ignored: simulation.ignored,
         counts: simulation.counts,
+        solver: Solver { method: choice.method.name(), why: choice.why, steps: 0, rejected: 0 },
         stopped_by,
-        reference_frequency,
+        reference_frequency: reference_frequency(scene, equations),
         cpu_seconds,
     })
+}
+
+/// By a numerical method.
+fn numerical<const N: usize>(
+    scene: &Scene,
+    equations: &dyn Equations<N>,
+    choice: Choice,
+    method: Box<dyn methods::Method<N>>,
+    settings: Settings,
+    watch: &mut dyn FnMut(f64),
+) -> Result<Outcome, Refusal> {
+    let mut advance = Advance::new(equations, scene, method, settings)?;
+    let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
+    let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
+    let begin = ThreadTime::now();
+    let stopped_by = advance.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
+    let cpu_seconds = since(begin);
+    if stopped_by.is_some() {
+        advance.note(&mut recorder, Moment::Sample);
+    }
+    let (method, why) = match advance.gave_way {
+        Some(t) => {
+            let first = choice.method.name();
+            let why = format!("{}; {first} until t = {t} s, where the cell proved stiff for it", choice.why);
+            (advance.method(), why)
+        }
+        None => (choice.method.name(), choice.why),
+    };
+    let (steps, rejected) = advance.steps;
+    Ok(Outcome {
+        energy_at_start: recorder.energy_at_start,
+        trajectory: recorder.trajectory,
+        ignored: 0.0,
+        counts: advance.counts.clone(),
+        solver: Solver { method, why, steps, rejected },
+        stopped_by,
+        reference_frequency: reference_frequency(scene, equations),
+        cpu_seconds,
+    })
+}
+
+/// Processor time of this thread since `begin` [s], never 0.
+fn since(begin: ThreadTime) -> f64 {
+    begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64()
+}
+
+/// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s], where the cells are linear.
+fn reference_frequency<const N: usize>(scene: &Scene, equations: &dyn Equations<N>) -> Option<f64> {
+    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
+    let cell = Cell::new(equations, &mids).ok().filter(|_| scene.model.nonlinear.is_empty())?;
+    cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0)
 }

@@ -2,7 +2,7 @@
 //! a count of pitches and a remainder, so that a billion revolutions cost no digits.
 
 use crate::engine::crossing::Side;
-use crate::scene::Stiffness;
+use crate::scene::{Curve, Stiffness};
 
 /// One law's pitch: boundaries and levels.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,6 +11,8 @@ pub struct Pitch {
     boundaries: Vec<f64>,
     /// Level between b_i and b_{i+1}.
     levels: Vec<f64>,
+    /// What it follows from b_i on; empty where it is constant.
+    curves: Vec<Curve>,
 }
 
 impl Pitch {
@@ -23,12 +25,13 @@ impl Pitch {
             boundaries.push(end);
         }
         boundaries.push(period);
-        Pitch { boundaries, levels: stiffness.steps.iter().map(|s| s.value).collect() }
+        let levels = stiffness.steps.iter().map(|s| s.value).collect();
+        Pitch { boundaries, levels, curves: stiffness.curves.clone() }
     }
 
     /// One level throughout: for a law that does not step.
     pub fn constant(value: f64, period: f64) -> Self {
-        Pitch { boundaries: vec![0.0, period], levels: vec![value] }
+        Pitch { boundaries: vec![0.0, period], levels: vec![value], curves: vec![] }
     }
 
     /// Length of the pitch.
@@ -44,6 +47,37 @@ impl Pitch {
     /// Stiffness in a cell.
     pub fn level(&self, cell: usize) -> f64 {
         self.levels[cell]
+    }
+
+    /// Whether it is constant in every cell.
+    pub fn steps_only(&self) -> bool {
+        self.curves.is_empty()
+    }
+
+    /// k, dk/ds and d²k/ds² in a cell, at the phase `x` from its lower boundary on.
+    #[inline]
+    pub fn course(&self, cell: usize, x: f64) -> [f64; 3] {
+        self.curves.get(cell).map_or([self.levels[cell], 0.0, 0.0], |curve| curve.at(x))
+    }
+
+    /// k and its derivatives at that side of a cell, within it.
+    fn edge(&self, cell: usize, side: Side) -> [f64; 3] {
+        let (lower, upper) = self.bounds(cell);
+        self.course(cell, if side == Side::Upper { upper - lower } else { 0.0 })
+    }
+
+    /// The step of the stiffness beyond a side of a cell; 0 at a mere kink.
+    pub fn step(&self, cell: usize, side: Side) -> f64 {
+        let (beyond, ..) = self.beyond(cell, side);
+        if self.steps_only() {
+            return self.levels[beyond] - self.levels[cell];
+        }
+        let other = if side == Side::Upper { Side::Lower } else { Side::Upper };
+        let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, other));
+        // Curves that meet do so to rounding, of their values and of the boundaries.
+        let places = 16.0 * f64::EPSILON * self.period() * (slope.abs() + beyond.abs());
+        let rounding = places + 1e-12 * here.abs().max(there.abs());
+        if (there - here).abs() <= rounding { 0.0 } else { there - here }
     }
 
     /// Lower and upper boundary of a cell.

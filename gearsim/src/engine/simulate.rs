@@ -17,6 +17,7 @@ use crate::engine::law::{self, Law};
 use crate::engine::record::{Recorder, State};
 use crate::engine::signal::Signal;
 use crate::engine::start;
+use crate::methods::choice;
 use crate::model::Model;
 use crate::scene::Scene;
 use crate::trajectory::Moment;
@@ -83,9 +84,12 @@ impl<'a, const N: usize> Simulation<'a, N> {
     /// Where the numbers do not make a system that can be simulated.
     pub fn new(model: &Model, equations: &'a dyn Equations<N>, scene: &Scene) -> Result<Self, Refusal> {
         if !model.nonlinear.is_empty() {
-            return Err(Refusal::Nonlinear { terms: model.nonlinear });
+            return Err(Refusal::Nonlinear { terms: model.nonlinear.into() });
         }
         let (state, laws) = start::begin(equations, scene)?;
+        if let Some(terms) = choice::curved(model, &laws) {
+            return Err(Refusal::Nonlinear { terms });
+        }
         Ok(Simulation {
             equations,
             cells: Cells::new(equations, &laws)?,

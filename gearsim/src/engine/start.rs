@@ -35,7 +35,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
 
     let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i] == Start::Static).collect();
     if !free.is_empty() {
-        let k: Vec<f64> = laws.iter().map(Law::level).collect();
+        let k: Vec<f64> = laws.iter().map(|law| law.course(state.q[law.phase], 0.0)[0]).collect();
         for (i, x) in free.iter().zip(balance(equations, scene, &free, &state.q, &k)?) {
             state.q[*i] = x;
         }

@@ -36,7 +36,7 @@ pub trait System: Send + Sync {
 /// Where the model's cells are not linear, or its effects contradict one another.
 pub fn of<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn System>, Refusal> {
     if !D::MODEL.nonlinear.is_empty() {
-        return Err(Refusal::Nonlinear { terms: D::MODEL.nonlinear });
+        return Err(Refusal::Nonlinear { terms: D::MODEL.nonlinear.into() });
     }
     Ok(Box::new(Of(equations::<D, N>(scene)?)))
 }

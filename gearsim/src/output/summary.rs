@@ -32,6 +32,8 @@ pub struct Summary {
     pub reflections: u64,
     /// Energies at the end [J].
     pub energy: Energy,
+    /// How it was solved.
+    pub method: Method,
     /// What the solver did.
     pub counts: Counts,
     /// Processor time that the simulation took, with its recording [s].
@@ -64,6 +66,20 @@ pub struct Energy {
     pub residual: Number,
     /// T + V - W at the start.
     pub at_start: Number,
+}
+
+/// How a run was solved.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Method {
+    /// The method, by its name in scenes.
+    pub name: String,
+    /// Why it was this one.
+    pub why: String,
+    /// Steps of a numerical method; 0 for the exact one, which has none.
+    pub steps: u64,
+    /// Steps that it tried in vain.
+    pub rejected: u64,
 }
 
 /// What the solver did.
@@ -241,6 +257,7 @@ mod tests {
             cell_changes: 12,
             reflections: 0,
             energy: Energy::at_end(&run).unwrap(),
+            method: Method { name: "exact".into(), why: "linear cells".into(), steps: 0, rejected: 0 },
             counts: Counts {
                 function_evaluations: 1,
                 root_steps: 2,

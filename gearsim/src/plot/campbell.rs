@@ -1,6 +1,6 @@
 //! Campbell's diagram: natural frequencies, and harmonics of the mesh frequencies, over the speed.
 
-use super::{Axis, Figure, Panel, PlotError, Series, Style};
+use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
 use crate::analysis::modes::CellModes;
 use crate::analysis::steady::Course;
 use crate::scene::Scene;
@@ -44,7 +44,7 @@ pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figur
         }
     }
     let now = first.frequency();
-    let style = Style { colour: "#d55e00", dashes: &[7.0, 3.0], width: 1.3 };
+    let style = Style { colour: "#d55e00", dashes: &[7.0, 3.0], width: 1.3, marker: Marker::None };
     series.push(Series { style, ..Series::new(0, "speed of the scene", vec![now, now], vec![0.0, top]) });
     Ok(Figure {
         title: "Natural frequencies and mesh harmonics".into(),

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use super::decimate::decimate;
-use super::figure::{Figure, Panel, Scale, Series, extremes};
+use super::figure::{Figure, Marker, Panel, Scale, Series, extremes};
 use super::ticks::Ruler;
 
 pub(super) const WIDTH: f64 = 800.0;
@@ -65,6 +65,7 @@ fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
             (x, y) = (LEFT, y + LEGEND_ROW);
         }
         polyline(out, &[(x, y), (x + SAMPLE, y)], series);
+        marker(out, (x + 0.5 * SAMPLE, y), series);
         text(out, (x + SAMPLE + 8.0, y + 4.3), "start", SMALL, "", &series.label);
         x += width;
     }
@@ -145,10 +146,35 @@ fn curve(out: &mut String, points: &[(f64, f64)], series: &Series) {
         let piece = &piece[first.saturating_sub(1)..piece.len().min(last + 2)];
         polyline(out, &decimate(piece), series);
     }
+    let seen = |p: &&(f64, f64)| finite(p) && inside(p);
+    points.iter().filter(seen).for_each(|p| marker(out, *p, series));
+}
+
+/// Draws what stands at a point.
+fn marker(out: &mut String, (x, y): (f64, f64), series: &Series) {
+    let colour = series.style.colour;
+    let fill = format!("fill=\"{colour}\"");
+    let shape = match series.style.marker {
+        Marker::None => return,
+        Marker::Dot => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.4\" {fill}/>"),
+        Marker::Square => {
+            format!("<rect x=\"{:.1}\" y=\"{:.1}\" width=\"6\" height=\"6\" {fill}/>", x - 3.0, y - 3.0)
+        }
+        Marker::Diamond => format!("<path d=\"M{x:.1} {:.1}l4.2 4.2l-4.2 4.2l-4.2 -4.2z\" {fill}/>", y - 4.2),
+        Marker::Triangle => format!("<path d=\"M{x:.1} {:.1}l4 7h-8z\" {fill}/>", y - 4.2),
+        Marker::Cross => {
+            let d = format!("M{:.1} {:.1}l7 7M{:.1} {:.1}l7 -7", x - 3.5, y - 3.5, x - 3.5, y + 3.5);
+            format!("<path d=\"{d}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.8\"/>")
+        }
+    };
+    let _ = writeln!(out, "{shape}");
 }
 
 fn polyline(out: &mut String, points: &[(f64, f64)], series: &Series) {
     let style = series.style;
+    if style.width == 0.0 {
+        return;
+    }
     let mut line = String::with_capacity(14 * points.len());
     for (x, y) in points {
         // Far outside the frame rasterisers lose their accuracy.

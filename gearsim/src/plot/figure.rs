@@ -106,6 +106,25 @@ impl Series {
     }
 }
 
+/// What stands at each point of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Marker {
+    None,
+    Dot,
+    Square,
+    Diamond,
+    Triangle,
+    Cross,
+}
+
+impl Marker {
+    /// The `index`-th of a series of markers that differ.
+    pub fn nth(index: usize) -> Self {
+        [Marker::Dot, Marker::Square, Marker::Diamond, Marker::Triangle][index % 4]
+    }
+}
+
 /// Colour, dashes and width of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Style {
@@ -113,13 +132,15 @@ pub struct Style {
     pub colour: &'static str,
     /// Lengths of dashes and gaps; empty: solid.
     pub dashes: &'static [f64],
-    /// Line width.
+    /// Line width; 0: no line.
     pub width: f64,
+    /// What stands at its points.
+    pub marker: Marker,
 }
 
 impl Style {
     /// A thin solid black line, for a curve on its own.
-    pub const PLAIN: Style = Style { colour: "#000000", dashes: &[], width: 1.3 };
+    pub const PLAIN: Style = Style { colour: "#000000", dashes: &[], width: 1.3, marker: Marker::None };
 
     /// The `index`-th of a series of styles that differ in colour, to the colour-blind too, and in their dashes.
     ///
@@ -132,6 +153,7 @@ impl Style {
             dashes: DASHES[index % DASHES.len()],
             // The first is seen where others lie over it.
             width: if index == 0 { 1.7 } else { 1.3 },
+            marker: Marker::None,
         }
     }
 }

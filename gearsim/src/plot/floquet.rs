@@ -1,6 +1,6 @@
 //! Stability of steady rotation: growth a period over one varied quantity, or a map of it over two.
 
-use super::{Axis, Figure, Panel, PlotError, Series, Style};
+use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
 use crate::analysis::floquet::{Chart, Spot};
 
 /// Height of a frame in SVG units, which the rows of a map share.
@@ -37,7 +37,7 @@ pub fn draw(chart: &Chart) -> Result<Figure, PlotError> {
 
 fn curve(chart: &Chart) -> Panel {
     let growth = chart.rows[0].iter().map(|spot| spot.map_or(f64::NAN, |s| s.growth)).collect();
-    let zero = Style { colour: "#777777", dashes: &[], width: 1.0 };
+    let zero = Style { colour: "#777777", dashes: &[], width: 1.0, marker: Marker::None };
     let ends = vec![chart.x.low(), chart.x.high()];
     let line = Series { style: zero, ..Series::new(0, "", ends, vec![0.0, 0.0]) };
     let grows = Series::new(0, "above 0 a disturbance grows", chart.x.values.clone(), growth);
@@ -57,7 +57,7 @@ fn map(chart: &Chart) -> Panel {
                 continue;
             }
             let named = series.iter().all(|s: &Series| s.style.colour != colour);
-            let style = Style { colour, dashes: &[], width };
+            let style = Style { colour, dashes: &[], width, marker: Marker::None };
             let mut line = Series { style, ..Series::new(0, if named { label } else { "" }, vec![], vec![]) };
             for (x, spot) in chart.x.values.iter().zip(row) {
                 let y = if within(spot) { *at } else { f64::NAN };

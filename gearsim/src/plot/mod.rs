@@ -13,8 +13,9 @@ mod motion;
 mod spectrum;
 mod ticks;
 pub mod waterfall;
+pub mod work_precision;
 
-pub use figure::{Axis, Figure, Panel, Scale, Series, Style};
+pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
 
 use crate::analysis::spectrum::SpectrumError;
 use crate::sweep::folder::Rows;

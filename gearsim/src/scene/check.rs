@@ -28,8 +28,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
             start::read(entries, model, report),
         )
     });
-    let t_end = output::read_run(entries, &mut absent, report);
-    let precision = output::read_precision(entries, report);
+    let (t_end, solver) = output::read_run(entries, &mut absent, report);
     let output = output::read(entries, t_end, report);
     keys::missing(&absent, "the scene", end, report);
 
@@ -43,7 +42,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         laws: laws?,
         start: start?,
         t_end: t_end?,
-        precision: precision?,
+        solver: solver?,
         output: output?,
         hash: String::new(),
     })
@@ -51,7 +50,8 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
 
 /// Reports keys that do not belong at the top, and where those belong that are known.
 fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
-    let mut homes = vec![("run", output::RUN_KEYS.to_vec()), ("output", output::KEYS.to_vec())];
+    let mut homes =
+        vec![("run", vec!["t_end", "method", "precision", "tolerance", "step"]), ("output", output::KEYS.to_vec())];
     if let Some(model) = model {
         let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name);
         let motions = model.motions.iter().map(|motion| motion.name);

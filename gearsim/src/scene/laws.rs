@@ -4,6 +4,7 @@ use xprec::Df64;
 
 use super::document::{Entry, Node, Value};
 use super::error::Report;
+use super::smooth::{self, Smooth};
 use super::{Step, Stiffness, field, keys, measure};
 use crate::model::{Law, Model};
 
@@ -11,22 +12,16 @@ use crate::model::{Law, Model};
 const PITCH_TOLERANCE: f64 = 1e-9;
 
 impl Stiffness {
-    /// Half-way between the greatest and the least level [unit of the law].
+    /// Half-way between its greatest and its least value [unit of the law].
     pub fn mid(&self) -> f64 {
-        let (greatest, least) = self.extremes();
-        (greatest + least) / 2.0
+        let (low, high) = self.extremes();
+        (high + low) / 2.0
     }
 
     /// The same in twice the digits.
     pub fn exact_mid(&self) -> Df64 {
-        let (greatest, least) = self.extremes();
-        (Df64::from(greatest) + least) * 0.5
-    }
-
-    /// The greatest and the least level.
-    fn extremes(&self) -> (f64, f64) {
-        let levels = || self.steps.iter().map(|step| step.value);
-        (levels().fold(f64::NEG_INFINITY, f64::max), levels().fold(f64::INFINITY, f64::min))
+        let (low, high) = self.extremes();
+        (Df64::from(high) + low) * 0.5
     }
 
     /// Average over one pitch [unit of the law].
@@ -95,12 +90,22 @@ impl<'a> Reader<'a> {
     fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
-        keys::known(entries, &format!("[{table}]"), &["steps"], report);
+        let allowed: Vec<_> = ["steps"].into_iter().chain(smooth::KEYS).collect();
+        keys::known(entries, &format!("[{table}]"), &allowed, report);
+        let smooth = Smooth { law: self.law, phase: self.phase, entries, place: &node.place };
+        if let Some(read) = smooth.instead_of_steps(report) {
+            return read;
+        }
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());
             keys::missing(&[("steps", line)], &format!("[{table}]"), &node.place, report);
             return None;
         };
+        let stepping = self.stepping(steps, report)?;
+        smooth.ramped(stepping, report)
+    }
+
+    fn stepping(&self, steps: &Node, report: &mut Report) -> Option<Stiffness> {
         let items = field::array(&self.path, steps, &self.steps(), report)?;
         let Some((last, before)) = items.split_last() else {
             let help = format!("write for example {}", self.steps());
@@ -179,7 +184,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let step = |&(value, width): &(f64, Option<f64>)| Step { value, width: width.unwrap_or(rest) };
-        Some(Stiffness { steps: levels.iter().map(step).collect() })
+        Some(Stiffness::stepping(levels.iter().map(step).collect()))
     }
 }
 

@@ -15,6 +15,12 @@
 //!     { value = "1.43 kN*m", width = "1.73 rad" },
 //!     { value = "2.78 kN*m" },                # the last without a width: the rest of the pitch
 //! ]
+//! # ramp = "0.01 rad"                         # straight ramps of this width in place of the steps, about them
+//! # In place of steps, smooth over the pitch: a Fourier series, sum a cos(order 2 pi s/pitch + phase),
+//! # mean = "2.1 kN*m"
+//! # harmonics = [{ order = 1, amplitude = "0.6 kN*m", phase = "30 deg" }]
+//! # or a periodic cubic spline through points:
+//! # table = [{ at = "0 rad", value = "1.5 kN*m" }, { at = "2 rad", value = "2.7 kN*m" }, { at = "4 rad", value = "2.2 kN*m" }]
 //!
 //! [start]
 //! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
@@ -23,7 +29,10 @@
 //!
 //! [run]
 //! t_end = "0.1 s"
-//! precision = "plain"                         # default; or "compensated": state and time in twice the digits
+//! precision = "plain"                         # default; or "compensated": exact cells in twice the digits
+//! method = "dop853"                           # or exact, dopri5, radau, rk4, rk4_grid; default: exact where cells are linear
+//! tolerance = 1e-9                            # of an adaptive method; this is the default
+//! # step = "1 us"                             # of rk4, which has steps of one length
 //!
 //! [output]
 //! rate = "20 kHz"                             # default: 10000 samples in the whole run
@@ -33,6 +42,7 @@
 //! ```
 
 mod check;
+pub mod curve;
 pub mod dimension;
 pub(crate) mod document;
 mod effects;
@@ -47,6 +57,8 @@ mod overrides;
 mod parameters;
 pub mod quantity;
 mod read;
+mod smooth;
+pub mod solver;
 mod start;
 mod symbol;
 pub mod template;
@@ -54,9 +66,11 @@ pub mod template;
 mod tests;
 pub mod unit;
 
+pub use curve::Curve;
 pub use error::{Problem, SceneErrors};
 pub(crate) use error::{did_you_mean, list};
 pub use measured::{time, unit_of};
+pub use solver::{Precision, Solver};
 pub use template::Template;
 
 use crate::model::{Model, Start};
@@ -83,33 +97,25 @@ pub struct Scene {
     pub start: Beginning,
     /// End of the run [s].
     pub t_end: f64,
-    /// Digits in which the state is carried.
-    pub precision: Precision,
+    /// How it is solved.
+    pub solver: Solver,
     /// What is recorded and drawn.
     pub output: Output,
     /// SHA-256 of the scene's text and overrides, in hexadecimal: names the scene in every output.
     pub hash: String,
 }
 
-/// Digits in which a run carries its state, its time and the constants of its cells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Precision {
-    /// Those of f64.
-    #[default]
-    Plain,
-    /// Twice as many.
-    Compensated,
-}
-
 /// A set of effects: bit `i` is `model.effects[i]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects(pub u32);
 
-/// A stiffness that is constant between the steps of one pitch.
+/// A stiffness over one pitch: constant between its steps, or smooth between its kinks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stiffness {
-    /// The levels over one pitch, in the order in which a positive phase meets them.
+    /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.
     pub steps: Vec<Step>,
+    /// What it follows in each cell; empty where it is constant there.
+    pub curves: Vec<Curve>,
 }
 
 /// One level of a [`Stiffness`].

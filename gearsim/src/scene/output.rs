@@ -1,11 +1,9 @@
 //! `[run]` and `[output]`: how long a run takes, and what is kept of it.
 
-use super::document::{Entry, Node, Value};
+use super::document::{Entry, Node};
 use super::error::Report;
-use super::{Output, PLOTS, Precision, field, keys, measure};
+use super::{Output, PLOTS, Solver, field, keys, measure, solver};
 
-/// Keys of `[run]`.
-pub(super) const RUN_KEYS: [&str; 2] = ["t_end", "precision"];
 /// Keys of `[output]`.
 pub(super) const KEYS: [&str; 4] = ["rate", "events", "plots", "csv"];
 
@@ -18,14 +16,23 @@ const DEFAULT_SAMPLES: f64 = 1e4;
 /// Earliest end of a run [s]: earlier, its sampling rate would not be finite.
 const MIN_END: f64 = 1e-300;
 
-/// Reads the end of the run [s]; what to add goes to `absent` if there is no `[run]`.
-pub(super) fn read_run(entries: &[Entry], absent: &mut Vec<(&str, String)>, report: &mut Report) -> Option<f64> {
+/// Reads the end of the run [s] and how it is solved; what to add goes to `absent` if there is no `[run]`.
+pub(super) fn read_run(
+    entries: &[Entry],
+    absent: &mut Vec<(&str, String)>,
+    report: &mut Report,
+) -> (Option<f64>, Option<Solver>) {
     let Some(run) = keys::get(entries, "run") else {
         absent.push(("[run]", "[run]\nt_end = \"... s\"".to_string()));
-        return None;
+        return (None, None);
     };
-    let given = field::table("run", run, report)?;
-    keys::known(given, "[run]", &RUN_KEYS, report);
+    let Some(given) = field::table("run", run, report) else { return (None, None) };
+    let allowed: Vec<_> = ["t_end"].into_iter().chain(solver::KEYS).collect();
+    keys::known(given, "[run]", &allowed, report);
+    (read_end(given, run, report), solver::read(given, run, report))
+}
+
+fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
     let Some(node) = keys::get(given, "t_end") else {
         let line = "t_end = \"... s\"".to_string();
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
@@ -41,17 +48,6 @@ pub(super) fn read_run(entries: &[Entry], absent: &mut Vec<(&str, String)>, repo
     };
     measure::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
     None
-}
-
-/// Reads the precision of the run, which may be left out.
-pub(super) fn read_precision(entries: &[Entry], report: &mut Report) -> Option<Precision> {
-    let run = keys::get(entries, "run").map(|run| &run.value);
-    let Some(Value::Table(run)) = run else { return Some(Precision::Plain) };
-    let Some(node) = keys::get(run, "precision") else { return Some(Precision::Plain) };
-    match field::choice("run.precision", node, "precision", &["plain", "compensated"], report)? {
-        0 => Some(Precision::Plain),
-        _ => Some(Precision::Compensated),
-    }
 }
 
 /// Reads `[output]`, all of which may be left out.

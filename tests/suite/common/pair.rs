@@ -68,7 +68,7 @@ impl Pair {
         let mut scene = common::scene("oh2005/spectrum_600rpm_exact", &[]);
         scene.parameters = vec![24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0];
         let steps = self.steps.iter().map(|(value, width)| Step { value: *value, width: *width }).collect();
-        scene.laws = vec![Stiffness { steps }];
+        scene.laws = vec![Stiffness::stepping(steps)];
         scene.start.q = vec![Start::At(self.q[0]), Start::Static];
         scene.start.q_dot = self.q_dot.map(Some).to_vec();
         scene.t_end = self.span;

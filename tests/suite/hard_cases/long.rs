@@ -46,7 +46,7 @@ fn energy(precision: Precision, note: &mut String) -> (f64, f64) {
     let pair = GearPair::paper(0.0, 10.0);
     let events = setting("GEARSIM_EVENTS", 1_000_000);
     let mut scene = pair::scene(&pair, &pair.start(600.0), events as f64 / 480.0);
-    (scene.output.events, scene.precision) = (false, precision);
+    (scene.output.events, scene.solver.precision) = (false, precision);
     let run = pair::of(&scene).outcome;
     let happened = (run.counts.cell_changes + run.counts.reflections) as f64;
     *note = format!("{happened:.1e} events");

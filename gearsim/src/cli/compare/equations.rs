@@ -7,6 +7,8 @@ use crate::scene::{Effects, Scene, list};
 pub(in crate::cli) struct Set {
     /// Name in tables and legends.
     pub(in crate::cli) label: &'static str,
+    /// The same with "equations", for sentences.
+    pub(in crate::cli) equations: &'static str,
     /// Name in file names.
     pub(in crate::cli) suffix: &'static str,
     /// The effect that drops terms; none drops nothing.
@@ -15,9 +17,14 @@ pub(in crate::cli) struct Set {
 
 /// All of them.
 pub(in crate::cli) const SETS: &[Set] = &[
-    Set { label: "exact", suffix: "exact", modifier: None },
-    Set { label: "rigid kinematic", suffix: "rigid_kinematic", modifier: Some("rigid_kinematics") },
-    Set { label: "classical", suffix: "classical", modifier: Some("frozen_phase") },
+    Set { label: "exact", equations: "exact equations", suffix: "exact", modifier: None },
+    Set {
+        label: "rigid kinematic",
+        equations: "rigid kinematic equations",
+        suffix: "rigid_kinematic",
+        modifier: Some("rigid_kinematics"),
+    },
+    Set { label: "classical", equations: "classical equations", suffix: "classical", modifier: Some("frozen_phase") },
 ];
 
 /// `scene` under every set of equations.

@@ -16,7 +16,7 @@ fn a_scene_is_read_in_si() {
     assert_eq!(scene.parameter("N2"), Some(96.0));
     assert_eq!(scene.parameter("N3"), None);
     let steps = vec![Step { value: 1430.0, width: 1.73 }, Step { value: 2780.0, width: TAU - 1.73 }];
-    assert_eq!(scene.laws, [Stiffness { steps }]);
+    assert_eq!(scene.laws, [Stiffness::stepping(steps)]);
     assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
     assert_eq!(scene.start.q_dot, [None, None]);
     assert_eq!(scene.start.motions, [300.0 * PI / 30.0]);
@@ -77,7 +77,7 @@ fn the_hash_names_text_and_overrides() {
 #[test]
 fn a_stiffness_has_two_middles() {
     let steps = vec![Step { value: 1.0, width: 3.0 }, Step { value: 5.0, width: 1.0 }];
-    let stiffness = Stiffness { steps };
+    let stiffness = Stiffness::stepping(steps);
     assert_eq!(stiffness.mid(), 3.0);
     assert_eq!(stiffness.mean(), 2.0);
 }

@@ -1,0 +1,88 @@
+//! How far a run is from a reference, apart: at the end, along the path, in the times and number of events, in energy.
+//!
+//! States are compared coordinate by coordinate and speed by speed, each in units of its own size in the reference; of a
+//! coordinate that rolls on, one pitch is the unit. Never across a jump: a sample between an event and its counterpart
+//! says how late one is, not how wrong the speed, and is left to the error in times.
+
+use crate::engine::Outcome;
+use crate::trajectory::{Moment, Trajectory};
+
+/// How far off a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// Largest of the state at the end.
+    pub end: f64,
+    /// Largest of the state at any sample, and of the limits at events where their number is right.
+    pub path: f64,
+    /// Largest in the time of an event \[s\]; `None` where their number is not right, or there are none.
+    pub times: Option<f64>,
+    /// Events too many, or too few.
+    pub events: i64,
+    /// Largest energy unaccounted for, of T + V at the start.
+    pub energy: f64,
+}
+
+/// The errors of `run`. Where ramps of width `blur` \[unit of the phase\] stand for steps, samples that may lie in one are not
+/// compared: there a ramp is not a step by its nature.
+pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
+    let (a, b) = (&run.trajectory, &reference.trajectory);
+    let sizes = sizes(b);
+    let difference = |i: usize, j: usize| {
+        let of = |x: &[Vec<f64>], y: &[Vec<f64>], sizes: &[f64]| {
+            let each = x.iter().zip(y).zip(sizes).map(|((x, y), size)| (x[i] - y[j]).abs() / size);
+            each.fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
+        };
+        of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
+    };
+    let rows = |t: &Trajectory, moment| -> Vec<usize> { (0..t.len()).filter(|&i| t.moment[i] == moment).collect() };
+    let (mine, theirs) = (rows(a, Moment::Before), rows(b, Moment::Before));
+    let events = mine.len() as i64 - theirs.len() as i64;
+    let matched = events == 0 && !mine.is_empty();
+    let times = matched.then(|| mine.iter().zip(&theirs).fold(0.0f64, |m, (&i, &j)| m.max((a.t[i] - b.t[j]).abs())));
+
+    // Row j of the reference, and i of the run at the same time: is an event of one, and not of the other, between them?
+    // A ramp's events have no times: they are as far off as the phases are apart, and the ramp is wide; where only one has
+    // turned back so far, they have an event between them.
+    let phase = b.model.laws.first().and_then(|law| b.model.coordinates.iter().position(|c| c.name == law.phase));
+    let near = |i: usize, j: usize| {
+        let ramp = phase.filter(|_| blur > 0.0).map_or(0.0, |phase| {
+            let (mine, theirs) = (a.q_dot[phase][i], b.q_dot[phase][j]);
+            let apart = blur + (a.q[phase][i] - b.q[phase][j]).abs();
+            if mine * theirs > 0.0 { apart / mine.abs().min(theirs.abs()) } else { f64::INFINITY }
+        });
+        let (t, window) = (b.t[j], ramp.max(1.01 * times.unwrap_or(0.0)));
+        let next = theirs.partition_point(|&event| b.t[event] < t - window);
+        theirs.get(next).is_some_and(|&event| b.t[event] <= t + window)
+    };
+    let (a_samples, b_samples) = (rows(a, Moment::Sample), rows(b, Moment::Sample));
+    let mut path = 0.0f64;
+    for (&i, &j) in a_samples.iter().zip(&b_samples) {
+        if a.t[i] == b.t[j] && !near(i, j) {
+            path = path.max(difference(i, j));
+        }
+    }
+    if matched {
+        // The limits at an event, each with its counterpart.
+        for moment in [Moment::Before, Moment::After] {
+            for (&i, &j) in rows(a, moment).iter().zip(&rows(b, moment)) {
+                path = path.max(difference(i, j));
+            }
+        }
+    }
+    let end = match (a_samples.last(), b_samples.last()) {
+        (Some(&i), Some(&j)) if a.t[i] == b.t[j] => difference(i, j),
+        _ => f64::NAN,
+    };
+    let energy = a.residual.iter().fold(0.0f64, |m, x| m.max(x.abs())) / reference.energy_at_start;
+    Errors { end, path, times, events, energy }
+}
+
+/// The sizes of the coordinates and of the speeds of a run.
+fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
+    let largest = |column: &Vec<f64>| column.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
+    let q = run.model.coordinates.iter().zip(&run.q).map(|(coordinate, column)| {
+        let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
+        law.map_or_else(|| largest(column), |law| law.period)
+    });
+    (q.collect(), run.q_dot.iter().map(largest).collect())
+}

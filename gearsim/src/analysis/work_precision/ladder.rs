@@ -1,0 +1,122 @@
+//! What is run: each method or approximation in steps from coarse to fine. One more is one entry here.
+
+use std::f64::consts::TAU;
+
+use crate::model::Start;
+use crate::scene::Scene;
+use crate::scene::solver::{Method, Precision, Solver};
+
+use super::reference::{Reference, recorded};
+
+/// The scene, and the same under cheaper equations, with what these are called.
+#[derive(Debug, Clone)]
+pub struct Scenes {
+    /// The scene itself.
+    pub exact: Scene,
+    /// What others compute in its place.
+    pub cheaper: Vec<(&'static str, Scene)>,
+}
+
+/// What a family's error comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Of the numbers: it falls as they get finer.
+    Method,
+    /// Of the equations: it stays.
+    Equations,
+}
+
+/// A method or approximation, from coarse to fine.
+#[derive(Debug, Clone)]
+pub struct Family {
+    /// Its name in legends and tables.
+    pub label: &'static str,
+    /// What its error comes from.
+    pub kind: Kind,
+    /// Its settings.
+    pub rungs: Vec<Rung>,
+}
+
+/// One setting of a family.
+#[derive(Debug, Clone)]
+pub struct Rung {
+    /// What it is, e.g. `1e-9`.
+    pub setting: String,
+    /// What is run.
+    pub scene: Scene,
+    /// Width of the ramp in place of steps \[unit of the phase\]; 0 where steps are steps.
+    pub blur: f64,
+}
+
+/// Tolerances of adaptive methods: 1e-3 to 1e-13.
+const TOLERANCES: std::ops::RangeInclusive<i32> = 3..=13;
+/// Steps of fixed length: the period of the elastic mode over 2 to these powers.
+const HALVINGS: std::ops::RangeInclusive<i32> = 3..=13;
+/// Widths of ramps: a pitch over 10 to these powers; and the tolerance, so far below, at which they are integrated.
+const RAMPS: std::ops::RangeInclusive<i32> = 2..=7;
+
+/// All families for `scenes`.
+pub fn families(scenes: &Scenes, reference: &Reference) -> Vec<Family> {
+    let scene = recorded(&scenes.exact);
+    let with = |solver: Solver| Scene { solver, ..scene.clone() };
+    let by = |method| Solver { method: Some(method), ..Solver::default() };
+    let rung = |setting: String, scene: Scene| Rung { setting, scene, blur: 0.0 };
+    let method = |label, rungs| Family { label, kind: Kind::Method, rungs };
+
+    let adaptive = |label, name| {
+        let at = |k: i32| 10f64.powi(-k);
+        let rungs = TOLERANCES.map(|k| rung(format!("{:e}", at(k)), with(Solver { tolerance: at(k), ..by(name) })));
+        method(label, rungs.collect())
+    };
+    let period = reference.outcome.reference_frequency.map_or(scene.t_end / 100.0, |w| TAU / w);
+    let fixed = |label, name| {
+        let at = |k: i32| period / 2f64.powi(k);
+        let rungs = HALVINGS.map(|k| {
+            let h = at(k);
+            rung(format!("h = {h:.2e} s"), with(Solver { step: Some(h), ..by(name) }))
+        });
+        method(label, rungs.collect())
+    };
+    let compensated = Solver { precision: Precision::Compensated, ..by(Method::Exact) };
+    let mut families = vec![
+        method("exact cells", vec![rung("f64".into(), with(by(Method::Exact)))]),
+        method("exact cells, compensated", vec![rung("f64 x 2".into(), with(compensated))]),
+        adaptive("explicit, order 5 (dopri5)", Method::Dopri5),
+        adaptive("explicit, order 8 (dop853)", Method::Dop853),
+        adaptive("implicit, order 5 (radau)", Method::Radau),
+        fixed("rk4, events located", Method::Rk4),
+        fixed("rk4, events ignored", Method::Rk4Grid),
+    ];
+    let ramps: Vec<Rung> = RAMPS.filter_map(|k| ramp(&scene, reference, 10f64.powi(-k))).collect();
+    if !ramps.is_empty() {
+        families.push(method("ramps for steps (dop853)", ramps));
+    }
+    for (label, scene) in &scenes.cheaper {
+        let scene = Scene { solver: by(Method::Exact), ..recorded(scene) };
+        families.push(Family { label, kind: Kind::Equations, rungs: vec![rung("f64".into(), scene)] });
+    }
+    families
+}
+
+/// The scene with ramps of `part` of a pitch for its steps; `None` if it has no room for them, or no steps.
+fn ramp(scene: &Scene, reference: &Reference, part: f64) -> Option<Rung> {
+    let start = &reference.outcome.trajectory;
+    let column = |name: &str| scene.model.coordinates.iter().position(|c| c.name == name);
+    let widths: Vec<f64> = scene.model.laws.iter().map(|law| part * law.period).collect();
+    let ramped = scene.model.laws.iter().zip(&scene.laws).zip(&widths).map(|((law, stiffness), width)| {
+        // A scene that starts on a step has it behind itself, and so must the ramp be.
+        let behind = column(law.phase).is_none_or(|i| start.q_dot[i][0] >= 0.0);
+        stiffness.ramped(*width, if behind { 1.0 } else { 0.0 })
+    });
+    let laws: Vec<_> = ramped.collect::<Option<_>>()?;
+    if laws.iter().all(|law| law.steps_only()) {
+        return None;
+    }
+    let mut scene = Scene { laws, ..scene.clone() };
+    scene.start.q = start.q.iter().map(|q| Start::At(q[0])).collect();
+    scene.start.q_dot = start.q_dot.iter().map(|v| Some(v[0])).collect();
+    // Far below what the ramps themselves cost in accuracy.
+    scene.solver = Solver { method: Some(Method::Dop853), tolerance: (1e-2 * part).max(1e-12), ..Solver::default() };
+    let blur = widths.iter().fold(0.0f64, |m, w| m.max(*w));
+    Some(Rung { setting: format!("eps = {blur:.1e}"), scene, blur })
+}

@@ -1,0 +1,197 @@
+//! What a measured scene shows: time at equal error, as a table, and in words.
+
+use super::WorkPrecision;
+use super::ladder::Kind;
+use super::measure::Curve;
+
+/// Errors at which times are compared.
+pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// What an error costs by a method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Price {
+    /// So much processor time \[s\].
+    Seconds(f64),
+    /// None of its settings is so accurate.
+    Never,
+    /// The reference is not so accurate that it could tell.
+    Unknown,
+}
+
+impl Curve {
+    /// Processor time at an error along the path of `target`, interpolated between settings (logarithms of both);
+    /// `floor` is the error of the reference. Settings that failed, or lost events, do not count.
+    pub fn price(&self, target: f64, floor: f64) -> Price {
+        if target < floor {
+            return Price::Unknown;
+        }
+        let usable = self.points.iter().filter(|point| point.right_events);
+        let usable: Vec<(f64, f64)> =
+            usable.filter_map(|point| Some((point.error()?.max(floor), point.seconds.0))).collect();
+        // The cheapest setting that is good enough, or a point between one that is not and the next.
+        let good = |&&(error, _): &&(f64, f64)| error <= target;
+        let at = usable.iter().filter(good).map(|p| p.1);
+        let between = usable.windows(2).filter_map(|pair| {
+            let ((e0, t0), (e1, t1)) = (pair[0], pair[1]);
+            let part = (e0 / target).ln() / (e0 / e1).ln();
+            (e0 > target && e1 <= target).then(|| t0 * (t1 / t0).powf(part))
+        });
+        let cheapest = at.chain(between).fold(f64::INFINITY, f64::min);
+        if cheapest.is_finite() { Price::Seconds(cheapest) } else { Price::Never }
+    }
+
+    /// Settings that failed: they stopped early, or have other events than the reference.
+    pub fn failures(&self) -> usize {
+        self.points.iter().filter(|point| point.errors.is_err() || !point.right_events).count()
+    }
+}
+
+/// What the diagram shows, in words.
+pub fn words(measured: &WorkPrecision) -> String {
+    let floor = measured.floor;
+    let mut said = vec![];
+    let methods = || measured.curves.iter().filter(|curve| curve.kind == Kind::Method);
+    let single = |curve: &&Curve| curve.points.len() == 1;
+    if let Some(point) = methods().find(single).and_then(|curve| curve.points.first()) {
+        let error = point.error().map_or("nothing".into(), |e| format!("an error of {:.0e}", e.max(floor)));
+        said.push(format!("Exact cells cost {} for {error}.", time(point.seconds.0)));
+    }
+    for target in [1e-6, 1e-9] {
+        let others = methods().filter(|curve| !single(curve));
+        let priced = others.filter_map(|curve| match curve.price(target, floor) {
+            Price::Seconds(seconds) => Some((seconds, curve.label)),
+            _ => None,
+        });
+        said.push(match priced.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((seconds, label)) => format!("By steps, {target:e} costs {} at least ({label}).", time(seconds)),
+            None => format!("No method by steps reaches {target:e}."),
+        });
+    }
+    for curve in measured.curves.iter().filter(|curve| curve.kind == Kind::Equations) {
+        if let Some((point, error)) = curve.points.first().and_then(|point| Some((point, point.error()?))) {
+            let percent = 100.0 * error;
+            let wrong = match percent {
+                p if p < 0.1 => format!("{p:.0e} %"),
+                p if p < 100.0 => format!("{p:.1} %"),
+                p => format!("{:.1} times the motion itself", p / 100.0),
+            };
+            said.push(format!("The {} cost {} and are wrong by {wrong}.", curve.label, time(point.seconds.0)));
+        }
+    }
+    for curve in methods().filter(|curve| curve.failures() > 0) {
+        said.push(format!("{} of {} settings of {} fail.", curve.failures(), curve.points.len(), curve.label));
+    }
+    said.join(" ")
+}
+
+/// Time at equal error, a line a method, in Markdown.
+pub fn prices(measured: &WorkPrecision) -> String {
+    let width = measured.curves.iter().map(|curve| curve.label.len()).max().unwrap_or(0);
+    let line = |label: &str, entries: [String; 4], failures: &str| {
+        let [a, b, c, d] = entries;
+        format!("| {label:width$} | {a:>8} | {b:>8} | {c:>8} | {d:>8} | {failures:>8} |\n")
+    };
+    let mut text = line("time at error", TARGETS.map(|target| format!("{target:e}")), "failures");
+    text += &format!("| {:-<width$} | -------: | -------: | -------: | -------: | -------: |\n", "");
+    for curve in &measured.curves {
+        let prices = TARGETS.map(|target| match curve.price(target, measured.floor) {
+            Price::Seconds(seconds) => time(seconds),
+            Price::Never => "never".into(),
+            Price::Unknown => "?".into(),
+        });
+        text += &line(curve.label, prices, &format!("{} of {}", curve.failures(), curve.points.len()));
+    }
+    text
+}
+
+/// The whole table in Markdown: a line a method, then a line a point.
+pub fn markdown(measured: &WorkPrecision) -> String {
+    let mut text = format!(
+        "# What accuracy costs: {}\n\n![Error against processor time](work_precision.png)\n\n{}\n\n",
+        measured.scene,
+        words(measured)
+    );
+    text += &format!(
+        "Errors are the largest along the path, each coordinate and speed in units of its size, a rolling one of a pitch; \
+         {} events. The reference is itself known to {:.0e}, and errors are not told from that. Times are processor times \
+         of one core without recording, the least of several.\n\n",
+        measured.events, measured.floor
+    );
+    text += &prices(measured);
+    text += "\nThe reference cannot tell where a ? stands.\n\n";
+    text += "| method | setting | time, least | median | evaluations | steps | events | error at the end | along the path | \
+             in event times \\[s\\] | energy unaccounted for | remarks |\n";
+    text += &format!("|{}\n", " --- |".repeat(12));
+    for (curve, point) in measured.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
+    {
+        let (least, median) = point.seconds;
+        let errors = match &point.errors {
+            Err(_) => "- | - | - | -".to_string(),
+            Ok(e) => {
+                let times = e.times.map_or("-".into(), |t| format!("{t:.1e}"));
+                format!("{:.1e} | {:.1e} | {times} | {:.1e}", e.end, e.path, e.energy)
+            }
+        };
+        let remark = match &point.errors {
+            Err(why) => format!("failed: {why}"),
+            Ok(e) if !point.right_events => format!("failed: {:+} events", e.events),
+            Ok(_) => String::new(),
+        };
+        text += &format!(
+            "| {} | {} | {} | {} | {} | {} | {} | {errors} | {} |\n",
+            curve.label,
+            point.setting,
+            time(least),
+            time(median),
+            point.evaluations,
+            point.steps,
+            point.events,
+            remark.replace('|', "\\|")
+        );
+    }
+    text
+}
+
+/// The points as CSV, times and errors in full.
+pub fn csv(measured: &WorkPrecision) -> String {
+    let mut text = String::from(
+        "method,setting,cpu_min_s,cpu_median_s,evaluations,steps,events,error_end,error_path,error_times_s,event_count_error,energy_error,failure\n",
+    );
+    for (curve, point) in measured.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
+    {
+        let (least, median) = point.seconds;
+        let errors = match &point.errors {
+            Err(_) => ",,,,".to_string(),
+            Ok(e) => {
+                let times = e.times.map_or(String::new(), |t| format!("{t:e}"));
+                format!("{:e},{:e},{times},{},{:e}", e.end, e.path, e.events, e.energy)
+            }
+        };
+        let why = match &point.errors {
+            Err(why) => why.clone(),
+            Ok(_) if !point.right_events => "other events than the reference".into(),
+            Ok(_) => String::new(),
+        };
+        text += &format!(
+            "\"{}\",\"{}\",{least:e},{median:e},{},{},{},{errors},\"{}\"\n",
+            curve.label,
+            point.setting,
+            point.evaluations,
+            point.steps,
+            point.events,
+            why.replace('"', "'")
+        );
+    }
+    text
+}
+
+/// A time, in the unit that suits it.
+fn time(seconds: f64) -> String {
+    let (scale, unit) = match seconds {
+        s if s < 1e-3 => (1e6, "µs"),
+        s if s < 1.0 => (1e3, "ms"),
+        _ => (1.0, "s"),
+    };
+    let x = seconds * scale;
+    if x.is_nan() { "-".into() } else { format!("{x:.*} {unit}", if x < 9.95 { 1 } else { 0 }) }
+}

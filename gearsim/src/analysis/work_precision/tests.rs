@@ -1,0 +1,100 @@
+//! Prices and words, from curves made by hand; and a scene, measured.
+
+use super::ladder::Kind;
+use super::table::{self, Price};
+use super::{Curve, Errors, Point, Scenes, WorkPrecision};
+use crate::generated::MODELS;
+use crate::model::Model;
+use crate::scene::Scene;
+
+fn point(error: f64, seconds: f64, right_events: bool) -> Point {
+    let errors = Errors { end: error, path: error, times: None, events: i64::from(!right_events), energy: error };
+    Point {
+        setting: "s".into(),
+        seconds: (seconds, seconds),
+        evaluations: 1,
+        steps: 1,
+        events: 1,
+        errors: Ok(errors),
+        right_events,
+    }
+}
+
+fn curve(label: &'static str, kind: Kind, points: &[(f64, f64, bool)]) -> Curve {
+    Curve { label, kind, points: points.iter().map(|&(e, t, right)| point(e, t, right)).collect() }
+}
+
+/// Between 1e-4 at 1 ms and 1e-8 at 100 ms, 1e-6 costs 10 ms.
+#[test]
+fn prices_are_interpolated_in_logarithms() {
+    let c = curve("m", Kind::Method, &[(1e-4, 1e-3, true), (1e-8, 0.1, true)]);
+    let Price::Seconds(seconds) = c.price(1e-6, 1e-13) else { panic!("a price") };
+    assert!((seconds - 0.01).abs() < 1e-12);
+    assert_eq!(c.price(1e-3, 1e-13), Price::Seconds(1e-3));
+    assert_eq!(c.price(1e-9, 1e-13), Price::Never);
+    assert_eq!(c.price(1e-14, 1e-13), Price::Unknown);
+    // A setting that lost events is no bargain.
+    let c = curve("m", Kind::Method, &[(1e-4, 1e-5, false), (1e-8, 0.1, true)]);
+    assert_eq!((c.price(1e-3, 0.0), c.failures()), (Price::Seconds(0.1), 1));
+}
+
+#[test]
+fn words_say_what_is_measured() {
+    let curves = vec![
+        curve("exact cells", Kind::Method, &[(0.0, 3e-4, true)]),
+        curve("steps", Kind::Method, &[(1e-4, 1e-3, true), (1e-8, 0.1, true)]),
+        curve("classical equations", Kind::Equations, &[(0.04, 1e-4, true)]),
+    ];
+    let measured = WorkPrecision { scene: "x".into(), events: 9, floor: 1e-12, curves };
+    let words = table::words(&measured);
+    assert_eq!(
+        words,
+        "Exact cells cost 300 µs for an error of 1e-12. By steps, 1e-6 costs 10 ms at least (steps). No method by steps \
+         reaches 1e-9. The classical equations cost 100 µs and are wrong by 4.0 %."
+    );
+    let text = table::markdown(&measured);
+    assert!(text.contains("never"), "{text}");
+    assert_eq!(table::csv(&measured).lines().count(), 5);
+}
+
+/// The paper's gear pair over four steps: errors fall as the methods say, ramps' as their width, and the cheaper equations'
+/// not at all.
+#[test]
+fn errors_of_a_scene() {
+    let scene = |effects: &str| {
+        let text = format!(
+            r#"model = "gear_pair"
+            effects = [{effects}]
+            parameters = {{ I1 = "2890 kg*mm^2", I2 = "740200 kg*mm^2", zeta = 0.05, T0 = "10 N*m" }}
+            laws.k.steps = [{{ value = "1.43 kN*m", width = "1.73 rad" }}, {{ value = "2.78 kN*m" }}]
+            start.speed = "600 rpm"
+            run.t_end = "0.01 s""#
+        );
+        let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
+        Scene::parse("test", "test", &text, &[], &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    };
+    let exact = scene(r#""stiffness_step", "damping", "torques""#);
+    let rigid = scene(r#""stiffness_step", "rigid_kinematics", "damping", "torques""#);
+    let scenes = Scenes { exact, cheaper: vec![("rigid", rigid)] };
+    let run = |scene: &Scene| (MODELS.iter().find(|m| m.model.name == "gear_pair").unwrap().run)(scene, &mut |_| {});
+    let measured = super::measure(&scenes, &run, 1, &mut |_| {}).unwrap();
+    let of = |name: &str| {
+        let curve = measured.curves.iter().find(|curve| curve.label.contains(name)).unwrap();
+        curve.points.iter().map(|point| point.error().unwrap()).collect::<Vec<f64>>()
+    };
+    assert!(measured.events >= 4 && measured.floor < 1e-11, "{} {}", measured.events, measured.floor);
+    assert!(measured.curves.iter().all(|curve| curve.failures() == 0));
+    for (name, reached) in [("dopri5", 1e-9), ("dop853", 1e-9), ("radau", 1e-9), ("located", 1e-8)] {
+        let errors = of(name);
+        assert!(errors.len() >= 8 && errors.iter().any(|e| *e < reached), "{name}: {errors:?}");
+    }
+    // A decade of width is a decade of error; the widest are beyond first order.
+    let ramps = of("ramps");
+    assert!(ramps[2..5].windows(2).all(|e| (8.0..12.5).contains(&(e[0] / e[1]))), "{ramps:?}");
+    let (grid, rigid) = (of("ignored"), of("rigid"));
+    assert!(grid[10] < 0.1 * grid[0] && grid[10] > 1e-6, "{grid:?}");
+    assert!(rigid[0] > 1e-3, "{rigid:?}");
+    // What is drawn and written of it can be.
+    assert!(crate::plot::work_precision::draw(&measured).svg().unwrap().contains("exact cells"));
+    assert!(table::csv(&measured).lines().count() > 60);
+}

@@ -1,0 +1,105 @@
+//! `gearsim work-precision`: what accuracy costs on a scene, by every method a user might pick.
+
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+
+use super::compare::equations;
+use super::failure::Failure;
+use super::simulate::simulate;
+use super::{Verb, report, terminal};
+use crate::analysis::work_precision::{self, Scenes, table};
+use crate::engine::Refusal;
+use crate::generated::MODELS;
+use crate::output::{OutputError, OutputFolder};
+use crate::plot::work_precision::draw;
+use crate::scene::Scene;
+
+/// Draw error against processor time for many methods on a scene
+#[derive(Parser)]
+#[command(
+    name = "work-precision",
+    after_help = "\
+Runs exact cells, adaptive methods (explicit of order 5 and 8, implicit) at tolerances from 1e-3 to 1e-13, rk4
+in steps of one length with events located and with events ignored, ramps in place of steps, and the cheaper
+equations, each against the same reference. What fails is shown as failed.
+
+Writes work_precision.svg, .png, .md and .csv, a folder a scene. The scene should be short: it runs some
+hundred times, and what takes a method of high order a millisecond may take others seconds.
+
+Examples:
+  gearsim work-precision models/scenes/oh2005/spectrum_4500rpm_exact.toml --set run.t_end=\"0.05 s\"
+  gearsim work-precision models/scenes/oh2005/*_exact.toml --set run.t_end=\"0.05 s\" --repetitions 20"
+)]
+pub(super) struct WorkPrecision {
+    /// The scenes: TOML files
+    #[arg(required = true)]
+    scenes: Vec<PathBuf>,
+    /// Folder for the results, with one in it for each of several scenes
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Writes a value over one of every scene, e.g. --set run.t_end="0.05 s"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Runs a point, of which the fastest and the median are kept
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
+    repetitions: u16,
+}
+
+impl Verb for WorkPrecision {
+    fn run(self) -> Result<(), Failure> {
+        let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+        let load = |path: &PathBuf| {
+            Scene::load(path, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
+        };
+        let scenes = self.scenes.iter().map(load).collect::<Result<Vec<_>, _>>()?;
+        let folders: Vec<_> = scenes.iter().map(|scene| self.folder(scene)).collect();
+        folders.iter().try_for_each(|folder| OutputFolder::probe(folder))?;
+        scenes.iter().zip(folders).try_for_each(|(scene, folder)| self.one(scene, folder))
+    }
+}
+
+impl WorkPrecision {
+    fn folder(&self, scene: &Scene) -> PathBuf {
+        let default = || Path::new("out").join(format!("{}_work_precision", scene.name));
+        match &self.out {
+            Some(out) if self.scenes.len() > 1 => out.join(&scene.name),
+            Some(out) => out.clone(),
+            None => default(),
+        }
+    }
+
+    /// Measures one scene.
+    fn one(&self, scene: &Scene, folder: PathBuf) -> Result<(), Failure> {
+        // A scene without stepping stiffness has no cheaper equations.
+        let cheaper = equations::all(scene).unwrap_or_default().into_iter().skip(1);
+        let cheaper = cheaper.map(|(set, scene)| (set.equations, scene)).collect();
+        let run = |scene: &Scene| match simulate(scene, true) {
+            Ok(outcome) => Ok(outcome),
+            Err(Failure::Refused { refusal, .. }) => Err(refusal),
+            Err(_) => Err(Refusal::Effects),
+        };
+        let scenes = Scenes { exact: scene.clone(), cheaper };
+        let mut say = |what: &str| terminal::complain(&format!("{}: {what}", scene.name));
+        let impossible = |why: String| Failure::Impossible {
+            what: format!("no reference for scene {}: {why}", scene.name),
+            help: "choose a scene that the exact engine runs to its end".into(),
+        };
+        let measured = work_precision::measure(&scenes, &run, self.repetitions.into(), &mut say).map_err(impossible)?;
+        let drawn = draw(&measured);
+        let failed = |error: crate::plot::PlotError| OutputError::format("plot", error);
+        let mut folder = OutputFolder::create(folder)?;
+        folder.write_bytes("work_precision.svg", drawn.svg().map_err(failed)?.as_bytes())?;
+        folder.write_bytes("work_precision.png", &drawn.png().map_err(failed)?)?;
+        folder.write_bytes("work_precision.md", table::markdown(&measured).as_bytes())?;
+        folder.write_bytes("work_precision.csv", table::csv(&measured).as_bytes())?;
+        let width = terminal::width();
+        let files = report::files(folder.path(), folder.files(), width);
+        terminal::say(&format!(
+            "{}\n\n{}\n{files}",
+            terminal::wrap(&table::words(&measured), width),
+            table::prices(&measured)
+        ));
+        Ok(())
+    }
+}

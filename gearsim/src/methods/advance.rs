@@ -1,0 +1,456 @@
+//! A run by a numerical method: step, look for the first boundary in it, land there, jump.
+//!
+//! The dense output says for certain which boundary it meets first ([`super::root`]); the step is then taken again,
+//! as long as to there, so that states at events are as accurate as steps, not as their interpolation. Laws, jumps and the
+//! account are those of the exact engine. It has no held contact: a phase that is pressed against a step ends as a cascade.
+
+use crate::engine::clock::Clock;
+use crate::engine::crossing::Side;
+use crate::engine::equations::{Equations, Switching};
+use crate::engine::error::{Refusal, Stop};
+use crate::engine::guard::{self, Guard};
+use crate::engine::jump::Passage;
+use crate::engine::law::{self, Law};
+use crate::engine::record::{Recorder, State};
+use crate::engine::simulate::Counts;
+use crate::engine::start;
+use crate::scene::Scene;
+use crate::trajectory::Moment;
+
+use super::control::{Control, Steps};
+use super::dense::Dense;
+use super::field::Field;
+use super::flow::Flow;
+use super::radau::Radau;
+use super::{Method, Trial, root};
+
+/// Where events are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Events {
+    /// Where they happen.
+    Located,
+    /// After the step in which they happened, as programs do that know of none: for comparison.
+    AfterStep,
+}
+
+/// How a run is integrated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// How long steps are.
+    pub steps: Steps,
+    /// Where events are taken.
+    pub events: Events,
+    /// Whether an explicit method may give way to an implicit one where it is held back by stability.
+    pub give_way: bool,
+    /// Steps after which a run is given up.
+    pub most_steps: u64,
+}
+
+/// Steps after which a run is given up: some hours.
+pub const MOST_STEPS: u64 = 10_000_000_000;
+/// Steps held back by stability, one after another, that show a stiff cell.
+const STIFF_STEPS: u32 = 15;
+/// Rejections of one step that end a run.
+const MOST_REJECTED: u32 = 100;
+
+/// A run under way.
+pub struct Advance<'a, const N: usize> {
+    field: Field<'a, N>,
+    method: Box<dyn Method<N>>,
+    settings: Settings,
+    control: Control<N>,
+    guard: Guard,
+    t_end: f64,
+    /// The fastest rate of the motion at the start \[1/s\].
+    fastest: f64,
+    /// The state, and its rate.
+    y: Flow<N>,
+    rate: Flow<N>,
+    stiff: u32,
+    /// The method that takes over with the next step.
+    replacement: Option<Box<dyn Method<N>>>,
+
+    /// Whole turns of each coordinate (N).
+    pub turns: [i64; N],
+    /// Time.
+    pub clock: Clock,
+    /// Events and costs.
+    pub counts: Counts,
+    /// Steps taken, and tried in vain.
+    pub steps: (u64, u64),
+    /// When the method gave way to an implicit one \[s\].
+    pub gave_way: Option<f64>,
+}
+
+/// What is recorded: by whom, at which rate \[1/s\], and whether with the limits at events.
+type Recording<'r, 'e, const N: usize> = Option<(&'r mut Recorder<'e, N>, f64, bool)>;
+
+impl<'a, const N: usize> Advance<'a, N> {
+    /// Prepares a scene.
+    ///
+    /// # Errors
+    /// Where the start is not determined.
+    pub fn new(
+        equations: &'a dyn Equations<N>,
+        scene: &Scene,
+        method: Box<dyn Method<N>>,
+        settings: Settings,
+    ) -> Result<Self, Refusal> {
+        let (state, laws) = start::begin(equations, scene)?;
+        let y = Flow { q: state.q, v: state.q_dot, lost: 0.0 };
+        let mut field = Field::new(equations, laws);
+        let rate = field.rate(0.0, &y);
+        // Speeds that the energy at the start allows, or the forces soon give; the fastest of the motion.
+        let energy = equations.kinetic(&y.v.into()) + equations.potential(&y.q.into(), field.levels(0.0, &y));
+        let [by_q, by_v] = field.jacobian(0.0, &y);
+        let sum = |rows: &[[f64; N]; N]| rows.iter().map(|r| r.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
+        let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(1.0 / scene.t_end);
+        let mobility = equations.mobility();
+        let speeds = std::array::from_fn(|i| (2.0 * energy * mobility[i][i]).sqrt().max(rate.v[i].abs() / fastest));
+        let control = Control::new(settings.steps, &y, speeds, fastest, method.exponent(), scene.t_end);
+        Ok(Advance {
+            field,
+            method,
+            settings,
+            control,
+            guard: Guard::default(),
+            t_end: scene.t_end,
+            fastest,
+            y,
+            rate,
+            stiff: 0,
+            replacement: None,
+            turns: state.turns,
+            clock: Clock::default(),
+            counts: Counts::default(),
+            steps: (0, 0),
+            gave_way: None,
+        })
+    }
+
+    /// Runs to the end, as [`Simulation::run`](crate::engine::simulate::Simulation::run) does.
+    ///
+    /// # Errors
+    /// Where the run cannot go on; what was recorded until then is in the recorder.
+    pub fn run(&mut self, mut recording: Recording<'_, '_, N>, watch: &mut dyn FnMut(f64)) -> Result<(), Stop> {
+        let mut sample = 0;
+        loop {
+            // Step, as far as the run and the laws that switch by time allow.
+            let (left, switch) = self.horizon();
+            let (h, trial) = self.step(left)?;
+            let dense = match h > 0.0 {
+                true => self.method.dense(&mut self.field, &self.y, h, &trial),
+                false => Dense::new(&[self.y]),
+            };
+            // Locate, and land there.
+            let met = self.first_met(&dense);
+            let (taken, trial) = match met {
+                Some((x, law, side)) => self.land(h, x, law, side, &dense),
+                None => (h, trial),
+            };
+            if let Some((recorder, rate, _)) = &mut recording {
+                self.samples(&dense, h, taken, *rate, &mut sample, recorder);
+            }
+            if let Some(method) = self.replacement.take() {
+                self.method = method;
+            }
+            self.clock.advance(taken);
+            self.field.begins = self.clock.now();
+            (self.y, self.rate) = (trial.end, trial.rate);
+            self.control.reach(&self.y);
+            self.counts.cost.evaluations = self.field.evaluations;
+            self.demand_numbers()?;
+            // Jump.
+            let event = met.map(|(_, law, side)| (law, side)).or(switch.filter(|_| taken >= left));
+            if let Some((law, side)) = event {
+                self.pass(law, side, &mut recording)?;
+            } else if self.settings.events == Events::AfterStep {
+                self.catch_up(&mut recording)?;
+            }
+            if event.is_none() && taken >= left {
+                self.clock.set(self.t_end);
+                self.meet_at_the_end(&mut recording)?;
+                recording.into_iter().for_each(|(recorder, ..)| self.note(recorder, Moment::Sample));
+                self.counts.cost.evaluations = self.field.evaluations;
+                return Ok(());
+            }
+            watch(self.clock.now());
+        }
+    }
+
+    /// Time until the step must end, and the law that then switches by time, if one does before the run is over.
+    fn horizon(&self) -> (f64, Option<(usize, Side)>) {
+        let switches = self.field.laws.iter().enumerate().filter_map(|(i, law)| {
+            let (t, side) = law.next_switch()?;
+            Some((self.clock.until(t).max(0.0), Some((i, side))))
+        });
+        let end = (self.clock.until(self.t_end), None);
+        switches.fold(end, |first, other| if other.0 < first.0 { other } else { first })
+    }
+
+    /// A step of at most `left` whose error is small enough: how long, and where it leads.
+    fn step(&mut self, left: f64) -> Result<(f64, Trial<N>), Stop> {
+        let exponent = self.method.exponent();
+        if left <= 0.0 {
+            return Ok((0.0, Trial { end: self.y, rate: self.rate, error: 0.0, stiffness: 0.0 }));
+        }
+        for _ in 0..MOST_REJECTED {
+            let h = self.control.step(left);
+            let t = self.clock.now();
+            if h < left && t + h <= t.next_up() && t > 0.0 {
+                break;
+            }
+            if self.steps.0 + self.steps.1 >= self.settings.most_steps {
+                let (steps, state, cell) = (self.settings.most_steps, self.state().describe(), self.cell());
+                return Err(Stop::Steps { t, steps, state, cell });
+            }
+            let trial = self.method.attempt(&mut self.field, &self.y, &self.rate, h, &self.control.allowed());
+            // A step that leads nowhere is as bad as one whose error is not a number.
+            let usable = trial.filter(|trial| trial.end.is_finite() && trial.rate.is_finite());
+            let error = usable.map_or(f64::NAN, |trial| trial.error);
+            if self.control.accepts(h, error, exponent) {
+                let Some(trial) = usable else { break };
+                self.steps.0 += 1;
+                self.watch_stiffness(&trial);
+                return Ok((h, trial));
+            }
+            self.steps.1 += 1;
+        }
+        let (t, h) = (self.clock.now(), self.control.h);
+        Err(Stop::Step { t, h, method: self.method.name(), state: self.state().describe(), cell: self.cell() })
+    }
+
+    /// Gives way to an implicit method once stability, step after step, is what holds an explicit one back.
+    fn watch_stiffness(&mut self, trial: &Trial<N>) {
+        let Steps::Adaptive(tolerance) = self.settings.steps else { return };
+        if !self.settings.give_way || self.gave_way.is_some() {
+            return;
+        }
+        self.stiff = if trial.stiffness > self.method.stability() { self.stiff + 1 } else { 0 };
+        if self.stiff >= STIFF_STEPS {
+            self.gave_way = Some(self.clock.now());
+            self.replacement = Some(Box::new(Radau::new(tolerance)));
+        }
+    }
+
+    /// The first boundary that the motion of a step meets: at which part of it, which law's, which.
+    fn first_met(&mut self, dense: &Dense<N>) -> Option<(f64, usize, Side)> {
+        if self.settings.events == Events::AfterStep {
+            return None;
+        }
+        let mut first: Option<(f64, usize, Side)> = None;
+        for (i, law) in self.field.laws.iter().enumerate() {
+            if law.switching == Switching::Never && law.pitch.steps_only() || law.next_switch().is_some() {
+                continue;
+            }
+            let (lower, upper) = law.bounds();
+            for (side, bound) in [(Side::Upper, upper), (Side::Lower, lower)] {
+                let (gap, n) = dense.gap(law.phase, bound, side.sign());
+                let found = root::first(&gap[..n], 4.0 * law.rounding());
+                self.counts.cost.steps += found.steps;
+                self.counts.cost.grazes += found.grazes;
+                if let Some(x) = found.root.filter(|x| first.is_none_or(|first| *x < first.0)) {
+                    first = Some((x, i, side));
+                }
+            }
+        }
+        first
+    }
+
+    /// Takes the step that met a boundary at its part `x` again, as long as to there.
+    fn land(&mut self, h: f64, x: f64, law: usize, side: Side, dense: &Dense<N>) -> (f64, Trial<N>) {
+        let (start, rate, allowed) = (self.y, self.rate, self.control.allowed());
+        let interpolated = |field: &mut Field<'_, N>| {
+            let end = dense.at(x);
+            (x * h, Trial { end, rate: field.rate(x * h, &end), error: 0.0, stiffness: 0.0 })
+        };
+        if x == 0.0 {
+            return (0.0, Trial { end: start, rate, error: 0.0, stiffness: 0.0 });
+        }
+        let (phase, rounding) = (self.field.laws[law].phase, self.field.laws[law].rounding());
+        let (lower, upper) = self.field.laws[law].bounds();
+        let bound = if side == Side::Upper { upper } else { lower };
+        let mut taken = x * h;
+        for _ in 0..8 {
+            let Some(mut trial) = self.method.attempt(&mut self.field, &start, &rate, taken, &allowed) else { break };
+            let (gap, speed) = (bound - trial.end.q[phase], trial.end.v[phase]);
+            let dt = gap / speed;
+            if gap.abs() <= rounding {
+                return (taken, trial);
+            }
+            // Turning there, or not there at all: the polynomial has the last word.
+            if !(side.sign() * speed > 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * h) {
+                break;
+            }
+            // So near that two terms of Taylor's series carry the rest.
+            if dt.abs() * self.fastest < 1e-6 {
+                trial.end.q += trial.end.v * dt + trial.rate.v * (0.5 * dt * dt);
+                trial.end.v += trial.rate.v * dt;
+                trial.end.lost += trial.rate.lost * dt;
+                trial.rate = self.field.rate(taken + dt, &trial.end);
+                return (taken + dt, trial);
+            }
+            taken += dt;
+        }
+        interpolated(&mut self.field)
+    }
+
+    /// An event, its left and right limits noted.
+    fn pass(&mut self, law: usize, side: Side, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+        let mut state = self.state();
+        if self.settings.events == Events::Located {
+            self.field.laws[law].snap(side, &mut state);
+        }
+        self.set(state);
+        // A kink is a boundary of a curve, and no event to people.
+        let kink = !self.field.laws[law].pitch.steps_only() && self.field.laws[law].step(side) == 0.0;
+        let noting = matches!(recording, Some((_, _, true))) && !kink;
+        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
+            self.note(recorder, Moment::Before);
+        }
+        self.jump(law, side, kink);
+        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
+            self.note(recorder, Moment::After);
+        }
+        self.demand_numbers()?;
+        self.guard.against_cascades(&self.clock, self.fastest, &self.state(), self.cell())
+    }
+
+    /// Passes a boundary, or is turned back by it.
+    fn jump(&mut self, law: usize, side: Side, kink: bool) {
+        let (equations, mut state) = (self.field.equations, self.state());
+        let laws = &mut self.field.laws;
+        if laws.len() > 1 {
+            self.counts.ambiguous += u64::from(guard::order_matters(equations, laws, &state, law, side));
+        }
+        let passage = match laws[law].switching {
+            Switching::WithJump => {
+                let dv = law::barrier(equations, laws, law, side, &state);
+                laws[law].surface.pass(&mut state.q_dot, side, dv)
+            }
+            _ => Passage::Transmitted,
+        };
+        match passage {
+            Passage::Transmitted => {
+                self.counts.cell_changes += u64::from(!kink);
+                let met: Vec<usize> = law::met(laws, law, side, &state).collect();
+                let phase = laws[law].phase;
+                let turns: i64 = met.into_iter().map(|i| laws[i].enter(side, &mut state)).sum();
+                laws.iter_mut().for_each(|law| law.follow(phase, turns));
+            }
+            Passage::Reflected => self.counts.reflections += 1,
+        }
+        self.set(state);
+        self.field.enter();
+        self.rate = self.field.rate(0.0, &self.y);
+    }
+
+    /// Takes the boundaries that phases were found to have passed in the step, where they are found.
+    fn catch_up(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+        for law in 0..self.field.laws.len() {
+            for side in [Side::Upper, Side::Lower] {
+                loop {
+                    let laws = &self.field.laws[law];
+                    if laws.switching == Switching::Never || laws.next_switch().is_some() {
+                        break;
+                    }
+                    let (lower, upper) = laws.bounds();
+                    let bound = if side == Side::Upper { upper } else { lower };
+                    let over = self.y.q[laws.phase] - bound;
+                    if side.sign() * over < 0.0 || side.sign() * self.y.v[laws.phase] <= 0.0 {
+                        break;
+                    }
+                    let (phase, before) = (laws.phase, self.counts.reflections);
+                    self.pass(law, side, recording)?;
+                    // Entering puts the phase on the boundary; such programs leave it where it is.
+                    if self.counts.reflections == before {
+                        let (lower, upper) = self.field.laws[law].bounds();
+                        self.y.q[phase] = over + if side == Side::Upper { lower } else { upper };
+                        self.rate = self.field.rate(0.0, &self.y);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
+    fn meet_at_the_end(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+        for i in 0..self.field.laws.len() {
+            let law = &self.field.laws[i];
+            let v = law.surface.normal.dot(&self.y.v);
+            let side = if v > 0.0 { Side::Upper } else { Side::Lower };
+            let slack = v.abs() * 0.5 * (self.t_end.next_up() - self.t_end) + 2.0 * law.rounding();
+            if v != 0.0 && law.is_at(side, &self.state(), slack) {
+                self.pass(i, side, recording)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn samples(
+        &mut self,
+        dense: &Dense<N>,
+        h: f64,
+        taken: f64,
+        rate: f64,
+        next: &mut u64,
+        recorder: &mut Recorder<'_, N>,
+    ) {
+        loop {
+            let at = *next as f64 / rate;
+            let tau = self.clock.until(at);
+            // The end of the run is noted by itself; a sample at a boundary belongs to the cell it ends.
+            if tau > taken || at >= self.t_end {
+                return;
+            }
+            let y = if h > 0.0 { dense.at((tau / h).clamp(0.0, 1.0)) } else { self.y };
+            let state = State { q: y.q, q_dot: y.v, turns: self.turns };
+            let lost = (y.lost, 0.0);
+            recorder.row(at, Moment::Sample, &state, self.field.levels(tau, &y), lost);
+            *next += 1;
+        }
+    }
+
+    /// Notes the state as it is.
+    pub fn note(&mut self, recorder: &mut Recorder<'_, N>, moment: Moment) {
+        let (state, y) = (self.state(), self.y);
+        recorder.row(self.clock.now(), moment, &state, self.field.levels(0.0, &y), (y.lost, 0.0));
+    }
+
+    fn demand_numbers(&self) -> Result<(), Stop> {
+        if self.y.is_finite() && self.rate.is_finite() {
+            return Ok(());
+        }
+        Err(Stop::NotFinite { t: self.clock.now(), state: self.state().describe(), cell: self.cell() })
+    }
+
+    /// The state as the engine has it.
+    pub fn state(&self) -> State<N> {
+        State { q: self.y.q, q_dot: self.y.v, turns: self.turns }
+    }
+
+    fn set(&mut self, state: State<N>) {
+        (self.y.q, self.y.v, self.turns) = (state.q, state.q_dot, state.turns);
+    }
+
+    /// The laws' values now.
+    pub fn levels(&mut self) -> Vec<f64> {
+        let y = self.y;
+        self.field.levels(0.0, &y).to_vec()
+    }
+
+    fn cell(&self) -> usize {
+        self.field.laws.iter().rev().fold(0, |index, law| index * law.pitch.cells() + law.cell)
+    }
+
+    /// Length of one turn of each coordinate (N): the pitch, where it rolls.
+    pub fn turn_lengths(&self) -> [f64; N] {
+        std::array::from_fn(|i| self.field.laws.iter().find(|l| l.phase == i).map_or(0.0, Law::turn))
+    }
+
+    /// The name of the method at work.
+    pub fn method(&self) -> &'static str {
+        self.method.name()
+    }
+}

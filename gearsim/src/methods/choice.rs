@@ -1,0 +1,79 @@
+//! Which method runs a scene, and why.
+
+use crate::engine::error::Refusal;
+use crate::engine::law::Law;
+use crate::model::Model;
+use crate::scene::Scene;
+use crate::scene::solver::Method as Name;
+
+use super::Method;
+use super::advance::{Events, MOST_STEPS, Settings};
+use super::control::Steps;
+use super::dop853::DOP853;
+use super::dopri5::DOPRI5;
+use super::explicit::Explicit;
+use super::radau::Radau;
+use super::rk4::RK4;
+
+/// The method of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// Which.
+    pub method: Name,
+    /// Whether it may give way to the implicit one.
+    pub give_way: bool,
+    /// Why, in words.
+    pub why: String,
+}
+
+/// Tolerance below which the method of high order is the cheaper one.
+const HIGH_ORDER: f64 = 1e-7;
+
+/// What is not constant within the cells of `laws`, in words; `None` where all stiffnesses are.
+pub fn curved<const N: usize>(model: &Model, laws: &[Law<N>]) -> Option<String> {
+    let curved: Vec<_> = model.laws.iter().zip(laws).filter(|(_, law)| !law.pitch.steps_only()).collect();
+    let names: Vec<_> = curved.iter().map(|(law, _)| format!("{}({})", law.name, law.phase)).collect();
+    (!names.is_empty()).then(|| format!("{} varies within a cell, in V and its forces", names.join(", ")))
+}
+
+/// The method for `scene`, with its laws as they start.
+///
+/// # Errors
+/// Where the scene names the exact one, and its cells are not linear.
+pub fn of<const N: usize>(scene: &Scene, laws: &[Law<N>]) -> Result<Choice, Refusal> {
+    let terms = match scene.model.nonlinear {
+        "" => curved(scene.model, laws),
+        terms => Some(terms.into()),
+    };
+    let named = |method| Choice { method, give_way: false, why: "the scene names it".into() };
+    match (scene.solver.method, terms) {
+        (Some(Name::Exact), Some(terms)) => Err(Refusal::Nonlinear { terms }),
+        (Some(method), _) => Ok(named(method)),
+        (None, None) => {
+            let why = "every cell is linear: M q'' + C q' + K q = f with constant M, C, K, f".into();
+            Ok(Choice { method: Name::Exact, give_way: false, why })
+        }
+        (None, Some(terms)) => {
+            let high = scene.solver.tolerance < HIGH_ORDER;
+            let method = if high { Name::Dop853 } else { Name::Dopri5 };
+            Ok(Choice { method, give_way: true, why: format!("cells are not linear: {terms}") })
+        }
+    }
+}
+
+/// The method of a name and how it is to be run; `None` for the exact one, which is not a numerical method.
+pub fn numerical<const N: usize>(choice: &Choice, scene: &Scene) -> Option<(Box<dyn Method<N>>, Settings)> {
+    let method: Box<dyn Method<N>> = match choice.method {
+        Name::Exact => return None,
+        Name::Dopri5 => Box::new(Explicit::new(DOPRI5)),
+        Name::Dop853 => Box::new(Explicit::new(DOP853)),
+        Name::Rk4 | Name::Rk4Grid => Box::new(Explicit::new(RK4)),
+        Name::Radau => Box::new(Radau::new(scene.solver.tolerance)),
+    };
+    let steps = match scene.solver.step {
+        Some(h) if choice.method.has_fixed_steps() => Steps::Fixed(h),
+        _ => Steps::Adaptive(scene.solver.tolerance),
+    };
+    let events = if choice.method == Name::Rk4Grid { Events::AfterStep } else { Events::Located };
+    Some((method, Settings { steps, events, give_way: choice.give_way, most_steps: MOST_STEPS }))
+}

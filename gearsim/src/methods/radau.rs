@@ -1,0 +1,221 @@
+//! Radau IIA of order 5: implicit, for stiff cells.
+//!
+//! Collocation at c = (4 -+ sqrt 6)/10, 1: Z_i = h sum_j a_ij f(y + Z_j), by a simplified Newton method in the coordinates
+//! W = T⁻¹Z in which A⁻¹ is diagonal: one real and one complex system of N equations, since the coordinates' rates are the
+//! speeds. Error: the embedded formula of order 3. Hairer & Wanner, Solving Ordinary Differential Equations II (1996), IV.8;
+//! the numbers of T are those of their code `radau5`.
+
+use nalgebra::{Complex, ComplexField, DMatrix, DVector, Dyn, LU};
+
+use super::dense::Dense;
+use super::field::Field;
+use super::flow::{Flow, Scale};
+use super::{Method, Trial};
+
+/// The eigenvectors of A: Z = T W.
+const T: [[f64; 3]; 3] = [
+    [0.09443876248897524, -0.1412552950209542, 0.03002919410514742],
+    [0.2502131229653333, 0.20412935229379994, -0.3829421127572619],
+    [1.0, 1.0, 0.0],
+];
+const T_INVERSE: [[f64; 3]; 3] = [
+    [4.178718591551904, 0.32768282076106237, 0.5233764454994495],
+    [-4.178718591551904, -0.32768282076106237, 0.4766235545005505],
+    [0.5028726349457868, -2.571926949855605, 0.5960392048282249],
+];
+/// Newton's iterations before a shorter step is tried.
+const MOST_NEWTON: u32 = 8;
+
+/// The method at work.
+#[derive(Debug, Clone)]
+pub struct Radau<const N: usize> {
+    /// Error allowed in Newton's method, in parts of the error allowed in a step.
+    newton: f64,
+    /// The stages' displacements Z of the last attempt.
+    z: [Flow<N>; 3],
+}
+
+/// gamma I - J of one of the two systems, its rates of the coordinates eliminated.
+struct System<T: ComplexField, const N: usize> {
+    gamma: T,
+    by_v: DMatrix<f64>,
+    lu: LU<T, Dyn, Dyn>,
+}
+
+impl<T: ComplexField<RealField = f64> + Copy, const N: usize> System<T, N> {
+    /// (gamma² I - gamma J_v - J_q) x = r_v + gamma r_q - J_v r_q, x_v = gamma x_q - r_q.
+    fn new(gamma: T, [by_q, by_v]: &[DMatrix<f64>; 2]) -> Self {
+        let lift = |x: f64| T::from_real(x);
+        let matrix = DMatrix::from_fn(N, N, |i, j| {
+            let unit = if i == j { gamma * gamma } else { T::zero() };
+            unit - gamma * lift(by_v[(i, j)]) - lift(by_q[(i, j)])
+        });
+        System { gamma, by_v: by_v.clone(), lu: matrix.lu() }
+    }
+
+    fn solve(&self, r_q: &DVector<T>, r_v: &DVector<T>) -> Option<(DVector<T>, DVector<T>)> {
+        let damped =
+            DVector::from_fn(N, |i, _| (0..N).fold(T::zero(), |sum, j| sum + T::from_real(self.by_v[(i, j)]) * r_q[j]));
+        let right = DVector::from_fn(N, |i, _| r_v[i] + self.gamma * r_q[i] - damped[i]);
+        let q = self.lu.solve(&right)?;
+        let v = DVector::from_fn(N, |i, _| self.gamma * q[i] - r_q[i]);
+        Some((q, v))
+    }
+}
+
+impl<const N: usize> Radau<N> {
+    /// The method at a relative tolerance.
+    pub fn new(tolerance: f64) -> Self {
+        let newton = (10.0 * f64::EPSILON / tolerance).max(tolerance.sqrt().min(0.03));
+        Radau { newton, z: [Flow::zero(); 3] }
+    }
+
+    fn nodes() -> [f64; 3] {
+        let s = 6f64.sqrt();
+        [(4.0 - s) / 10.0, (4.0 + s) / 10.0, 1.0]
+    }
+
+    /// A real eigenvalue of A⁻¹, and one of the complex pair.
+    fn eigenvalues() -> (f64, Complex<f64>) {
+        let (a, b) = (3f64.powf(1.0 / 3.0), 3f64.powf(2.0 / 3.0));
+        let imaginary = -0.5 * (3f64.powf(5.0 / 6.0) + 3f64.powf(7.0 / 6.0));
+        (3.0 + b - a, Complex::new(3.0 + 0.5 * (a - b), imaginary))
+    }
+
+    fn combine(factors: &[f64; 3], of: &[Flow<N>; 3]) -> Flow<N> {
+        (0..3).fold(Flow::zero(), |sum, i| sum.plus(factors[i], &of[i]))
+    }
+
+    /// Solves for the stages; `None` where Newton's method does not converge.
+    fn stages(
+        &self,
+        field: &mut Field<'_, N>,
+        start: &Flow<N>,
+        h: f64,
+        scale: &Scale<N>,
+        real: &System<f64, N>,
+        complex: &System<Complex<f64>, N>,
+    ) -> Option<[Flow<N>; 3]> {
+        let nodes = Self::nodes();
+        let mut w = [Flow::zero(); 3];
+        let mut z = [Flow::zero(); 3];
+        let mut before: Option<f64> = None;
+        for iteration in 0..MOST_NEWTON {
+            let f: [Flow<N>; 3] = std::array::from_fn(|i| field.rate(nodes[i] * h, &start.plus(1.0, &z[i])));
+            let g: [Flow<N>; 3] = std::array::from_fn(|i| Self::combine(&T_INVERSE[i], &f));
+            // Residuals: T⁻¹f - gamma W.
+            let residual = |flow: &Flow<N>, w: &Flow<N>, gamma: f64| flow.plus(-gamma, w);
+            let r = residual(&g[0], &w[0], real.gamma);
+            let of = |v: &nalgebra::SVector<f64, N>| DVector::from_iterator(N, v.iter().copied());
+            let (dq, dv) = real.solve(&of(&r.q), &of(&r.v))?;
+            let pair = |a: &nalgebra::SVector<f64, N>, b: &nalgebra::SVector<f64, N>| {
+                DVector::from_fn(N, |i, _| Complex::new(a[i], b[i]))
+            };
+            let (wq, wv) = (pair(&w[1].q, &w[2].q), pair(&w[1].v, &w[2].v));
+            let (rq, rv) = (pair(&g[1].q, &g[2].q), pair(&g[1].v, &g[2].v));
+            let (cq, cv) = complex.solve(&(rq - wq * complex.gamma), &(rv - wv * complex.gamma))?;
+            let mut dw = [Flow::zero(); 3];
+            for i in 0..N {
+                (dw[0].q[i], dw[0].v[i]) = (dq[i], dv[i]);
+                (dw[1].q[i], dw[1].v[i]) = (cq[i].re, cv[i].re);
+                (dw[2].q[i], dw[2].v[i]) = (cq[i].im, cv[i].im);
+            }
+            let size = dw.iter().map(|dw| scale.norm(dw)).fold(0.0, f64::max);
+            if !size.is_finite() {
+                return None;
+            }
+            for i in 0..3 {
+                w[i].add(1.0, &dw[i]);
+            }
+            z = std::array::from_fn(|i| Self::combine(&T[i], &w));
+            let Some(before) = before.replace(size) else { if size == 0.0 { break } else { continue } };
+            let rate = size / before;
+            if size == 0.0 || (rate < 1.0 && rate / (1.0 - rate) * size < self.newton) {
+                break;
+            }
+            let left = (MOST_NEWTON - 1 - iteration) as i32;
+            if rate >= 1.0 || rate.powi(left) / (1.0 - rate) * size > self.newton {
+                return None;
+            }
+        }
+        // The quadrature, by the collocation's own weights: Z = h A f.
+        let lost: [f64; 3] = std::array::from_fn(|i| 2.0 * field.equations.dissipation(&(start.v + z[i].v).data.0[0]));
+        for (z, row) in z.iter_mut().zip(weights()) {
+            z.lost = h * (0..3).map(|j| row[j] * lost[j]).sum::<f64>();
+        }
+        Some(z)
+    }
+}
+
+/// A of Radau IIA.
+fn weights() -> [[f64; 3]; 3] {
+    let s = 6f64.sqrt();
+    [
+        [(88.0 - 7.0 * s) / 360.0, (296.0 - 169.0 * s) / 1800.0, (-2.0 + 3.0 * s) / 225.0],
+        [(296.0 + 169.0 * s) / 1800.0, (88.0 + 7.0 * s) / 360.0, (-2.0 - 3.0 * s) / 225.0],
+        [(16.0 - s) / 36.0, (16.0 + s) / 36.0, 1.0 / 9.0],
+    ]
+}
+
+impl<const N: usize> Method<N> for Radau<N> {
+    fn name(&self) -> &'static str {
+        "radau"
+    }
+
+    fn exponent(&self) -> f64 {
+        0.25
+    }
+
+    fn stability(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn attempt(
+        &mut self,
+        field: &mut Field<'_, N>,
+        start: &Flow<N>,
+        rate: &Flow<N>,
+        h: f64,
+        scale: &Scale<N>,
+    ) -> Option<Trial<N>> {
+        let jacobian = field.jacobian(0.0, start).map(|rows| DMatrix::from_fn(N, N, |i, j| rows[i][j]));
+        let (mu, nu) = Self::eigenvalues();
+        let real = System::<f64, N>::new(mu / h, &jacobian);
+        let complex = System::<Complex<f64>, N>::new(nu / h, &jacobian);
+        // Newton's error is measured in units of the error allowed.
+        self.z = self.stages(field, start, h, scale, &real, &complex)?;
+        let end = start.plus(1.0, &self.z[2]);
+        let at_end = field.rate(h, &end);
+
+        // (mu/h I - J)⁻¹ (f_0 + E Z/h); where a stiff part outweighs all, once more through f.
+        let s = 6f64.sqrt();
+        let e = Self::combine(&[(-13.0 - 7.0 * s) / 3.0, (-13.0 + 7.0 * s) / 3.0, -1.0 / 3.0], &self.z);
+        let filtered = |r: &Flow<N>| {
+            let of = |v: &nalgebra::SVector<f64, N>| DVector::from_iterator(N, v.iter().copied());
+            let (q, v) = real.solve(&of(&r.q), &of(&r.v))?;
+            let mut error = Flow::zero();
+            for i in 0..N {
+                (error.q[i], error.v[i]) = (q[i], v[i]);
+            }
+            Some(error)
+        };
+        let mut error = filtered(&rate.plus(1.0 / h, &e))?;
+        if scale.norm(&error) > 1.0 {
+            let again = field.rate(0.0, &start.plus(1.0, &error));
+            error = filtered(&again.plus(1.0 / h, &e))?;
+        }
+        Some(Trial { end, rate: at_end, error: scale.norm(&error), stiffness: 0.0 })
+    }
+
+    /// The collocation's own polynomial: through the start and the three stages.
+    fn dense(&mut self, _: &mut Field<'_, N>, start: &Flow<N>, _: f64, _: &Trial<N>) -> Dense<N> {
+        let s = 6f64.sqrt();
+        let powers = [
+            [13.0 / 3.0 + 7.0 * s / 3.0, 13.0 / 3.0 - 7.0 * s / 3.0, 1.0 / 3.0],
+            [-23.0 / 3.0 - 22.0 * s / 3.0, -23.0 / 3.0 + 22.0 * s / 3.0, -8.0 / 3.0],
+            [10.0 / 3.0 + 5.0 * s, 10.0 / 3.0 - 5.0 * s, 10.0 / 3.0],
+        ];
+        let [a, b, c] = powers.map(|factors| Self::combine(&factors, &self.z));
+        Dense::new(&[*start, a, b, c])
+    }
+}

@@ -1,0 +1,228 @@
+//! The first root of a polynomial in (0, 1], found for certain: by Bernstein coefficients.
+//!
+//! On an interval a polynomial lies within the span of its Bernstein coefficients, and has no more roots there than these
+//! change sign (Farouki & Rajan 1987, CAGD 4(3)). All of one sign: no root. One change: one root, bracketed.
+//! Otherwise the interval is halved (de Casteljau) and the left half looked at first. Double roots are found, or ruled out, as
+//! any other; a touch that does not pass by more than the tolerance is a graze: no root, counted.
+
+/// Most coefficients.
+const MOST: usize = 8;
+/// Halvings after which an interval is a point.
+const DEEPEST: u32 = 52;
+
+/// What a search has met.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Found {
+    /// The first root, from positive values to negative ones.
+    pub root: Option<f64>,
+    /// Intervals looked at.
+    pub steps: u64,
+    /// Touches without passing.
+    pub grazes: u64,
+}
+
+/// The first x in \[0, 1\] at which the polynomial sum c_j x^j, positive from there on down to 0, turns negative.
+///
+/// A root at 0 is one only if the polynomial is negative right after it; then 0 is found. One at 1 is found where the next
+/// step begins. Values within `tolerance` of zero are told from it only by where they lead.
+pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
+    let mut c = coefficients.to_vec();
+    // Beyond by rounding, and on its way in: it starts on the boundary.
+    if c[0] < 0.0 && c[0] >= -tolerance && c.get(1).is_some_and(|c| *c > 0.0) {
+        c[0] = 0.0;
+    }
+    // A root at 0 is taken out: what is left has the same sign from there on.
+    let Some(order) = c.iter().position(|c| *c != 0.0) else { return Found::default() };
+    if c[order] < 0.0 {
+        return Found { root: Some(0.0), steps: 1, grazes: 0 };
+    }
+    let c = &c[order..];
+    search(&bernstein(c), c, order as i32, tolerance)
+}
+
+/// An interval, and the Bernstein coefficients on it.
+#[derive(Clone, Copy)]
+struct Piece {
+    low: f64,
+    width: f64,
+    depth: u32,
+    b: [f64; MOST],
+}
+
+fn search(b: &[f64; MOST], c: &[f64], order: i32, tolerance: f64) -> Found {
+    let n = c.len();
+    let mut found = Found::default();
+    let mut stack = vec![Piece { low: 0.0, width: 1.0, depth: 0, b: *b }];
+    while let Some(Piece { low, width, depth, b }) = stack.pop() {
+        found.steps += 1;
+        let b_of = &b[..n];
+        if b_of.iter().all(|b| *b > 0.0) {
+            continue;
+        }
+        let high = low + width;
+        let changes = b_of.windows(2).filter(|b| (b[0] > 0.0) != (b[1] > 0.0)).count();
+        if changes == 1 && b[0] > 0.0 && b[n - 1] < 0.0 {
+            found.root = Some(bisect(c, low, high, &mut found.steps));
+            return found;
+        }
+        // The depth in the polynomial itself, of which `order` roots at 0 were taken out.
+        let depth_here = b_of.iter().fold(0.0f64, |m, b| m.max(b.abs())) * high.powi(order);
+        if depth == DEEPEST || depth_here <= tolerance {
+            if b[n - 1] < 0.0 && (depth_here > tolerance || evaluate(c, high) < 0.0 && leads_out(c, high)) {
+                found.root = Some(high);
+                return found;
+            }
+            // Where the step ends on the boundary, the next one tells.
+            found.grazes += u64::from(high < 1.0 && b[n - 1] >= 0.0 && b_of.iter().any(|b| *b <= 0.0));
+            continue;
+        }
+        let (left, right) = halves(&b, n);
+        let width = 0.5 * width;
+        stack.push(Piece { low: low + width, width, depth: depth + 1, b: right });
+        stack.push(Piece { low, width, depth: depth + 1, b: left });
+    }
+    found
+}
+
+/// Whether the polynomial falls at x.
+fn leads_out(c: &[f64], x: f64) -> bool {
+    c.iter().enumerate().skip(1).rev().fold(0.0, |sum, (j, c)| sum * x + j as f64 * c) < 0.0
+}
+
+/// The Bernstein coefficients on \[0, 1\]: b_j = sum_{i<=j} (j over i)/(d over i) c_i.
+fn bernstein(c: &[f64]) -> [f64; MOST] {
+    let d = c.len() - 1;
+    let mut b = [0.0; MOST];
+    for (j, b) in b.iter_mut().enumerate().take(d + 1) {
+        let mut weight = 1.0;
+        for (i, c) in c.iter().enumerate().take(j + 1) {
+            *b += weight * c;
+            weight *= (j - i) as f64 / (d - i).max(1) as f64;
+        }
+    }
+    b
+}
+
+/// The coefficients on the two halves (de Casteljau).
+fn halves(b: &[f64; MOST], n: usize) -> ([f64; MOST], [f64; MOST]) {
+    let (mut left, mut right) = ([0.0; MOST], *b);
+    for (i, left) in left.iter_mut().enumerate().take(n) {
+        *left = right[0];
+        for j in 0..n - 1 - i {
+            right[j] = 0.5 * (right[j] + right[j + 1]);
+        }
+    }
+    (left, right)
+}
+
+fn evaluate(c: &[f64], x: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
+/// The only root between `low` (positive) and `high` (negative), by Newton's method in a bracket.
+fn bisect(c: &[f64], mut low: f64, mut high: f64, steps: &mut u64) -> f64 {
+    let mut x = 0.5 * (low + high);
+    for _ in 0..200 {
+        *steps += 1;
+        let (mut f, mut slope) = (0.0, 0.0);
+        for c in c.iter().rev() {
+            slope = slope * x + f;
+            f = f * x + c;
+        }
+        if f > 0.0 {
+            low = x
+        } else {
+            high = x
+        }
+        let newton = x - f / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= f64::EPSILON * x || high - low <= f64::EPSILON * high {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coefficients of prod (x_i - x): positive at 0 for roots above it.
+    fn with_roots(roots: &[f64]) -> Vec<f64> {
+        roots.iter().fold(vec![1.0], |c, root| {
+            let mut product = vec![0.0; c.len() + 1];
+            for (i, c) in c.iter().enumerate() {
+                product[i] += root * c;
+                product[i + 1] -= c;
+            }
+            product
+        })
+    }
+
+    #[test]
+    fn the_first_of_several_roots() {
+        for roots in
+            [&[0.3, 0.7, 0.9][..], &[0.5], &[0.2, 0.201, 0.9], &[1e-6, 0.5, 2.0], &[0.4, 0.4, 0.4], &[0.999_999]]
+        {
+            let found = first(&with_roots(roots), 1e-15);
+            // A root of multiplicity m is known to the m-th root of the rounding.
+            let slack = if roots == [0.4, 0.4, 0.4] { 2e-5 } else { 1e-13 };
+            assert!((found.root.unwrap() - roots[0]).abs() < slack, "{roots:?}: {found:?}");
+        }
+    }
+
+    /// A dip of any width is found if it passes, and ruled out if it does not: its depth against the tolerance decides.
+    #[test]
+    fn dips() {
+        for k in 2..7 {
+            let half = 10f64.powi(-k);
+            let (a, b) = (0.37 - half, 0.37 + half);
+            let found = first(&with_roots(&[a, b, 3.0]), 1e-15);
+            assert!((found.root.unwrap() - a).abs() < 1e-9, "{k}: {found:?}");
+            // The same dip, lifted by twice its depth.
+            let mut c = with_roots(&[a, b, 3.0]);
+            c[0] += 2.0 * half * half * 2.63;
+            assert_eq!(first(&c, 1e-15).root, None, "{k}");
+        }
+        let touch = first(&with_roots(&[0.5, 0.5]), 1e-14);
+        assert_eq!((touch.root, touch.grazes > 0), (None, true));
+    }
+
+    #[test]
+    fn at_the_ends() {
+        // Moving in from the boundary: none, or the return to it.
+        assert_eq!(first(&[0.0, 1.0, 0.0], 1e-15).root, None);
+        assert!((first(&[0.0, 1.0, -2.0], 1e-15).root.unwrap() - 0.5).abs() < 1e-15);
+        // Moving out: at once; at rest, by what comes next.
+        assert_eq!(first(&[0.0, -1.0, 9.0], 1e-15).root, Some(0.0));
+        assert_eq!(first(&[0.0, 0.0, -1.0], 1e-15).root, Some(0.0));
+        assert_eq!(first(&[0.0, 0.0, 1.0], 1e-15).root, None);
+        assert_eq!(first(&[0.0, 0.0, 0.0], 1e-15).root, None);
+        // At the end of the step: the next one begins with it.
+        assert_eq!(first(&[1.0, -1.0], 1e-15).root, None);
+        // Beyond by rounding, and coming back.
+        assert_eq!(first(&[-1e-16, 1.0], 1e-15).root, None);
+    }
+
+    /// Against a scan: random polynomials of every degree; where the scan sees a change of sign, the root is no later than it.
+    #[test]
+    fn random_polynomials_against_a_scan() {
+        let mut seed = 1u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        for i in 0..20_000 {
+            let mut c: Vec<f64> = (0..2 + i % 7).map(|_| random()).collect();
+            c[0] = c[0].abs() * 0.1 + 1e-3;
+            let seen = (1..=1000).map(|i| f64::from(i) / 1000.0).find(|x| evaluate(&c, *x) < 0.0);
+            let found = first(&c, 1e-15).root;
+            match (found, seen) {
+                (Some(x), Some(seen)) => assert!(x <= seen && evaluate(&c, x).abs() < 1e-12, "{c:?}: {x} {seen}"),
+                (Some(x), None) => assert!(evaluate(&c, x).abs() < 1e-12 && leads_out(&c, x), "{c:?}: {x}"),
+                (None, seen) => assert_eq!(seen, None, "{c:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Methods against the exact engine, on scenes whose cells are linear: orders, events, accounts; and their ends.
+
+use crate::engine::equations::Equations;
+use crate::engine::outcome::{Outcome, equations};
+use crate::engine::record::Recorder;
+use crate::engine::{Refusal, Stop};
+use crate::generated::MODELS;
+use crate::generated::gear_pair::GearPair;
+use crate::model::Model;
+use crate::scene::Scene;
+use crate::trajectory::{Moment, Trajectory};
+
+mod smooth;
+
+use super::Method;
+use super::advance::{Advance, Events, MOST_STEPS, Settings};
+use super::control::Steps;
+use super::dop853::DOP853;
+use super::dopri5::DOPRI5;
+use super::explicit::Explicit;
+use super::radau::Radau;
+use super::rk4::RK4;
+
+/// The paper's gear pair, 0.02 s of it.
+const SCENE: &str = r#"
+model = "gear_pair"
+effects = ["stiffness_step", "damping", "torques"]
+[parameters]
+I1 = "2890 kg*mm^2"
+I2 = "740200 kg*mm^2"
+zeta = 0.05
+T0 = "10 N*m"
+[laws.k]
+steps = [{ value = "1.43 kN*m", width = "1.73 rad" }, { value = "2.78 kN*m" }]
+[start]
+speed = "600 rpm"
+[run]
+t_end = "0.02 s"
+[output]
+rate = "5 kHz"
+"#;
+
+pub(super) fn scene(overrides: &[&str]) -> Scene {
+    let overrides: Vec<_> = overrides.iter().map(|text| text.to_string()).collect();
+    let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
+    Scene::parse("test", "test", SCENE, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+}
+
+pub(super) fn run(overrides: &[&str]) -> Outcome {
+    let outcome = try_run(overrides).unwrap();
+    assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
+    outcome
+}
+
+fn try_run(overrides: &[&str]) -> Result<Outcome, Refusal> {
+    let scene = scene(overrides);
+    let entry = MODELS.iter().find(|m| m.model.name == scene.model.name).unwrap();
+    (entry.run)(&scene, &mut |_| {})
+}
+
+/// The largest difference of two trajectories' rows, each column in units of its own largest value, or a millionth of the
+/// largest of all: a coordinate at rest has roundings only.
+pub(super) fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
+    assert_eq!(a.moment, b.moment);
+    let largest = b.q_dot.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+    let columns = a.q.iter().zip(&b.q).chain(a.q_dot.iter().zip(&b.q_dot));
+    let columns = columns.chain([(&a.dissipated, &b.dissipated)]);
+    let mut most = 0.0f64;
+    for (a, b) in columns {
+        let size = b.iter().fold(1e-6 * largest, |m, x| m.max(x.abs()));
+        most = a.iter().zip(b).fold(most, |m, (a, b)| m.max((a - b).abs() / size));
+    }
+    most
+}
+
+fn methods() -> Vec<(Box<dyn Method<2>>, u32)> {
+    vec![
+        (Box::new(Explicit::new(RK4)), 4),
+        (Box::new(Explicit::new(DOPRI5)), 5),
+        (Box::new(Explicit::new(DOP853)), 8),
+        (Box::new(Radau::new(1e-13)), 5),
+    ]
+}
+
+/// A run by `method` in steps of length `h`, with the end row alone or with samples.
+fn fixed(equations: &dyn Equations<2>, scene: &Scene, method: Box<dyn Method<2>>, h: f64) -> Trajectory {
+    let (steps, events) = (Steps::Fixed(h), Events::Located);
+    let settings = Settings { steps, events, give_way: false, most_steps: MOST_STEPS };
+    let mut advance = Advance::new(equations, scene, method, settings).unwrap();
+    let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
+    let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
+    advance.run(Some((&mut recorder, scene.output.rate, scene.output.events)), &mut |_| {}).unwrap();
+    recorder.trajectory
+}
+
+/// In steps of one length, through a dozen steps of the stiffness: states at events and at the end converge to the exact ones
+/// with the order of the method. An error of the event layer above the method's own would show as a lower order.
+#[test]
+fn methods_keep_their_orders_through_jumps() {
+    let exact = run(&["output.rate=\"50 Hz\""]).trajectory;
+    let scene = scene(&["output.rate=\"50 Hz\""]);
+    let equations = equations::<GearPair, 2>(&scene).unwrap();
+    assert!(exact.moment.iter().filter(|m| **m == Moment::Before).count() >= 8);
+    for i in 0..methods().len() {
+        let (name, order) = (methods()[i].0.name(), methods()[i].1);
+        let coarse = if order == 8 { 1e-4 } else { 1.5e-5 };
+        let errors: Vec<f64> = [1.0, 0.5, 0.25]
+            .map(|part| fixed(&*equations, &scene, methods().swap_remove(i).0, coarse * part))
+            .iter()
+            .map(|run| difference(run, &exact))
+            .collect();
+        let slope = (errors[0] / errors[2]).log2() / 2.0;
+        println!("{name}: {errors:?}, slope {slope:.2}");
+        // Two halvings: the next order's share of the error is a few per cent of the slope.
+        assert!((slope - f64::from(order)).abs() < 0.5, "{name}: slope {slope} of {errors:?}");
+    }
+}
+
+/// What is interpolated within steps falls at least as h^(order of the dense output + 1), as far as the method's own order lets it.
+#[test]
+fn dense_output_has_its_order() {
+    let overrides = ["output.events=false", "run.t_end=\"0.003 s\"", "output.rate=\"70 kHz\""];
+    let exact = run(&overrides).trajectory;
+    let scene = scene(&overrides);
+    let equations = equations::<GearPair, 2>(&scene).unwrap();
+    for (i, expected) in [4.0, 5.0, 8.0, 4.0].into_iter().enumerate() {
+        let coarse = if i == 2 { 1e-4 } else { 1.5e-5 };
+        let error = |part| difference(&fixed(&*equations, &scene, methods().swap_remove(i).0, coarse * part), &exact);
+        let (coarse, fine) = (error(1.0), error(0.25));
+        let slope = (coarse / fine).log2() / 2.0;
+        println!("{}: {coarse:e}, {fine:e}, slope {slope:.2}", methods()[i].0.name());
+        assert!(slope > expected - 0.5, "{}: slope {slope}", methods()[i].0.name());
+    }
+}
+
+/// Adaptive methods: errors within a hundred tolerances (a dozen events, two hundred oscillations), and the same events.
+#[test]
+fn adaptive_methods_meet_their_tolerance() {
+    let exact = run(&[]);
+    for method in ["dopri5", "dop853", "radau"] {
+        for k in [6, 8, 10] {
+            let overrides = [format!("run.method={method:?}"), format!("run.tolerance=1e-{k}")];
+            let outcome = run(&[&overrides[0], &overrides[1]]);
+            let error = difference(&outcome.trajectory, &exact.trajectory);
+            println!("{method} 1e-{k}: {error:e}, {:?}, {}", outcome.solver, outcome.counts.cost.evaluations);
+            assert!(error < 100.0 * 10f64.powi(-k), "{method} at 1e-{k}: {error:e}");
+            assert_eq!(outcome.counts.cell_changes, exact.counts.cell_changes);
+            assert_eq!((outcome.solver.method, outcome.counts.cost.grazes), (method, 0));
+        }
+    }
+}
+
+/// Backwards, without damping, under the cheaper equations, and turned back: event by event what the exact engine does.
+#[test]
+fn the_same_events_as_the_exact_engine() {
+    let cases: &[&[&str]] = &[
+        &["start.speed=\"-600 rpm\""],
+        &["effects=[\"stiffness_step\"]", "start.phi=\"0.004 rad\""],
+        &["effects=[\"stiffness_step\", \"rigid_kinematics\", \"torques\"]"],
+        &["effects=[\"stiffness_step\", \"frozen_phase\", \"damping\", \"torques\"]"],
+        &["effects=[\"torques\"]"],
+        &["start.speed=\"60 rpm\"", "parameters.T0=\"40 N*m\""],
+        &["start.speed=0", "start.theta=\"1.7 rad\"", "start.phi=\"0.02 rad\""],
+        // One rounding before a step; on it.
+        &["start.theta=\"1.7299999999999998 rad\""],
+        &["start.theta=\"1.73 rad\""],
+    ];
+    for case in cases {
+        let exact = run(case);
+        let events = exact.counts.cell_changes + exact.counts.reflections;
+        for method in ["dopri5", "dop853", "radau"] {
+            let method = format!("run.method={method:?}");
+            let mut overrides = vec![&method[..], "run.tolerance=1e-11"];
+            overrides.extend(*case);
+            let outcome = run(&overrides);
+            let found = (outcome.counts.cell_changes, outcome.counts.reflections);
+            assert_eq!(found, (exact.counts.cell_changes, exact.counts.reflections), "{case:?} {method}");
+            // Each event may multiply an error; these runs have at most 60.
+            let error = difference(&outcome.trajectory, &exact.trajectory);
+            println!("{case:?} {method}: {events} events, {error:e}");
+            assert!(error < 1e-6, "{case:?} {method}: {error:e}");
+            let account = outcome.trajectory.residual.iter().zip(&exact.trajectory.residual);
+            let unaccounted = account.fold(0.0f64, |m, (a, b)| m.max((a - b).abs())) / exact.energy_at_start;
+            assert!(unaccounted < 1e-8, "{case:?} {method}: {unaccounted:e} of the energy unaccounted for");
+        }
+    }
+}
+
+/// theta swings once towards a boundary, theta_0 + (M1/M2) phi_0 (cos wt - 1), and turns 10^-k beyond it or before it: every
+/// method passes it in the first case and not in the second. Sampling would see neither dip.
+#[test]
+fn dips_below_a_boundary() {
+    let (i1, i2): (f64, f64) = (2890e-6 / 576.0, 740200e-6 / 9216.0);
+    let ratio = (1.0 / i1 - 1.0 / i2) / (1.0 / i1 + 1.0 / i2);
+    let phi = 0.01;
+    for method in ["dopri5", "dop853", "radau"] {
+        for k in 3..9 {
+            for (sign, passes) in [(1.0, true), (-1.0, false)] {
+                let theta = 1.73 + 2.0 * ratio * phi - sign * 10f64.powi(-k);
+                let overrides = [
+                    "effects=[\"stiffness_step\"]".to_string(),
+                    format!("run.method={method:?}"),
+                    "run.tolerance=1e-12".to_string(),
+                    format!("start.theta=\"{theta:?} rad\""),
+                    "start.speed=0".to_string(),
+                    format!("start.phi=\"{phi:?} rad\""),
+                    // A little over half a period of phi at the upper level: one turn.
+                    "run.t_end=\"0.00025 s\"".to_string(),
+                ];
+                let outcome = run(&overrides.iter().map(String::as_str).collect::<Vec<_>>());
+                assert_eq!(outcome.counts.cell_changes > 0, passes, "{method}: 1e-{k} {sign}");
+            }
+        }
+    }
+}
+
+/// On a grid that knows of no events the order is one, whatever the method's: a jump is late by up to a step.
+#[test]
+fn a_grid_without_events_is_of_first_order() {
+    let end = |outcome: &Outcome| outcome.trajectory.q_dot[0].last().copied().unwrap();
+    let exact = end(&run(&[]));
+    let error = |h: f64| {
+        let step = format!("run.step=\"{h:?} s\"");
+        (end(&run(&["run.method=\"rk4_grid\"", &step])) - exact).abs() / exact
+    };
+    // Where in a step an event falls is all but random: means of eight neighbouring grids.
+    let mean = |h: f64| (0..8).map(|i| error(h * (1.0 + 0.01 * f64::from(i)))).sum::<f64>() / 8.0;
+    let slope = (mean(4e-5) / mean(1e-6)).log2() / 40f64.log2();
+    assert!((slope - 1.0).abs() < 0.35, "slope {slope}");
+}
+
+#[test]
+fn ends_are_named() {
+    let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
+    let equations: Box<dyn Equations<2>> = equations::<GearPair, 2>(&scene).unwrap();
+    let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };
+    let mut advance = Advance::new(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings).unwrap();
+    let stop = advance.run(None, &mut |_| {}).unwrap_err();
+    assert!(matches!(stop, Stop::Steps { steps: 20, .. }), "{stop}");
+    // Numbers at which the motion overflows.
+    let outcome = try_run(&["run.method=\"dop853\"", "start.phi_dot=\"1e300 rad/s\""]);
+    let stop = outcome.unwrap().stopped_by.unwrap();
+    assert!(matches!(stop, Stop::Step { .. } | Stop::NotFinite { .. }), "{stop}");
+}

@@ -1,0 +1,58 @@
+//! Error against processor time: one curve a method, one point a setting; along the path, and in energy.
+
+use super::figure::{Axis, Figure, Marker, Panel, Series};
+use crate::analysis::work_precision::{Errors, Point, WorkPrecision};
+
+/// A failed setting is drawn so far above the largest error.
+const FAILED: f64 = 10.0;
+/// Errors above this are all the same: lost.
+const LOST: f64 = 10.0;
+
+/// Draws a measured scene.
+pub fn draw(measured: &WorkPrecision) -> Figure {
+    let times = || measured.curves.iter().flat_map(|c| &c.points).map(|p| p.seconds.0).filter(|t| t.is_finite());
+    let (low, high) = super::figure::extremes(times());
+    let (low, high) = if low < high { (low / 1.6, high * 1.6) } else { (low / 10.0, low * 10.0) };
+    let floor = measured.floor;
+    let mut path = panel(measured, "error along the path", |errors| errors.path.max(floor));
+    let mut line = Series::new(2, format!("error of the reference, {floor:.0e}"), vec![low, high], vec![floor; 2]);
+    (line.style.dashes, line.style.colour, line.style.width) = (&[2.0, 3.0], "#777777", 1.0);
+    path.series.push(line);
+    let mut energy = panel(measured, "energy unaccounted for", |errors| errors.energy.max(1e-17));
+    energy.unnamed();
+    Figure {
+        title: "What accuracy costs".into(),
+        subtitle: Some(format!(
+            "{}: {} events; each mark is a setting, crosses are failures: stopped early, or other events",
+            measured.scene, measured.events
+        )),
+        x: Axis::log10("processor time", "s").between(low, high),
+        panels: vec![path, energy],
+    }
+}
+
+/// A panel of what `of` takes from the errors.
+fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> Panel {
+    let mut series = vec![];
+    for (i, curve) in measured.curves.iter().enumerate() {
+        let failed = |point: &&Point| point.errors.is_err() || !point.right_events;
+        let place = |point: &Point| {
+            let error =
+                point.errors.as_ref().map_or(LOST * FAILED, |errors| of(errors).clamp(measured.floor, LOST * FAILED));
+            (point.seconds.0, error)
+        };
+        let mut good: Vec<_> = curve.points.iter().filter(|p| !failed(p)).map(place).collect();
+        good.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (x, y) = good.into_iter().unzip();
+        let mut line = Series::new(i, curve.label, x, y);
+        line.style.marker = Marker::nth(i);
+        line.style.width = if curve.points.len() > 1 { 1.2 } else { 0.0 };
+        let colour = line.style.colour;
+        series.push(line);
+        let (x, y) = curve.points.iter().filter(failed).map(place).unzip();
+        let mut crosses = Series::new(i, "", x, y);
+        (crosses.style.marker, crosses.style.width, crosses.style.colour) = (Marker::Cross, 0.0, colour);
+        series.push(crosses);
+    }
+    Panel { y: Axis::log10(label, ""), series }
+}

@@ -1,0 +1,175 @@
+//! Smooth mesh stiffness laws: ramps in place of steps, a Fourier series, or a spline through a table.
+
+use super::document::{Entry, Node, Place};
+use super::error::Report;
+use super::{Curve, Stiffness, field, keys, measure};
+use crate::model::Law;
+
+/// Keys of a law that make it smooth.
+pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
+
+/// Highest order of a harmonic: its wave is then a thousandth of a pitch.
+const MOST_ORDER: f64 = 1000.0;
+/// Most points of a table.
+const MOST_POINTS: usize = 1000;
+
+/// Reads what of a law is smooth.
+pub(super) struct Smooth<'a> {
+    pub(super) law: &'a Law,
+    /// Unit of the phase.
+    pub(super) phase: &'static str,
+    /// The table of the law.
+    pub(super) entries: &'a [Entry],
+    pub(super) place: &'a Place,
+}
+
+impl Smooth<'_> {
+    /// The law, if it is one without steps; `Some(None)` if that is wrong.
+    pub(super) fn instead_of_steps(&self, report: &mut Report) -> Option<Option<Stiffness>> {
+        let get = |key| keys::get(self.entries, key);
+        let series = get("harmonics").or(get("mean"));
+        let (steps, table) = (get("steps"), get("table"));
+        let forms = [("steps", steps), ("harmonics", series), ("table", table)];
+        let mut given = forms.iter().filter_map(|(name, node)| Some((*name, (*node)?)));
+        let (first, second) = (given.next(), given.next());
+        if let (Some((a, _)), Some((b, node))) = (first, second) {
+            let message = format!("`laws.{}` has both {a} and {b}", self.law.name);
+            report.add(&node.place, message, "one too many", "a law is one of steps, a series, or a table");
+            return Some(None);
+        }
+        let curved = series.is_some() || table.is_some();
+        if let Some(node) = get("ramp").filter(|_| curved) {
+            let message = format!("`laws.{}.ramp` has no steps to join", self.law.name);
+            report.add(&node.place, message, "out of place", "leave it out, or give steps");
+            return Some(None);
+        }
+        let read = match (series, table) {
+            (Some(_), _) => self.series(report),
+            (_, Some(node)) => self.table(node, report),
+            _ => return None,
+        };
+        Some(read.and_then(|stiffness| self.pushing(stiffness, report)))
+    }
+
+    /// A stepping law with ramps for its steps, if it is to have them.
+    pub(super) fn ramped(&self, stepping: Stiffness, report: &mut Report) -> Option<Stiffness> {
+        let Some(node) = keys::get(self.entries, "ramp") else { return Some(stepping) };
+        let path = format!("laws.{}.ramp", self.law.name);
+        let width = measure::quantity(&path, node, self.phase, report)?;
+        if width <= 0.0 {
+            measure::out_of_range(&path, node, "must be positive", "leave it out for steps", report);
+            return None;
+        }
+        let ramped = stepping.ramped(width, 0.5);
+        if ramped.is_none() {
+            let narrowest = stepping.steps.iter().map(|step| step.width).fold(f64::INFINITY, f64::min);
+            let must =
+                format!("must be narrower than every level, the narrowest of which has {narrowest:.6} {}", self.phase);
+            measure::out_of_range(&path, node, &must, "a ramp lies about its step, half on either side", report);
+        }
+        ramped
+    }
+
+    fn series(&self, report: &mut Report) -> Option<Stiffness> {
+        let name = self.law.name;
+        let unit = self.law.unit;
+        let (mean, harmonics) = (keys::get(self.entries, "mean"), keys::get(self.entries, "harmonics"));
+        let example = format!("[{{ order = 1, amplitude = \"... {unit}\", phase = \"0 rad\" }}]");
+        let lines = [
+            ("mean", mean.is_none(), format!("mean = \"... {unit}\"")),
+            ("harmonics", harmonics.is_none(), format!("harmonics = {example}")),
+        ];
+        let lacking: Vec<_> = lines.into_iter().filter(|line| line.1).map(|(key, _, line)| (key, line)).collect();
+        keys::missing(&lacking, &format!("[laws.{name}]"), self.place, report);
+        let mean = measure::quantity(&format!("laws.{name}.mean"), mean?, unit, report);
+        let path = format!("laws.{name}.harmonics");
+        let items = field::array(&path, harmonics?, &example, report)?;
+        let each = items.iter().enumerate().map(|(i, node)| self.harmonic(&format!("{path}.{i}"), node, report));
+        let harmonics: Vec<_> = each.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
+        let period = self.law.period;
+        Some(Stiffness::curved(vec![(Curve::Fourier { mean: mean?, harmonics, period }, period)]))
+    }
+
+    fn harmonic(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64, f64)> {
+        let entries = field::table(path, node, report)?;
+        keys::known(entries, &format!("`{path}`"), &["order", "amplitude", "phase"], report);
+        let get = |key| keys::get(entries, key);
+        let lines =
+            [("order", "order = 1".to_string()), ("amplitude", format!("amplitude = \"... {}\"", self.law.unit))];
+        let lacking: Vec<_> = lines.into_iter().filter(|(key, _)| get(key).is_none()).collect();
+        keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
+        let order = get("order").and_then(|node| {
+            let path = format!("{path}.order");
+            let order = measure::quantity(&path, node, "1", report)?;
+            if order.fract() != 0.0 || !(1.0..=MOST_ORDER).contains(&order) {
+                let must = format!("must be a whole number from 1 to {MOST_ORDER}");
+                measure::out_of_range(&path, node, &must, "the law repeats itself once a pitch", report);
+                return None;
+            }
+            Some(order)
+        });
+        let of = |key: &str, unit: &str, report: &mut Report| {
+            let node = keys::get(entries, key)?;
+            measure::quantity(&format!("{path}.{key}"), node, unit, report)
+        };
+        let amplitude = of("amplitude", self.law.unit, report);
+        let phase = if get("phase").is_some() { of("phase", "rad", report) } else { Some(0.0) };
+        Some((order?, amplitude?, phase?))
+    }
+
+    fn table(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
+        let path = format!("laws.{}.table", self.law.name);
+        let (unit, phase) = (self.law.unit, self.phase);
+        let example = format!("[{{ at = \"0 {phase}\", value = \"... {unit}\" }}, ...]");
+        let items = field::array(&path, node, &example, report)?;
+        if !(3..=MOST_POINTS).contains(&items.len()) {
+            let message = format!("`{path}` has {} points", items.len());
+            let help = format!("a spline takes from 3 to {MOST_POINTS}: {example}");
+            report.add(&node.place, message, "too few or too many", help);
+            return None;
+        }
+        let mut points: Vec<(f64, f64)> = vec![];
+        let mut wrong = false;
+        for (i, item) in items.iter().enumerate() {
+            let Some(point) = self.point(&format!("{path}.{i}"), item, report) else {
+                wrong = true;
+                continue;
+            };
+            let inside = (0.0..self.law.period).contains(&point.0);
+            if !inside || points.last().is_some_and(|last| last.0 >= point.0) {
+                let message = format!("`{path}.{i}` is out of order");
+                let help =
+                    format!("points go from 0 up to below one pitch, {:.6} {phase}, which repeats", self.law.period);
+                report.add(&item.place, message, "misplaced", help);
+                wrong = true;
+            }
+            points.push(point);
+        }
+        if wrong { None } else { Stiffness::spline(&points, self.law.period) }
+    }
+
+    fn point(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64)> {
+        let entries = field::table(path, node, report)?;
+        keys::known(entries, &format!("`{path}`"), &["at", "value"], report);
+        let units = [("at", self.phase), ("value", self.law.unit)];
+        let lacking = units.iter().filter(|(key, _)| keys::get(entries, key).is_none());
+        let lacking: Vec<_> = lacking.map(|(key, unit)| (*key, format!("{key} = \"... {unit}\""))).collect();
+        keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
+        let [at, value] = units.map(|(key, unit)| {
+            keys::get(entries, key).and_then(|node| measure::quantity(&format!("{path}.{key}"), node, unit, report))
+        });
+        Some((at?, value?))
+    }
+
+    /// The stiffness, unless it pulls somewhere.
+    fn pushing(&self, stiffness: Stiffness, report: &mut Report) -> Option<Stiffness> {
+        let least = stiffness.extremes().0;
+        if least >= 0.0 {
+            return Some(stiffness);
+        }
+        let message = format!("`laws.{}` falls to {least:.4e} {}", self.law.name, self.law.unit);
+        let help = "a mesh pushes back or, at 0, does nothing: raise its mean, lower its waves, or give more points";
+        report.add(self.place, message, "negative somewhere in the pitch", help);
+        None
+    }
+}
