@@ -51,7 +51,7 @@ def main(path, out, quick):
     scenes = load(path)
     runs = {name: list(rows(path, name)) for name in scenes}
     versions = [module.version() for module in SOLVERS.values()]
-    text = table.write(scenes, runs, derivations.run(quick), versions, quick)
+    text = table.write(scenes, runs, list(derivations.rows(quick)), versions, quick)
     Path(out).write_text(text)
 
 

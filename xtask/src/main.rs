@@ -4,6 +4,7 @@ mod derive;
 mod fuzz;
 mod hard_cases;
 mod oh2005;
+mod peers;
 mod soak;
 
 use std::process::ExitCode;
@@ -28,6 +29,8 @@ enum Verb {
     Fuzz(fuzz::Fuzz),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
+    /// Run other tools on our scenes, and compare: error, time, events missed; write tests/peers.md.
+    Peers(peers::Peers),
     /// Run very many events without damping: how the energy error grows, into out/soak.
     Soak(soak::Soak),
 }
@@ -38,6 +41,7 @@ fn main() -> ExitCode {
         Verb::HardCases(verb) => verb.run(),
         Verb::Fuzz(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
+        Verb::Peers(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
     };
     match done {

@@ -34,8 +34,7 @@ pub fn run(method: &str, case: &Case, quick: bool) -> anyhow::Result<Value> {
             let run = pair.solve(s.theta, s.theta_dot, s.phi, s.phi_dot, t_end);
             let events: Vec<_> = run.events.iter().map(|e| json!([e.t, word(e.kind), e.cell_to])).collect();
             let end = [run.end_local, run.end.theta_dot, run.end.phi, run.end.phi_dot];
-            let cpu =
-                times(|| drop(black_box(pair.solve(black_box(s.theta), s.theta_dot, s.phi, s.phi_dot, t_end))));
+            let cpu = times(|| drop(black_box(pair.solve(black_box(s.theta), s.theta_dot, s.phi, s.phi_dot, t_end))));
             Ok(json!({ "prepare": 0.0, "cpu": cpu, "events": events, "cell": run.end_cell, "end": end }))
         }
         "hand-written, fast" => {

@@ -7,7 +7,8 @@
 use std::cell::Cell;
 
 use anyhow::bail;
-use diffsol::{NalgebraLU, NalgebraMat, OdeBuilder, OdeEquations, OdeSolverMethod, OdeSolverStopReason, VectorHost};
+use diffsol::Vector;
+use diffsol::{NalgebraLU, NalgebraMat, OdeBuilder, OdeEquations, OdeSolverMethod, OdeSolverStopReason};
 
 use crate::scene::{Motion, Scene};
 
@@ -45,7 +46,7 @@ pub fn bdf(scene: &Scene, tolerance: f64) -> anyhow::Result<Motion> {
 
 fn run<'a, Equations, Solver>(scene: &Scene, here: &Cell<(f64, f64)>, mut solver: Solver) -> anyhow::Result<Motion>
 where
-    Equations: OdeEquations<T = f64, V: VectorHost<T = f64>> + 'a,
+    Equations: OdeEquations<T = f64, V: Vector<T = f64>> + 'a,
     Solver: OdeSolverMethod<'a, Equations>,
 {
     let mut motion = scene.begin();
@@ -54,22 +55,30 @@ where
         match solver.step()? {
             OdeSolverStopReason::RootFound(t, index) => {
                 let y = solver.interpolate(t)?;
-                motion.jump(scene, t, y.as_slice(), index == 0);
+                motion.jump(scene, t, &read(&y), index == 0);
                 here.set(scene.cell(motion.cell));
                 solver.state_mut_back(t)?;
                 let state = solver.state_mut();
-                state.y.as_mut_slice().copy_from_slice(&motion.y);
-                scene.slope(here.get().0, &motion.y, state.dy.as_mut_slice());
+                let mut slope = [0.0; 4];
+                scene.slope(here.get().0, &motion.y, &mut slope);
+                for i in 0..4 {
+                    state.y.set_index(i, motion.y[i]);
+                    state.dy.set_index(i, slope[i]);
+                }
             }
             OdeSolverStopReason::TstopReached => {
-                motion.y.copy_from_slice(solver.state().y.as_slice());
+                motion.y = read(solver.state().y);
                 return Ok(motion);
             }
             OdeSolverStopReason::InternalTimestep => {
-                if !solver.state().y.as_slice().iter().all(|x| x.is_finite()) {
+                if !read(solver.state().y).iter().all(|x| x.is_finite()) {
                     bail!("not finite at {} s", solver.state().t);
                 }
             }
         }
     }
+}
+
+fn read(y: &impl Vector<T = f64>) -> [f64; 4] {
+    std::array::from_fn(|i| y.get_index(i))
 }

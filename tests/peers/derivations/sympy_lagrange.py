@@ -1,0 +1,39 @@
+"""SymPy's LagrangesMethod.
+
+Fair: constants and effects as symbols, no simplification (which is what takes longest); the Rayleigh function and the
+torques are added as dD/dq' - Q, since LagrangesMethod takes forces on points only. "forces": M and the right-hand side, as far as
+one goes for a numerical solve. "accelerations": solved by LU on top.
+"""
+
+from time import process_time
+
+import sympy as sp
+from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+
+from .energies import names
+from .operations import both
+
+METHODS = ["forces", "accelerations"]
+
+
+def version():
+    return f"SymPy {sp.__version__}"
+
+
+def run(energies, method):
+    texts = [energies.kinetic, energies.potential, energies.dissipation, *energies.forces]
+    moving = {name: dynamicsymbols(name) for name in energies.q}
+    rates = {f"{name}_dot": q.diff(dynamicsymbols._t) for name, q in moving.items()}
+    known = {name: sp.Symbol(name) for name in names(*texts)} | moving | rates
+    kinetic, potential, dissipation, *forces = (sp.parse_expr(text, local_dict=known) for text in texts)
+    q = list(moving.values())
+    begun = process_time()
+    lagrange = LagrangesMethod(kinetic - potential, q)
+    lagrange.form_lagranges_equations()
+    right = [f - dissipation.diff(rate) + g for f, rate, g in zip(lagrange.forcing, rates.values(), forces)]
+    if method == "accelerations":
+        right = lagrange.mass_matrix.LUsolve(sp.Matrix(right))
+    took = process_time() - begun
+    flat = {rate: sp.Symbol(name) for name, rate in rates.items()} | {x: sp.Symbol(name) for name, x in moving.items()}
+    before, after = both([e.subs(flat) for e in right])
+    return {"took": took, "before": before, "after": after}
