@@ -4,9 +4,9 @@ from time import process_time
 
 SAMPLES = 15
 """Runs at most."""
-ENOUGH = 2.0
+ENOUGH = 1.0
 """Processor time after which no further run is begun, once there are three [s]."""
-LONG = 8.0
+LONG = 3.0
 """A run that takes as long is not repeated [s]."""
 
 

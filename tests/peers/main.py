@@ -16,8 +16,8 @@ from apart import apart
 from scene import Scene
 from solvers import SOLVERS
 
-LIMIT = 60
-"""Time that one run of a solver may take [s]: its repetitions included."""
+LIMITS = {"quick": 3, "scenes": 30}
+"""Processor time that a solver may take on a scene [s], its repetitions included."""
 
 
 def load(path):
@@ -40,7 +40,7 @@ def rows(path, name):
         for method in module.METHODS:
             for tolerance in module.TOLERANCES:
                 arguments = ["--one", path, name, solver, method, str(tolerance)]
-                result = apart([sys.executable, __file__, *arguments], LIMIT)
+                result = apart([sys.executable, __file__, *arguments], LIMITS[Path(path).stem])
                 print(name, solver, method, tolerance, result.get("failed", "done"), flush=True)
                 yield {"solver": solver, "method": method, "tolerance": tolerance, **result}
                 if result.get("over") and tolerance != "default":
@@ -48,11 +48,17 @@ def rows(path, name):
 
 
 def main(path, out, quick):
-    scenes = load(path)
-    runs = {name: list(rows(path, name)) for name in scenes}
-    versions = [module.version() for module in SOLVERS.values()]
-    text = table.write(scenes, runs, list(derivations.rows(quick)), versions, quick)
-    Path(out).write_text(text)
+    results = {
+        "scenes": load(path),
+        "runs": {name: list(rows(path, name)) for name in load(path)},
+        "derivations": list(derivations.rows(quick)),
+        "versions": [module.version() for module in SOLVERS.values()],
+        "limits": [LIMITS[Path(path).stem], derivations.limit(quick)],
+        "quick": quick,
+    }
+    # Everything that was measured, for whoever wants another table of it.
+    Path(path).with_suffix(".results.json").write_text(json.dumps(results))
+    Path(out).write_text(table.write(**results))
 
 
 if __name__ == "__main__":

@@ -104,7 +104,7 @@ def machine():
     return f"{processor}, {platform.system()}, Python {platform.python_version()}"
 
 
-def write(scenes, runs, derivations, versions, quick):
+def write(scenes, runs, derivations, versions, limits, quick):
     """The whole table."""
     command = "cargo xtask peers" + (" --quick" if quick else "")
     scenes_text = "".join(scene_part(scenes[name], rows) for name, rows in runs.items())
@@ -124,12 +124,14 @@ from one run; not to be edited. {machine()}. {"; ".join(dict.fromkeys(versions))
 Errors are against an engine of 50 digits with an algorithm of its own, in units of the motion: theta over a pitch, theta' over
 its start, phi over T0/k1, phi' over w0 T0/k1; the largest of them. Events count as found up to the first that differs in kind or
 place. Times are processor times of a whole run, the least and the median of several (of one, where it takes longer than
-8 s); "once, before" is compilation and setting up, not in them. An error in bold is no solution.
+3 s); "once, before" is compilation and setting up, not in them. What takes over {limits[0]} s on a scene,
+repetitions included, is stopped, and tighter tolerances of it are not tried. An error in bold is no solution.
 
 {scenes_text}## Derivation
 
 From T, V, D and Q as gearsim prints them to equations of motion. "Forces" leave M on the left, "accelerations" have it
 inverted. gearsim's time has its proofs and its file in it, and its derivation the jump terms, which no other has. Operations are counted one way
-for all, `tests/peers/derivations/operations.py`.
+for all, `tests/peers/derivations/operations.py`. The
+limit is {limits[1]} s.
 
 {derived}"""

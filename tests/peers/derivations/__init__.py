@@ -14,10 +14,9 @@ TOOLS = {
     "SymPy": "sympy_lagrange",
     "heyoka": "heyoka_lagrangian",
 }
-LIMIT = 300
-"""Time that one derivation with its counting may take [s]."""
-QUICK = 15
-"""The same in a quick run [s]."""
+def limit(quick):
+    """Processor time that one derivation with its counting may take [s]."""
+    return 5 if quick else 300
 
 
 def tool(name):
@@ -36,6 +35,6 @@ def rows(quick):
         for name in TOOLS:
             for method in tool(name).METHODS:
                 command = [sys.executable, "-m", "derivations", model, name, method]
-                result = apart(command, QUICK if quick else LIMIT) if known else {"failed": "not yet a model of gearsim"}
+                result = apart(command, limit(quick)) if known else {"failed": "not yet a model of gearsim"}
                 print(model, name, method, result.get("failed", "done"), flush=True)
                 yield {"model": model, "tool": name, "method": method, **result}

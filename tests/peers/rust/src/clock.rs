@@ -8,9 +8,9 @@ use crate::scene::Motion;
 /// Runs at most.
 const SAMPLES: usize = 15;
 /// Processor time after which no further run is begun, once there are three [s].
-const ENOUGH: f64 = 2.0;
+const ENOUGH: f64 = 1.0;
 /// A run that takes as long is not repeated [s].
-const LONG: f64 = 8.0;
+const LONG: f64 = 3.0;
 
 /// Solves several times: what the last run gave, with the times in `cpu`.
 pub fn measure(solve: impl Fn() -> anyhow::Result<Motion>) -> anyhow::Result<Value> {
