@@ -14,7 +14,7 @@ import derivations
 import table
 from apart import apart
 from scene import Scene
-from solvers import SOLVERS
+from solvers import SOLVERS, solver as module_of
 
 LIMITS = {"quick": 3, "scenes": 30}
 """Processor time that a solver may take on a scene [s], its repetitions included."""
@@ -31,12 +31,13 @@ def one(path, name, solver, method, tolerance):
     scene.file = path
     scene.flags = ["--quick"] if Path(path).stem == "quick" else []
     tolerance = tolerance if tolerance in ("default", "exact") else float(tolerance)
-    print(json.dumps(SOLVERS[solver].run(scene, method, tolerance)))
+    print(json.dumps(module_of(solver).run(scene, method, tolerance)))
 
 
 def rows(path, name):
     """The runs of all solvers on a scene. A tolerance is not tried where a looser one took too long."""
-    for solver, module in SOLVERS.items():
+    for solver in SOLVERS:
+        module = module_of(solver)
         for method in module.METHODS:
             for tolerance in module.TOLERANCES:
                 arguments = ["--one", path, name, solver, method, str(tolerance)]
@@ -52,7 +53,7 @@ def main(path, out, quick):
         "scenes": load(path),
         "runs": {name: list(rows(path, name)) for name in load(path)},
         "derivations": list(derivations.rows(quick)),
-        "versions": [module.version() for module in SOLVERS.values()],
+        "versions": [module_of(solver).version() for solver in SOLVERS],
         "limits": [LIMITS[Path(path).stem], derivations.limit(quick)],
         "quick": quick,
     }
