@@ -9,17 +9,18 @@ import subprocess
 
 
 def apart(command, limit):
-    """The JSON that a command prints; {"failed": reason} where there is none."""
+    """What a command prints as JSON, its lines put together; with {"failed": reason} where it did not end well."""
     limited = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
     done = subprocess.run(command, capture_output=True, text=True, preexec_fn=limited)
+    result = {}
+    for line in done.stdout.splitlines():
+        if line.startswith("{"):
+            result |= json.loads(line)
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        return {"failed": f"over {limit} s", "over": True}
+        return {**result, "failed": f"over {limit} s", "over": True}
     if done.returncode < 0:
-        return {"failed": f"crashed: {signal.Signals(-done.returncode).name}"}
+        return {**result, "failed": f"crashed: {signal.Signals(-done.returncode).name}"}
     if done.returncode:
         lines = done.stderr.strip().splitlines()
-        return {"failed": lines[-1][:160] if lines else f"exit code {done.returncode}"}
-    try:
-        return json.loads(done.stdout.strip().splitlines()[-1])
-    except (IndexError, ValueError):
-        return {"failed": "printed no result"}
+        return {**result, "failed": lines[-1][:160] if lines else f"exit code {done.returncode}"}
+    return result or {"failed": "printed no result"}

@@ -89,10 +89,9 @@ def scene_part(scene, rows):
 
 
 def derivation_row(row):
-    head = [row["model"], row["tool"], row["method"]]
-    if "failed" in row:
-        return [*head, f"**{row['failed']}**", "", ""]
-    return [*head, duration(row["took"]), row["before"], row["after"]]
+    missing = f"**{row.get('failed', '')}**"
+    took = duration(row["took"]) if "took" in row else missing
+    return [row["model"], row["tool"], row["method"], took, row.get("before", missing), row.get("after", missing)]
 
 
 def machine():

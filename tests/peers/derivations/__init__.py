@@ -1,7 +1,7 @@
-"""The derivations: one file a tool, with its METHODS, `version()` and `run(energies, method)`; what was done to be fair
-to it is at its head.
+"""The derivations: one file a tool, with its METHODS, `version()` and `run(energies, method)`, which tells each figure as soon
+as it is known. What was done to be fair to it is at its head.
 
-    python -m derivations MODEL TOOL METHOD     one of them, as JSON
+    python -m derivations MODEL TOOL METHOD     one of them, as lines of JSON
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""One derivation, as JSON: MODEL TOOL METHOD."""
+"""One derivation, as lines of JSON, each when it is known: MODEL TOOL METHOD."""
 
 import json
 import sys
@@ -8,4 +8,5 @@ from derivations.energies import read
 
 model, name, method = sys.argv[1:]
 run = tool(name).run
-print(json.dumps(run(model) if name == "gearsim" else run(read(model), method)))
+for part in run(model) if name == "gearsim" else run(read(model), method):
+    print(json.dumps(part), flush=True)

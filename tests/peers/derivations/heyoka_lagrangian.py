@@ -32,7 +32,8 @@ def run(energies, method):
     q, rates = [known[name] for name in energies.q], [known[f"{name}_dot"] for name in energies.q]
     system = hy.lagrangian(kinetic - potential + work, q, rates, dissipation)
     took = process_time() - begun
+    yield {"took": took}
     accelerations = [e for variable, e in system if str(variable).endswith("_dot")]
     shared = hy.cfunc(accelerations, vars=q + rates).dc
-    after = len(shared) - 2 * len(q) - len(accelerations)
-    return {"took": took, "after": after, "before": operations([hy.to_sympy(e) for e in accelerations])}
+    yield {"after": len(shared) - 2 * len(q) - len(accelerations)}
+    yield {"before": operations([hy.to_sympy(e) for e in accelerations])}

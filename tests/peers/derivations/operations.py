@@ -26,8 +26,9 @@ def of(e):
     return inner + 1
 
 
-def both(expressions):
-    """Operations as written, and after common subexpressions."""
+def counted(expressions):
+    """Operations as written, then after common subexpressions."""
     expressions = [sp.sympify(e) for e in expressions]
+    yield {"before": operations(expressions)}
     shared, rest = sp.cse(expressions)
-    return operations(expressions), operations([e for _, e in shared] + rest)
+    yield {"after": operations([e for _, e in shared] + rest)}

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from .energies import names
-from .operations import both
+from .operations import counted
 
 METHODS = ["forces", "accelerations"]
 
@@ -34,6 +34,6 @@ def run(energies, method):
     if method == "accelerations":
         right = lagrange.mass_matrix.LUsolve(sp.Matrix(right))
     took = process_time() - begun
+    yield {"took": took}
     flat = {rate: sp.Symbol(name) for name, rate in rates.items()} | {x: sp.Symbol(name) for name, x in moving.items()}
-    before, after = both([e.subs(flat) for e in right])
-    return {"took": took, "before": before, "after": after}
+    yield from counted([e.subs(flat) for e in right])
