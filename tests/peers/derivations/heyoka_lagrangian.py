@@ -5,9 +5,9 @@ no other forces, so that constant torques go in as the potential -Q q. Operation
 and counted as all others; after sharing, the length of heyoka's own decomposition into elementary operations.
 """
 
-from time import process_time
-
 import heyoka as hy
+
+from clock import least
 
 from .energies import names
 from .operations import operations
@@ -27,11 +27,13 @@ def run(energies, method):
     known |= {name: hy.par[i] for i, name in enumerate(constants)}
     known |= {"__builtins__": {}}
     kinetic, potential, dissipation, *forces = (eval(text, known) + hy.expression(0.0) for text in texts)
-    begun = process_time()
-    work = sum((force * known[q] for force, q in zip(forces, energies.q)), hy.expression(0.0))
     q, rates = [known[name] for name in energies.q], [known[f"{name}_dot"] for name in energies.q]
-    system = hy.lagrangian(kinetic - potential + work, q, rates, dissipation)
-    took = process_time() - begun
+
+    def derive():
+        work = sum((force * x for force, x in zip(forces, q)), hy.expression(0.0))
+        return hy.lagrangian(kinetic - potential + work, q, rates, dissipation)
+
+    took, system = least(derive)
     yield {"took": took}
     accelerations = [e for variable, e in system if str(variable).endswith("_dot")]
     shared = hy.cfunc(accelerations, vars=q + rates).dc
