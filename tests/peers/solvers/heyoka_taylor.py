@@ -31,7 +31,6 @@ class Run:
         lower = hy.t_event(theta, direction=hy.event_direction.negative, callback=self.lower)
         options = {} if tolerance == "default" else {"tol": tolerance}
         self.taylor = hy.taylor_adaptive(system, list(scene.start), pars=[1.0, 1.0], t_events=[upper, lower], **options)
-        # heyoka copies callbacks that are objects: these are bound to what is set here.
         self.events, self.cell = [], 0
 
     def upper(self, taylor, _sign):
@@ -41,6 +40,7 @@ class Run:
         return self.jump(taylor, False)
 
     def __deepcopy__(self, _memo):
+        # heyoka copies its callbacks, and with a bound method what it is bound to: the notes are to be these.
         return self
 
     def jump(self, taylor, upwards):

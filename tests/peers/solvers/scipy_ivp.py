@@ -1,8 +1,7 @@
 """SciPy's solve_ivp, restarted at terminal events.
 
 Fair: plain floats in a function without array overhead, two events with directions, no dense output, no t_eval; the
-constant Jacobian of the cell handed to Radau; absolute tolerances for each coordinate by its size.
-LSODA takes none: its step is chosen by the wrapped Fortran code.
+constant Jacobian of the cell handed to Radau and LSODA; absolute tolerances for each coordinate by its size.
 """
 
 import scipy
@@ -39,8 +38,11 @@ class Cell:
         upper.terminal, upper.direction = True, 1
         lower.terminal, lower.direction = True, -1
         self.slope, self.events, self.options = slope, (upper, lower), dict(options)
-        if options["method"] in ("Radau", "LSODA"):
-            self.options["jac"] = scene.matrix(cell) if options["method"] == "Radau" else None
+        matrix = scene.matrix(cell)
+        if options["method"] == "Radau":
+            self.options["jac"] = matrix
+        if options["method"] == "LSODA":
+            self.options["jac"] = lambda _t, _y: matrix
 
 
 def run(scene, method, tolerance):
