@@ -5,6 +5,7 @@ mod fuzz;
 mod hard_cases;
 mod instructions;
 mod oh2005;
+mod peers;
 mod soak;
 
 use std::process::ExitCode;
@@ -31,6 +32,8 @@ enum Verb {
     Instructions(instructions::Instructions),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
+    /// Run other tools on our scenes, and compare: error, time, events missed; write tests/peers.md.
+    Peers(peers::Peers),
     /// Run very many events without damping: how the energy error grows, into out/soak.
     Soak(soak::Soak),
 }
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         Verb::Fuzz(verb) => verb.run(),
         Verb::Instructions(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
+        Verb::Peers(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
     };
     match done {

@@ -1,0 +1,106 @@
+//! Our own runs: the engine through its library, warm and without files, and the hand-written solvers.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use anyhow::{Context, bail};
+use cpu_time::ProcessTime;
+use gearsim::engine::simulate::Simulation;
+use gearsim::engine::{Entry, outcome};
+use gearsim::generated::gear_pair;
+use gearsim::scene::Scene;
+use gearsim::trajectory::Moment;
+use serde_json::{Value, json};
+
+use crate::case::{self, Case};
+use crate::reference::word;
+
+/// Samples of the time.
+const SAMPLES: usize = 31;
+/// A sample runs again until it has taken as long, since clocks are coarse [s].
+const SAMPLE: Duration = Duration::from_millis(5);
+
+/// Runs a method on a scene; events, end and processor times as JSON.
+///
+/// # Errors
+/// Where the scene is refused, the run stops, or the method is unknown.
+pub fn run(method: &str, case: &Case, quick: bool) -> anyhow::Result<Value> {
+    let scene = case.scene(quick)?;
+    let pair = case::pair(&scene);
+    let (s, t_end) = (case::start(&scene, &pair), scene.t_end);
+    match method {
+        "gearsim" => engine(&scene),
+        "hand-written" => {
+            let run = pair.solve(s.theta, s.theta_dot, s.phi, s.phi_dot, t_end);
+            let events: Vec<_> = run.events.iter().map(|e| json!([e.t, word(e.kind), e.cell_to])).collect();
+            let end = [run.end_local, run.end.theta_dot, run.end.phi, run.end.phi_dot];
+            let cpu = times(|| drop(black_box(pair.solve(black_box(s.theta), s.theta_dot, s.phi, s.phi_dot, t_end))));
+            Ok(json!({ "prepare": 0.0, "cpu": cpu, "events": events, "cell": run.end_cell, "end": end }))
+        }
+        "hand-written, fast" => {
+            let solve = || pair.solve_fast(black_box(s.theta), s.theta_dot, s.phi, s.phi_dot, t_end);
+            let run = solve();
+            let end = [run.end_local, run.end.theta_dot, run.end.phi, run.end.phi_dot];
+            let cpu = times(|| {
+                black_box(solve());
+            });
+            // It notes no events: their number is all there is to compare.
+            let count = run.cell_changes + run.reflections;
+            Ok(json!({ "prepare": 0.0, "cpu": cpu, "count": count, "cell": run.end_cell, "end": end }))
+        }
+        _ => bail!("no method `{method}`; there are: gearsim; hand-written; hand-written, fast"),
+    }
+}
+
+/// The engine with its guarantee and energy account. Making the cells and the start belong to a run.
+fn engine(scene: &Scene) -> anyhow::Result<Value> {
+    let begun = ProcessTime::now();
+    let equations = outcome::equations::<gear_pair::GearPair, 2>(scene)?;
+    let prepare = begun.elapsed().as_secs_f64();
+    let solve = || -> anyhow::Result<_> {
+        let mut simulation = Simulation::new(scene.model, &*equations, black_box(scene))?;
+        simulation.run(None, &mut |_| {})?;
+        Ok((simulation.state, simulation.laws[0].cell, simulation.laws[0].bounds().0))
+    };
+    let (state, cell, below) = solve()?;
+    let cpu = times(|| {
+        let _ = black_box(solve());
+    });
+    let cell = 2 * state.turns[0] + i64::try_from(cell).context("two cells a pitch")?;
+    let end = [state.q[0] - below, state.q_dot[0], state.q[1], state.q_dot[1]];
+    let events = events(scene)?;
+    Ok(json!({ "prepare": prepare, "cpu": cpu, "events": events, "cell": cell, "end": end }))
+}
+
+/// The events of the engine's run, from its record of both sides of each.
+fn events(scene: &Scene) -> anyhow::Result<Vec<Value>> {
+    let run = (Entry::new::<gear_pair::GearPair, 2>().run)(scene, &mut |_| {})?;
+    let (t, mut cell) = (run.trajectory, 0);
+    let befores = (0..t.len()).filter(|&i| t.moment[i] == Moment::Before);
+    Ok(befores
+        .map(|i| {
+            let (before, after) = (t.q_dot[0][i], t.q_dot[0][i + 1]);
+            let reflected = before * after < 0.0;
+            if !reflected {
+                cell += if before > 0.0 { 1 } else { -1 };
+            }
+            json!([t.t[i], if reflected { "reflect" } else { "transmit" }, cell])
+        })
+        .collect())
+}
+
+/// Processor times of one run [s].
+fn times(solve: impl Fn()) -> Vec<f64> {
+    let begun = ProcessTime::now();
+    let mut runs = 0;
+    while begun.elapsed() < SAMPLE {
+        solve();
+        runs += 1;
+    }
+    let sample = |_| {
+        let begun = ProcessTime::now();
+        (0..runs).for_each(|_| solve());
+        begun.elapsed().as_secs_f64() / f64::from(runs)
+    };
+    (0..SAMPLES).map(sample).collect()
+}

@@ -1,0 +1,26 @@
+"""A run in a process of its own, with a limit of processor time (the machine may be busy with other things): what fails
+or crashes there is told, and goes no further.
+"""
+
+import json
+import resource
+import signal
+import subprocess
+
+
+def apart(command, limit):
+    """What a command prints as JSON, its lines put together; with {"failed": reason} where it did not end well."""
+    limited = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=limited)
+    result = {}
+    for line in done.stdout.splitlines():
+        if line.startswith("{"):
+            result |= json.loads(line)
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return {**result, "failed": f"over {limit} s", "over": True}
+    if done.returncode < 0:
+        return {**result, "failed": f"crashed: {signal.Signals(-done.returncode).name}"}
+    if done.returncode:
+        lines = done.stderr.strip().splitlines()
+        return {**result, "failed": lines[-1][:160] if lines else f"exit code {done.returncode}"}
+    return result or {"failed": "printed no result"}

@@ -1,0 +1,40 @@
+"""The derivations: one file a tool, with its METHODS, `version()` and `run(energies, method)`, which tells each figure as soon
+as it is known. What was done to be fair to it is at its head.
+
+    python -m derivations MODEL TOOL METHOD     one of them, as lines of JSON
+"""
+
+import sys
+
+from apart import apart
+
+MODELS = ["gear_pair", "planar_planetary_3", "planar_planetary_5", "chain_32"]
+TOOLS = {
+    "gearsim": "gearsim_derive",
+    "SymPy": "sympy_lagrange",
+    "heyoka": "heyoka_lagrangian",
+}
+def limit(quick):
+    """Processor time that one derivation with its counting may take [s]."""
+    return 5 if quick else 120
+
+
+def tool(name):
+    """The module of a tool."""
+    from importlib import import_module
+
+    return import_module(f"derivations.{TOOLS[name]}")
+
+
+def rows(quick):
+    """All derivations, each in a process of its own."""
+    from .energies import read
+
+    for model in MODELS:
+        known = read(model) is not None
+        for name in TOOLS:
+            for method in tool(name).METHODS:
+                command = [sys.executable, "-m", "derivations", model, name, method]
+                result = apart(command, limit(quick)) if known else {"failed": "not yet a model of gearsim"}
+                print(model, name, method, result.get("failed", "done"), flush=True)
+                yield {"model": model, "tool": name, "method": method, **result}

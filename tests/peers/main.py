@@ -1,0 +1,69 @@
+"""Runs all peers on all scenes and all derivations, and writes the table: the whole of `cargo xtask peers`.
+
+    main.py SCENES TABLE [--quick]                      everything, each run in a process of its own
+    main.py --one SCENES NAME SOLVER METHOD TOLERANCE   one run, as JSON
+
+A process of its own means that a crash or an endless run of one is a row of the table and no more.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import derivations
+import table
+from apart import apart
+from scene import Scene
+from solvers import SOLVERS, solver as module_of
+
+LIMITS = {"quick": 3, "scenes": 30}
+"""Processor time that a solver may take on a scene [s], its repetitions included."""
+
+
+def load(path):
+    """The scenes of a file by name."""
+    return {data["name"]: data for data in json.loads(Path(path).read_text())}
+
+
+def one(path, name, solver, method, tolerance):
+    """Runs a solver once; prints what it gives."""
+    scene = Scene(load(path)[name])
+    scene.file = path
+    scene.flags = ["--quick"] if Path(path).stem == "quick" else []
+    tolerance = tolerance if tolerance in ("default", "exact") else float(tolerance)
+    print(json.dumps(module_of(solver).run(scene, method, tolerance)))
+
+
+def rows(path, name):
+    """The runs of all solvers on a scene. A tolerance is not tried where a looser one took too long."""
+    for solver in SOLVERS:
+        module = module_of(solver)
+        for method in module.METHODS:
+            for tolerance in module.TOLERANCES:
+                arguments = ["--one", path, name, solver, method, str(tolerance)]
+                result = apart([sys.executable, __file__, *arguments], LIMITS[Path(path).stem])
+                print(name, solver, method, tolerance, result.get("failed", "done"), flush=True)
+                yield {"solver": solver, "method": method, "tolerance": tolerance, **result}
+                if result.get("over") and tolerance != "default":
+                    break
+
+
+def main(path, out, quick):
+    results = {
+        "scenes": load(path),
+        "runs": {name: list(rows(path, name)) for name in load(path)},
+        "derivations": list(derivations.rows(quick)),
+        "versions": [module_of(solver).version() for solver in SOLVERS],
+        "limits": [LIMITS[Path(path).stem], derivations.limit(quick)],
+        "quick": quick,
+    }
+    # Everything that was measured, for whoever wants another table of it.
+    Path(path).with_suffix(".results.json").write_text(json.dumps(results))
+    Path(out).write_text(table.write(**results))
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "--one":
+        one(*sys.argv[2:])
+    else:
+        main(sys.argv[1], sys.argv[2], "--quick" in sys.argv)

@@ -1,0 +1,18 @@
+"""gearsim itself through its library, and the two solvers that are written by hand for this one system.
+
+Warm, in one process, without files, as the others; gearsim with its guarantee of crossings and its energy account.
+There is no tolerance to choose. The program is gearsim/examples/peers.
+"""
+
+from .binary import run_binary
+
+METHODS = ["gearsim", "hand-written", "hand-written, fast"]
+TOLERANCES = ["exact"]
+
+
+def version():
+    return "this checkout"
+
+
+def run(scene, method, tolerance):
+    return run_binary("PEERS_OWN", "run", *scene.flags, method, scene.name)
