@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
 
+mod nonlinear;
 mod smooth;
 
 use super::Method;

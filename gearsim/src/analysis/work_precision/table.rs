@@ -117,6 +117,11 @@ pub fn markdown(measured: &WorkPrecision) -> String {
          of one core without recording, the least of several.\n\n",
         measured.events, measured.floor
     );
+    if let Some((label, setting, error)) = nearest(measured) {
+        text += &format!(
+            "Nearest to it comes {label} at {setting}, which shares no formula with it: within {error:.0e}.\n\n"
+        );
+    }
     text += &prices(measured);
     text += "\nThe reference cannot tell where a ? stands.\n\n";
     text += "| method | setting | time, least | median | evaluations | steps | events | error at the end | along the path | \
@@ -150,6 +155,14 @@ pub fn markdown(measured: &WorkPrecision) -> String {
         );
     }
     text
+}
+
+/// The setting of a method by steps that comes nearest to the reference, and how near.
+fn nearest(measured: &WorkPrecision) -> Option<(&'static str, &str, f64)> {
+    let ladders = measured.curves.iter().filter(|curve| curve.kind == Kind::Method && curve.points.len() > 1);
+    let points = ladders.flat_map(|curve| curve.points.iter().map(move |point| (curve.label, point)));
+    let errors = points.filter_map(|(label, point)| Some((label, &point.setting[..], point.error()?)));
+    errors.min_by(|a, b| a.2.total_cmp(&b.2))
 }
 
 /// The points as CSV, times and errors in full.
