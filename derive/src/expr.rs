@@ -157,6 +157,22 @@ impl Expr {
         Expr::new(self.atom().pow(&(number(1) / number(2))))
     }
 
+    /// The sine.
+    pub fn sin(self) -> Expr {
+        Expr::function("sin", self)
+    }
+
+    /// The cosine.
+    pub fn cos(self) -> Expr {
+        Expr::function("cos", self)
+    }
+
+    /// With one symbol in the place of another.
+    pub(crate) fn with(self, (kind, name): (Kind, &str), (new_kind, new_name): (Kind, &str)) -> Expr {
+        let new = Atom::var(symbol(new_kind, new_name));
+        Expr::new(self.atom().replace(Atom::var(symbol(kind, name)).to_pattern()).with(new.to_pattern()))
+    }
+
     /// The time derivative, by the chain rule over the coordinates in it.
     pub fn dot(self) -> Expr {
         let e = self.atom();

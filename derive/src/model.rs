@@ -155,9 +155,12 @@ impl Model {
         self.motions.push(Motion { name: name.into(), unit: unit.into(), speeds: speeds.to_vec(), doc: doc.into() });
     }
 
-    /// An effect: what `add` adds is in the equations only of scenes that name it.
+    /// An effect: what `add` adds is in the equations only of scenes that name it. Components may add to one effect
+    /// one after another, each with the same `name` and `doc`.
     pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
-        self.effects.push(Effect { name: name.into(), requires: vec![], excludes: vec![], doc: doc.into() });
+        if !self.effects.iter().any(|e| e.name == name && e.doc == doc) {
+            self.effects.push(Effect { name: name.into(), requires: vec![], excludes: vec![], doc: doc.into() });
+        }
         let outer = self.within.replace(name.into());
         add(self);
         self.within = outer;
@@ -179,6 +182,23 @@ impl Model {
     pub fn dissipation(&mut self, d: Expr) {
         let d = self.marked(d);
         self.dissipation.push(d);
+    }
+
+    /// Rayleigh damping, D = alpha T + beta V with speeds in the place of coordinates and every law at its mid value:
+    /// C = alpha M + beta K. To be called after all of T and V, which must be sums of squares.
+    pub fn rayleigh(&mut self, alpha: Expr, beta: Expr) {
+        let (kinetic, potential) = (self.kinetic.clone(), self.potential.clone());
+        for t in kinetic {
+            self.dissipation(alpha * t);
+        }
+        for v in potential {
+            let speeds = self.coordinates.iter().fold(v, |v, c| {
+                v.with((Kind::Coordinate, &c.name), (Kind::Speed, &speed_name(&c.name)))
+            });
+            let at_mid =
+                self.laws.iter().fold(speeds, |v, l| v.with((Kind::Law, &l.name), (Kind::Mid, &mid_name(&l.name))));
+            self.dissipation(beta * at_mid);
+        }
     }
 
     /// A constant external torque (or force) of size `value` that works through the displacement `through`, linear in
