@@ -45,6 +45,11 @@ pub(crate) struct Law {
     pub doc: String,
 }
 
+pub(crate) struct Deflection {
+    pub name: String,
+    pub value: Expr,
+}
+
 pub(crate) struct Motion {
     pub name: String,
     pub unit: String,
@@ -80,6 +85,7 @@ pub struct Model {
     pub(crate) motions: Vec<Motion>,
     pub(crate) effects: Vec<Effect>,
     pub(crate) constants: Vec<(String, Expr)>,
+    pub(crate) deflections: Vec<Deflection>,
     pub(crate) torques: Vec<Torque>,
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
@@ -123,6 +129,18 @@ impl Model {
     pub fn constant(&mut self, name: &str, value: Expr) -> Expr {
         self.constants.push((name.into(), value));
         Expr::var(Kind::Constant, name)
+    }
+
+    /// A name for what a spring feels: linear in the coordinates, and zero where they are. V may be written in it and D in
+    /// its `.dot()`; the equations then are, too, instead of being multiplied out. What is a coordinate keeps
+    /// that name.
+    pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
+        let value = value.expand();
+        if self.coordinates.iter().any(|c| value.atom() == Expr::var(Kind::Coordinate, &c.name).atom()) {
+            return value;
+        }
+        self.deflections.push(Deflection { name: name.into(), value });
+        Expr::var(Kind::Deflection, name)
     }
 
     /// The entry of the inverse mass matrix for two coordinates, whatever the derivation finds it to be. (At most two
@@ -194,6 +212,9 @@ impl Model {
         for v in potential {
             let speeds = self.coordinates.iter().fold(v, |v, c| {
                 v.with((Kind::Coordinate, &c.name), (Kind::Speed, &speed_name(&c.name)))
+            });
+            let speeds = self.deflections.iter().fold(speeds, |v, d| {
+                v.with((Kind::Deflection, &d.name), (Kind::Rate, &speed_name(&d.name)))
             });
             let at_mid =
                 self.laws.iter().fold(speeds, |v, l| v.with((Kind::Law, &l.name), (Kind::Mid, &mid_name(&l.name))));

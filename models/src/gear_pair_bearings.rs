@@ -23,10 +23,10 @@ pub fn gear_pair_bearings(m: &mut Model) {
     planar_rotor(m, "2", "driven gear", c2, gears.theta2);
     bearing(m, "1", "bearing of gear 1", c1);
     bearing(m, "2", "bearing of gear 2", c2);
-    // Rolling is no deflection: of the rotations, only s is felt.
-    let along = Direction { cos: 1.into(), sin: 0.into() };
-    let gear = |[x, y]: [_; 2], u| Gear { x, y, u }.seen_from(along);
-    mesh(m, "12", "mesh", gears.theta, external(gear(c1, gears.s), gear(c2, 0.into()), alpha));
+    // Rolling is no deflection: of the rotations, the mesh feels s alone. Its line of action is at -alpha.
+    let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
+    let line = alpha.mirrored();
+    mesh(m, "12", "mesh", gears.theta, external(one, line, two, line));
     drive(m, "motor", "driving gear", gears.theta1);
     load(m, "load", "driven gear", gears.theta2);
     damping(m);

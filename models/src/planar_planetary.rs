@@ -22,13 +22,8 @@ pub fn planar_planetary(m: &mut Model, n: usize) {
     });
     ground(m, "r", "ring's torsional support", theta_r);
     let gear = |[x, y]: [_; 2], u| Gear { x, y, u };
-    stage.planets_on_bearings(
-        m,
-        n,
-        stage.sun(sun),
-        gear(ring, stage.r_r * theta_r),
-        gear(carrier, stage.a * stage.theta_c),
-    );
+    let (sun, ring) = (gear(sun, stage.r_s * stage.theta_s), gear(ring, stage.r_r * theta_r));
+    stage.planets_on_bearings(m, n, sun, ring, gear(carrier, stage.a * stage.theta_c));
     drive(m, "motor", "sun", stage.theta_s);
     load(m, "load", "carrier", stage.theta_c);
     damping(m);

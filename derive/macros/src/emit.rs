@@ -20,6 +20,14 @@ pub fn emit(m: &Model) -> TokenStream {
     let with = with(m);
     let functions = functions(m);
     let constants = effects::constants(m);
+    let deflections = (!m.deflections.is_empty()).then(|| {
+        let (count, values) = (Index::from(m.deflections.len()), m.deflections.iter().map(|d| &d.value));
+        quote! {
+            #[inline]
+            #[allow(clippy::all, reason = "code as the derivation wrote it")]
+            fn deflections(&self, q: &[f64; #n]) -> [f64; #count] { [#(#values),*] }
+        }
+    });
     quote! {
         use crate::engine::equations;
         use crate::model;
@@ -45,6 +53,7 @@ pub fn emit(m: &Model) -> TokenStream {
         #[allow(dead_code, reason = "not every effect has a term of its own")]
         impl<const E: u32> With<E> {
             #constants
+            #deflections
         }
 
         #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
@@ -56,11 +65,14 @@ pub fn emit(m: &Model) -> TokenStream {
 
 /// `struct With<E>`: the numbers of the equations with the effects E.
 fn with(m: &Model) -> TokenStream {
-    let names = || m.parameters.iter().map(|p| &p.name).chain(m.constants.iter().map(|c| &c.name));
-    let (fields, values) = (names(), names());
+    let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
         let (name, i) = (&p.name, Index::from(i));
         quote!(let #name = parameters[#i];)
+    });
+    let mids = m.laws.iter().enumerate().map(|(i, law)| {
+        let (name, i) = (law.mid(), Index::from(i));
+        quote!(let #name = mids[#i];)
     });
     let constants = m.constants.iter().map(|Assignment { name, value }| quote!(let #name = #value;));
     quote! {
@@ -74,6 +86,7 @@ fn with(m: &Model) -> TokenStream {
         impl<const E: u32> With<E> {
             fn new(parameters: &[f64], mids: &[f64]) -> Self {
                 #(#parameters)*
+                #(#mids)*
                 #(#constants)*
                 Self { #(#values),* }
             }

@@ -14,6 +14,7 @@ use crate::sums::{block, body, by_index, matrix, position, vector};
 pub fn functions(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let (kinetic, potential, dissipation) = (body(&m.kinetic), body(&m.potential), body(&m.dissipation));
+    let (d, d_dot) = deflections(m);
     let torque_work = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.work)));
     let work = body(&work(m));
     let motion = by_index("motion", format_ident!("i"), m.motions.iter().map(|x| motion(m, x)));
@@ -22,9 +23,10 @@ pub fn functions(m: &Model) -> TokenStream {
     let force = vector(m, m.force.iter().flatten());
     let acceleration = m.acceleration.as_ref().map(|rows| {
         let a = vector(m, rows);
+        let (d, d_dot) = deflections(m);
         quote! {
             #[inline]
-            fn acceleration(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #a }
+            fn acceleration(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #d #d_dot #a }
         }
     });
     let mobility = m.mobility.as_ref().map(|entries| {
@@ -38,19 +40,19 @@ pub fn functions(m: &Model) -> TokenStream {
         #[inline]
         fn kinetic(&self, q_dot: &[f64; #n]) -> f64 { #kinetic }
         #[inline]
-        fn potential(&self, q: &[f64; #n], k: &[f64]) -> f64 { #potential }
+        fn potential(&self, q: &[f64; #n], k: &[f64]) -> f64 { #d #potential }
         #[inline]
-        fn dissipation(&self, q_dot: &[f64; #n]) -> f64 { #dissipation }
+        fn dissipation(&self, q_dot: &[f64; #n]) -> f64 { #d_dot #dissipation }
         #[inline]
         fn torque_work(&self, i: usize, dq: &[f64; #n]) -> f64 { #torque_work }
         #[inline]
         fn work(&self, dq: &[f64; #n]) -> f64 { #work }
         #[inline]
-        fn force(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #force }
+        fn force(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #d #d_dot #force }
         #acceleration
         fn jacobian(
             &self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64], ddk: &[f64],
-        ) -> [[[f64; #n]; #n]; 2] { #jacobian }
+        ) -> [[[f64; #n]; #n]; 2] { #d #d_dot #jacobian }
         fn mass(&self) -> [[f64; #n]; #n] { #mass }
         #mobility
         fn damping(&self) -> [[f64; #n]; #n] { #damping }
@@ -60,6 +62,14 @@ pub fn functions(m: &Model) -> TokenStream {
         #[inline]
         fn switching(&self, law: usize) -> equations::Switching { #switching }
         #jumps
+    }
+}
+
+/// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates; what is not used is not computed.
+pub fn deflections(m: &Model) -> (TokenStream, TokenStream) {
+    match m.deflections.is_empty() {
+        true => (quote!(), quote!()),
+        false => (quote!(let d = self.deflections(q);), quote!(let d_dot = self.deflections(q_dot);)),
     }
 }
 

@@ -1,12 +1,13 @@
 //! What a mesh feels of two gears along its line of action.
 //!
-//! Seen from the line of centres, which runs from the first gear to the second (from the middle of a ring outwards), a
-//! gear moves by r radially along that line and by t at right angles to it, and turns by u = r_b theta at its base
-//! circle; t and u are positive counterclockwise. With the pressure angle alpha (Lin & Parker 1999, Eq. (3)):
+//! A gear moves by x, y and turns by u = r_b theta at its base circle, counterclockwise. In a mesh whose line of centres
+//! (from the first gear to the second; from the middle of a ring outwards) is in the direction psi, a point of it moves
+//! along the line of action by y cos(l) - x sin(l) + u, with l = psi - alpha for an external and l = psi + alpha for an
+//! internal mesh of the pressure angle alpha (Lin & Parker 1999, Eq. (3)). The deflection is
 //!
 //! ```text
-//! delta = (t1 - t2) cos(alpha) + (r1 - r2) sin(alpha) + u1 + u2     external
-//! delta = (t1 - t2) cos(alpha) - (r1 - r2) sin(alpha) + u1 - u2     internal, 1 the ring
+//! delta = (y1 - y2) cos(l) - (x1 - x2) sin(l) + u1 + u2     external
+//! delta = (y1 - y2) cos(l) - (x1 - x2) sin(l) + u1 - u2     internal, 1 the ring
 //! ```
 
 use gearsim_derive::Expr;
@@ -31,36 +32,31 @@ pub struct Direction {
     pub sin: Expr,
 }
 
-/// The motion of a gear [m] as seen from a line of centres.
-#[derive(Clone, Copy)]
-pub struct Seen {
-    /// Along the line.
-    pub radial: Expr,
-    /// At right angles to it.
-    pub tangential: Expr,
-    /// Rotation times the radius of the base circle.
-    pub u: Expr,
+impl Direction {
+    /// The opposite angle.
+    pub fn mirrored(self) -> Direction {
+        Direction { sin: -self.sin, ..self }
+    }
 }
 
 impl Gear {
-    /// A gear on a fixed axis.
-    pub fn fixed(u: Expr) -> Gear {
+    /// A gear whose centre does not move.
+    pub fn centred(u: Expr) -> Gear {
         Gear { x: 0.into(), y: 0.into(), u }
     }
 
-    /// As seen from a line of centres in a direction.
-    pub fn seen_from(self, psi: Direction) -> Seen {
-        let Gear { x, y, u } = self;
-        Seen { radial: x * psi.cos + y * psi.sin, tangential: y * psi.cos - x * psi.sin, u }
+    /// What its centre moves at right angles to a direction.
+    pub fn across(self, l: Direction) -> Expr {
+        self.y * l.cos - self.x * l.sin
     }
 }
 
-/// The deflection of an external mesh [m].
-pub fn external(a: Seen, b: Seen, alpha: Direction) -> Expr {
-    (a.tangential - b.tangential) * alpha.cos + (a.radial - b.radial) * alpha.sin + a.u + b.u
+/// The deflection of an external mesh [m]. The second gear may be given in a frame of its own, with the line `l2` in it.
+pub fn external(a: Gear, l1: Direction, b: Gear, l2: Direction) -> Expr {
+    a.across(l1) - b.across(l2) + a.u + b.u
 }
 
 /// The deflection of the mesh of a ring with a planet [m].
-pub fn internal(ring: Seen, planet: Seen, alpha: Direction) -> Expr {
-    (ring.tangential - planet.tangential) * alpha.cos - (ring.radial - planet.radial) * alpha.sin + ring.u - planet.u
+pub fn internal(ring: Gear, l1: Direction, planet: Gear, l2: Direction) -> Expr {
+    ring.across(l1) - planet.across(l2) + ring.u - planet.u
 }

@@ -19,7 +19,7 @@ pub use bearing::bearing;
 pub use constraint::geared;
 pub use damping::damping;
 pub use drive::{drive, load};
-pub use gear::{Direction, Gear, Seen, external, internal};
+pub use gear::{Direction, Gear, external, internal};
 pub use mesh::mesh;
 pub use pair::{Pair, pair};
 pub use planets::{Stage, stage};
