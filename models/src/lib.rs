@@ -61,6 +61,6 @@ pub const MODELS: &[Entry] = &[
     ("planar_planetary_5", |m| planar_planetary::planar_planetary(m, 5)),
     ("wind_turbine", wind_turbine::wind_turbine),
     ("chain_2", |m| chain::chain(m, 2)),
-    ("chain_8", |m| chain::chain(m, 8)),
+    ("chain_5", |m| chain::chain(m, 5)),
     ("chain_32", |m| chain::chain(m, 32)),
 ];

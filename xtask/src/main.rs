@@ -4,6 +4,7 @@ mod derive;
 mod fuzz;
 mod hard_cases;
 mod oh2005;
+mod published;
 mod soak;
 
 use std::process::ExitCode;
@@ -24,6 +25,8 @@ enum Verb {
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
     HardCases(hard_cases::HardCases),
+    /// Compare the models with published numbers; write their table to tests/published.md.
+    Published(published::Published),
     /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
     Fuzz(fuzz::Fuzz),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
@@ -36,6 +39,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
+        Verb::Published(verb) => verb.run(),
         Verb::Fuzz(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
