@@ -210,12 +210,14 @@ impl Model {
             self.dissipation(alpha * t);
         }
         for v in potential {
-            let speeds = self.coordinates.iter().fold(v, |v, c| {
-                v.with((Kind::Coordinate, &c.name), (Kind::Speed, &speed_name(&c.name)))
-            });
-            let speeds = self.deflections.iter().fold(speeds, |v, d| {
-                v.with((Kind::Deflection, &d.name), (Kind::Rate, &speed_name(&d.name)))
-            });
+            let speeds = self
+                .coordinates
+                .iter()
+                .fold(v, |v, c| v.with((Kind::Coordinate, &c.name), (Kind::Speed, &speed_name(&c.name))));
+            let speeds = self
+                .deflections
+                .iter()
+                .fold(speeds, |v, d| v.with((Kind::Deflection, &d.name), (Kind::Rate, &speed_name(&d.name))));
             let at_mid =
                 self.laws.iter().fold(speeds, |v, l| v.with((Kind::Law, &l.name), (Kind::Mid, &mid_name(&l.name))));
             self.dissipation(beta * at_mid);

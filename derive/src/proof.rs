@@ -63,9 +63,12 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
     });
     claim("M is symmetric", asymmetry)?;
     if !s.deflections.is_empty() {
-        let rest = model.deflections.iter().zip(&s.deflections).enumerate().fold(number(0), |sum, (i, (d, linear))| {
-            sum + tag("d", i, 0) * (d.value.atom() - linear.of(&s.q))
-        });
+        let rest = model
+            .deflections
+            .iter()
+            .zip(&s.deflections)
+            .enumerate()
+            .fold(number(0), |sum, (i, (d, linear))| sum + tag("d", i, 0) * (d.value.atom() - linear.of(&s.q)));
         claim("every deflection is the sum of the coordinates by which the equations differentiate it", rest)?;
     }
     proved.push(definiteness(model, s, motion)?);
@@ -143,7 +146,9 @@ fn definiteness(model: &Model, s: &Symbols, motion: &Motion) -> Result<String, S
         return Ok("M is positive definite: every leading minor is a sum of products of positive quantities".into());
     }
     match squares::decide(model, s) {
-        Squares::Definite => Ok("M is positive definite: T is a sum of squares that vanish together only at rest".into()),
+        Squares::Definite => {
+            Ok("M is positive definite: T is a sum of squares that vanish together only at rest".into())
+        }
         Squares::Free(left) => {
             let names: Vec<&str> = left.iter().map(|&i| model.coordinates[i].name.as_str()).collect();
             Err(Slip::Singular { model: model.name.clone(), coordinates: names.join(", ") })

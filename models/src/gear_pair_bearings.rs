@@ -7,7 +7,9 @@ use crate::components::{Direction, Gear, bearing, damping, drive, external, load
 /// The line of centres is x, from the driving gear to the driven. The driving gear turns counterclockwise.
 pub fn gear_pair_bearings(m: &mut Model) {
     m.title("a gear pair on bearings, with x, y and rotation of each gear");
-    m.source("standard plane model, e.g. Kahraman & Singh (1991), J. Sound Vib. 146(1); phase as Oh, Grosh & Barber (2005)");
+    m.source(
+        "standard plane model, e.g. Kahraman & Singh (1991), J. Sound Vib. 146(1); phase as Oh, Grosh & Barber (2005)",
+    );
 
     let gears = pair(m, "", "1", "2");
     let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");

@@ -4,9 +4,9 @@
 //! With GEARSIM_PUBLISHED=FILE the run writes the published numbers beside the computed ones as a table, in Markdown:
 //! `cargo xtask published`.
 
-mod common;
 #[path = "models/by_hand.rs"]
 mod by_hand;
+mod common;
 #[path = "models/limits.rs"]
 mod limits;
 #[path = "models/published.rs"]
@@ -24,15 +24,19 @@ use libtest_mimic::{Arguments, Trial};
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
-    let done = |test: fn()| move || {
-        test();
-        Ok(())
+    let done = |test: fn()| {
+        move || {
+            test();
+            Ok(())
+        }
     };
     let mut trials: Vec<Trial> = published::CASES
         .iter()
-        .map(|case| Trial::test(format!("published::{}", case.what.replace(' ', "_")), move || {
-            published::check(case).map(|_| ()).map_err(Into::into)
-        }))
+        .map(|case| {
+            Trial::test(format!("published::{}", case.what.replace(' ', "_")), move || {
+                published::check(case).map(|_| ()).map_err(Into::into)
+            })
+        })
         .collect();
     trials.extend(by_hand::TESTS.iter().map(|(name, test)| Trial::test(format!("by_hand::{name}"), done(*test))));
     trials.extend(limits::TESTS.iter().map(|(name, test)| Trial::test(format!("limits::{name}"), done(*test))));

@@ -16,15 +16,14 @@ pub fn emit(m: &Model) -> TokenStream {
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
     let describe = describe(m);
     let sets = effects::sets(m).map(|set| effects::literal(m, set));
-    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>::new(parameters, mids))),)*);
+    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>(Numbers::new(parameters, mids)))),)*);
     let with = with(m);
-    let functions = functions(m);
+    let (functions, shared) = functions(m);
     let constants = effects::constants(m);
     let deflections = (!m.deflections.is_empty()).then(|| {
         let (count, values) = (Index::from(m.deflections.len()), m.deflections.iter().map(|d| &d.value));
         quote! {
             #[inline]
-            #[allow(clippy::all, reason = "code as the derivation wrote it")]
             fn deflections(&self, q: &[f64; #n]) -> [f64; #count] { [#(#values),*] }
         }
     });
@@ -53,7 +52,12 @@ pub fn emit(m: &Model) -> TokenStream {
         #[allow(dead_code, reason = "not every effect has a term of its own")]
         impl<const E: u32> With<E> {
             #constants
+        }
+
+        #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
+        impl Numbers {
             #deflections
+            #(#shared)*
         }
 
         #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
@@ -63,7 +67,7 @@ pub fn emit(m: &Model) -> TokenStream {
     }
 }
 
-/// `struct With<E>`: the numbers of the equations with the effects E.
+/// `struct Numbers`, and `struct With<E>`: the same with the effects E.
 fn with(m: &Model) -> TokenStream {
     let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
@@ -76,14 +80,26 @@ fn with(m: &Model) -> TokenStream {
     });
     let constants = m.constants.iter().map(|Assignment { name, value }| quote!(let #name = #value;));
     quote! {
-        /// The equations with the effects E.
+        /// The numbers that the equations are written in.
         #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
-        struct With<const E: u32> {
+        struct Numbers {
             #(#fields: f64,)*
         }
 
+        /// The equations with the effects E.
+        struct With<const E: u32>(Numbers);
+
+        impl<const E: u32> std::ops::Deref for With<E> {
+            type Target = Numbers;
+
+            #[inline(always)]
+            fn deref(&self) -> &Numbers {
+                &self.0
+            }
+        }
+
         #[allow(non_snake_case, unused_variables, clippy::all, reason = "the symbols and constants of the source")]
-        impl<const E: u32> With<E> {
+        impl Numbers {
             fn new(parameters: &[f64], mids: &[f64]) -> Self {
                 #(#parameters)*
                 #(#mids)*

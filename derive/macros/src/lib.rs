@@ -85,7 +85,7 @@
 //! | --- | --- |
 //! | tokens to structs | `parse`, `items`, `tokens` to `model` |
 //! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `sums` |
+//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `sums`, `share` |
 
 mod check;
 mod describe;
@@ -99,6 +99,7 @@ mod model;
 mod parse;
 mod resolve;
 mod scope;
+mod share;
 mod sums;
 #[cfg(test)]
 mod tests;

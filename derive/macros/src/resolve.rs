@@ -36,9 +36,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     entries(&mut m.mass, &mass, errors);
     let mobility = Scope::of(m, "mobility");
     entries(m.mobility.iter_mut().flatten(), &mobility, errors);
-    let moving = |block: &str, order| {
-        Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, order)
-    };
+    let moving =
+        |block: &str, order| Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, order);
     let (force, acceleration, jacobian) = (moving("force", 1), moving("acceleration", 1), moving("jacobian", 2));
     rows(m.force.iter_mut().flatten(), &force, errors);
     rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
@@ -51,7 +50,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     rows(&mut m.load, &cell, errors);
 
     let impulse = Scope::of(m, "the impulse of a jump");
-    let steps: Vec<_> = m.jumps.iter().map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).step(&j.law)).collect();
+    let steps: Vec<_> =
+        m.jumps.iter().map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).step(&j.law)).collect();
     for (j, step) in m.jumps.iter_mut().zip(steps) {
         rows(j.normal.iter_mut().flatten(), &impulse, errors);
         j.compliance.iter_mut().for_each(|sum| impulse.sum(sum, errors));

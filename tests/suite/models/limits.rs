@@ -102,7 +102,10 @@ fn stiff_shafts() {
     let differences = stiffness.map(|k| {
         let parameters = format!(
             "I_m = {m}, I1 = {i1}, I2 = {i2}, I_l = {l}, k_m = {k:e}, k_l = {k:e}",
-            m = OUTER[0], i1 = I[0] - OUTER[0], i2 = I[1] - OUTER[1], l = OUTER[1],
+            m = OUTER[0],
+            i1 = I[0] - OUTER[0],
+            i2 = I[1] - OUTER[1],
+            l = OUTER[1],
         );
         let other = run_text(&scene("gear_pair_shafts", &parameters));
         let s = column(&other, "s");
@@ -128,9 +131,23 @@ fn stiff_bearings() {
 /// With stiff bearings a planar planetary has the frequencies of the torsional one, and others beyond all bounds.
 fn stiff_planetaries() {
     let stage = [
-        ("Z_s", 27.0), ("Z_r", 99.0), ("r_s", 0.0387), ("I_s", 6e-4), ("I_c", 0.05), ("I_r", 0.06), ("I_p", 1.5e-3),
-        ("m_p", 0.66), ("k_r", 2e7), ("k_s1", 5e8), ("k_r1", 5e8), ("k_s2", 5e8), ("k_r2", 5e8), ("k_s3", 5e8),
-        ("k_r3", 5e8), ("T_motor", 0.0), ("T_load", 0.0),
+        ("Z_s", 27.0),
+        ("Z_r", 99.0),
+        ("r_s", 0.0387),
+        ("I_s", 6e-4),
+        ("I_c", 0.05),
+        ("I_r", 0.06),
+        ("I_p", 1.5e-3),
+        ("m_p", 0.66),
+        ("k_r", 2e7),
+        ("k_s1", 5e8),
+        ("k_r1", 5e8),
+        ("k_s2", 5e8),
+        ("k_r2", 5e8),
+        ("k_s3", 5e8),
+        ("k_r3", 5e8),
+        ("T_motor", 0.0),
+        ("T_load", 0.0),
     ];
     let torsional = train::<planetary_3::Planetary3, 6>(&stage).frequencies();
     let stiffness = [1e12, 1e13, 1e14];

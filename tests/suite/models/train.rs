@@ -18,9 +18,8 @@ pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N>
     let number = |name, default: Option<f64>| {
         given(name).or(default).unwrap_or_else(|| panic!("{}: no number for {name}", model.name))
     };
-    let known = |name: &str| {
-        model.parameters.iter().any(|p| p.name == name) || model.laws.iter().any(|l| l.name == name)
-    };
+    let known =
+        |name: &str| model.parameters.iter().any(|p| p.name == name) || model.laws.iter().any(|l| l.name == name);
     assert!(numbers.iter().all(|n| known(n.0)), "{}: a number of no use in {numbers:?}", model.name);
     let parameters: Vec<f64> = model.parameters.iter().map(|p| number(p.name, p.default)).collect();
     let k: Vec<f64> = model.laws.iter().map(|l| number(l.name, None)).collect();
