@@ -1,6 +1,6 @@
 //! Is a cell linear? Between two steps, M q'' + C q' + K q = f with constant matrices, or the term that breaks it.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Kind, number, symbols};
 use crate::lagrange::{Motion, Symbols};
@@ -17,35 +17,46 @@ pub(crate) struct Cell {
 
 /// The cell matrices, or the terms (as text, with the energy they come from) that make the cell nonlinear.
 pub(crate) fn derive(motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> {
-    let n = s.q.len();
-    let moves = |e: &Atom| symbols(e).iter().any(|k| matches!(k.0, Kind::Coordinate | Kind::Speed));
-    let mut culprits = vec![];
-    let mut blame = |energy: &str, e: &Atom, curved: &dyn Fn(&Atom) -> bool| {
-        for term in terms(&e.expand()) {
-            if curved(&term) {
-                culprits.push(format!("{} in the {energy}", print(&Tree::new(&all_present(&term)), Style::Plain)));
-            }
-        }
-    };
-    let second = |e: &Atom, by: &[symbolica::atom::Symbol]| -> Vec<Vec<Atom>> {
-        (0..n).map(|i| (0..n).map(|j| e.derivative(by[i]).derivative(by[j]).expand()).collect()).collect()
-    };
-    let curved_by = |by: &[symbolica::atom::Symbol]| {
-        let by = by.to_vec();
-        move |term: &Atom| by.iter().any(|a| by.iter().any(|b| moves(&term.derivative(*a).derivative(*b).expand())))
-    };
-    blame("kinetic energy", &motion.kinetic, &curved_by(&s.v));
-    blame("potential energy", &motion.potential, &curved_by(&s.q));
-    blame("dissipation function", &motion.dissipation, &curved_by(&s.v));
+    let (positions, speeds): (Vec<Symbol>, Vec<Symbol>) = (
+        s.q.iter().copied().chain(s.deflections.iter().map(|d| d.symbol)).collect(),
+        s.v.iter().copied().chain(s.deflections.iter().map(|d| d.rate)).collect(),
+    );
+    let culprits: Vec<String> = [
+        ("kinetic energy", &motion.kinetic, &speeds),
+        ("potential energy", &motion.potential, &positions),
+        ("dissipation function", &motion.dissipation, &speeds),
+    ]
+    .into_iter()
+    .flat_map(|(energy, e, by)| curved(e, by).into_iter().map(move |term| format!("{term} in the {energy}")))
+    .collect();
     if !culprits.is_empty() {
         return Err(culprits);
     }
+    let n = s.q.len();
+    let second = |e: &Atom, by: &dyn Fn(&Atom, usize) -> Atom| -> Vec<Vec<Atom>> {
+        let slopes: Vec<Atom> = (0..n).map(|i| by(e, i)).collect();
+        slopes.iter().map(|slope| (0..n).map(|j| by(slope, j).expand()).collect()).collect()
+    };
     let rest = |e: &Atom| {
-        s.q.iter().fold(e.clone(), |e, q| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern()))
+        positions.iter().fold(e.clone(), |e, q| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern()))
     };
     Ok(Cell {
-        stiffness: second(&motion.potential, &s.q),
-        damping: second(&motion.dissipation, &s.v),
-        load: (0..n).map(|i| (&motion.external[i] - rest(&motion.potential.derivative(s.q[i]))).expand()).collect(),
+        stiffness: second(&motion.potential, &|e, i| s.by_coordinate(e, i)),
+        damping: second(&motion.dissipation, &|e, i| s.by_speed(e, i)),
+        load: (0..n).map(|i| (&motion.external[i] - rest(&s.by_coordinate(&motion.potential, i))).expand()).collect(),
     })
+}
+
+/// The terms of an energy, as text, whose second derivatives by what moves still move.
+fn curved(e: &Atom, by: &[Symbol]) -> Vec<String> {
+    let moves = |e: &Atom| {
+        let moving = [Kind::Coordinate, Kind::Speed, Kind::Deflection, Kind::Rate];
+        symbols(e).iter().any(|s| moving.contains(&s.0))
+    };
+    let bends = |term: &Atom| {
+        let slopes = by.iter().map(|a| term.derivative(*a)).filter(|slope| !slope.is_zero());
+        slopes.into_iter().any(|slope| by.iter().any(|b| moves(&slope.derivative(*b).expand())))
+    };
+    let text = |term: &Atom| print(&Tree::new(&all_present(term)), Style::Plain);
+    terms(&e.expand()).iter().filter(|term| bends(term)).map(text).collect()
 }

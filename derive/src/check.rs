@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::slip::Slip;
 
 pub(crate) use functions::numbers;
-pub(crate) use sign::positive;
+pub(crate) use sign::{never_negative, positive};
 
 /// Checks a whole model; the first slip found ends it.
 pub(crate) fn check(model: &Model) -> Result<(), Slip> {

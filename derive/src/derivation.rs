@@ -80,7 +80,12 @@ impl Derivation<'_> {
     }
 
     fn in_parameters(&self, e: &Atom) -> Expr {
-        Expr::new(markers::all_present(&proof::exact(&self.motion, e)))
+        let s = Symbols::new(self.model);
+        let written_out = s.deflections.iter().fold(e.clone(), |e, d| {
+            let e = e.replace(Atom::var(d.symbol).to_pattern()).with(d.of(&s.q).to_pattern());
+            e.replace(Atom::var(d.rate).to_pattern()).with(d.of(&s.v).to_pattern())
+        });
+        Expr::new(markers::all_present(&proof::exact(&self.motion, &written_out)))
     }
 
     /// The terms of a cell that are not linear, with the energies they come from; empty where all are.
@@ -92,7 +97,9 @@ impl Derivation<'_> {
     pub(crate) fn rolling(&self, law: &Law) -> bool {
         let phase = expr::symbols(&law.phase.atom());
         let [(kind, name)] = phase.as_slice() else { return false };
-        let moves = |e: &Atom| !e.derivative(expr::symbol(*kind, name)).is_zero();
+        let s = Symbols::new(self.model);
+        let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
+        let moves = |e: &Atom| !s.by_coordinate(e, i).expand().is_zero();
         let m = &self.motion;
         ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves)
     }
@@ -111,7 +118,7 @@ impl Derivation<'_> {
 fn jacobian(model: &Model, s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
     let rows = motion.acceleration.as_ref().unwrap_or(&motion.force);
     let by_q = |row: &Atom, i| lagrange::gradient(model, s, row, i, MOVING_PHASE).expand();
-    let by_v = |row: &Atom, i: usize| row.derivative(s.v[i]).expand();
+    let by_v = |row: &Atom, i: usize| s.by_speed(row, i).expand();
     let n = s.q.len();
     rows.iter().map(|row| (0..n).map(|i| by_q(row, i)).chain((0..n).map(|i| by_v(row, i))).collect()).collect()
 }

@@ -35,15 +35,19 @@ pub enum Kind {
     Slope,
     /// Curvature of a law along its phase, `ddk`.
     Curvature,
+    /// Named deflection, linear in the coordinates.
+    Deflection,
     /// Generalised coordinate.
     Coordinate,
+    /// Rate of a deflection.
+    Rate,
     /// Generalised speed.
     Speed,
     /// Anything not declared.
     Free,
 }
 
-const KINDS: [(Kind, &str); 11] = [
+const KINDS: [(Kind, &str); 13] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -52,7 +56,9 @@ const KINDS: [(Kind, &str); 11] = [
     (Kind::Law, "law"),
     (Kind::Slope, "slope"),
     (Kind::Curvature, "curvature"),
+    (Kind::Deflection, "deflection"),
     (Kind::Coordinate, "coordinate"),
+    (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
     (Kind::Free, "free"),
 ];
@@ -157,14 +163,38 @@ impl Expr {
         Expr::new(self.atom().pow(&(number(1) / number(2))))
     }
 
-    /// The time derivative, by the chain rule over the coordinates in it.
+    /// The sine.
+    pub fn sin(self) -> Expr {
+        Expr::function("sin", self)
+    }
+
+    /// The cosine.
+    pub fn cos(self) -> Expr {
+        Expr::function("cos", self)
+    }
+
+    /// Multiplied out.
+    pub(crate) fn expand(self) -> Expr {
+        Expr::new(self.atom().expand())
+    }
+
+    /// With one symbol in the place of another.
+    pub(crate) fn with(self, (kind, name): (Kind, &str), (new_kind, new_name): (Kind, &str)) -> Expr {
+        let new = Atom::var(symbol(new_kind, new_name));
+        Expr::new(self.atom().replace(Atom::var(symbol(kind, name)).to_pattern()).with(new.to_pattern()))
+    }
+
+    /// The time derivative, by the chain rule over the coordinates and deflections in it.
     pub fn dot(self) -> Expr {
         let e = self.atom();
         let mut rate = number(0);
         for (kind, name) in symbols(&e) {
-            if kind == Kind::Coordinate {
-                rate += e.derivative(symbol(kind, &name)) * Atom::var(symbol(Kind::Speed, &speed_name(&name)));
-            }
+            let rate_of = match kind {
+                Kind::Coordinate => Kind::Speed,
+                Kind::Deflection => Kind::Rate,
+                _ => continue,
+            };
+            rate += e.derivative(symbol(kind, &name)) * Atom::var(symbol(rate_of, &speed_name(&name)));
         }
         Expr::new(rate)
     }

@@ -29,7 +29,8 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
         String::new(),
         format!(
             "Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {}`. Do not edit: change the",
-            m.name, m.name
+            described_in(&m.name),
+            m.name
         ),
         "energies and derive again.".into(),
         format!("Source: {}", one_line(&m.source)),
@@ -43,6 +44,9 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     if !texts.constants.is_empty() {
         section("Constants", "text", &texts.constants);
     }
+    if !texts.deflections.is_empty() {
+        section("Deflections", "text", &texts.deflections);
+    }
     section("Equations of motion", "text", &texts.motion);
     section("At a step of a stiffness", "text", &texts.jump);
     section("Between two steps", "text", &texts.cell);
@@ -54,6 +58,12 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     lines.push("| --- | --- | --- | --- |".into());
     lines.extend(operations.iter().map(|(name, [a, m, f])| format!("| {name} | {a} | {m} | {f} |")));
     lines.iter().map(|l| format!("//! {l}").trim_end().to_string()).collect::<Vec<_>>().join("\n")
+}
+
+/// The file of a model: `planetary_3`, with the number of its parts, is described in `planetary.rs`.
+fn described_in(name: &str) -> &str {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    if stem.len() < name.len() { stem.strip_suffix('_').unwrap_or(name) } else { name }
 }
 
 /// A text that cannot end the comment it stands in.
@@ -141,6 +151,14 @@ impl Block {
             self.line(1, "constants {");
             for (name, value) in &motion.constants {
                 self.line(2, &format!("{name} = {};", print(&Tree::new(value), Style::Rust)));
+            }
+            self.line(1, "}");
+        }
+        if !m.deflections.is_empty() {
+            self.line(1, "deflections {");
+            for deflection in &m.deflections {
+                let value = Tree::new(&deflection.value.atom());
+                self.line(2, &format!("{} = {};", deflection.name, print(&value, Style::Rust)));
             }
             self.line(1, "}");
         }

@@ -6,8 +6,8 @@
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Expr, Kind, number, symbol};
-use crate::model::{JUMP_TERMS, Model, Torque, mobility_name};
+use crate::expr::{Expr, Kind, number, speed_name, symbol};
+use crate::model::{Deflection, JUMP_TERMS, Model, Torque, mobility_name};
 use crate::slip::Slip;
 
 /// The symbols of one model.
@@ -17,19 +17,62 @@ pub(crate) struct Symbols {
     pub law: Vec<Symbol>,
     pub slope: Vec<Symbol>,
     pub curvature: Vec<Symbol>,
+    pub deflections: Vec<Linear>,
+}
+
+/// A named deflection delta = sum slope_i q_i, and its rate.
+pub(crate) struct Linear {
+    pub symbol: Symbol,
+    pub rate: Symbol,
+    /// Its slopes along the coordinates, those that are not zero.
+    pub slopes: Vec<(usize, Atom)>,
+}
+
+impl Linear {
+    /// The sum itself, of coordinates or of speeds.
+    pub fn of(&self, by: &[Symbol]) -> Atom {
+        self.slopes.iter().fold(number(0), |sum, (i, slope)| sum + slope * Atom::var(by[*i]))
+    }
+
+    fn along(&self, i: usize) -> Option<&Atom> {
+        self.slopes.iter().find(|s| s.0 == i).map(|s| &s.1)
+    }
 }
 
 impl Symbols {
     pub fn new(model: &Model) -> Self {
         let laws =
             |kind, prefix: &str| model.laws.iter().map(|l| symbol(kind, &format!("{prefix}{}", l.name))).collect();
+        let q: Vec<Symbol> = model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect();
+        let linear = |d: &Deflection| {
+            let value = d.value.atom();
+            let slopes = q.iter().map(|q| value.derivative(*q).expand()).enumerate();
+            Linear {
+                symbol: symbol(Kind::Deflection, &d.name),
+                rate: symbol(Kind::Rate, &speed_name(&d.name)),
+                slopes: slopes.filter(|s| !s.1.is_zero()).collect(),
+            }
+        };
         Symbols {
+            deflections: model.deflections.iter().map(linear).collect(),
             q: model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect(),
             v: model.speeds().iter().map(|s| symbol(Kind::Speed, s)).collect(),
             law: laws(Kind::Law, ""),
             slope: laws(Kind::Slope, "d"),
             curvature: laws(Kind::Curvature, "dd"),
         }
+    }
+
+    /// de/dq_i, through the deflections too, the laws held.
+    pub fn by_coordinate(&self, e: &Atom, i: usize) -> Atom {
+        let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.symbol)));
+        through.fold(e.derivative(self.q[i]), |sum, part| sum + part)
+    }
+
+    /// de/dq'_i, through the deflections' rates too.
+    pub fn by_speed(&self, e: &Atom, i: usize) -> Atom {
+        let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.rate)));
+        through.fold(e.derivative(self.v[i]), |sum, part| sum + part)
     }
 }
 
@@ -57,7 +100,7 @@ pub(crate) fn sum(pieces: &[Expr]) -> Atom {
 
 /// de/dq_i including the way through the laws' phases, the latter marked with `marker`.
 pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &str) -> Atom {
-    let mut g = e.derivative(s.q[i]);
+    let mut g = s.by_coordinate(e, i);
     for (l, law) in model.laws.iter().enumerate() {
         let through = law.phase.atom().derivative(s.q[i]);
         if !through.is_zero() {
@@ -107,7 +150,7 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
         .map(|i| {
             let carried = (0..n).fold(number(0), |c, j| c + momentum[i].derivative(s.q[j]) * Atom::var(s.v[j]));
             let elastic = gradient(model, s, &potential, i, JUMP_TERMS);
-            (&external[i] - elastic - dissipation.derivative(s.v[i]) + kinetic.derivative(s.q[i]) - carried).expand()
+            (&external[i] - elastic - s.by_speed(&dissipation, i) + kinetic.derivative(s.q[i]) - carried).expand()
         })
         .collect();
     let mut motion = Motion {

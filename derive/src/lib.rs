@@ -3,7 +3,7 @@
 //! A [`Model`] collects kinetic energy T, potential V, dissipation D and torques; [`derive`] turns them into a
 //! [`Derivation`], whose [`Derivation::file`] is committed under `gearsim/src/generated/`. The way, one file each:
 //! `expr` (symbols), `model` (what people declare), `check` (slips), `lagrange` and `mobility` (equations of motion),
-//! `cell` (linearity), `jump` (jump rules), `proof` (identities), `tree` and `print` (readable output), `text` and
+//! `cell` (linearity), `jump` (jump rules), `proof` and `squares` (identities, definiteness), `tree` and `print` (readable output), `text` and
 //! `file` (the generated file).
 
 mod cell;
@@ -19,6 +19,7 @@ mod model;
 mod print;
 mod proof;
 mod slip;
+mod squares;
 mod text;
 mod tree;
 

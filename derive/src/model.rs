@@ -45,6 +45,11 @@ pub(crate) struct Law {
     pub doc: String,
 }
 
+pub(crate) struct Deflection {
+    pub name: String,
+    pub value: Expr,
+}
+
 pub(crate) struct Motion {
     pub name: String,
     pub unit: String,
@@ -80,6 +85,7 @@ pub struct Model {
     pub(crate) motions: Vec<Motion>,
     pub(crate) effects: Vec<Effect>,
     pub(crate) constants: Vec<(String, Expr)>,
+    pub(crate) deflections: Vec<Deflection>,
     pub(crate) torques: Vec<Torque>,
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
@@ -125,6 +131,18 @@ impl Model {
         Expr::var(Kind::Constant, name)
     }
 
+    /// A name for what a spring feels: linear in the coordinates, and zero where they are. V may be written in it and D in
+    /// its `.dot()`; the equations then are, too, instead of being multiplied out. What is a coordinate keeps
+    /// that name.
+    pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
+        let value = value.expand();
+        if self.coordinates.iter().any(|c| value.atom() == Expr::var(Kind::Coordinate, &c.name).atom()) {
+            return value;
+        }
+        self.deflections.push(Deflection { name: name.into(), value });
+        Expr::var(Kind::Deflection, name)
+    }
+
     /// The entry of the inverse mass matrix for two coordinates, whatever the derivation finds it to be. (At most two
     /// coordinates: larger mass matrices are never inverted symbolically.)
     pub fn inverse_mass(&self, a: Expr, b: Expr) -> Expr {
@@ -155,9 +173,12 @@ impl Model {
         self.motions.push(Motion { name: name.into(), unit: unit.into(), speeds: speeds.to_vec(), doc: doc.into() });
     }
 
-    /// An effect: what `add` adds is in the equations only of scenes that name it.
+    /// An effect: what `add` adds is in the equations only of scenes that name it. Components may add to one effect
+    /// one after another, each with the same `name` and `doc`.
     pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
-        self.effects.push(Effect { name: name.into(), requires: vec![], excludes: vec![], doc: doc.into() });
+        if !self.effects.iter().any(|e| e.name == name && e.doc == doc) {
+            self.effects.push(Effect { name: name.into(), requires: vec![], excludes: vec![], doc: doc.into() });
+        }
         let outer = self.within.replace(name.into());
         add(self);
         self.within = outer;
@@ -179,6 +200,28 @@ impl Model {
     pub fn dissipation(&mut self, d: Expr) {
         let d = self.marked(d);
         self.dissipation.push(d);
+    }
+
+    /// Rayleigh damping, D = alpha T + beta V with speeds in the place of coordinates and every law at its mid value:
+    /// C = alpha M + beta K. To be called after all of T and V, which must be sums of squares.
+    pub fn rayleigh(&mut self, alpha: Expr, beta: Expr) {
+        let (kinetic, potential) = (self.kinetic.clone(), self.potential.clone());
+        for t in kinetic {
+            self.dissipation(alpha * t);
+        }
+        for v in potential {
+            let speeds = self
+                .coordinates
+                .iter()
+                .fold(v, |v, c| v.with((Kind::Coordinate, &c.name), (Kind::Speed, &speed_name(&c.name))));
+            let speeds = self
+                .deflections
+                .iter()
+                .fold(speeds, |v, d| v.with((Kind::Deflection, &d.name), (Kind::Rate, &speed_name(&d.name))));
+            let at_mid =
+                self.laws.iter().fold(speeds, |v, l| v.with((Kind::Law, &l.name), (Kind::Mid, &mid_name(&l.name))));
+            self.dissipation(beta * at_mid);
+        }
     }
 
     /// A constant external torque (or force) of size `value` that works through the displacement `through`, linear in

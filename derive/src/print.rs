@@ -163,7 +163,7 @@ pub(crate) fn symbol_text(kind: Kind, name: &str, style: Style) -> String {
         return name.to_string();
     }
     match kind {
-        Kind::Speed => format!("\\dot{{{}}}", latex_name(name.trim_end_matches("_dot"))),
+        Kind::Speed | Kind::Rate => format!("\\dot{{{}}}", latex_name(name.trim_end_matches("_dot"))),
         Kind::Slope => format!("{}'", latex_name(&name[1..])),
         Kind::Curvature => format!("{}''", latex_name(&name[2..])),
         Kind::Mid => format!("\\bar{{{}}}", latex_name(name.trim_end_matches("_mid"))),

@@ -11,6 +11,7 @@ use crate::mobility::{LARGEST_DETERMINANT, determinant, is_zero};
 use crate::model::{JUMP_TERMS, Model};
 use crate::print::{Style, print};
 use crate::slip::Slip;
+use crate::squares::{self, Squares};
 use crate::tree::Tree;
 
 /// Proves everything, or says what failed. Each line states what was proved.
@@ -61,7 +62,16 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
         (0..i).fold(sum, |sum, j| sum + tag("m", i, j) * (&motion.mass[i][j] - &motion.mass[j][i]))
     });
     claim("M is symmetric", asymmetry)?;
-    proved.push(definiteness(model, motion));
+    if !s.deflections.is_empty() {
+        let rest = model
+            .deflections
+            .iter()
+            .zip(&s.deflections)
+            .enumerate()
+            .fold(number(0), |sum, (i, (d, linear))| sum + tag("d", i, 0) * (d.value.atom() - linear.of(&s.q)));
+        claim("every deflection is the sum of the coordinates by which the equations differentiate it", rest)?;
+    }
+    proved.push(definiteness(model, s, motion)?);
     if let Some(note) = without_jump_terms(model, s, motion) {
         proved.push(note);
     }
@@ -88,11 +98,16 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
     let mut rate = number(0);
     for i in 0..n {
         let v = Atom::var(s.v[i]);
-        rate = rate
-            + &v * hamiltonian.derivative(s.q[i])
-            + &v * jump(gradient(model, s, &motion.potential, i, JUMP_TERMS));
+        rate = rate + &v * hamiltonian.derivative(s.q[i]) + &v * motion.potential.derivative(s.q[i]);
         rate += &v * jump(motion.force[i].clone());
         rate = rate - &v * &motion.external[i] + &v * motion.dissipation.derivative(s.v[i]);
+    }
+    // V and D change through deflections too, and V through the laws; not by way of the gradients that made F.
+    for d in &s.deflections {
+        rate += d.of(&s.v) * (motion.potential.derivative(d.symbol) + motion.dissipation.derivative(d.rate));
+    }
+    for (l, law) in model.laws.iter().enumerate() {
+        rate += motion.potential.derivative(s.law[l]) * Atom::var(s.slope[l]) * law.phase.dot().atom();
     }
     rate.expand()
 }
@@ -122,15 +137,25 @@ fn kinetic_change(motion: &Motion, s: &Symbols, jump: &Jump) -> Option<Atom> {
     Some(after - &motion.kinetic - gained)
 }
 
-/// Positive definite by Sylvester: every leading minor a sum of products of positive parameters.
-fn definiteness(model: &Model, motion: &Motion) -> String {
+/// Positive definite by Sylvester, every leading minor a sum of products of positive parameters; or by squares.
+fn definiteness(model: &Model, s: &Symbols, motion: &Motion) -> Result<String, Slip> {
     let n = motion.mass.len();
     let minor = |k: usize| determinant(&motion.mass[..k].iter().map(|row| row[..k].to_vec()).collect::<Vec<_>>());
     let posynomial = |e: Atom| !e.is_zero() && terms(&all_present(&e)).iter().all(|t| positive(model, t));
     if n <= LARGEST_DETERMINANT && (1..=n).all(|k| posynomial(minor(k))) {
-        "M is positive definite: every leading minor is a sum of products of positive quantities".into()
-    } else {
-        "M is positive definite: not decided symbolically; checked for the numbers of every scene".into()
+        return Ok("M is positive definite: every leading minor is a sum of products of positive quantities".into());
+    }
+    match squares::decide(model, s) {
+        Squares::Definite => {
+            Ok("M is positive definite: T is a sum of squares that vanish together only at rest".into())
+        }
+        Squares::Free(left) => {
+            let names: Vec<&str> = left.iter().map(|&i| model.coordinates[i].name.as_str()).collect();
+            Err(Slip::Singular { model: model.name.clone(), coordinates: names.join(", ") })
+        }
+        Squares::Undecided => {
+            Ok("M is positive definite: not decided symbolically; checked for the numbers of every scene".into())
+        }
     }
 }
 

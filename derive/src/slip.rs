@@ -42,6 +42,10 @@ pub enum Slip {
         "{model}: the displacement of the torque `{torque}` must be linear in the coordinates, or its work over a turn would depend on where the turn began; {displacement} is not"
     )]
     NotLinear { model: String, torque: String, displacement: String },
+    #[error(
+        "{model}: the deflection `{deflection}` must be linear in the coordinates, and zero where they are; {value} is not"
+    )]
+    NotADeflection { model: String, deflection: String, value: String },
     #[error("{model}: the phase of `{law}` must be one of the coordinates, not {phase}")]
     Phase { model: String, law: String, phase: String },
     #[error("{model}: the pitch of `{law}` must be a positive number, not {pitch}")]

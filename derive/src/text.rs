@@ -9,9 +9,11 @@ use crate::print::{Style, latex_name, print, symbol_text};
 use crate::tree::Tree;
 
 /// Lines of text, by section.
+#[derive(Default)]
 pub(crate) struct Texts {
     pub energies: Vec<String>,
     pub constants: Vec<String>,
+    pub deflections: Vec<String>,
     pub motion: Vec<String>,
     pub jump: Vec<String>,
     pub cell: Vec<String>,
@@ -21,7 +23,7 @@ pub(crate) struct Texts {
 impl Texts {
     /// All plain lines.
     pub fn plain(&self) -> impl Iterator<Item = &String> {
-        [&self.energies, &self.constants, &self.motion, &self.jump, &self.cell].into_iter().flatten()
+        [&self.energies, &self.constants, &self.deflections, &self.motion, &self.jump, &self.cell].into_iter().flatten()
     }
 }
 
@@ -56,8 +58,7 @@ pub(crate) fn write(d: &Derivation) -> Texts {
     let written = |pieces: &[crate::Expr], style| {
         sum(&as_written(&pieces.iter().map(|p| p.atom()).collect::<Vec<_>>(), &order), style)
     };
-    let mut t =
-        Texts { energies: vec![], constants: vec![], motion: vec![], jump: vec![], cell: vec![], latex: vec![] };
+    let mut t = Texts::default();
 
     for (name, pieces) in [("T", &m.kinetic), ("V", &m.potential), ("D", &m.dissipation)] {
         t.energies.push(format!("{name} = {}", written(pieces, Style::Plain)));
@@ -71,6 +72,11 @@ pub(crate) fn write(d: &Derivation) -> Texts {
         let value = Tree::new(value);
         t.constants.push(format!("{name} = {}", print(&value, Style::Plain)));
         t.latex.push(format!("{} = {}", latex_name(name), print(&value, Style::Latex)));
+    }
+    for d in &m.deflections {
+        let value = Tree::new(&d.value.atom());
+        t.deflections.push(format!("{} = {}", d.name, print(&value, Style::Plain)));
+        t.latex.push(format!("{} = {}", latex_name(&d.name), print(&value, Style::Latex)));
     }
     for (i, c) in m.coordinates.iter().enumerate() {
         let left = |j: usize, style| match style {

@@ -28,7 +28,17 @@
 //!
 //! [`gear_pair`](gear_pair::gear_pair) is a complete example in thirty lines.
 
+pub mod chain;
+pub mod components;
 pub mod gear_pair;
+pub mod gear_pair_bearings;
+pub mod gear_pair_shafts;
+pub mod geared_branches;
+pub mod idler;
+pub mod planar_planetary;
+pub mod planetary;
+pub mod two_stage;
+pub mod wind_turbine;
 
 use gearsim_derive::Model;
 
@@ -37,5 +47,20 @@ pub type Entry = (&'static str, fn(&mut Model));
 
 /// Every model: one line each.
 pub const MODELS: &[Entry] = &[
-    ("gear_pair", gear_pair::gear_pair), //
+    ("gear_pair", gear_pair::gear_pair),
+    ("gear_pair_shafts", gear_pair_shafts::gear_pair_shafts),
+    ("gear_pair_bearings", gear_pair_bearings::gear_pair_bearings),
+    ("geared_branches", geared_branches::geared_branches),
+    ("two_stage", two_stage::two_stage),
+    ("idler", idler::idler),
+    ("planetary_3", |m| planetary::planetary(m, 3)),
+    ("planetary_4", |m| planetary::planetary(m, 4)),
+    ("planetary_5", |m| planetary::planetary(m, 5)),
+    ("planar_planetary_3", |m| planar_planetary::planar_planetary(m, 3)),
+    ("planar_planetary_4", |m| planar_planetary::planar_planetary(m, 4)),
+    ("planar_planetary_5", |m| planar_planetary::planar_planetary(m, 5)),
+    ("wind_turbine", wind_turbine::wind_turbine),
+    ("chain_2", |m| chain::chain(m, 2)),
+    ("chain_5", |m| chain::chain(m, 5)),
+    ("chain_32", |m| chain::chain(m, 32)),
 ];

@@ -6,6 +6,7 @@ mod hard_cases;
 mod instructions;
 mod oh2005;
 mod peers;
+mod published;
 mod soak;
 
 use std::process::ExitCode;
@@ -26,6 +27,8 @@ enum Verb {
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
     HardCases(hard_cases::HardCases),
+    /// Compare the models with published numbers; write their table to tests/published.md.
+    Published(published::Published),
     /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
     Fuzz(fuzz::Fuzz),
     /// Count the instructions of the main paths under valgrind; write them to tests/instructions.md.
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
+        Verb::Published(verb) => verb.run(),
         Verb::Fuzz(verb) => verb.run(),
         Verb::Instructions(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),

@@ -46,6 +46,7 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
         claim("law", name, vec![format!("d{name}"), format!("dd{name}"), format!("{name}_mid")]);
     }
     m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
+    m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
     unique("motion", m.motions.iter().map(|x| &x.name), errors);
     unique("torque", m.torques.iter().map(|x| &x.name), errors);
     unique("jump", m.jumps.iter().map(|x| &x.law), errors);

@@ -17,10 +17,17 @@ pub fn emit(m: &Model) -> TokenStream {
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
     let describe = describe(m);
     let sets = effects::sets(m).map(|set| effects::literal(m, set));
-    let sets = quote!(#(#sets => Some(Box::new(With::<#sets, f64>::new(parameters, mids))),)*);
+    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>(Numbers::new(parameters, mids)))),)*);
     let with = with(m);
-    let functions = functions(m);
+    let (functions, shared) = functions(m);
     let constants = effects::constants(m);
+    let deflections = (!m.deflections.is_empty()).then(|| {
+        let (count, values) = (Index::from(m.deflections.len()), m.deflections.iter().map(|d| &d.value));
+        quote! {
+            #[inline]
+            fn deflections(&self, q: &[f64; #n]) -> [f64; #count] { [#(#values),*] }
+        }
+    });
     quote! {
         use crate::engine::{equations, real};
         use crate::model;
@@ -43,31 +50,40 @@ pub fn emit(m: &Model) -> TokenStream {
             fn matrices<R: real::Real>(
                 effects: u32, parameters: &[R], mids: &[R], k: &[R],
             ) -> equations::Matrices<#n, R> {
-                With::<0, R>::new(parameters, mids).matrices(effects, k)
+                Numbers::<R>::new(parameters, mids).matrices(effects, k)
             }
         }
 
         #with
 
         #[allow(dead_code, reason = "not every effect has a term of its own")]
-        impl<const E: u32, R> With<E, R> {
+        impl<const E: u32> With<E> {
             #constants
         }
 
         #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
-        impl<const E: u32> equations::Equations<#n> for With<E, f64> {
+        impl Numbers<f64> {
+            #deflections
+            #(#shared)*
+        }
+
+        #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
+        impl<const E: u32> equations::Equations<#n> for With<E> {
             #functions
         }
     }
 }
 
-/// `struct With<E, R>`: the numbers of the equations with the effects E.
+/// `struct Numbers<R>`, of numbers of the kind R, and `struct With<E>`: the same with the effects E.
 fn with(m: &Model) -> TokenStream {
-    let names = || m.parameters.iter().map(|p| &p.name).chain(m.constants.iter().map(|c| &c.name));
-    let (fields, values) = (names(), names());
+    let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
         let (name, i) = (&p.name, Index::from(i));
         quote!(let #name = parameters[#i];)
+    });
+    let mids = m.laws.iter().enumerate().map(|(i, law)| {
+        let (name, i) = (law.mid(), Index::from(i));
+        quote!(let #name = mids[#i];)
     });
     let constants = m.constants.iter().map(|Assignment { name, value }| {
         let value = any_number(value);
@@ -75,19 +91,32 @@ fn with(m: &Model) -> TokenStream {
     });
     let matrices = matrices(m);
     quote! {
-        /// The equations with the effects E, in numbers of the kind R.
+        /// The numbers that the equations are written in, of the kind R.
         #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
-        struct With<const E: u32, R> {
+        struct Numbers<R> {
             #(#fields: R,)*
             kind: std::marker::PhantomData<R>,
+        }
+
+        /// The equations with the effects E.
+        struct With<const E: u32>(Numbers<f64>);
+
+        impl<const E: u32> std::ops::Deref for With<E> {
+            type Target = Numbers<f64>;
+
+            #[inline(always)]
+            fn deref(&self) -> &Numbers<f64> {
+                &self.0
+            }
         }
 
         #[allow(
             non_snake_case, unused_variables, unused_mut, clippy::all, reason = "the symbols and constants of the source",
         )]
-        impl<const E: u32, R: real::Real> With<E, R> {
+        impl<R: real::Real> Numbers<R> {
             fn new(parameters: &[R], mids: &[R]) -> Self {
                 #(#parameters)*
+                #(#mids)*
                 #(#constants)*
                 Self { #(#values,)* kind: std::marker::PhantomData }
             }

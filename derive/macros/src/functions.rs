@@ -8,58 +8,128 @@ use crate::effects::{self, has};
 use crate::jumps::jumps;
 use crate::model::*;
 use crate::scope::speed;
-use crate::sums::{block, body, by_index, matrix, position, vector};
+use crate::share::{Function, LARGE, Place};
+use crate::sums::{self, block, body, by_index, position};
 
-/// The functions of `Equations`.
-pub fn functions(m: &Model) -> TokenStream {
+/// The functions of `Equations`, and those of the numbers that they call.
+pub fn functions(m: &Model) -> (TokenStream, Vec<TokenStream>) {
     let n = Index::from(m.coordinates.len());
-    let (kinetic, potential, dissipation) = (body(&m.kinetic), body(&m.potential), body(&m.dissipation));
+    let (vector, matrix) = (quote!([f64; #n]), quote!([[f64; #n]; #n]));
+    let (no_vector, no_matrix) = (quote!([0.0; #n]), quote!([[0.0; #n]; #n]));
+    let (d, d_dot) = deflections(m);
+    let none = || quote!();
+    let q_dot = || (quote!(q_dot: &#vector,), quote!(q_dot,));
+    let k = || (quote!(k: &[f64],), quote!(k,));
+    let state = || (quote!(q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64],), quote!(q, q_dot, k, dk,));
+    let mut shared = vec![];
+
+    let mut scalar = |name, (takes, given), first, sum: &Sum| {
+        let (returns, zero) = (quote!(f64), quote!(0.0));
+        match sum.len() {
+            0..=LARGE => {
+                let body = body(sum);
+                quote!(#first #body)
+            }
+            _ => Function { name, takes, given, returns, zero, first }
+                .body(&[Place { at: quote!(*v), mirror: None, sum }], &mut shared),
+        }
+    };
+    let kinetic = scalar("kinetic", q_dot(), none(), &m.kinetic);
+    let q_and_k = (quote!(q: &#vector, k: &[f64],), quote!(q, k,));
+    let potential = scalar("potential", q_and_k, d.clone(), &m.potential);
+    let dissipation = scalar("dissipation", q_dot(), d_dot.clone(), &m.dissipation);
+
+    let mut of_rows = |name, rows: &mut dyn Iterator<Item = &Row>| {
+        let places: Vec<Place> = rows
+            .map(|r| {
+                let i = position(m, &r.name);
+                Place { at: quote!(v[#i]), mirror: None, sum: &r.sum }
+            })
+            .collect();
+        let ((takes, given), first) = (state(), quote!(#d #d_dot));
+        Function { name, takes, given, returns: vector.clone(), zero: no_vector.clone(), first }
+            .body(&places, &mut shared)
+    };
+    let force = of_rows("force", &mut m.force.iter().flatten());
+    let acceleration = m.acceleration.as_ref().map(|rows| of_rows("acceleration", &mut rows.iter()));
+
+    let mut of_entries = |name, (takes, given), entries: &[Entry]| {
+        let places: Vec<Place> = entries
+            .iter()
+            .map(|e| {
+                let (i, j) = (position(m, &e.row), position(m, &e.column));
+                let mirror = (i != j).then(|| quote!(v[#j][#i] = v[#i][#j];));
+                Place { at: quote!(v[#i][#j]), mirror, sum: &e.sum }
+            })
+            .collect();
+        let (returns, zero) = (matrix.clone(), no_matrix.clone());
+        Function { name, takes, given, returns, zero, first: none() }.body(&places, &mut shared)
+    };
+    let mass = of_entries("mass", (none(), none()), &m.mass);
+    let mobility = m.mobility.as_ref().map(|entries| of_entries("mobility", (none(), none()), entries));
+    let damping = of_entries("damping", (none(), none()), &m.damping);
+    let stiffness = of_entries("stiffness", k(), &m.stiffness);
+
+    let places: Vec<Place> = m.jacobian.iter().flatten().map(|e| jacobian(m, e)).collect();
+    let (takes, given) = state();
+    let jacobian = Function {
+        name: "jacobian",
+        takes: quote!(#takes ddk: &[f64],),
+        given: quote!(#given ddk,),
+        returns: quote!([#matrix; 2]),
+        zero: quote!([#no_matrix; 2]),
+        first: quote!(#d #d_dot),
+    }
+    .body(&places, &mut shared);
+
     let torque_work = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.work)));
     let work = body(&work(m));
     let motion = by_index("motion", format_ident!("i"), m.motions.iter().map(|x| motion(m, x)));
-    let (mass, damping, stiffness) = (matrix(m, &m.mass), matrix(m, &m.damping), matrix(m, &m.stiffness));
-    let load = vector(m, &m.load);
-    let force = vector(m, m.force.iter().flatten());
-    let acceleration = m.acceleration.as_ref().map(|rows| {
-        let a = vector(m, rows);
-        quote! {
-            #[inline]
-            fn acceleration(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #a }
-        }
-    });
-    let mobility = m.mobility.as_ref().map(|entries| {
-        let w = matrix(m, entries);
-        quote!(fn mobility(&self) -> [[f64; #n]; #n] { #w })
-    });
-    let jacobian = jacobian(m);
+    let load = sums::vector(m, &m.load);
     let switching = switching(m);
     let jumps = jumps(m);
-    quote! {
+    let acceleration = acceleration.map(|a| {
+        quote! {
+            #[inline]
+            fn acceleration(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #a }
+        }
+    });
+    let mobility = mobility.map(|w| quote!(fn mobility(&self) -> #matrix { #w }));
+    let functions = quote! {
         #[inline]
-        fn kinetic(&self, q_dot: &[f64; #n]) -> f64 { #kinetic }
+        fn kinetic(&self, q_dot: &#vector) -> f64 { #kinetic }
         #[inline]
-        fn potential(&self, q: &[f64; #n], k: &[f64]) -> f64 { #potential }
+        fn potential(&self, q: &#vector, k: &[f64]) -> f64 { #potential }
         #[inline]
-        fn dissipation(&self, q_dot: &[f64; #n]) -> f64 { #dissipation }
+        fn dissipation(&self, q_dot: &#vector) -> f64 { #dissipation }
         #[inline]
-        fn torque_work(&self, i: usize, dq: &[f64; #n]) -> f64 { #torque_work }
+        fn torque_work(&self, i: usize, dq: &#vector) -> f64 { #torque_work }
         #[inline]
-        fn work(&self, dq: &[f64; #n]) -> f64 { #work }
+        fn work(&self, dq: &#vector) -> f64 { #work }
         #[inline]
-        fn force(&self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64]) -> [f64; #n] { #force }
+        fn force(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #force }
         #acceleration
         fn jacobian(
-            &self, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64], ddk: &[f64],
-        ) -> [[[f64; #n]; #n]; 2] { #jacobian }
-        fn mass(&self) -> [[f64; #n]; #n] { #mass }
+            &self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64], ddk: &[f64],
+        ) -> [#matrix; 2] { #jacobian }
+        fn mass(&self) -> #matrix { #mass }
         #mobility
-        fn damping(&self) -> [[f64; #n]; #n] { #damping }
-        fn stiffness(&self, k: &[f64]) -> [[f64; #n]; #n] { #stiffness }
-        fn load(&self) -> [f64; #n] { #load }
-        fn motion(&self, i: usize) -> [f64; #n] { #motion }
+        fn damping(&self) -> #matrix { #damping }
+        fn stiffness(&self, k: &[f64]) -> #matrix { #stiffness }
+        fn load(&self) -> #vector { #load }
+        fn motion(&self, i: usize) -> #vector { #motion }
         #[inline]
         fn switching(&self, law: usize) -> equations::Switching { #switching }
         #jumps
+    };
+    (functions, shared)
+}
+
+/// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates; what is not used is not computed.
+pub fn deflections(m: &Model) -> (TokenStream, TokenStream) {
+    match m.deflections.is_empty() {
+        true => (quote!(), quote!()),
+        false => (quote!(let d = self.deflections(q);), quote!(let d_dot = self.deflections(q_dot);)),
     }
 }
 
@@ -84,19 +154,15 @@ fn motion(m: &Model, motion: &Motion) -> TokenStream {
     quote!({ let mut q_dot = [0.0; #n]; #(#speeds)* q_dot })
 }
 
-/// The derivatives by coordinates, then those by speeds.
-fn jacobian(m: &Model) -> TokenStream {
-    let n = Index::from(m.coordinates.len());
-    let entries = m.jacobian.iter().flatten().map(|e| {
-        let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
-        let (which, j) = match by_speed {
-            Some(j) => (Index::from(1), Index::from(j)),
-            None => (Index::from(0), position(m, &e.column)),
-        };
-        let (i, value) = (position(m, &e.row), block(&e.sum));
-        quote!(j[#which][#i][#j] = #value;)
-    });
-    quote!(let mut j = [[[0.0; #n]; #n]; 2]; #(#entries)* j)
+/// An entry of the derivatives by coordinates, or of those by speeds.
+fn jacobian<'a>(m: &Model, e: &'a Entry) -> Place<'a> {
+    let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
+    let (which, j) = match by_speed {
+        Some(j) => (Index::from(1), Index::from(j)),
+        None => (Index::from(0), position(m, &e.column)),
+    };
+    let i = position(m, &e.row);
+    Place { at: quote!(v[#which][#i][#j]), mirror: None, sum: &e.sum }
 }
 
 fn switching(m: &Model) -> TokenStream {

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Index;
 
+use crate::functions::deflections;
 use crate::model::{Jump, Law, Model};
 use crate::sums::{block, position, vector};
 
@@ -21,12 +22,13 @@ pub fn jumps(m: &Model) -> TokenStream {
     let numeric = quote!(equations::direction(&self.mass(), &self.normal(law)));
     let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows)));
     let step = by_law(m, quote!(equations::no_such("jump", law)), |_, jump| jump?.step.as_ref().map(block));
+    let (d, _) = deflections(m);
     quote! {
         fn normal(&self, law: usize) -> [f64; #n] { #normal }
         fn compliance(&self, law: usize) -> f64 { #compliance }
         fn direction(&self, law: usize) -> [f64; #n] { #direction }
         #[inline]
-        fn step(&self, law: usize, q: &[f64; #n], dk: f64) -> f64 { #step }
+        fn step(&self, law: usize, q: &[f64; #n], dk: f64) -> f64 { #d #step }
     }
 }
 

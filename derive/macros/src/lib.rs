@@ -39,6 +39,9 @@
 //! constants {                         // of parameters, mid values and the constants before
 //!     C = 2.0*zeta*(k_mid*m).sqrt();
 //! }
+//! deflections {                       // linear in the coordinates: also gives the rates, as `stretch_dot`
+//!     stretch = x;                    // for potential, force, acceleration, jacobian, step; the rates for D and the latter
+//! }
 //! energies {                          // sums of terms `COND => EXPR;`, COND an effect, a condition, or `_` for always
 //!     kinetic { _ => m*x_dot.powi(2)/2.0; }
 //!     potential { _ => k*x.powi(2)/2.0; }
@@ -82,7 +85,7 @@
 //! | --- | --- |
 //! | tokens to structs | `parse`, `items`, `tokens` to `model` |
 //! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `matrices`, `sums` |
+//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `matrices`, `sums`, `share` |
 
 mod check;
 mod describe;
@@ -97,6 +100,7 @@ mod model;
 mod parse;
 mod resolve;
 mod scope;
+mod share;
 mod sums;
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! What a file of derived equations says, as plain structs; the grammar is in `parse`.
 
+use quote::format_ident;
 use syn::{Expr, Ident, LitStr};
 
 /// One file of derived equations.
@@ -14,6 +15,7 @@ pub struct Model {
     pub effects: Vec<Effect>,
     pub conditions: Vec<Condition>,
     pub constants: Vec<Assignment>,
+    pub deflections: Vec<Assignment>,
     pub kinetic: Sum,
     pub potential: Sum,
     pub dissipation: Sum,
@@ -134,7 +136,21 @@ pub struct Entry {
     pub sum: Sum,
 }
 
+impl Law {
+    /// The name of its mid value.
+    pub fn mid(&self) -> Ident {
+        format_ident!("{}_mid", self.name)
+    }
+}
+
 impl Model {
+    /// The numbers that equations are written in: parameters, mid values of laws, constants.
+    pub fn numbers(&self) -> impl Iterator<Item = Ident> {
+        let mids = self.laws.iter().map(Law::mid);
+        let parameters = self.parameters.iter().map(|p| p.name.clone());
+        parameters.chain(mids).chain(self.constants.iter().map(|c| c.name.clone()))
+    }
+
     /// Nothing but a name: what `parse` fills in.
     pub fn empty(name: Ident, title: LitStr) -> Self {
         Self {
@@ -148,6 +164,7 @@ impl Model {
             effects: vec![],
             conditions: vec![],
             constants: vec![],
+            deflections: vec![],
             kinetic: vec![],
             potential: vec![],
             dissipation: vec![],

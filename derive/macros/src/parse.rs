@@ -45,6 +45,7 @@ impl Model {
             "effects" => self.effects = list(input)?,
             "conditions" => self.conditions = list(input)?,
             "constants" => self.constants = list(input)?,
+            "deflections" => self.deflections = list(input)?,
             "energies" => parts(input, &["kinetic", "potential", "dissipation"], |part, input| {
                 *[&mut self.kinetic, &mut self.potential, &mut self.dissipation][part] = list(input)?;
                 Ok(())

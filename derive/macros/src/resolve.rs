@@ -13,11 +13,15 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         constants.declare(&c.name);
     }
 
+    // Linear and homogeneous: of speeds they give the rates.
+    let deflections = Scope::of(m, "deflections").coordinates(m, "q");
+    m.deflections.iter_mut().for_each(|d| deflections.expression(&mut d.value, errors));
+
     let kinetic = Scope::of(m, "kinetic").speeds(m);
     kinetic.sum(&mut m.kinetic, errors);
-    let potential = Scope::of(m, "potential").coordinates(m, "q").laws(m, 0);
+    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0);
     potential.sum(&mut m.potential, errors);
-    let dissipation = Scope::of(m, "dissipation").speeds(m);
+    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m);
     dissipation.sum(&mut m.dissipation, errors);
 
     // The work of a constant torque is its displacement's: the coordinates stand for their changes.
@@ -32,11 +36,11 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     entries(&mut m.mass, &mass, errors);
     let mobility = Scope::of(m, "mobility");
     entries(m.mobility.iter_mut().flatten(), &mobility, errors);
-    let force = Scope::of(m, "force").coordinates(m, "q").speeds(m).laws(m, 1);
+    let moving =
+        |block: &str, order| Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, order);
+    let (force, acceleration, jacobian) = (moving("force", 1), moving("acceleration", 1), moving("jacobian", 2));
     rows(m.force.iter_mut().flatten(), &force, errors);
-    let acceleration = Scope::of(m, "acceleration").coordinates(m, "q").speeds(m).laws(m, 1);
     rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
-    let jacobian = Scope::of(m, "jacobian").coordinates(m, "q").speeds(m).laws(m, 2);
     entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
 
     let stiffness = Scope::of(m, "cell stiffness").laws(m, 0);
@@ -46,7 +50,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     rows(&mut m.load, &cell, errors);
 
     let impulse = Scope::of(m, "the impulse of a jump");
-    let steps: Vec<_> = m.jumps.iter().map(|j| Scope::of(m, "step").coordinates(m, "q").step(&j.law)).collect();
+    let steps: Vec<_> =
+        m.jumps.iter().map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).step(&j.law)).collect();
     for (j, step) in m.jumps.iter_mut().zip(steps) {
         rows(j.normal.iter_mut().flatten(), &impulse, errors);
         j.compliance.iter_mut().for_each(|sum| impulse.sum(sum, errors));

@@ -32,24 +32,23 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// Parameters and constants: what every equation may use.
+    /// Parameters, constants and mid values: what every equation may use.
     pub fn of(model: &Model, block: &str) -> Self {
-        let numbers = model.parameters.iter().map(|p| &p.name).chain(model.constants.iter().map(|c| &c.name));
         let conditions = model.effects.iter().map(|e| &e.name).chain(model.conditions.iter().map(|c| &c.name));
         Self {
             block: block.to_string(),
-            names: numbers.map(|n| (n.to_string(), quote!(self.#n))).collect(),
+            names: model.numbers().map(|n| (n.to_string(), quote!(self.#n))).collect(),
             conditions: conditions.map(Ident::to_string).collect(),
         }
     }
 
     /// What a constant may use: parameters and mid values; the constants before it follow by `declare`.
     ///
-    /// They are computed where parameters are still plain variables, so only the mid values change their names.
+    /// They are computed where all these are still plain variables.
     pub fn of_constants(model: &Model) -> Self {
         let mut scope = Self { block: "constants".to_string(), names: BTreeMap::new(), conditions: vec![] };
         model.parameters.iter().for_each(|p| scope.declare(&p.name));
-        scope.add(model.laws.iter().map(|l| format!("{}_mid", l.name)), "mids");
+        model.laws.iter().for_each(|l| scope.declare(&l.mid()));
         scope
     }
 
@@ -67,6 +66,18 @@ impl Scope {
     /// Speeds.
     pub fn speeds(mut self, model: &Model) -> Self {
         self.add(model.coordinates.iter().map(|c| speed(&c.name)), "q_dot");
+        self
+    }
+
+    /// Deflections.
+    pub fn deflections(mut self, model: &Model) -> Self {
+        self.add(model.deflections.iter().map(|d| d.name.to_string()), "d");
+        self
+    }
+
+    /// Rates of deflections.
+    pub fn rates(mut self, model: &Model) -> Self {
+        self.add(model.deflections.iter().map(|d| speed(&d.name)), "d_dot");
         self
     }
 

@@ -17,17 +17,6 @@ pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>) -> TokenSt
     quote!(let mut v = [0.0; #n]; #(#rows)* v)
 }
 
-/// The statements of a function that returns a symmetric matrix, given by one of its triangles.
-pub fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
-    let n = Index::from(m.coordinates.len());
-    let entries = entries.iter().map(|e| {
-        let (i, j, value) = (position(m, &e.row), position(m, &e.column), block(&e.sum));
-        let mirror = (i != j).then(|| quote!(m[#j][#i] = m[#i][#j];));
-        quote!(m[#i][#j] = #value; #mirror)
-    });
-    quote!(let mut m = [[0.0; #n]; #n]; #(#entries)* m)
-}
-
 /// The statements of a function that returns a sum; a term whose effect is absent is absent from the code.
 pub fn body(sum: &Sum) -> TokenStream {
     let (first, rest) = match &sum[..] {

@@ -54,7 +54,7 @@ fn unknown_identifier() {
         "k*phi.powi(2)",
         "k*psi.powi(2)",
         "psi",
-        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, k, phi, theta, zeta",
+        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, k, k_mid, phi, theta, zeta",
     );
 }
 

@@ -5,6 +5,7 @@ use symbolica::atom::{Atom, AtomCore, AtomView};
 use super::sign::never_negative;
 use crate::expr::{Kind, symbol, symbols};
 use crate::markers::{all_present, terms};
+use crate::mobility::is_zero;
 use crate::model::Model;
 use crate::print::{Style, print};
 use crate::slip::Slip;
@@ -46,15 +47,26 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
 }
 
 /// The displacement that a torque works through must be linear, or its work over a change of the coordinates would
-/// depend on where they were.
+/// depend on where they were; a deflection linear and zero with the coordinates, or its rate would not be the same sum.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
+    let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Coordinate);
+    let slopes = |e: &Atom| -> Vec<(Atom, Atom)> {
+        let coordinates = model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name));
+        coordinates.map(|q| (Atom::var(q), e.derivative(q).expand())).collect()
+    };
     for torque in &model.torques {
         let through = torque.through.atom();
-        let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Coordinate);
-        let slope = |name: &str| through.derivative(symbol(Kind::Coordinate, name)).expand();
-        if model.coordinates.iter().any(|c| moves(&slope(&c.name))) {
+        if slopes(&through).iter().any(|(_, slope)| moves(slope)) {
             let (torque, displacement) = (torque.name.clone(), print(&Tree::new(&through), Style::Plain));
             return Err(Slip::NotLinear { model: model.name.clone(), torque, displacement });
+        }
+    }
+    for d in &model.deflections {
+        let value = d.value.atom();
+        let rest = slopes(&value).into_iter().fold(value.clone(), |rest, (q, slope)| rest - slope * q);
+        if slopes(&value).iter().any(|(_, slope)| moves(slope)) || !is_zero(&rest) {
+            let (deflection, value) = (d.name.clone(), print(&Tree::new(&value), Style::Plain));
+            return Err(Slip::NotADeflection { model: model.name.clone(), deflection, value });
         }
     }
     Ok(())

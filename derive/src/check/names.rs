@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Kind, is_word};
+use crate::expr::{Kind, is_word, speed_name};
 use crate::model::{CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
@@ -17,6 +17,8 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
     match kind {
         Kind::Coordinate => "a coordinate",
         Kind::Speed => "a speed",
+        Kind::Deflection => "a deflection",
+        Kind::Rate => "the rate of a deflection",
         Kind::Parameter => "a parameter",
         Kind::Constant => "a constant",
         Kind::Law => "a law",
@@ -49,6 +51,10 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     model.speeds().iter().try_for_each(|s| declare(s, known(Speed), true))?;
     model.parameters.iter().try_for_each(|p| declare(&p.name, known(Parameter), false))?;
     model.constants.iter().try_for_each(|(name, _)| declare(name, known(Constant), false))?;
+    for d in &model.deflections {
+        declare(&d.name, known(Deflection), false)?;
+        declare(&speed_name(&d.name), known(Rate), true)?;
+    }
     for law in &model.laws {
         declare(&law.name, known(Law), false)?;
         declare(&mid_name(&law.name), known(Mid), true)?;

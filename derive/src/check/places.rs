@@ -13,7 +13,7 @@ use crate::slip::Slip;
 use Kind::*;
 
 /// What energies are written in.
-const USABLE: [Kind; 6] = [Constant, Parameter, Mid, Law, Coordinate, Speed];
+const USABLE: [Kind; 8] = [Constant, Parameter, Mid, Law, Deflection, Coordinate, Rate, Speed];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -27,6 +27,7 @@ struct Places<'a> {
 pub(super) fn places(model: &Model, declared: BTreeMap<String, &'static str>) -> Result<(), Slip> {
     let places = Places { model, declared };
     places.constants()?;
+    places.deflections()?;
     places.energies()?;
     places.torques()
 }
@@ -45,6 +46,13 @@ impl Places<'_> {
         Ok(())
     }
 
+    fn deflections(&self) -> Result<(), Slip> {
+        self.model.deflections.iter().try_for_each(|d| {
+            let why = "a deflection depends on coordinates";
+            self.check(d.value, &format!("the deflection `{}`", d.name), &[Constant, Parameter, Coordinate], why)
+        })
+    }
+
     fn energies(&self) -> Result<(), Slip> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
@@ -54,11 +62,12 @@ impl Places<'_> {
         let why = "T depends on speeds, not on the mesh, and not on positions until the engine has inertia that \
                    depends on them";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
-        let positions = [Constant, Parameter, Mid, Law, Coordinate];
+        let positions = [Constant, Parameter, Mid, Law, Deflection, Coordinate];
         each(&self.model.potential, "the potential energy", &positions, "V depends on positions, never on speeds")?;
         let why = "D depends on speeds, not on the mesh, and not on positions until the engine has damping that \
                    depends on them";
-        each(&self.model.dissipation, "the dissipation function", &moving, why)
+        let rates = [Constant, Parameter, Mid, Rate, Speed];
+        each(&self.model.dissipation, "the dissipation function", &rates, why)
     }
 
     fn torques(&self) -> Result<(), Slip> {

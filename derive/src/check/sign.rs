@@ -7,7 +7,7 @@ use crate::model::{Model, Range};
 use crate::tree::Tree;
 
 /// Whether an expression is >= 0 for all admissible values, by its form.
-pub(super) fn never_negative(model: &Model, e: &Atom) -> bool {
+pub(crate) fn never_negative(model: &Model, e: &Atom) -> bool {
     sign(model, e, false)
 }
 
@@ -38,7 +38,8 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             let (base, exponent) = p.get_base_exp();
             let base = base.to_owned();
             match Tree::new(&exponent.to_owned()) {
-                Tree::Number(n, 1) if n % 2 == 0 && !strictly => true,
+                // An inverse is not zero, where it is a number at all.
+                Tree::Number(n, 1) if n % 2 == 0 && (n < 0 || !strictly) => true,
                 Tree::Number(_, 2) if !strictly => true,
                 _ => sign(model, &base, strictly),
             }

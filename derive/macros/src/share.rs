@@ -1,0 +1,75 @@
+//! Large sums are compiled once, not once for every set of effects: their terms go by condition into functions of the
+//! numbers alone, and each set calls those whose conditions it meets. Small ones stay where they are, to be inlined.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::Ident;
+
+use crate::effects::constant;
+use crate::model::Sum;
+use crate::sums::block;
+
+/// Sums of more terms than this, all entries together, are shared.
+pub const LARGE: usize = 40;
+
+/// A function that fills `v`: its name, what it takes, what is there before, and what comes first.
+pub struct Function<'a> {
+    pub name: &'a str,
+    /// `q: &[f64; 2], k: &[f64]`
+    pub takes: TokenStream,
+    /// `q, k`
+    pub given: TokenStream,
+    /// `[f64; 2]`
+    pub returns: TokenStream,
+    /// `[0.0; 2]`
+    pub zero: TokenStream,
+    /// `let d = ..;`
+    pub first: TokenStream,
+}
+
+/// An entry of the result: its place, what else is set with it, its sum.
+pub struct Place<'a> {
+    pub at: TokenStream,
+    pub mirror: Option<TokenStream>,
+    pub sum: &'a Sum,
+}
+
+impl Function<'_> {
+    /// The statements of the function; what they call goes to `shared`.
+    pub fn body(&self, places: &[Place], shared: &mut Vec<TokenStream>) -> TokenStream {
+        let Function { name, takes, given, returns, zero, first } = self;
+        if places.iter().map(|p| p.sum.len()).sum::<usize>() <= LARGE {
+            let set = places.iter().filter(|p| !p.sum.is_empty()).map(|Place { at, mirror, sum }| {
+                let value = block(sum);
+                quote!(#at = #value; #mirror)
+            });
+            return quote!(#first let mut v = #zero; #(#set)* v);
+        }
+        let mut conditions: Vec<Option<Ident>> = vec![];
+        for term in places.iter().flat_map(|p| p.sum) {
+            if !conditions.contains(&term.condition) {
+                conditions.push(term.condition.clone());
+            }
+        }
+        let calls: Vec<TokenStream> = conditions
+            .iter()
+            .map(|condition| {
+                let part = match condition {
+                    Some(condition) => format_ident!("{name}_of_{condition}"),
+                    None => format_ident!("{name}_always"),
+                };
+                let add = places.iter().flat_map(|Place { at, mirror, sum }| {
+                    let terms = sum.iter().filter(|term| term.condition == *condition).map(|term| &term.value);
+                    terms.map(move |value| quote!(#at += #value; #mirror))
+                });
+                shared.push(quote!(fn #part(&self, #takes v: &mut #returns) { #first #(#add)* }));
+                let call = quote!(self.#part(#given &mut v););
+                match condition.as_ref().map(constant) {
+                    Some(condition) => quote!(if Self::#condition { #call }),
+                    None => call,
+                }
+            })
+            .collect();
+        quote!(let mut v = #zero; #(#calls)* v)
+    }
+}

@@ -1,0 +1,99 @@
+//! Is a kinetic energy of any size positive definite? T as a sum of squares, T = sum c_i (l_i.q')^2/2 with c_i > 0, is
+//! zero only where all l_i.q' are: elimination shows whether that leaves a speed free.
+
+use symbolica::atom::{Atom, AtomCore, AtomView};
+
+use crate::check::{never_negative, positive};
+use crate::expr::{Kind, symbols};
+use crate::lagrange::Symbols;
+use crate::markers::all_present;
+use crate::mobility::is_zero;
+use crate::model::Model;
+use crate::tree::Tree;
+
+/// What the squares say.
+pub(crate) enum Squares {
+    /// No speed is free.
+    Definite,
+    /// These are: some combination of them has no inertia. (Coordinates by index.)
+    Free(Vec<usize>),
+    /// T is not a sum of squares by its form, or a sign is not known.
+    Undecided,
+}
+
+/// Eliminates speeds until none is left, or none that squares hold.
+pub(crate) fn decide(model: &Model, s: &Symbols) -> Squares {
+    let Some(mut rows) = forms(model, s) else { return Squares::Undecided };
+    let mut left: Vec<usize> = (0..s.q.len()).collect();
+    loop {
+        rows.retain(|row| row.iter().any(|c| !c.is_zero()));
+        // The simplest pivot first: what it leaves of the others shows its sign.
+        let entries = rows.iter().enumerate().flat_map(|(r, row)| {
+            let size = row.iter().filter(|c| !c.is_zero()).count();
+            let places = row.iter().enumerate().filter(|(_, c)| !c.is_zero());
+            places.map(move |(column, c)| (size, Tree::new(c).operations(), r, column))
+        });
+        let pivot = entries.filter(|&(.., r, column)| not_zero(model, &rows[r][column])).min();
+        let Some((.., r, column)) = pivot else { break };
+        left.retain(|i| *i != column);
+        let row = rows.remove(r);
+        for other in rows.iter_mut().filter(|other| !other[column].is_zero()) {
+            let factor = &other[column] / &row[column];
+            for (c, of_row) in other.iter_mut().zip(&row).filter(|(_, of_row)| !of_row.is_zero()) {
+                let rest = (&*c - &factor * of_row).expand();
+                *c = if is_zero(&rest) { Atom::Zero } else { rest };
+            }
+            other[column] = Atom::Zero;
+        }
+    }
+    match (left.is_empty(), rows.is_empty()) {
+        (true, _) => Squares::Definite,
+        (false, true) => Squares::Free(left),
+        (false, false) => Squares::Undecided,
+    }
+}
+
+/// Whether an expression is never zero, by its form. An inverse is not, where it is a number at all.
+fn not_zero(model: &Model, e: &Atom) -> bool {
+    match e.as_view() {
+        AtomView::Mul(m) => m.iter().all(|f| not_zero(model, &f.to_owned())),
+        AtomView::Pow(p) => {
+            let (base, exponent) = p.get_base_exp();
+            positive(model, &-exponent.to_owned()) || not_zero(model, &base.to_owned())
+        }
+        _ => positive(model, e) || positive(model, &-e),
+    }
+}
+
+/// The forms l_i, a coefficient a coordinate; without those that effects add, which must be squares all the same.
+fn forms(model: &Model, s: &Symbols) -> Option<Vec<Vec<Atom>>> {
+    let mut rows = vec![];
+    for piece in &model.kinetic {
+        let piece = piece.atom();
+        let of_effect = symbols(&piece).iter().any(|s| s.0 == Kind::Marker);
+        let (factor, form) = square(&all_present(&piece))?;
+        match of_effect {
+            true if never_negative(model, &factor) => {}
+            false if positive(model, &factor) => {
+                rows.push(s.v.iter().map(|v| form.derivative(*v).expand()).collect());
+            }
+            _ => return None,
+        }
+    }
+    Some(rows)
+}
+
+/// c and l of c l^2, where l has the speeds and c has none.
+fn square(piece: &Atom) -> Option<(Atom, Atom)> {
+    let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Speed);
+    let factors: Vec<Atom> = match piece.as_view() {
+        AtomView::Mul(m) => m.iter().map(|f| f.to_owned()).collect(),
+        _ => vec![piece.clone()],
+    };
+    let (moving, still): (Vec<Atom>, Vec<Atom>) = factors.into_iter().partition(moves);
+    let [square] = moving.as_slice() else { return None };
+    let AtomView::Pow(power) = square.as_view() else { return None };
+    let (base, exponent) = power.get_base_exp();
+    let factor = still.iter().fold(Atom::num(1), |product, f| product * f);
+    (exponent.to_owned() == Atom::num(2)).then(|| (factor, base.to_owned()))
+}

@@ -1,0 +1,237 @@
+//! Equations of motion of `chain_2`: a torsional chain of 2 discs.
+//!
+//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_2`. Do not edit: change the
+//! energies and derive again.
+//! Source: e.g. Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9
+//!
+//! # Energies
+//!
+//! ```text
+//! T = (I1*theta1_dot^2 + I2*theta2_dot^2)/2
+//! V = k1*(theta1 - theta2)^2/2
+//! D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2)/2 [damping]
+//! Q_theta1 = T_motor [torques]
+//! Q_theta2 = -T_load [torques]
+//! ```
+//!
+//! # Equations of motion
+//!
+//! ```text
+//! theta1'' = k1*theta2/I1 - k1*theta1/I1 + T_motor/I1 [torques] + beta_K*k1*theta2_dot/I1 - alpha_M*theta1_dot - beta_K*k1*theta1_dot/I1 [damping]
+//! theta2'' = k1*theta1/I2 - k1*theta2/I2 - T_load/I2 [torques] + beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2 [damping]
+//! ```
+//!
+//! # At a step of a stiffness
+//!
+//! ```text
+//! ```
+//!
+//! # Between two steps
+//!
+//! ```text
+//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! ```
+//!
+//! # LaTeX
+//!
+//! ```latex
+//! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + I_{2}\, \dot{\theta_{2}}^{2})
+//! V = \frac{k_{1}\, \left(\theta_{1} - \theta_{2}\right)^{2}}{2}
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + \beta_{K}\, k_{1}\, \left(\dot{\theta_{1}} - \dot{\theta_{2}}\right)^{2})\ [\text{damping}]
+//! Q_{\theta_{1}} = T_{motor}\ [\text{torques}]
+//! Q_{\theta_{2}} = -T_{load}\ [\text{torques}]
+//! \ddot{\theta_{1}} = \frac{k_{1}\, \theta_{2}}{I_{1}} - \frac{k_{1}\, \theta_{1}}{I_{1}} + \frac{T_{motor}}{I_{1}}\ [\text{torques}] + \frac{\beta_{K}\, k_{1}\, \dot{\theta_{2}}}{I_{1}} - \alpha_{M}\, \dot{\theta_{1}} - \frac{\beta_{K}\, k_{1}\, \dot{\theta_{1}}}{I_{1}}\ [\text{damping}]
+//! \ddot{\theta_{2}} = \frac{k_{1}\, \theta_{1}}{I_{2}} - \frac{k_{1}\, \theta_{2}}{I_{2}} - \frac{T_{load}}{I_{2}}\ [\text{torques}] + \frac{\beta_{K}\, k_{1}\, \dot{\theta_{1}}}{I_{2}} - \alpha_{M}\, \dot{\theta_{2}} - \frac{\beta_{K}\, k_{1}\, \dot{\theta_{2}}}{I_{2}}\ [\text{damping}]
+//! ```
+//!
+//! # Proved
+//!
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
+//! - M is symmetric
+//! - M is positive definite: every leading minor is a sum of products of positive quantities
+//!
+//! # Operations, all effects present
+//!
+//! | output | sums | products, quotients | functions, roots |
+//! | --- | --- | --- | --- |
+//! | force | 6 | 16 | 0 |
+//! | acceleration | 6 | 24 | 0 |
+
+use gearsim_macros::equations;
+
+equations! {
+    model chain_2 "a torsional chain of 2 discs";
+    source "e.g. Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9";
+
+    coordinates {
+        theta1 "rad" start 0.0, "rotation of disc 1";
+        theta2 "rad" start static, "rotation of disc 2";
+    }
+    parameters {
+        I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the disc 1";
+        I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the disc 2";
+        k1 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 1 and 2";
+        T_motor "N*m" required, open -inf to inf, "driving torque of the first disc";
+        T_load "N*m" required, open -inf to inf, "load torque of the last disc, against its rotation";
+        alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
+        beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
+    }
+    laws {
+    }
+    motions {
+        speed "rad/s" { theta1_dot = 1.0; theta2_dot = 1.0; }, "rotational speed of the shaft";
+    }
+    effects {
+        torques "constant torques of motor and load";
+        damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
+    }
+    conditions {
+    }
+
+    energies {
+        kinetic {
+            _ => (I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2))/2.0;
+        }
+        potential {
+            _ => k1*(theta1 - theta2).powi(2)/2.0;
+        }
+        dissipation {
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + beta_K*k1*(theta1_dot - theta2_dot).powi(2))/2.0;
+        }
+    }
+    torques {
+        motor "driving torque of the first disc" {
+            torques => T_motor*theta1;
+        }
+        load "load torque of the last disc, against its rotation" {
+            torques => -T_load*theta2;
+        }
+    }
+    work {
+        theta1 {
+            torques => T_motor;
+        }
+        theta2 {
+            torques => -T_load;
+        }
+    }
+    mass {
+        theta1 theta1 {
+            _ => I1;
+        }
+        theta2 theta2 {
+            _ => I2;
+        }
+    }
+    mobility {
+        theta1 theta1 {
+            _ => 1.0/I1;
+        }
+        theta2 theta2 {
+            _ => 1.0/I2;
+        }
+    }
+    force {
+        theta1 {
+            _ => k1*theta2 - k1*theta1;
+            torques => T_motor;
+            damping => beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot;
+        }
+        theta2 {
+            _ => k1*theta1 - k1*theta2;
+            torques => -T_load;
+            damping => beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot;
+        }
+    }
+    acceleration {
+        theta1 {
+            _ => k1*theta2/I1 - k1*theta1/I1;
+            torques => T_motor/I1;
+            damping => beta_K*k1*theta2_dot/I1 - alpha_M*theta1_dot - beta_K*k1*theta1_dot/I1;
+        }
+        theta2 {
+            _ => k1*theta1/I2 - k1*theta2/I2;
+            torques => -T_load/I2;
+            damping => beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2;
+        }
+    }
+    jacobian {
+        theta1 theta1 {
+            _ => -k1/I1;
+        }
+        theta1 theta2 {
+            _ => k1/I1;
+        }
+        theta1 theta1_dot {
+            damping => -alpha_M - beta_K*k1/I1;
+        }
+        theta1 theta2_dot {
+            damping => beta_K*k1/I1;
+        }
+        theta2 theta1 {
+            _ => k1/I2;
+        }
+        theta2 theta2 {
+            _ => -k1/I2;
+        }
+        theta2 theta1_dot {
+            damping => beta_K*k1/I2;
+        }
+        theta2 theta2_dot {
+            damping => -alpha_M - beta_K*k1/I2;
+        }
+    }
+    cell {
+        stiffness {
+            theta1 theta1 {
+                _ => k1;
+            }
+            theta1 theta2 {
+                _ => -k1;
+            }
+            theta2 theta2 {
+                _ => k1;
+            }
+        }
+        damping {
+            theta1 theta1 {
+                damping => I1*alpha_M + beta_K*k1;
+            }
+            theta1 theta2 {
+                damping => -beta_K*k1;
+            }
+            theta2 theta2 {
+                damping => I2*alpha_M + beta_K*k1;
+            }
+        }
+        load {
+            theta1 {
+                torques => T_motor;
+            }
+            theta2 {
+                torques => -T_load;
+            }
+        }
+    }
+
+    text {
+        "T = (I1*theta1_dot^2 + I2*theta2_dot^2)/2";
+        "V = k1*(theta1 - theta2)^2/2";
+        "D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2)/2 [damping]";
+        "Q_theta1 = T_motor [torques]";
+        "Q_theta2 = -T_load [torques]";
+        "theta1'' = k1*theta2/I1 - k1*theta1/I1 + T_motor/I1 [torques] + beta_K*k1*theta2_dot/I1 - alpha_M*theta1_dot - beta_K*k1*theta1_dot/I1 [damping]";
+        "theta2'' = k1*theta1/I2 - k1*theta2/I2 - T_load/I2 [torques] + beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2 [damping]";
+        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+    }
+    latex {
+        "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\dot{\\theta_{2}}^{2})";
+        "V = \\frac{k_{1}\\, \\left(\\theta_{1} - \\theta_{2}\\right)^{2}}{2}";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + \\beta_{K}\\, k_{1}\\, \\left(\\dot{\\theta_{1}} - \\dot{\\theta_{2}}\\right)^{2})\\ [\\text{damping}]";
+        "Q_{\\theta_{1}} = T_{motor}\\ [\\text{torques}]";
+        "Q_{\\theta_{2}} = -T_{load}\\ [\\text{torques}]";
+        "\\ddot{\\theta_{1}} = \\frac{k_{1}\\, \\theta_{2}}{I_{1}} - \\frac{k_{1}\\, \\theta_{1}}{I_{1}} + \\frac{T_{motor}}{I_{1}}\\ [\\text{torques}] + \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}}}{I_{1}} - \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}}}{I_{1}}\\ [\\text{damping}]";
+        "\\ddot{\\theta_{2}} = \\frac{k_{1}\\, \\theta_{1}}{I_{2}} - \\frac{k_{1}\\, \\theta_{2}}{I_{2}} - \\frac{T_{load}}{I_{2}}\\ [\\text{torques}] + \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}}}{I_{2}} - \\alpha_{M}\\, \\dot{\\theta_{2}} - \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}}}{I_{2}}\\ [\\text{damping}]";
+    }
+}

@@ -1,0 +1,316 @@
+//! Equations of motion of `geared_branches`: two shafts geared rigidly, with a motor and two discs.
+//!
+//! Derived from the energies in `models/src/geared_branches.rs` by `cargo xtask derive geared_branches`. Do not edit: change the
+//! energies and derive again.
+//! Source: Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9: geared systems
+//!
+//! # Energies
+//!
+//! ```text
+//! T = (I1*theta1_dot^2 + I2*N1^2*theta1_dot^2/N2^2 + I_a*theta_a_dot^2 + I_b*theta_b_dot^2 + I_m*theta_m_dot^2)/2
+//! V = (k_a*(theta1 - theta_a)^2 + k_b*(N1*theta1/N2 - theta_b)^2 + k_m*(theta_m - theta1)^2)/2
+//! D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*(theta1_dot - theta_a_dot)^2 + beta_K*k_b*(N1*theta1_dot/N2 - theta_b_dot)^2 + beta_K*k_m*(theta_m_dot - theta1_dot)^2)/2 [damping]
+//! Q_theta1 = 0
+//! Q_theta_m = T_motor [torques]
+//! Q_theta_a = 0
+//! Q_theta_b = -T_load [torques]
+//! ```
+//!
+//! # Equations of motion
+//!
+//! ```text
+//! (I1 + I2*N1^2/N2^2) theta1'' = N1*k_b*theta_b/N2 - k_a*theta1 + k_a*theta_a - k_m*theta1 + k_m*theta_m - N1^2*k_b*theta1/N2^2 + N1*beta_K*k_b*theta_b_dot/N2 - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - beta_K*k_a*theta1_dot + beta_K*k_a*theta_a_dot - beta_K*k_m*theta1_dot + beta_K*k_m*theta_m_dot - N1^2*beta_K*k_b*theta1_dot/N2^2 [damping]
+//! (I_m) theta_m'' = k_m*theta1 - k_m*theta_m + T_motor [torques] + beta_K*k_m*theta1_dot - I_m*alpha_M*theta_m_dot - beta_K*k_m*theta_m_dot [damping]
+//! (I_a) theta_a'' = k_a*theta1 - k_a*theta_a + beta_K*k_a*theta1_dot - I_a*alpha_M*theta_a_dot - beta_K*k_a*theta_a_dot [damping]
+//! (I_b) theta_b'' = N1*k_b*theta1/N2 - k_b*theta_b - T_load [torques] + N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot [damping]
+//! ```
+//!
+//! # At a step of a stiffness
+//!
+//! ```text
+//! ```
+//!
+//! # Between two steps
+//!
+//! ```text
+//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! ```
+//!
+//! # LaTeX
+//!
+//! ```latex
+//! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \dot{\theta_{a}}^{2} + I_{b}\, \dot{\theta_{b}}^{2} + I_{m}\, \dot{\theta_{m}}^{2})
+//! V = \frac{1}{2} (k_{a}\, \left(\theta_{1} - \theta_{a}\right)^{2} + k_{b}\, \left(\frac{N_{1}\, \theta_{1}}{N_{2}} - \theta_{b}\right)^{2} + k_{m}\, \left(\theta_{m} - \theta_{1}\right)^{2})
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \alpha_{M}\, \dot{\theta_{a}}^{2} + I_{b}\, \alpha_{M}\, \dot{\theta_{b}}^{2} + I_{m}\, \alpha_{M}\, \dot{\theta_{m}}^{2} + \beta_{K}\, k_{a}\, \left(\dot{\theta_{1}} - \dot{\theta_{a}}\right)^{2} + \beta_{K}\, k_{b}\, \left(\frac{N_{1}\, \dot{\theta_{1}}}{N_{2}} - \dot{\theta_{b}}\right)^{2} + \beta_{K}\, k_{m}\, \left(\dot{\theta_{m}} - \dot{\theta_{1}}\right)^{2})\ [\text{damping}]
+//! Q_{\theta_{1}} = 0
+//! Q_{\theta_{m}} = T_{motor}\ [\text{torques}]
+//! Q_{\theta_{a}} = 0
+//! Q_{\theta_{b}} = -T_{load}\ [\text{torques}]
+//! (I_{1} + \frac{I_{2}\, N_{1}^{2}}{N_{2}^{2}}) \ddot{\theta_{1}} = \frac{N_{1}\, k_{b}\, \theta_{b}}{N_{2}} - k_{a}\, \theta_{1} + k_{a}\, \theta_{a} - k_{m}\, \theta_{1} + k_{m}\, \theta_{m} - \frac{N_{1}^{2}\, k_{b}\, \theta_{1}}{N_{2}^{2}} + \frac{N_{1}\, \beta_{K}\, k_{b}\, \dot{\theta_{b}}}{N_{2}} - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}}{N_{2}^{2}} - \beta_{K}\, k_{a}\, \dot{\theta_{1}} + \beta_{K}\, k_{a}\, \dot{\theta_{a}} - \beta_{K}\, k_{m}\, \dot{\theta_{1}} + \beta_{K}\, k_{m}\, \dot{\theta_{m}} - \frac{N_{1}^{2}\, \beta_{K}\, k_{b}\, \dot{\theta_{1}}}{N_{2}^{2}}\ [\text{damping}]
+//! (I_{m}) \ddot{\theta_{m}} = k_{m}\, \theta_{1} - k_{m}\, \theta_{m} + T_{motor}\ [\text{torques}] + \beta_{K}\, k_{m}\, \dot{\theta_{1}} - I_{m}\, \alpha_{M}\, \dot{\theta_{m}} - \beta_{K}\, k_{m}\, \dot{\theta_{m}}\ [\text{damping}]
+//! (I_{a}) \ddot{\theta_{a}} = k_{a}\, \theta_{1} - k_{a}\, \theta_{a} + \beta_{K}\, k_{a}\, \dot{\theta_{1}} - I_{a}\, \alpha_{M}\, \dot{\theta_{a}} - \beta_{K}\, k_{a}\, \dot{\theta_{a}}\ [\text{damping}]
+//! (I_{b}) \ddot{\theta_{b}} = \frac{N_{1}\, k_{b}\, \theta_{1}}{N_{2}} - k_{b}\, \theta_{b} - T_{load}\ [\text{torques}] + \frac{N_{1}\, \beta_{K}\, k_{b}\, \dot{\theta_{1}}}{N_{2}} - I_{b}\, \alpha_{M}\, \dot{\theta_{b}} - \beta_{K}\, k_{b}\, \dot{\theta_{b}}\ [\text{damping}]
+//! ```
+//!
+//! # Proved
+//!
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - M is symmetric
+//! - M is positive definite: every leading minor is a sum of products of positive quantities
+//!
+//! # Operations, all effects present
+//!
+//! | output | sums | products, quotients | functions, roots |
+//! | --- | --- | --- | --- |
+//! | force | 21 | 66 | 0 |
+
+use gearsim_macros::equations;
+
+equations! {
+    model geared_branches "two shafts geared rigidly, with a motor and two discs";
+    source "Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9: geared systems";
+
+    coordinates {
+        theta1 "rad" start 0.0, "rotation of the first shaft's gear";
+        theta_m "rad" start static, "rotation of the motor";
+        theta_a "rad" start static, "rotation of the first shaft's disc";
+        theta_b "rad" start static, "rotation of the second shaft's disc";
+    }
+    parameters {
+        N1 "1" default 1.0, open 0.0 to inf, "number of teeth of the first shaft's gear";
+        N2 "1" default 1.0, open 0.0 to inf, "number of teeth of the second shaft's gear";
+        I_m "kg*m^2" required, open 0.0 to inf, "moment of inertia of the motor";
+        I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the first shaft's gear";
+        I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the second shaft's gear";
+        I_a "kg*m^2" required, open 0.0 to inf, "moment of inertia of the first shaft's disc";
+        I_b "kg*m^2" required, open 0.0 to inf, "moment of inertia of the second shaft's disc";
+        k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
+        k_a "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft to the first disc";
+        k_b "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft to the second disc";
+        T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
+        T_load "N*m" required, open -inf to inf, "load torque of the second shaft's disc, against its rotation";
+        alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
+        beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
+    }
+    laws {
+    }
+    motions {
+        speed "rad/s" { theta_m_dot = 1.0; theta1_dot = 1.0; theta_a_dot = 1.0; theta_b_dot = N1/N2; }, "rotational speed of the first shaft";
+    }
+    effects {
+        torques "constant torques of motor and load";
+        damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
+    }
+    conditions {
+    }
+
+    energies {
+        kinetic {
+            _ => (I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2) + I_b*theta_b_dot.powi(2) + I_m*theta_m_dot.powi(2))/2.0;
+        }
+        potential {
+            _ => (k_a*(theta1 - theta_a).powi(2) + k_b*(N1*theta1/N2 - theta_b).powi(2) + k_m*(theta_m - theta1).powi(2))/2.0;
+        }
+        dissipation {
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*N1.powi(2)*alpha_M*theta1_dot.powi(2)/N2.powi(2) + I_a*alpha_M*theta_a_dot.powi(2) + I_b*alpha_M*theta_b_dot.powi(2) + I_m*alpha_M*theta_m_dot.powi(2) + beta_K*k_a*(theta1_dot - theta_a_dot).powi(2) + beta_K*k_b*(N1*theta1_dot/N2 - theta_b_dot).powi(2) + beta_K*k_m*(theta_m_dot - theta1_dot).powi(2))/2.0;
+        }
+    }
+    torques {
+        motor "driving torque of the motor" {
+            torques => T_motor*theta_m;
+        }
+        load "load torque of the second shaft's disc, against its rotation" {
+            torques => -T_load*theta_b;
+        }
+    }
+    work {
+        theta1 {}
+        theta_m {
+            torques => T_motor;
+        }
+        theta_a {}
+        theta_b {
+            torques => -T_load;
+        }
+    }
+    mass {
+        theta1 theta1 {
+            _ => I1 + I2*N1.powi(2)/N2.powi(2);
+        }
+        theta_m theta_m {
+            _ => I_m;
+        }
+        theta_a theta_a {
+            _ => I_a;
+        }
+        theta_b theta_b {
+            _ => I_b;
+        }
+    }
+    force {
+        theta1 {
+            _ => N1*k_b*theta_b/N2 - k_a*theta1 + k_a*theta_a - k_m*theta1 + k_m*theta_m - N1.powi(2)*k_b*theta1/N2.powi(2);
+            damping => N1*beta_K*k_b*theta_b_dot/N2 - I1*alpha_M*theta1_dot - I2*N1.powi(2)*alpha_M*theta1_dot/N2.powi(2) - beta_K*k_a*theta1_dot + beta_K*k_a*theta_a_dot - beta_K*k_m*theta1_dot + beta_K*k_m*theta_m_dot - N1.powi(2)*beta_K*k_b*theta1_dot/N2.powi(2);
+        }
+        theta_m {
+            _ => k_m*theta1 - k_m*theta_m;
+            torques => T_motor;
+            damping => beta_K*k_m*theta1_dot - I_m*alpha_M*theta_m_dot - beta_K*k_m*theta_m_dot;
+        }
+        theta_a {
+            _ => k_a*theta1 - k_a*theta_a;
+            damping => beta_K*k_a*theta1_dot - I_a*alpha_M*theta_a_dot - beta_K*k_a*theta_a_dot;
+        }
+        theta_b {
+            _ => N1*k_b*theta1/N2 - k_b*theta_b;
+            torques => -T_load;
+            damping => N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot;
+        }
+    }
+    jacobian {
+        theta1 theta1 {
+            _ => -k_a - k_m - N1.powi(2)*k_b/N2.powi(2);
+        }
+        theta1 theta_m {
+            _ => k_m;
+        }
+        theta1 theta_a {
+            _ => k_a;
+        }
+        theta1 theta_b {
+            _ => N1*k_b/N2;
+        }
+        theta1 theta1_dot {
+            damping => -I1*alpha_M - I2*N1.powi(2)*alpha_M/N2.powi(2) - beta_K*k_a - beta_K*k_m - N1.powi(2)*beta_K*k_b/N2.powi(2);
+        }
+        theta1 theta_m_dot {
+            damping => beta_K*k_m;
+        }
+        theta1 theta_a_dot {
+            damping => beta_K*k_a;
+        }
+        theta1 theta_b_dot {
+            damping => N1*beta_K*k_b/N2;
+        }
+        theta_m theta1 {
+            _ => k_m;
+        }
+        theta_m theta_m {
+            _ => -k_m;
+        }
+        theta_m theta1_dot {
+            damping => beta_K*k_m;
+        }
+        theta_m theta_m_dot {
+            damping => -I_m*alpha_M - beta_K*k_m;
+        }
+        theta_a theta1 {
+            _ => k_a;
+        }
+        theta_a theta_a {
+            _ => -k_a;
+        }
+        theta_a theta1_dot {
+            damping => beta_K*k_a;
+        }
+        theta_a theta_a_dot {
+            damping => -I_a*alpha_M - beta_K*k_a;
+        }
+        theta_b theta1 {
+            _ => N1*k_b/N2;
+        }
+        theta_b theta_b {
+            _ => -k_b;
+        }
+        theta_b theta1_dot {
+            damping => N1*beta_K*k_b/N2;
+        }
+        theta_b theta_b_dot {
+            damping => -I_b*alpha_M - beta_K*k_b;
+        }
+    }
+    cell {
+        stiffness {
+            theta1 theta1 {
+                _ => k_a + k_m + N1.powi(2)*k_b/N2.powi(2);
+            }
+            theta1 theta_m {
+                _ => -k_m;
+            }
+            theta1 theta_a {
+                _ => -k_a;
+            }
+            theta1 theta_b {
+                _ => -N1*k_b/N2;
+            }
+            theta_m theta_m {
+                _ => k_m;
+            }
+            theta_a theta_a {
+                _ => k_a;
+            }
+            theta_b theta_b {
+                _ => k_b;
+            }
+        }
+        damping {
+            theta1 theta1 {
+                damping => I1*alpha_M + I2*N1.powi(2)*alpha_M/N2.powi(2) + beta_K*k_a + beta_K*k_m + N1.powi(2)*beta_K*k_b/N2.powi(2);
+            }
+            theta1 theta_m {
+                damping => -beta_K*k_m;
+            }
+            theta1 theta_a {
+                damping => -beta_K*k_a;
+            }
+            theta1 theta_b {
+                damping => -N1*beta_K*k_b/N2;
+            }
+            theta_m theta_m {
+                damping => I_m*alpha_M + beta_K*k_m;
+            }
+            theta_a theta_a {
+                damping => I_a*alpha_M + beta_K*k_a;
+            }
+            theta_b theta_b {
+                damping => I_b*alpha_M + beta_K*k_b;
+            }
+        }
+        load {
+            theta_m {
+                torques => T_motor;
+            }
+            theta_b {
+                torques => -T_load;
+            }
+        }
+    }
+
+    text {
+        "T = (I1*theta1_dot^2 + I2*N1^2*theta1_dot^2/N2^2 + I_a*theta_a_dot^2 + I_b*theta_b_dot^2 + I_m*theta_m_dot^2)/2";
+        "V = (k_a*(theta1 - theta_a)^2 + k_b*(N1*theta1/N2 - theta_b)^2 + k_m*(theta_m - theta1)^2)/2";
+        "D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*(theta1_dot - theta_a_dot)^2 + beta_K*k_b*(N1*theta1_dot/N2 - theta_b_dot)^2 + beta_K*k_m*(theta_m_dot - theta1_dot)^2)/2 [damping]";
+        "Q_theta1 = 0";
+        "Q_theta_m = T_motor [torques]";
+        "Q_theta_a = 0";
+        "Q_theta_b = -T_load [torques]";
+        "(I1 + I2*N1^2/N2^2) theta1'' = N1*k_b*theta_b/N2 - k_a*theta1 + k_a*theta_a - k_m*theta1 + k_m*theta_m - N1^2*k_b*theta1/N2^2 + N1*beta_K*k_b*theta_b_dot/N2 - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - beta_K*k_a*theta1_dot + beta_K*k_a*theta_a_dot - beta_K*k_m*theta1_dot + beta_K*k_m*theta_m_dot - N1^2*beta_K*k_b*theta1_dot/N2^2 [damping]";
+        "(I_m) theta_m'' = k_m*theta1 - k_m*theta_m + T_motor [torques] + beta_K*k_m*theta1_dot - I_m*alpha_M*theta_m_dot - beta_K*k_m*theta_m_dot [damping]";
+        "(I_a) theta_a'' = k_a*theta1 - k_a*theta_a + beta_K*k_a*theta1_dot - I_a*alpha_M*theta_a_dot - beta_K*k_a*theta_a_dot [damping]";
+        "(I_b) theta_b'' = N1*k_b*theta1/N2 - k_b*theta_b - T_load [torques] + N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot [damping]";
+        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+    }
+    latex {
+        "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\dot{\\theta_{m}}^{2})";
+        "V = \\frac{1}{2} (k_{a}\\, \\left(\\theta_{1} - \\theta_{a}\\right)^{2} + k_{b}\\, \\left(\\frac{N_{1}\\, \\theta_{1}}{N_{2}} - \\theta_{b}\\right)^{2} + k_{m}\\, \\left(\\theta_{m} - \\theta_{1}\\right)^{2})";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}}^{2} + \\beta_{K}\\, k_{a}\\, \\left(\\dot{\\theta_{1}} - \\dot{\\theta_{a}}\\right)^{2} + \\beta_{K}\\, k_{b}\\, \\left(\\frac{N_{1}\\, \\dot{\\theta_{1}}}{N_{2}} - \\dot{\\theta_{b}}\\right)^{2} + \\beta_{K}\\, k_{m}\\, \\left(\\dot{\\theta_{m}} - \\dot{\\theta_{1}}\\right)^{2})\\ [\\text{damping}]";
+        "Q_{\\theta_{1}} = 0";
+        "Q_{\\theta_{m}} = T_{motor}\\ [\\text{torques}]";
+        "Q_{\\theta_{a}} = 0";
+        "Q_{\\theta_{b}} = -T_{load}\\ [\\text{torques}]";
+        "(I_{1} + \\frac{I_{2}\\, N_{1}^{2}}{N_{2}^{2}}) \\ddot{\\theta_{1}} = \\frac{N_{1}\\, k_{b}\\, \\theta_{b}}{N_{2}} - k_{a}\\, \\theta_{1} + k_{a}\\, \\theta_{a} - k_{m}\\, \\theta_{1} + k_{m}\\, \\theta_{m} - \\frac{N_{1}^{2}\\, k_{b}\\, \\theta_{1}}{N_{2}^{2}} + \\frac{N_{1}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{b}}}{N_{2}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}}{N_{2}^{2}} - \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{1}} + \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{a}} - \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{1}} + \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{m}} - \\frac{N_{1}^{2}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{1}}}{N_{2}^{2}}\\ [\\text{damping}]";
+        "(I_{m}) \\ddot{\\theta_{m}} = k_{m}\\, \\theta_{1} - k_{m}\\, \\theta_{m} + T_{motor}\\ [\\text{torques}] + \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{1}} - I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}} - \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{m}}\\ [\\text{damping}]";
+        "(I_{a}) \\ddot{\\theta_{a}} = k_{a}\\, \\theta_{1} - k_{a}\\, \\theta_{a} + \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{1}} - I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}} - \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{a}}\\ [\\text{damping}]";
+        "(I_{b}) \\ddot{\\theta_{b}} = \\frac{N_{1}\\, k_{b}\\, \\theta_{1}}{N_{2}} - k_{b}\\, \\theta_{b} - T_{load}\\ [\\text{torques}] + \\frac{N_{1}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{1}}}{N_{2}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}} - \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{b}}\\ [\\text{damping}]";
+    }
+}

@@ -1,0 +1,891 @@
+//! Equations of motion of `wind_turbine`: a wind turbine's train: rotor, planetary stage, parallel stage, generator.
+//!
+//! Derived from the energies in `models/src/wind_turbine.rs` by `cargo xtask derive wind_turbine`. Do not edit: change the
+//! energies and derive again.
+//! Source: standard torsional model, e.g. Peeters, Vandepitte & Sas (2006), Wind Energy 9(1-2)
+//!
+//! # Energies
+//!
+//! ```text
+//! T = I1*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + 3*a^2*m_p*(theta_c_dot + theta_dot/Z_r)^2/2
+//! V = (k_h*psi_h^2 + k_i*(theta_c - (theta2 + s2/(2*h2))/N1 + theta/Z_r + theta/Z_s)^2 + k_l*psi_l^2 + k12*s2^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_s1*u1^2 + k_s2*u2^2 + k_s3*u3^2)/2
+//! D = I1*alpha_M*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + beta_K*k_h*psi_h_dot^2/2 + beta_K*k_i*(theta_c_dot - (theta2_dot + s2_dot/(2*h2))/N1 + theta_dot/Z_r + theta_dot/Z_s)^2/2 + beta_K*k_l*psi_l_dot^2/2 + beta_K*k12_mid*s2_dot^2/2 + beta_K*k_r1_mid*delta_r1_dot^2/2 + beta_K*k_r2_mid*delta_r2_dot^2/2 + beta_K*k_r3_mid*delta_r3_dot^2/2 + beta_K*k_s1_mid*u1_dot^2/2 + beta_K*k_s2_mid*u2_dot^2/2 + beta_K*k_s3_mid*u3_dot^2/2 + 3*a^2*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r)^2/2 [damping]
+//! Q_theta = T_wind/Z_r [torques]
+//! Q_theta_c = T_wind [torques]
+//! Q_theta2 = -T_generator/N2 [torques]
+//! Q_s2 = T_generator/(2*h2*N2) [torques]
+//! Q_psi_l = T_wind [torques]
+//! Q_psi_h = T_generator [torques]
+//! Q_u1 = 0
+//! Q_u2 = 0
+//! Q_u3 = 0
+//! ```
+//!
+//! # Constants
+//!
+//! ```text
+//! cos_a = cos(alpha)
+//! sin_a = sin(alpha)
+//! h = r_s/Z_s
+//! r_p = (h*Z_r - h*Z_s)/2
+//! a = (h*Z_r/cos_a + h*Z_s/cos_a)/2
+//! h2 = r1/N1
+//! ```
+//!
+//! # Deflections
+//!
+//! ```text
+//! delta_r1 = -u1 - h*Z_r*theta_c
+//! delta_r2 = -u2 - h*Z_r*theta_c
+//! delta_r3 = -u3 - h*Z_r*theta_c
+//! ```
+//!
+//! # Equations of motion
+//!
+//! ```text
+//! (I_b/Z_r^2 - 6*h*I_p/(r_p*Z_r) + I_c/Z_r^2 + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (I_b/Z_r) psi_l'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = k_i*s2/(2*h2*N1*Z_r) + k_i*s2/(2*h2*N1*Z_s) + k_i*theta2/(N1*Z_r) + k_i*theta2/(N1*Z_s) - k_i*theta/Z_r^2 - k_i*theta_c/Z_r - 2*k_i*theta/(Z_r*Z_s) - k_i*theta/Z_s^2 - k_i*theta_c/Z_s + T_wind/Z_r [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r^2 - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_i*s2_dot/(2*h2*N1*Z_r) + beta_K*k_i*s2_dot/(2*h2*N1*Z_s) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) + beta_K*k_i*theta2_dot/(N1*Z_r) + beta_K*k_i*theta2_dot/(N1*Z_s) - beta_K*k_i*theta_dot/Z_r^2 - beta_K*k_i*theta_c_dot/Z_r - 2*beta_K*k_i*theta_dot/(Z_r*Z_s) - beta_K*k_i*theta_dot/Z_s^2 - beta_K*k_i*theta_c_dot/Z_s [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*u1^2 - dk_s2*u2^2 - dk_s3*u3^2)/2 [jump terms]
+//! (I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_b + I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (I_b) psi_l'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 - k_i*theta_c + k_i*s2/(2*h2*N1) + k_i*theta2/N1 - k_i*theta/Z_r - k_i*theta/Z_s + T_wind [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*theta_c_dot - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r + beta_K*k_i*s2_dot/(2*h2*N1) - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p + beta_K*k_i*theta2_dot/N1 - beta_K*k_i*theta_dot/Z_r - beta_K*k_i*theta_dot/Z_s [damping]
+//! (I1/N1^2 + I2/N2^2 + I_g/N2^2) theta2'' + ((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) s2'' + (-I_g/N2) psi_h'' = k_i*theta_c/N1 - k_i*s2/(2*h2*N1^2) - k_i*theta2/N1^2 + k_i*theta/(N1*Z_r) + k_i*theta/(N1*Z_s) - T_generator/N2 [torques] + I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1^2 - I2*alpha_M*theta2_dot/N2^2 - I_g*alpha_M*theta2_dot/N2^2 - I1*alpha_M*s2_dot/(2*h2*N1^2) + I2*alpha_M*s2_dot/(2*h2*N2^2) + I_g*alpha_M*s2_dot/(2*h2*N2^2) - beta_K*k_i*s2_dot/(2*h2*N1^2) - beta_K*k_i*theta2_dot/N1^2 + beta_K*k_i*theta_c_dot/N1 + beta_K*k_i*theta_dot/(N1*Z_r) + beta_K*k_i*theta_dot/(N1*Z_s) [damping] - dk12*s2^2/2 [jump terms]
+//! ((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) theta2'' + ((I1/(h2^2*N1^2) + I2/(h2^2*N2^2) + I_g/(h2^2*N2^2))/4) s2'' + (I_g/(2*h2*N2)) psi_h'' = k_i*theta_c/(2*h2*N1) - k12*s2 - k_i*s2/(4*h2^2*N1^2) - k_i*theta2/(2*h2*N1^2) + k_i*theta/(2*h2*N1*Z_r) + k_i*theta/(2*h2*N1*Z_s) + T_generator/(2*h2*N2) [torques] + I2*alpha_M*theta2_dot/(2*h2*N2^2) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4*h2^2*N1^2) - I2*alpha_M*s2_dot/(4*h2^2*N2^2) - I_g*alpha_M*s2_dot/(4*h2^2*N2^2) - beta_K*k_i*s2_dot/(4*h2^2*N1^2) - I1*alpha_M*theta2_dot/(2*h2*N1^2) + I_g*alpha_M*theta2_dot/(2*h2*N2^2) - I_g*alpha_M*psi_h_dot/(2*h2*N2) - beta_K*k_i*theta2_dot/(2*h2*N1^2) + beta_K*k_i*theta_c_dot/(2*h2*N1) + beta_K*k_i*theta_dot/(2*h2*N1*Z_r) + beta_K*k_i*theta_dot/(2*h2*N1*Z_s) [damping]
+//! (I_b/Z_r) theta'' + (I_b) theta_c'' + (I_b) psi_l'' = -k_l*psi_l + T_wind [torques] - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*psi_l_dot [damping]
+//! (-I_g/N2) theta2'' + (I_g/(2*h2*N2)) s2'' + (I_g) psi_h'' = -k_h*psi_h + T_generator [torques] + I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*psi_h_dot - I_g*alpha_M*s2_dot/(2*h2*N2) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*u1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*u1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*u2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*u2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*u3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*u3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! ```
+//!
+//! # At a step of a stiffness
+//!
+//! ```text
+//! at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*u1^2/2)
+//! at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)
+//! at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*u2^2/2)
+//! at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)
+//! at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*u3^2/2)
+//! at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)
+//! at a step dk12 of k12 in theta2: v+^2 = v-^2 - 2*G*(dk12*s2^2/2)
+//! ```
+//!
+//! # Between two steps
+//!
+//! ```text
+//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! ```
+//!
+//! # LaTeX
+//!
+//! ```latex
+//! T = \frac{I_{1}\, \left(\frac{\dot{s_{2}}}{2\, h_{2}\, N_{1}} + \frac{\dot{\theta_{2}}}{N_{1}}\right)^{2}}{2} + \frac{I_{2}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{b}\, \left(\dot{\psi_{l}} + \dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{c}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{g}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \dot{\psi_{h}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{s}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2}}{2} + \frac{3\, a^{2}\, m_{p}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2}
+//! V = \frac{1}{2} (k_{h}\, \psi_{h}^{2} + k_{i}\, \left(\theta_{c} - \frac{\left(\theta_{2} + \frac{s_{2}}{2\, h_{2}}\right)}{N_{1}} + \frac{\theta}{Z_{r}} + \frac{\theta}{Z_{s}}\right)^{2} + k_{l}\, \psi_{l}^{2} + k_{12}\, s_{2}^{2} + k_{r1}\, \delta_{r1}^{2} + k_{r2}\, \delta_{r2}^{2} + k_{r3}\, \delta_{r3}^{2} + k_{s1}\, u_{1}^{2} + k_{s2}\, u_{2}^{2} + k_{s3}\, u_{3}^{2})
+//! D = \frac{I_{1}\, \alpha_{M}\, \left(\frac{\dot{s_{2}}}{2\, h_{2}\, N_{1}} + \frac{\dot{\theta_{2}}}{N_{1}}\right)^{2}}{2} + \frac{I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{b}\, \alpha_{M}\, \left(\dot{\psi_{l}} + \dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{c}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{g}\, \alpha_{M}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \dot{\psi_{h}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{s}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2}}{2} + \frac{\beta_{K}\, k_{h}\, \dot{\psi_{h}}^{2}}{2} + \frac{\beta_{K}\, k_{i}\, \left(\dot{\theta_{c}} - \frac{\left(\dot{\theta_{2}} + \frac{\dot{s_{2}}}{2\, h_{2}}\right)}{N_{1}} + \frac{\dot{\theta}}{Z_{r}} + \frac{\dot{\theta}}{Z_{s}}\right)^{2}}{2} + \frac{\beta_{K}\, k_{l}\, \dot{\psi_{l}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{12}}\, \dot{s_{2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s1}}\, \dot{u_{1}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s2}}\, \dot{u_{2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s3}}\, \dot{u_{3}}^{2}}{2} + \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2}\ [\text{damping}]
+//! Q_{\theta} = \frac{T_{wind}}{Z_{r}}\ [\text{torques}]
+//! Q_{\theta_{c}} = T_{wind}\ [\text{torques}]
+//! Q_{\theta_{2}} = -\frac{T_{generator}}{N_{2}}\ [\text{torques}]
+//! Q_{s_{2}} = \frac{T_{generator}}{2\, h_{2}\, N_{2}}\ [\text{torques}]
+//! Q_{\psi_{l}} = T_{wind}\ [\text{torques}]
+//! Q_{\psi_{h}} = T_{generator}\ [\text{torques}]
+//! Q_{u_{1}} = 0
+//! Q_{u_{2}} = 0
+//! Q_{u_{3}} = 0
+//! \mathrm{cos}_{a} = \cos\left(\alpha\right)
+//! \mathrm{sin}_{a} = \sin\left(\alpha\right)
+//! h = \frac{r_{s}}{Z_{s}}
+//! r_{p} = \frac{1}{2} (h\, Z_{r} - h\, Z_{s})
+//! a = \frac{1}{2} (\frac{h\, Z_{r}}{\mathrm{cos}_{a}} + \frac{h\, Z_{s}}{\mathrm{cos}_{a}})
+//! h_{2} = \frac{r_{1}}{N_{1}}
+//! \delta_{r1} = -u_{1} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r2} = -u_{2} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r3} = -u_{3} - h\, Z_{r}\, \theta_{c}
+//! (\frac{I_{b}}{Z_{r}^{2}} - \frac{6\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{I_{c}}{Z_{r}^{2}} + \frac{3\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{3\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{b}}{Z_{r}} - \frac{3\, h\, I_{p}}{r_{p}} + \frac{I_{c}}{Z_{r}} + \frac{3\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{I_{b}}{Z_{r}}) \ddot{\psi_{l}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = \frac{k_{i}\, s_{2}}{2\, h_{2}\, N_{1}\, Z_{r}} + \frac{k_{i}\, s_{2}}{2\, h_{2}\, N_{1}\, Z_{s}} + \frac{k_{i}\, \theta_{2}}{N_{1}\, Z_{r}} + \frac{k_{i}\, \theta_{2}}{N_{1}\, Z_{s}} - \frac{k_{i}\, \theta}{Z_{r}^{2}} - \frac{k_{i}\, \theta_{c}}{Z_{r}} - \frac{2\, k_{i}\, \theta}{Z_{r}\, Z_{s}} - \frac{k_{i}\, \theta}{Z_{s}^{2}} - \frac{k_{i}\, \theta_{c}}{Z_{s}} + \frac{T_{wind}}{Z_{r}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{3\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{6\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{b}\, \alpha_{M}\, \dot{\psi_{l}}}{Z_{r}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{3\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \frac{\beta_{K}\, k_{i}\, \dot{s_{2}}}{2\, h_{2}\, N_{1}\, Z_{r}} + \frac{\beta_{K}\, k_{i}\, \dot{s_{2}}}{2\, h_{2}\, N_{1}\, Z_{s}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta_{2}}}{N_{1}\, Z_{r}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta_{2}}}{N_{1}\, Z_{s}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{Z_{r}^{2}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, \beta_{K}\, k_{i}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{Z_{s}^{2}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta_{c}}}{Z_{s}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{s1}'\, u_{1}^{2} - k_{s2}'\, u_{2}^{2} - k_{s3}'\, u_{3}^{2})\ [\text{jump terms}]
+//! (\frac{I_{b}}{Z_{r}} - \frac{3\, h\, I_{p}}{r_{p}} + \frac{I_{c}}{Z_{r}} + \frac{3\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta} + (I_{b} + I_{c} + 3\, I_{p} + I_{s} + 3\, a^{2}\, m_{p}) \ddot{\theta_{c}} + (I_{b}) \ddot{\psi_{l}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{1}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{2}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{3}} = h\, Z_{r}\, k_{r1}\, \delta_{r1} + h\, Z_{r}\, k_{r2}\, \delta_{r2} + h\, Z_{r}\, k_{r3}\, \delta_{r3} - k_{i}\, \theta_{c} + \frac{k_{i}\, s_{2}}{2\, h_{2}\, N_{1}} + \frac{k_{i}\, \theta_{2}}{N_{1}} - \frac{k_{i}\, \theta}{Z_{r}} - \frac{k_{i}\, \theta}{Z_{s}} + T_{wind}\ [\text{torques}] + h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} + \frac{3\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}} - I_{b}\, \alpha_{M}\, \dot{\psi_{l}} - I_{b}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{c}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - 3\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{s}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}} - \beta_{K}\, k_{i}\, \dot{\theta_{c}} - 3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} + \frac{\beta_{K}\, k_{i}\, \dot{s_{2}}}{2\, h_{2}\, N_{1}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta_{2}}}{N_{1}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{Z_{r}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{Z_{s}}\ [\text{damping}]
+//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}} + \frac{I_{g}}{N_{2}^{2}}) \ddot{\theta_{2}} + (\frac{1}{2} (\frac{I_{1}}{h_{2}\, N_{1}^{2}} - \frac{I_{2}}{h_{2}\, N_{2}^{2}} - \frac{I_{g}}{h_{2}\, N_{2}^{2}})) \ddot{s_{2}} + (-\frac{I_{g}}{N_{2}}) \ddot{\psi_{h}} = \frac{k_{i}\, \theta_{c}}{N_{1}} - \frac{k_{i}\, s_{2}}{2\, h_{2}\, N_{1}^{2}} - \frac{k_{i}\, \theta_{2}}{N_{1}^{2}} + \frac{k_{i}\, \theta}{N_{1}\, Z_{r}} + \frac{k_{i}\, \theta}{N_{1}\, Z_{s}} - \frac{T_{generator}}{N_{2}}\ [\text{torques}] + \frac{I_{g}\, \alpha_{M}\, \dot{\psi_{h}}}{N_{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{2}^{2}} - \frac{I_{g}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{1}^{2}} + \frac{I_{2}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{2}^{2}} + \frac{I_{g}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{2}^{2}} - \frac{\beta_{K}\, k_{i}\, \dot{s_{2}}}{2\, h_{2}\, N_{1}^{2}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta_{2}}}{N_{1}^{2}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta_{c}}}{N_{1}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{N_{1}\, Z_{r}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{N_{1}\, Z_{s}}\ [\text{damping}] - \frac{k_{12}'\, s_{2}^{2}}{2}\ [\text{jump terms}]
+//! (\frac{1}{2} (\frac{I_{1}}{h_{2}\, N_{1}^{2}} - \frac{I_{2}}{h_{2}\, N_{2}^{2}} - \frac{I_{g}}{h_{2}\, N_{2}^{2}})) \ddot{\theta_{2}} + (\frac{1}{4} (\frac{I_{1}}{h_{2}^{2}\, N_{1}^{2}} + \frac{I_{2}}{h_{2}^{2}\, N_{2}^{2}} + \frac{I_{g}}{h_{2}^{2}\, N_{2}^{2}})) \ddot{s_{2}} + (\frac{I_{g}}{2\, h_{2}\, N_{2}}) \ddot{\psi_{h}} = \frac{k_{i}\, \theta_{c}}{2\, h_{2}\, N_{1}} - k_{12}\, s_{2} - \frac{k_{i}\, s_{2}}{4\, h_{2}^{2}\, N_{1}^{2}} - \frac{k_{i}\, \theta_{2}}{2\, h_{2}\, N_{1}^{2}} + \frac{k_{i}\, \theta}{2\, h_{2}\, N_{1}\, Z_{r}} + \frac{k_{i}\, \theta}{2\, h_{2}\, N_{1}\, Z_{s}} + \frac{T_{generator}}{2\, h_{2}\, N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \dot{s_{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{2}^{2}} - \frac{I_{g}\, \alpha_{M}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{2}^{2}} - \frac{\beta_{K}\, k_{i}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{1}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{1}^{2}} + \frac{I_{g}\, \alpha_{M}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{2}^{2}} - \frac{I_{g}\, \alpha_{M}\, \dot{\psi_{h}}}{2\, h_{2}\, N_{2}} - \frac{\beta_{K}\, k_{i}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{1}^{2}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta_{c}}}{2\, h_{2}\, N_{1}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{2\, h_{2}\, N_{1}\, Z_{r}} + \frac{\beta_{K}\, k_{i}\, \dot{\theta}}{2\, h_{2}\, N_{1}\, Z_{s}}\ [\text{damping}]
+//! (\frac{I_{b}}{Z_{r}}) \ddot{\theta} + (I_{b}) \ddot{\theta_{c}} + (I_{b}) \ddot{\psi_{l}} = -k_{l}\, \psi_{l} + T_{wind}\ [\text{torques}] - I_{b}\, \alpha_{M}\, \dot{\psi_{l}} - I_{b}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \beta_{K}\, k_{l}\, \dot{\psi_{l}}\ [\text{damping}]
+//! (-\frac{I_{g}}{N_{2}}) \ddot{\theta_{2}} + (\frac{I_{g}}{2\, h_{2}\, N_{2}}) \ddot{s_{2}} + (I_{g}) \ddot{\psi_{h}} = -k_{h}\, \psi_{h} + T_{generator}\ [\text{torques}] + \frac{I_{g}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{2}} - I_{g}\, \alpha_{M}\, \dot{\psi_{h}} - \beta_{K}\, k_{h}\, \dot{\psi_{h}} - \frac{I_{g}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{2}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{1}} = k_{r1}\, \delta_{r1} - k_{s1}\, u_{1} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - \beta_{K}\, \bar{k_{s1}}\, \dot{u_{1}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{2}} = k_{r2}\, \delta_{r2} - k_{s2}\, u_{2} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - \beta_{K}\, \bar{k_{s2}}\, \dot{u_{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = k_{r3}\, \delta_{r3} - k_{s3}\, u_{3} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \beta_{K}\, \bar{k_{s3}}\, \dot{u_{3}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! ```
+//!
+//! # Proved
+//!
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - M is positive definite: not decided symbolically; checked for the numbers of every scene
+//! - without the jump terms the balance fails: energy is created at the rate (dk12*s2^2*theta2_dot + dk_r1*delta_r1^2*theta_dot + dk_r2*delta_r2^2*theta_dot + dk_r3*delta_r3^2*theta_dot + dk_s1*u1^2*theta_dot + dk_s2*u2^2*theta_dot + dk_s3*u3^2*theta_dot)/2
+//!
+//! # Operations, all effects present
+//!
+//! | output | sums | products, quotients | functions, roots |
+//! | --- | --- | --- | --- |
+//! | constants (once a scene) | 2 | 12 | 2 |
+//! | force | 130 | 559 | 0 |
+//! | energy step of k_s1 | 0 | 3 | 0 |
+//! | energy step of k_r1 | 0 | 3 | 0 |
+//! | energy step of k_s2 | 0 | 3 | 0 |
+//! | energy step of k_r2 | 0 | 3 | 0 |
+//! | energy step of k_s3 | 0 | 3 | 0 |
+//! | energy step of k_r3 | 0 | 3 | 0 |
+//! | energy step of k12 | 0 | 3 | 0 |
+
+use gearsim_macros::equations;
+
+equations! {
+    model wind_turbine "a wind turbine's train: rotor, planetary stage, parallel stage, generator";
+    source "standard torsional model, e.g. Peeters, Vandepitte & Sas (2006), Wind Energy 9(1-2)";
+
+    coordinates {
+        theta "rad" start 0.0, "phase of the meshes, Z_s (theta_s - theta_c)";
+        theta_c "rad" start static, "rotation of the carrier beyond rolling";
+        theta2 "rad" start static, "mean rotation of gears 1 and 2, one pitch 2 pi";
+        s2 "m" start static, "rotation of gear 1 beyond that of gear 2, along the line of action";
+        psi_l "rad" start static, "twist of the low-speed shaft";
+        psi_h "rad" start static, "twist of the high-speed shaft";
+        u1 "m" start static, "rotation of planet 1 beyond rolling, times its base radius";
+        u2 "m" start static, "rotation of planet 2 beyond rolling, times its base radius";
+        u3 "m" start static, "rotation of planet 3 beyond rolling, times its base radius";
+    }
+    parameters {
+        Z_s "1" required, open 0.0 to inf, "number of teeth of the sun";
+        Z_r "1" required, open 0.0 to inf, "number of teeth of the ring";
+        r_s "m" required, open 0.0 to inf, "base radius of the sun";
+        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "pressure angle";
+        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
+        r1 "m" required, open 0.0 to inf, "base radius of gear 1";
+        I_b "kg*m^2" required, open 0.0 to inf, "moment of inertia of the rotor with its blades";
+        I_c "kg*m^2" required, open 0.0 to inf, "moment of inertia of the carrier without planets";
+        I_s "kg*m^2" required, open 0.0 to inf, "moment of inertia of the sun";
+        I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the wheel of the parallel stage";
+        I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the pinion of the parallel stage";
+        I_g "kg*m^2" required, open 0.0 to inf, "moment of inertia of the generator";
+        k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the low-speed shaft";
+        k_i "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the intermediate shaft";
+        k_h "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the high-speed shaft";
+        m_p "kg" required, open 0.0 to inf, "mass of a planet";
+        I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
+        T_wind "N*m" required, open -inf to inf, "driving torque of the rotor";
+        T_generator "N*m" required, open -inf to inf, "load torque of the generator, against its rotation";
+        alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
+        beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
+    }
+    laws {
+        k_s1 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of sun and planet 1 along the line of action";
+        k_r1 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of ring and planet 1 along the line of action";
+        k_s2 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of sun and planet 2 along the line of action";
+        k_r2 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of ring and planet 2 along the line of action";
+        k_s3 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of sun and planet 3 along the line of action";
+        k_r3 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of ring and planet 3 along the line of action";
+        k12 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh of the parallel stage along the line of action";
+    }
+    motions {
+        speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); theta2_dot = N1; }, "rotational speed of the sun";
+    }
+    effects {
+        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        torques "constant torques of motor and load";
+        damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
+    }
+    conditions {
+        jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
+        moving_phase = stiffness_step, !frozen_phase;
+    }
+
+    constants {
+        cos_a = alpha.cos();
+        sin_a = alpha.sin();
+        h = r_s/Z_s;
+        r_p = (h*Z_r - h*Z_s)/2.0;
+        a = (h*Z_r/cos_a + h*Z_s/cos_a)/2.0;
+        h2 = r1/N1;
+    }
+    deflections {
+        delta_r1 = -u1 - h*Z_r*theta_c;
+        delta_r2 = -u2 - h*Z_r*theta_c;
+        delta_r3 = -u3 - h*Z_r*theta_c;
+    }
+    energies {
+        kinetic {
+            _ => I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
+        }
+        potential {
+            _ => (k_h*psi_h.powi(2) + k_i*(theta_c - (theta2 + s2/(2.0*h2))/N1 + theta/Z_r + theta/Z_s).powi(2) + k_l*psi_l.powi(2) + k12*s2.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*u1.powi(2) + k_s2*u2.powi(2) + k_s3*u3.powi(2))/2.0;
+        }
+        dissipation {
+            damping => I1*alpha_M*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_h*psi_h_dot.powi(2)/2.0 + beta_K*k_i*(theta_c_dot - (theta2_dot + s2_dot/(2.0*h2))/N1 + theta_dot/Z_r + theta_dot/Z_s).powi(2)/2.0 + beta_K*k_l*psi_l_dot.powi(2)/2.0 + beta_K*k12_mid*s2_dot.powi(2)/2.0 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_s1_mid*u1_dot.powi(2)/2.0 + beta_K*k_s2_mid*u2_dot.powi(2)/2.0 + beta_K*k_s3_mid*u3_dot.powi(2)/2.0 + 3.0*a.powi(2)*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
+        }
+    }
+    torques {
+        wind "driving torque of the rotor" {
+            torques => T_wind*(psi_l + theta_c + theta/Z_r);
+        }
+        generator "load torque of the generator, against its rotation" {
+            torques => T_generator*(psi_h + s2/(2.0*h2*N2) - theta2/N2);
+        }
+    }
+    work {
+        theta {
+            torques => T_wind/Z_r;
+        }
+        theta_c {
+            torques => T_wind;
+        }
+        theta2 {
+            torques => -T_generator/N2;
+        }
+        s2 {
+            torques => T_generator/(2.0*h2*N2);
+        }
+        psi_l {
+            torques => T_wind;
+        }
+        psi_h {
+            torques => T_generator;
+        }
+        u1 {}
+        u2 {}
+        u3 {}
+    }
+    mass {
+        theta theta {
+            _ => I_b/Z_r.powi(2) - 6.0*h*I_p/(r_p*Z_r) + I_c/Z_r.powi(2) + 3.0*I_p/Z_r.powi(2) + I_s/Z_r.powi(2) + 2.0*I_s/(Z_r*Z_s) + I_s/Z_s.powi(2) + 3.0*a.powi(2)*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p/r_p.powi(2);
+        }
+        theta theta_c {
+            _ => I_b/Z_r - 3.0*h*I_p/r_p + I_c/Z_r + 3.0*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3.0*a.powi(2)*m_p/Z_r;
+        }
+        theta psi_l {
+            _ => I_b/Z_r;
+        }
+        theta u1 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u2 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u3 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta_c theta_c {
+            _ => I_b + I_c + 3.0*I_p + I_s + 3.0*a.powi(2)*m_p;
+        }
+        theta_c psi_l {
+            _ => I_b;
+        }
+        theta_c u1 {
+            _ => I_p/r_p;
+        }
+        theta_c u2 {
+            _ => I_p/r_p;
+        }
+        theta_c u3 {
+            _ => I_p/r_p;
+        }
+        theta2 theta2 {
+            _ => I1/N1.powi(2) + I2/N2.powi(2) + I_g/N2.powi(2);
+        }
+        theta2 s2 {
+            _ => (I1/(h2*N1.powi(2)) - I2/(h2*N2.powi(2)) - I_g/(h2*N2.powi(2)))/2.0;
+        }
+        theta2 psi_h {
+            _ => -I_g/N2;
+        }
+        s2 s2 {
+            _ => (I1/(h2.powi(2)*N1.powi(2)) + I2/(h2.powi(2)*N2.powi(2)) + I_g/(h2.powi(2)*N2.powi(2)))/4.0;
+        }
+        s2 psi_h {
+            _ => I_g/(2.0*h2*N2);
+        }
+        psi_l psi_l {
+            _ => I_b;
+        }
+        psi_h psi_h {
+            _ => I_g;
+        }
+        u1 u1 {
+            _ => I_p/r_p.powi(2);
+        }
+        u2 u2 {
+            _ => I_p/r_p.powi(2);
+        }
+        u3 u3 {
+            _ => I_p/r_p.powi(2);
+        }
+    }
+    force {
+        theta {
+            _ => k_i*s2/(2.0*h2*N1*Z_r) + k_i*s2/(2.0*h2*N1*Z_s) + k_i*theta2/(N1*Z_r) + k_i*theta2/(N1*Z_s) - k_i*theta/Z_r.powi(2) - k_i*theta_c/Z_r - 2.0*k_i*theta/(Z_r*Z_s) - k_i*theta/Z_s.powi(2) - k_i*theta_c/Z_s;
+            torques => T_wind/Z_r;
+            damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2) + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r.powi(2) - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r.powi(2) - I_c*alpha_M*theta_c_dot/Z_r - 3.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 3.0*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2) - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 3.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_i*s2_dot/(2.0*h2*N1*Z_r) + beta_K*k_i*s2_dot/(2.0*h2*N1*Z_s) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) + beta_K*k_i*theta2_dot/(N1*Z_r) + beta_K*k_i*theta2_dot/(N1*Z_s) - beta_K*k_i*theta_dot/Z_r.powi(2) - beta_K*k_i*theta_c_dot/Z_r - 2.0*beta_K*k_i*theta_dot/(Z_r*Z_s) - beta_K*k_i*theta_dot/Z_s.powi(2) - beta_K*k_i*theta_c_dot/Z_s;
+            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_s1*u1.powi(2) - dk_s2*u2.powi(2) - dk_s3*u3.powi(2))/2.0;
+        }
+        theta_c {
+            _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 - k_i*theta_c + k_i*s2/(2.0*h2*N1) + k_i*theta2/N1 - k_i*theta/Z_r - k_i*theta/Z_s;
+            torques => T_wind;
+            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3.0*I_p*alpha_M*theta_c_dot - 3.0*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*theta_c_dot - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r + beta_K*k_i*s2_dot/(2.0*h2*N1) - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p + beta_K*k_i*theta2_dot/N1 - beta_K*k_i*theta_dot/Z_r - beta_K*k_i*theta_dot/Z_s;
+        }
+        theta2 {
+            _ => k_i*theta_c/N1 - k_i*s2/(2.0*h2*N1.powi(2)) - k_i*theta2/N1.powi(2) + k_i*theta/(N1*Z_r) + k_i*theta/(N1*Z_s);
+            torques => -T_generator/N2;
+            damping => I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1.powi(2) - I2*alpha_M*theta2_dot/N2.powi(2) - I_g*alpha_M*theta2_dot/N2.powi(2) - I1*alpha_M*s2_dot/(2.0*h2*N1.powi(2)) + I2*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + I_g*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) - beta_K*k_i*s2_dot/(2.0*h2*N1.powi(2)) - beta_K*k_i*theta2_dot/N1.powi(2) + beta_K*k_i*theta_c_dot/N1 + beta_K*k_i*theta_dot/(N1*Z_r) + beta_K*k_i*theta_dot/(N1*Z_s);
+            jump_terms => -dk12*s2.powi(2)/2.0;
+        }
+        s2 {
+            _ => k_i*theta_c/(2.0*h2*N1) - k12*s2 - k_i*s2/(4.0*h2.powi(2)*N1.powi(2)) - k_i*theta2/(2.0*h2*N1.powi(2)) + k_i*theta/(2.0*h2*N1*Z_r) + k_i*theta/(2.0*h2*N1*Z_s);
+            torques => T_generator/(2.0*h2*N2);
+            damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i*s2_dot/(4.0*h2.powi(2)*N1.powi(2)) - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2)) + I_g*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - I_g*alpha_M*psi_h_dot/(2.0*h2*N2) - beta_K*k_i*theta2_dot/(2.0*h2*N1.powi(2)) + beta_K*k_i*theta_c_dot/(2.0*h2*N1) + beta_K*k_i*theta_dot/(2.0*h2*N1*Z_r) + beta_K*k_i*theta_dot/(2.0*h2*N1*Z_s);
+        }
+        psi_l {
+            _ => -k_l*psi_l;
+            torques => T_wind;
+            damping => -I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*psi_l_dot;
+        }
+        psi_h {
+            _ => -k_h*psi_h;
+            torques => T_generator;
+            damping => I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*psi_h_dot - I_g*alpha_M*s2_dot/(2.0*h2*N2);
+        }
+        u1 {
+            _ => k_r1*delta_r1 - k_s1*u1;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*u1_dot - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u2 {
+            _ => k_r2*delta_r2 - k_s2*u2;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*u2_dot - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u3 {
+            _ => k_r3*delta_r3 - k_s3*u3;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*u3_dot - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+    }
+    jacobian {
+        theta theta {
+            _ => -k_i/Z_r.powi(2) - 2.0*k_i/(Z_r*Z_s) - k_i/Z_s.powi(2);
+            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*u1.powi(2) - ddk_s2*u2.powi(2) - ddk_s3*u3.powi(2))/2.0;
+        }
+        theta theta_c {
+            _ => -k_i/Z_r - k_i/Z_s;
+            jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
+        }
+        theta theta2 {
+            _ => k_i/(N1*Z_r) + k_i/(N1*Z_s);
+        }
+        theta s2 {
+            _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0;
+        }
+        theta u1 {
+            jump_terms => dk_r1*delta_r1 - dk_s1*u1;
+        }
+        theta u2 {
+            jump_terms => dk_r2*delta_r2 - dk_s2*u2;
+        }
+        theta u3 {
+            jump_terms => dk_r3*delta_r3 - dk_s3*u3;
+        }
+        theta theta_dot {
+            damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_b*alpha_M/Z_r.powi(2) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2) - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) - beta_K*k_i/Z_r.powi(2) - 2.0*beta_K*k_i/(Z_r*Z_s) - beta_K*k_i/Z_s.powi(2);
+        }
+        theta theta_c_dot {
+            damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
+        }
+        theta theta2_dot {
+            damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s);
+        }
+        theta s2_dot {
+            damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0;
+        }
+        theta psi_l_dot {
+            damping => -I_b*alpha_M/Z_r;
+        }
+        theta u1_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u2_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u3_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta_c theta {
+            _ => -k_i/Z_r - k_i/Z_s;
+            moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
+        }
+        theta_c theta_c {
+            _ => -k_i - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3;
+        }
+        theta_c theta2 {
+            _ => k_i/N1;
+        }
+        theta_c s2 {
+            _ => k_i/(2.0*h2*N1);
+        }
+        theta_c u1 {
+            _ => -h*Z_r*k_r1;
+        }
+        theta_c u2 {
+            _ => -h*Z_r*k_r2;
+        }
+        theta_c u3 {
+            _ => -h*Z_r*k_r3;
+        }
+        theta_c theta_dot {
+            damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
+        }
+        theta_c theta_c_dot {
+            damping => -I_b*alpha_M - I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - beta_K*k_i - 3.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+        }
+        theta_c theta2_dot {
+            damping => beta_K*k_i/N1;
+        }
+        theta_c s2_dot {
+            damping => beta_K*k_i/(2.0*h2*N1);
+        }
+        theta_c psi_l_dot {
+            damping => -I_b*alpha_M;
+        }
+        theta_c u1_dot {
+            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u2_dot {
+            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u3_dot {
+            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
+        }
+        theta2 theta {
+            _ => k_i/(N1*Z_r) + k_i/(N1*Z_s);
+        }
+        theta2 theta_c {
+            _ => k_i/N1;
+        }
+        theta2 theta2 {
+            _ => -k_i/N1.powi(2);
+            jump_terms => -ddk12*s2.powi(2)/2.0;
+        }
+        theta2 s2 {
+            _ => -k_i/(2.0*h2*N1.powi(2));
+            jump_terms => -dk12*s2;
+        }
+        theta2 theta_dot {
+            damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s);
+        }
+        theta2 theta_c_dot {
+            damping => beta_K*k_i/N1;
+        }
+        theta2 theta2_dot {
+            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_g*alpha_M/N2.powi(2) - beta_K*k_i/N1.powi(2);
+        }
+        theta2 s2_dot {
+            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2)) - beta_K*k_i/(h2*N1.powi(2)))/2.0;
+        }
+        theta2 psi_h_dot {
+            damping => I_g*alpha_M/N2;
+        }
+        s2 theta {
+            _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0;
+        }
+        s2 theta_c {
+            _ => k_i/(2.0*h2*N1);
+        }
+        s2 theta2 {
+            _ => -k_i/(2.0*h2*N1.powi(2));
+            moving_phase => -dk12*s2;
+        }
+        s2 s2 {
+            _ => -k12 - k_i/(4.0*h2.powi(2)*N1.powi(2));
+        }
+        s2 theta_dot {
+            damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0;
+        }
+        s2 theta_c_dot {
+            damping => beta_K*k_i/(2.0*h2*N1);
+        }
+        s2 theta2_dot {
+            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2)) - beta_K*k_i/(h2*N1.powi(2)))/2.0;
+        }
+        s2 s2_dot {
+            damping => -beta_K*k12_mid - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
+        }
+        s2 psi_h_dot {
+            damping => -I_g*alpha_M/(2.0*h2*N2);
+        }
+        psi_l psi_l {
+            _ => -k_l;
+        }
+        psi_l theta_dot {
+            damping => -I_b*alpha_M/Z_r;
+        }
+        psi_l theta_c_dot {
+            damping => -I_b*alpha_M;
+        }
+        psi_l psi_l_dot {
+            damping => -I_b*alpha_M - beta_K*k_l;
+        }
+        psi_h psi_h {
+            _ => -k_h;
+        }
+        psi_h theta2_dot {
+            damping => I_g*alpha_M/N2;
+        }
+        psi_h s2_dot {
+            damping => -I_g*alpha_M/(2.0*h2*N2);
+        }
+        psi_h psi_h_dot {
+            damping => -I_g*alpha_M - beta_K*k_h;
+        }
+        u1 theta {
+            moving_phase => dk_r1*delta_r1 - dk_s1*u1;
+        }
+        u1 theta_c {
+            _ => -h*Z_r*k_r1;
+        }
+        u1 u1 {
+            _ => -k_r1 - k_s1;
+        }
+        u1 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u1 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
+        }
+        u1 u1_dot {
+            damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u2 theta {
+            moving_phase => dk_r2*delta_r2 - dk_s2*u2;
+        }
+        u2 theta_c {
+            _ => -h*Z_r*k_r2;
+        }
+        u2 u2 {
+            _ => -k_r2 - k_s2;
+        }
+        u2 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u2 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
+        }
+        u2 u2_dot {
+            damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u3 theta {
+            moving_phase => dk_r3*delta_r3 - dk_s3*u3;
+        }
+        u3 theta_c {
+            _ => -h*Z_r*k_r3;
+        }
+        u3 u3 {
+            _ => -k_r3 - k_s3;
+        }
+        u3 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u3 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
+        }
+        u3 u3_dot {
+            damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2);
+        }
+    }
+    cell {
+        stiffness {
+            theta theta {
+                _ => k_i/Z_r.powi(2) + 2.0*k_i/(Z_r*Z_s) + k_i/Z_s.powi(2);
+            }
+            theta theta_c {
+                _ => k_i/Z_r + k_i/Z_s;
+            }
+            theta theta2 {
+                _ => -k_i/(N1*Z_r) - k_i/(N1*Z_s);
+            }
+            theta s2 {
+                _ => (-k_i/(h2*N1*Z_r) - k_i/(h2*N1*Z_s))/2.0;
+            }
+            theta_c theta_c {
+                _ => k_i + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
+            }
+            theta_c theta2 {
+                _ => -k_i/N1;
+            }
+            theta_c s2 {
+                _ => -k_i/(2.0*h2*N1);
+            }
+            theta_c u1 {
+                _ => h*Z_r*k_r1;
+            }
+            theta_c u2 {
+                _ => h*Z_r*k_r2;
+            }
+            theta_c u3 {
+                _ => h*Z_r*k_r3;
+            }
+            theta2 theta2 {
+                _ => k_i/N1.powi(2);
+            }
+            theta2 s2 {
+                _ => k_i/(2.0*h2*N1.powi(2));
+            }
+            s2 s2 {
+                _ => k12 + k_i/(4.0*h2.powi(2)*N1.powi(2));
+            }
+            psi_l psi_l {
+                _ => k_l;
+            }
+            psi_h psi_h {
+                _ => k_h;
+            }
+            u1 u1 {
+                _ => k_r1 + k_s1;
+            }
+            u2 u2 {
+                _ => k_r2 + k_s2;
+            }
+            u3 u3 {
+                _ => k_r3 + k_s3;
+            }
+        }
+        damping {
+            theta theta {
+                damping => I_b*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + I_c*alpha_M/Z_r.powi(2) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2) + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) + beta_K*k_i/Z_r.powi(2) + 2.0*beta_K*k_i/(Z_r*Z_s) + beta_K*k_i/Z_s.powi(2);
+            }
+            theta theta_c {
+                damping => I_b*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + I_c*alpha_M/Z_r + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s + 3.0*a.powi(2)*alpha_M*m_p/Z_r + beta_K*k_i/Z_r + beta_K*k_i/Z_s;
+            }
+            theta theta2 {
+                damping => -beta_K*k_i/(N1*Z_r) - beta_K*k_i/(N1*Z_s);
+            }
+            theta s2 {
+                damping => (-beta_K*k_i/(h2*N1*Z_r) - beta_K*k_i/(h2*N1*Z_s))/2.0;
+            }
+            theta psi_l {
+                damping => I_b*alpha_M/Z_r;
+            }
+            theta u1 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u2 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u3 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta_c theta_c {
+                damping => I_b*alpha_M + I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + beta_K*k_i + 3.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+            }
+            theta_c theta2 {
+                damping => -beta_K*k_i/N1;
+            }
+            theta_c s2 {
+                damping => -beta_K*k_i/(2.0*h2*N1);
+            }
+            theta_c psi_l {
+                damping => I_b*alpha_M;
+            }
+            theta_c u1 {
+                damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u2 {
+                damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u3 {
+                damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p;
+            }
+            theta2 theta2 {
+                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2) + beta_K*k_i/N1.powi(2);
+            }
+            theta2 s2 {
+                damping => (I1*alpha_M/(h2*N1.powi(2)) - I2*alpha_M/(h2*N2.powi(2)) - I_g*alpha_M/(h2*N2.powi(2)) + beta_K*k_i/(h2*N1.powi(2)))/2.0;
+            }
+            theta2 psi_h {
+                damping => -I_g*alpha_M/N2;
+            }
+            s2 s2 {
+                damping => beta_K*k12_mid + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
+            }
+            s2 psi_h {
+                damping => I_g*alpha_M/(2.0*h2*N2);
+            }
+            psi_l psi_l {
+                damping => I_b*alpha_M + beta_K*k_l;
+            }
+            psi_h psi_h {
+                damping => I_g*alpha_M + beta_K*k_h;
+            }
+            u1 u1 {
+                damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u2 u2 {
+                damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u3 u3 {
+                damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2);
+            }
+        }
+        load {
+            theta {
+                torques => T_wind/Z_r;
+            }
+            theta_c {
+                torques => T_wind;
+            }
+            theta2 {
+                torques => -T_generator/N2;
+            }
+            s2 {
+                torques => T_generator/(2.0*h2*N2);
+            }
+            psi_l {
+                torques => T_wind;
+            }
+            psi_h {
+                torques => T_generator;
+            }
+        }
+    }
+    jump k_s1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s1*u1.powi(2)/2.0;
+        }
+    }
+    jump k_r1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r1*delta_r1.powi(2)/2.0;
+        }
+    }
+    jump k_s2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s2*u2.powi(2)/2.0;
+        }
+    }
+    jump k_r2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r2*delta_r2.powi(2)/2.0;
+        }
+    }
+    jump k_s3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s3*u3.powi(2)/2.0;
+        }
+    }
+    jump k_r3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r3*delta_r3.powi(2)/2.0;
+        }
+    }
+    jump k12 {
+        normal {
+            theta2 {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk12*s2.powi(2)/2.0;
+        }
+    }
+
+    text {
+        "T = I1*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + 3*a^2*m_p*(theta_c_dot + theta_dot/Z_r)^2/2";
+        "V = (k_h*psi_h^2 + k_i*(theta_c - (theta2 + s2/(2*h2))/N1 + theta/Z_r + theta/Z_s)^2 + k_l*psi_l^2 + k12*s2^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_s1*u1^2 + k_s2*u2^2 + k_s3*u3^2)/2";
+        "D = I1*alpha_M*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + beta_K*k_h*psi_h_dot^2/2 + beta_K*k_i*(theta_c_dot - (theta2_dot + s2_dot/(2*h2))/N1 + theta_dot/Z_r + theta_dot/Z_s)^2/2 + beta_K*k_l*psi_l_dot^2/2 + beta_K*k12_mid*s2_dot^2/2 + beta_K*k_r1_mid*delta_r1_dot^2/2 + beta_K*k_r2_mid*delta_r2_dot^2/2 + beta_K*k_r3_mid*delta_r3_dot^2/2 + beta_K*k_s1_mid*u1_dot^2/2 + beta_K*k_s2_mid*u2_dot^2/2 + beta_K*k_s3_mid*u3_dot^2/2 + 3*a^2*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r)^2/2 [damping]";
+        "Q_theta = T_wind/Z_r [torques]";
+        "Q_theta_c = T_wind [torques]";
+        "Q_theta2 = -T_generator/N2 [torques]";
+        "Q_s2 = T_generator/(2*h2*N2) [torques]";
+        "Q_psi_l = T_wind [torques]";
+        "Q_psi_h = T_generator [torques]";
+        "Q_u1 = 0";
+        "Q_u2 = 0";
+        "Q_u3 = 0";
+        "cos_a = cos(alpha)";
+        "sin_a = sin(alpha)";
+        "h = r_s/Z_s";
+        "r_p = (h*Z_r - h*Z_s)/2";
+        "a = (h*Z_r/cos_a + h*Z_s/cos_a)/2";
+        "h2 = r1/N1";
+        "delta_r1 = -u1 - h*Z_r*theta_c";
+        "delta_r2 = -u2 - h*Z_r*theta_c";
+        "delta_r3 = -u3 - h*Z_r*theta_c";
+        "(I_b/Z_r^2 - 6*h*I_p/(r_p*Z_r) + I_c/Z_r^2 + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (I_b/Z_r) psi_l'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = k_i*s2/(2*h2*N1*Z_r) + k_i*s2/(2*h2*N1*Z_s) + k_i*theta2/(N1*Z_r) + k_i*theta2/(N1*Z_s) - k_i*theta/Z_r^2 - k_i*theta_c/Z_r - 2*k_i*theta/(Z_r*Z_s) - k_i*theta/Z_s^2 - k_i*theta_c/Z_s + T_wind/Z_r [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r^2 - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_i*s2_dot/(2*h2*N1*Z_r) + beta_K*k_i*s2_dot/(2*h2*N1*Z_s) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) + beta_K*k_i*theta2_dot/(N1*Z_r) + beta_K*k_i*theta2_dot/(N1*Z_s) - beta_K*k_i*theta_dot/Z_r^2 - beta_K*k_i*theta_c_dot/Z_r - 2*beta_K*k_i*theta_dot/(Z_r*Z_s) - beta_K*k_i*theta_dot/Z_s^2 - beta_K*k_i*theta_c_dot/Z_s [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*u1^2 - dk_s2*u2^2 - dk_s3*u3^2)/2 [jump terms]";
+        "(I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_b + I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (I_b) psi_l'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 - k_i*theta_c + k_i*s2/(2*h2*N1) + k_i*theta2/N1 - k_i*theta/Z_r - k_i*theta/Z_s + T_wind [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*theta_c_dot - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r + beta_K*k_i*s2_dot/(2*h2*N1) - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p + beta_K*k_i*theta2_dot/N1 - beta_K*k_i*theta_dot/Z_r - beta_K*k_i*theta_dot/Z_s [damping]";
+        "(I1/N1^2 + I2/N2^2 + I_g/N2^2) theta2'' + ((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) s2'' + (-I_g/N2) psi_h'' = k_i*theta_c/N1 - k_i*s2/(2*h2*N1^2) - k_i*theta2/N1^2 + k_i*theta/(N1*Z_r) + k_i*theta/(N1*Z_s) - T_generator/N2 [torques] + I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1^2 - I2*alpha_M*theta2_dot/N2^2 - I_g*alpha_M*theta2_dot/N2^2 - I1*alpha_M*s2_dot/(2*h2*N1^2) + I2*alpha_M*s2_dot/(2*h2*N2^2) + I_g*alpha_M*s2_dot/(2*h2*N2^2) - beta_K*k_i*s2_dot/(2*h2*N1^2) - beta_K*k_i*theta2_dot/N1^2 + beta_K*k_i*theta_c_dot/N1 + beta_K*k_i*theta_dot/(N1*Z_r) + beta_K*k_i*theta_dot/(N1*Z_s) [damping] - dk12*s2^2/2 [jump terms]";
+        "((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) theta2'' + ((I1/(h2^2*N1^2) + I2/(h2^2*N2^2) + I_g/(h2^2*N2^2))/4) s2'' + (I_g/(2*h2*N2)) psi_h'' = k_i*theta_c/(2*h2*N1) - k12*s2 - k_i*s2/(4*h2^2*N1^2) - k_i*theta2/(2*h2*N1^2) + k_i*theta/(2*h2*N1*Z_r) + k_i*theta/(2*h2*N1*Z_s) + T_generator/(2*h2*N2) [torques] + I2*alpha_M*theta2_dot/(2*h2*N2^2) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4*h2^2*N1^2) - I2*alpha_M*s2_dot/(4*h2^2*N2^2) - I_g*alpha_M*s2_dot/(4*h2^2*N2^2) - beta_K*k_i*s2_dot/(4*h2^2*N1^2) - I1*alpha_M*theta2_dot/(2*h2*N1^2) + I_g*alpha_M*theta2_dot/(2*h2*N2^2) - I_g*alpha_M*psi_h_dot/(2*h2*N2) - beta_K*k_i*theta2_dot/(2*h2*N1^2) + beta_K*k_i*theta_c_dot/(2*h2*N1) + beta_K*k_i*theta_dot/(2*h2*N1*Z_r) + beta_K*k_i*theta_dot/(2*h2*N1*Z_s) [damping]";
+        "(I_b/Z_r) theta'' + (I_b) theta_c'' + (I_b) psi_l'' = -k_l*psi_l + T_wind [torques] - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*psi_l_dot [damping]";
+        "(-I_g/N2) theta2'' + (I_g/(2*h2*N2)) s2'' + (I_g) psi_h'' = -k_h*psi_h + T_generator [torques] + I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*psi_h_dot - I_g*alpha_M*s2_dot/(2*h2*N2) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*u1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*u1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*u2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*u2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*u3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*u3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*u1^2/2)";
+        "at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)";
+        "at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*u2^2/2)";
+        "at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)";
+        "at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*u3^2/2)";
+        "at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)";
+        "at a step dk12 of k12 in theta2: v+^2 = v-^2 - 2*G*(dk12*s2^2/2)";
+        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+    }
+    latex {
+        "T = \\frac{I_{1}\\, \\left(\\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{1}} + \\frac{\\dot{\\theta_{2}}}{N_{1}}\\right)^{2}}{2} + \\frac{I_{2}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{b}\\, \\left(\\dot{\\psi_{l}} + \\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{c}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{g}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\dot{\\psi_{h}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{s}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2}}{2} + \\frac{3\\, a^{2}\\, m_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2}";
+        "V = \\frac{1}{2} (k_{h}\\, \\psi_{h}^{2} + k_{i}\\, \\left(\\theta_{c} - \\frac{\\left(\\theta_{2} + \\frac{s_{2}}{2\\, h_{2}}\\right)}{N_{1}} + \\frac{\\theta}{Z_{r}} + \\frac{\\theta}{Z_{s}}\\right)^{2} + k_{l}\\, \\psi_{l}^{2} + k_{12}\\, s_{2}^{2} + k_{r1}\\, \\delta_{r1}^{2} + k_{r2}\\, \\delta_{r2}^{2} + k_{r3}\\, \\delta_{r3}^{2} + k_{s1}\\, u_{1}^{2} + k_{s2}\\, u_{2}^{2} + k_{s3}\\, u_{3}^{2})";
+        "D = \\frac{I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{1}} + \\frac{\\dot{\\theta_{2}}}{N_{1}}\\right)^{2}}{2} + \\frac{I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{b}\\, \\alpha_{M}\\, \\left(\\dot{\\psi_{l}} + \\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{c}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{g}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\dot{\\psi_{h}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{s}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2}}{2} + \\frac{\\beta_{K}\\, k_{h}\\, \\dot{\\psi_{h}}^{2}}{2} + \\frac{\\beta_{K}\\, k_{i}\\, \\left(\\dot{\\theta_{c}} - \\frac{\\left(\\dot{\\theta_{2}} + \\frac{\\dot{s_{2}}}{2\\, h_{2}}\\right)}{N_{1}} + \\frac{\\dot{\\theta}}{Z_{r}} + \\frac{\\dot{\\theta}}{Z_{s}}\\right)^{2}}{2} + \\frac{\\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{12}}\\, \\dot{s_{2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{u_{1}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{u_{2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{u_{3}}^{2}}{2} + \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2}\\ [\\text{damping}]";
+        "Q_{\\theta} = \\frac{T_{wind}}{Z_{r}}\\ [\\text{torques}]";
+        "Q_{\\theta_{c}} = T_{wind}\\ [\\text{torques}]";
+        "Q_{\\theta_{2}} = -\\frac{T_{generator}}{N_{2}}\\ [\\text{torques}]";
+        "Q_{s_{2}} = \\frac{T_{generator}}{2\\, h_{2}\\, N_{2}}\\ [\\text{torques}]";
+        "Q_{\\psi_{l}} = T_{wind}\\ [\\text{torques}]";
+        "Q_{\\psi_{h}} = T_{generator}\\ [\\text{torques}]";
+        "Q_{u_{1}} = 0";
+        "Q_{u_{2}} = 0";
+        "Q_{u_{3}} = 0";
+        "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
+        "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
+        "h = \\frac{r_{s}}{Z_{s}}";
+        "r_{p} = \\frac{1}{2} (h\\, Z_{r} - h\\, Z_{s})";
+        "a = \\frac{1}{2} (\\frac{h\\, Z_{r}}{\\mathrm{cos}_{a}} + \\frac{h\\, Z_{s}}{\\mathrm{cos}_{a}})";
+        "h_{2} = \\frac{r_{1}}{N_{1}}";
+        "\\delta_{r1} = -u_{1} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r2} = -u_{2} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r3} = -u_{3} - h\\, Z_{r}\\, \\theta_{c}";
+        "(\\frac{I_{b}}{Z_{r}^{2}} - \\frac{6\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{I_{c}}{Z_{r}^{2}} + \\frac{3\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{3\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{b}}{Z_{r}} - \\frac{3\\, h\\, I_{p}}{r_{p}} + \\frac{I_{c}}{Z_{r}} + \\frac{3\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{I_{b}}{Z_{r}}) \\ddot{\\psi_{l}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = \\frac{k_{i}\\, s_{2}}{2\\, h_{2}\\, N_{1}\\, Z_{r}} + \\frac{k_{i}\\, s_{2}}{2\\, h_{2}\\, N_{1}\\, Z_{s}} + \\frac{k_{i}\\, \\theta_{2}}{N_{1}\\, Z_{r}} + \\frac{k_{i}\\, \\theta_{2}}{N_{1}\\, Z_{s}} - \\frac{k_{i}\\, \\theta}{Z_{r}^{2}} - \\frac{k_{i}\\, \\theta_{c}}{Z_{r}} - \\frac{2\\, k_{i}\\, \\theta}{Z_{r}\\, Z_{s}} - \\frac{k_{i}\\, \\theta}{Z_{s}^{2}} - \\frac{k_{i}\\, \\theta_{c}}{Z_{s}} + \\frac{T_{wind}}{Z_{r}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{3\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{6\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\psi_{l}}}{Z_{r}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{3\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{1}\\, Z_{r}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{1}\\, Z_{s}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{2}}}{N_{1}\\, Z_{r}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{2}}}{N_{1}\\, Z_{s}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, \\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{c}}}{Z_{s}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{s1}'\\, u_{1}^{2} - k_{s2}'\\, u_{2}^{2} - k_{s3}'\\, u_{3}^{2})\\ [\\text{jump terms}]";
+        "(\\frac{I_{b}}{Z_{r}} - \\frac{3\\, h\\, I_{p}}{r_{p}} + \\frac{I_{c}}{Z_{r}} + \\frac{3\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (I_{b} + I_{c} + 3\\, I_{p} + I_{s} + 3\\, a^{2}\\, m_{p}) \\ddot{\\theta_{c}} + (I_{b}) \\ddot{\\psi_{l}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{1}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{2}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{3}} = h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} + h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} + h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} - k_{i}\\, \\theta_{c} + \\frac{k_{i}\\, s_{2}}{2\\, h_{2}\\, N_{1}} + \\frac{k_{i}\\, \\theta_{2}}{N_{1}} - \\frac{k_{i}\\, \\theta}{Z_{r}} - \\frac{k_{i}\\, \\theta}{Z_{s}} + T_{wind}\\ [\\text{torques}] + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} + \\frac{3\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\psi_{l}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - 3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}} - \\beta_{K}\\, k_{i}\\, \\dot{\\theta_{c}} - 3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{1}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{2}}}{N_{1}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{Z_{r}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{Z_{s}}\\ [\\text{damping}]";
+        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}} + \\frac{I_{g}}{N_{2}^{2}}) \\ddot{\\theta_{2}} + (\\frac{1}{2} (\\frac{I_{1}}{h_{2}\\, N_{1}^{2}} - \\frac{I_{2}}{h_{2}\\, N_{2}^{2}} - \\frac{I_{g}}{h_{2}\\, N_{2}^{2}})) \\ddot{s_{2}} + (-\\frac{I_{g}}{N_{2}}) \\ddot{\\psi_{h}} = \\frac{k_{i}\\, \\theta_{c}}{N_{1}} - \\frac{k_{i}\\, s_{2}}{2\\, h_{2}\\, N_{1}^{2}} - \\frac{k_{i}\\, \\theta_{2}}{N_{1}^{2}} + \\frac{k_{i}\\, \\theta}{N_{1}\\, Z_{r}} + \\frac{k_{i}\\, \\theta}{N_{1}\\, Z_{s}} - \\frac{T_{generator}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\psi_{h}}}{N_{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{2}^{2}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{1}^{2}} + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{2}^{2}} + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{2}^{2}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{1}^{2}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{2}}}{N_{1}^{2}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{c}}}{N_{1}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{N_{1}\\, Z_{r}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{N_{1}\\, Z_{s}}\\ [\\text{damping}] - \\frac{k_{12}'\\, s_{2}^{2}}{2}\\ [\\text{jump terms}]";
+        "(\\frac{1}{2} (\\frac{I_{1}}{h_{2}\\, N_{1}^{2}} - \\frac{I_{2}}{h_{2}\\, N_{2}^{2}} - \\frac{I_{g}}{h_{2}\\, N_{2}^{2}})) \\ddot{\\theta_{2}} + (\\frac{1}{4} (\\frac{I_{1}}{h_{2}^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h_{2}^{2}\\, N_{2}^{2}} + \\frac{I_{g}}{h_{2}^{2}\\, N_{2}^{2}})) \\ddot{s_{2}} + (\\frac{I_{g}}{2\\, h_{2}\\, N_{2}}) \\ddot{\\psi_{h}} = \\frac{k_{i}\\, \\theta_{c}}{2\\, h_{2}\\, N_{1}} - k_{12}\\, s_{2} - \\frac{k_{i}\\, s_{2}}{4\\, h_{2}^{2}\\, N_{1}^{2}} - \\frac{k_{i}\\, \\theta_{2}}{2\\, h_{2}\\, N_{1}^{2}} + \\frac{k_{i}\\, \\theta}{2\\, h_{2}\\, N_{1}\\, Z_{r}} + \\frac{k_{i}\\, \\theta}{2\\, h_{2}\\, N_{1}\\, Z_{s}} + \\frac{T_{generator}}{2\\, h_{2}\\, N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{s_{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{2}^{2}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{2}^{2}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{1}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{1}^{2}} + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{2}^{2}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\psi_{h}}}{2\\, h_{2}\\, N_{2}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{1}^{2}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta_{c}}}{2\\, h_{2}\\, N_{1}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{2\\, h_{2}\\, N_{1}\\, Z_{r}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\theta}}{2\\, h_{2}\\, N_{1}\\, Z_{s}}\\ [\\text{damping}]";
+        "(\\frac{I_{b}}{Z_{r}}) \\ddot{\\theta} + (I_{b}) \\ddot{\\theta_{c}} + (I_{b}) \\ddot{\\psi_{l}} = -k_{l}\\, \\psi_{l} + T_{wind}\\ [\\text{torques}] - I_{b}\\, \\alpha_{M}\\, \\dot{\\psi_{l}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}}\\ [\\text{damping}]";
+        "(-\\frac{I_{g}}{N_{2}}) \\ddot{\\theta_{2}} + (\\frac{I_{g}}{2\\, h_{2}\\, N_{2}}) \\ddot{s_{2}} + (I_{g}) \\ddot{\\psi_{h}} = -k_{h}\\, \\psi_{h} + T_{generator}\\ [\\text{torques}] + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{2}} - I_{g}\\, \\alpha_{M}\\, \\dot{\\psi_{h}} - \\beta_{K}\\, k_{h}\\, \\dot{\\psi_{h}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} = k_{r1}\\, \\delta_{r1} - k_{s1}\\, u_{1} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{u_{1}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} = k_{r2}\\, \\delta_{r2} - k_{s2}\\, u_{2} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{u_{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = k_{r3}\\, \\delta_{r3} - k_{s3}\\, u_{3} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{u_{3}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+    }
+}

@@ -1,0 +1,13 @@
+//! Rayleigh damping, C = alpha_M M + beta_K K with the mid values of the mesh stiffnesses, in the effect `damping`.
+
+use gearsim_derive::{Model, Range};
+
+/// Damps every rotor and every spring that the model has. To be called last. Declares `alpha_M` and `beta_K`.
+#[allow(non_snake_case)] // the field's symbols
+pub fn damping(m: &mut Model) {
+    let alpha_M = m.parameter("alpha_M", "1/s", Some(0.0), Range::NotNegative, "damping in proportion to inertia");
+    let beta_K = m.parameter("beta_K", "s", Some(0.0), Range::NotNegative, "damping in proportion to stiffness");
+    m.effect("damping", "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness", |m| {
+        m.rayleigh(alpha_M, beta_K);
+    });
+}

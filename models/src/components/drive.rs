@@ -1,0 +1,20 @@
+//! Motor and load: constant torques, in the effect `torques`.
+
+use gearsim_derive::{Expr, Model, Range};
+
+use super::named;
+
+/// A motor that turns what turns by `theta` [rad]. Declares its torque `T`.
+pub fn drive(m: &mut Model, part: &str, what: &str, theta: Expr) {
+    torque(m, part, &format!("driving torque of the {what}"), theta);
+}
+
+/// A load that holds back what turns by `theta` [rad]. Declares its torque `T`.
+pub fn load(m: &mut Model, part: &str, what: &str, theta: Expr) {
+    torque(m, part, &format!("load torque of the {what}, against its rotation"), -theta);
+}
+
+fn torque(m: &mut Model, part: &str, doc: &str, through: Expr) {
+    let value = m.parameter(&named("T", part), "N*m", None, Range::Any, doc);
+    m.effect("torques", "constant torques of motor and load", |m| m.torque(part, value, through, doc));
+}

@@ -1,0 +1,33 @@
+//! What drivetrains are made of: each a function that declares its parameters and adds its energies to a model.
+//!
+//! One file a component. Components take rotations [rad] and displacements [m] as expressions in the coordinates, which the
+//! model chooses: `rotor(m, "1", "driving gear", (theta + s / h) / N1)`. Names are put together from the symbol of the
+//! quantity and the name of the part: the inertia of part `1` is `I1`, of part `motor` `I_motor`.
+
+pub mod bearing;
+pub mod constraint;
+pub mod damping;
+pub mod drive;
+pub mod gear;
+pub mod mesh;
+pub mod pair;
+pub mod planets;
+pub mod rotor;
+pub mod shaft;
+
+pub use bearing::bearing;
+pub use constraint::geared;
+pub use damping::damping;
+pub use drive::{drive, load};
+pub use gear::{Direction, Gear, external, internal};
+pub use mesh::mesh;
+pub use pair::{Pair, pair};
+pub use planets::{Stage, stage};
+pub use rotor::{planar_rotor, rotor};
+pub use shaft::{ground, shaft};
+
+/// `I1` for the quantity `I` of part `1`, `I_motor` for that of part `motor`.
+pub fn named(quantity: &str, part: &str) -> String {
+    let joint = if part.starts_with(|c: char| c.is_ascii_digit()) { "" } else { "_" };
+    format!("{quantity}{joint}{part}")
+}

@@ -1,0 +1,137 @@
+//! A planetary stage: sun `s`, ring `r`, carrier `c` and n planets, as Lin & Parker (1999), J. Vib. Acoust. 121(3).
+//!
+//! All meshes of a stage move on with one phase, theta = Z_s (theta_s - theta_c): one pitch is 2 pi, and rho = h theta
+//! rolls along the line of action, h = r_s/Z_s. On a ring at rest the carrier then turns by rho/r_r and a planet by
+//! -rho/r_p against it. The coordinates of carrier and planets are what they move beyond that, so that no deflection
+//! depends on theta. Angles are counterclockwise; the frame turns with the carrier, without gyroscopic terms.
+
+use std::f64::consts::TAU;
+
+use gearsim_derive::{Expr, Model, Range, Start, half};
+
+use super::gear::Direction;
+use super::{Gear, external, internal, mesh};
+
+/// A stage's geometry, and how it turns.
+#[derive(Clone, Copy)]
+pub struct Stage {
+    /// The phase of its meshes, a coordinate [rad]; one pitch is 2 pi.
+    pub theta: Expr,
+    /// Rotation of the sun [rad].
+    pub theta_s: Expr,
+    /// Rotation of the carrier [rad].
+    pub theta_c: Expr,
+    /// Base radius of the sun [m].
+    pub r_s: Expr,
+    /// Base radius of the ring [m].
+    pub r_r: Expr,
+    /// Radius of the circle of the planets' centres [m].
+    pub a: Expr,
+    /// Speed of theta per speed of the sun on a ring at rest.
+    pub per_sun: Expr,
+    /// Base radius of a planet [m], and the name of it.
+    r_p: [Expr; 2],
+    /// The name of `a`.
+    named_a: Expr,
+    /// Pressure angle [rad], and as a direction.
+    angle: Expr,
+    alpha: Direction,
+    rho: Expr,
+}
+
+/// Declares the geometry of a stage (`Z_s`, `Z_r`, `r_s`, `alpha`), and the coordinates `theta` and `theta_c`.
+#[allow(non_snake_case)] // the field's symbols
+pub fn stage(m: &mut Model) -> Stage {
+    let Z_s = m.parameter("Z_s", "1", None, Range::Positive, "number of teeth of the sun");
+    let Z_r = m.parameter("Z_r", "1", None, Range::Positive, "number of teeth of the ring");
+    let r_s = m.parameter("r_s", "m", None, Range::Positive, "base radius of the sun");
+    let angle = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
+    let alpha = Direction { cos: m.constant("cos_a", angle.cos()), sin: m.constant("sin_a", angle.sin()) };
+    let h = m.constant("h", r_s / Z_s);
+    // Written out where theta must cancel, by name elsewhere.
+    let (r_p, a) = (half(h * (Z_r - Z_s)), half(h * (Z_r + Z_s)) / alpha.cos);
+    let (named_r_p, named_a) = (m.constant("r_p", r_p), m.constant("a", a));
+    let theta = m.coordinate("theta", "rad", Start::At(0.0), "phase of the meshes, Z_s (theta_s - theta_c)");
+    let beyond = m.coordinate("theta_c", "rad", Start::Static, "rotation of the carrier beyond rolling");
+    Stage {
+        theta,
+        theta_s: theta / Z_s + theta / Z_r + beyond,
+        theta_c: theta / Z_r + beyond,
+        r_s: h * Z_s,
+        r_r: h * Z_r,
+        a,
+        per_sun: Z_s * Z_r / (Z_s + Z_r),
+        r_p: [r_p, named_r_p],
+        named_a,
+        angle,
+        alpha,
+        rho: h * theta,
+    }
+}
+
+impl Stage {
+    /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring
+    /// that turns by `theta_r`. Declares the planets' `m_p`, `I_p` and coordinates `u1`, ..., the laws `k_s1`, `k_r1`, ...
+    pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
+        let (mass, inertia) = inertia(m);
+        m.kinetic(half(n as i64 * mass * (self.named_a * self.theta_c.dot()).sq()));
+        let (sun, ring) = (Gear::centred(self.r_s * self.theta_s), Gear::centred(self.r_r * theta_r));
+        let (l_s, l_r) = (self.alpha.mirrored(), self.alpha);
+        for i in 1..=n {
+            let planet = Gear { x: 0.into(), y: self.a * self.theta_c, u: self.rotation(m, i, inertia) };
+            self.meshes(m, i, external(sun, l_s, planet, l_s), internal(ring, l_r, planet, l_r));
+        }
+    }
+
+    /// Adds `n` planets on bearings on the carrier, and their meshes with sun and ring. Declares, of planet i, its place
+    /// `psi1`, its coordinates `zeta1` (radial), `eta1` (tangential), `u1`; of all, `m_p`, `I_p` and the bearings' `kb_p`.
+    pub fn planets_on_bearings(&self, m: &mut Model, n: usize, sun: Gear, ring: Gear, carrier: Gear) {
+        let (mass, inertia) = inertia(m);
+        let kb = m.parameter("kb_p", "N/m", None, Range::NotNegative, "radial stiffness of a planet's bearing");
+        for i in 1..=n {
+            let place = TAU * (i - 1) as f64 / n as f64;
+            let psi = m.parameter(&format!("psi{i}"), "rad", Some(place), Range::Any, &format!("place of planet {i}"));
+            let direction = |m: &mut Model, of: &str, angle: Expr| Direction {
+                cos: m.constant(&format!("cos_{of}{i}"), angle.cos()),
+                sin: m.constant(&format!("sin_{of}{i}"), angle.sin()),
+            };
+            let (l_c, l_s) = (direction(m, "c", psi), direction(m, "s", psi - self.angle));
+            let l_r = direction(m, "r", psi + self.angle);
+            let coordinate = |m: &mut Model, name: &str, doc: &str| {
+                m.coordinate(&format!("{name}{i}"), "m", Start::Static, &format!("{doc} of planet {i}"))
+            };
+            let zeta = coordinate(m, "zeta", "radial displacement");
+            let eta = coordinate(m, "eta", "tangential displacement, beyond the carrier's rotation,");
+            let planet = Gear { x: zeta, y: self.a * self.theta_c + eta, u: self.rotation(m, i, inertia) };
+            m.kinetic(half(mass * zeta.dot().sq()));
+            m.kinetic(half(mass * (self.named_a * self.theta_c.dot() + eta.dot()).sq()));
+            let radial = m.deflection(&format!("radial{i}"), carrier.x * l_c.cos + carrier.y * l_c.sin - zeta);
+            let tangential = m.deflection(&format!("tangential{i}"), carrier.across(l_c) - eta);
+            m.potential(half(kb * radial.sq()));
+            m.potential(half(kb * tangential.sq()));
+            let (sun, ring) =
+                (external(sun, l_s, planet, self.alpha.mirrored()), internal(ring, l_r, planet, self.alpha));
+            self.meshes(m, i, sun, ring);
+        }
+    }
+
+    /// Planet `i` turns: its rotation times its base radius.
+    fn rotation(&self, m: &mut Model, i: usize, inertia: Expr) -> Expr {
+        let doc = format!("rotation of planet {i} beyond rolling, times its base radius");
+        let beyond = m.coordinate(&format!("u{i}"), "m", Start::Static, &doc);
+        let [r_p, named] = self.r_p;
+        m.kinetic(half(inertia * (self.theta_c.dot() + (beyond - self.rho).dot() / named).sq()));
+        r_p * self.theta_c - self.rho + beyond
+    }
+
+    /// The meshes of planet `i` with sun and ring, from their deflections.
+    fn meshes(&self, m: &mut Model, i: usize, sun: Expr, ring: Expr) {
+        mesh(m, &format!("s{i}"), &format!("mesh of sun and planet {i}"), self.theta, sun);
+        mesh(m, &format!("r{i}"), &format!("mesh of ring and planet {i}"), self.theta, ring);
+    }
+}
+
+fn inertia(m: &mut Model) -> (Expr, Expr) {
+    let mass = m.parameter("m_p", "kg", None, Range::Positive, "mass of a planet");
+    (mass, m.parameter("I_p", "kg*m^2", None, Range::Positive, "moment of inertia of a planet"))
+}

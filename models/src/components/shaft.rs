@@ -1,0 +1,17 @@
+//! A torsional shaft: V = k twist^2/2.
+
+use gearsim_derive::{Expr, Model, Range, half};
+
+use super::named;
+
+/// A shaft between two rotors whose rotations differ by `twist` [rad]. Declares its torsional stiffness `k`.
+pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
+    let doc = format!("torsional stiffness of the {what}");
+    let k = m.parameter(&named("k", part), "N*m/rad", None, Range::NotNegative, &doc);
+    m.potential(half(k * twist.sq()));
+}
+
+/// A torsional spring between the ground and what turns by `theta` [rad]. Declares its stiffness `k`.
+pub fn ground(m: &mut Model, part: &str, what: &str, theta: Expr) {
+    shaft(m, part, what, theta);
+}

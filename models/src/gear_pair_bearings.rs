@@ -1,0 +1,36 @@
+//! A gear pair whose shafts give way in their bearings: x, y and rotation of each gear.
+
+use gearsim_derive::{Model, Range, Start};
+
+use crate::components::{Direction, Gear, bearing, damping, drive, external, load, mesh, pair, planar_rotor};
+
+/// The line of centres is x, from the driving gear to the driven. The driving gear turns counterclockwise.
+pub fn gear_pair_bearings(m: &mut Model) {
+    m.title("a gear pair on bearings, with x, y and rotation of each gear");
+    m.source(
+        "standard plane model, e.g. Kahraman & Singh (1991), J. Sound Vib. 146(1); phase as Oh, Grosh & Barber (2005)",
+    );
+
+    let gears = pair(m, "", "1", "2");
+    let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
+    let alpha = Direction { cos: m.constant("cos_a", alpha.cos()), sin: m.constant("sin_a", alpha.sin()) };
+    let centre = |m: &mut Model, part: &str| {
+        ["x", "y"].map(|axis| {
+            m.coordinate(&format!("{axis}{part}"), "m", Start::Static, &format!("{axis} of the centre of gear {part}"))
+        })
+    };
+    let (c1, c2) = (centre(m, "1"), centre(m, "2"));
+
+    planar_rotor(m, "1", "driving gear", c1, gears.theta1);
+    planar_rotor(m, "2", "driven gear", c2, gears.theta2);
+    bearing(m, "1", "bearing of gear 1", c1);
+    bearing(m, "2", "bearing of gear 2", c2);
+    // Rolling is no deflection: of the rotations, the mesh feels s alone. Its line of action is at -alpha.
+    let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
+    let line = alpha.mirrored();
+    mesh(m, "12", "mesh", gears.theta, external(one, line, two, line));
+    drive(m, "motor", "driving gear", gears.theta1);
+    load(m, "load", "driven gear", gears.theta2);
+    damping(m);
+    m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
+}

@@ -1,0 +1,32 @@
+//! An idler train: gear 1 drives gear 3 through the idler 2.
+
+use gearsim_derive::{Model, Range, Start};
+
+use crate::components::{damping, drive, load, mesh, rotor};
+
+/// The rotation of the idler in teeth, which is the phase of both meshes, and the deflections of the two.
+#[allow(non_snake_case)] // the field's symbols
+pub fn idler(m: &mut Model) {
+    m.title("two gears with an idler between them");
+    m.source("standard torsional model; phase as Oh, Grosh & Barber (2005), on the idler");
+
+    let [N1, N2, N3] = ["1", "2", "3"].map(|gear| {
+        m.parameter(&format!("N{gear}"), "1", None, Range::Positive, &format!("number of teeth of gear {gear}"))
+    });
+    let r2 = m.parameter("r2", "m", None, Range::Positive, "base radius of the idler");
+    let h = m.constant("h", r2 / N2);
+    let theta = m.coordinate("theta", "rad", Start::At(0.0), "rotation of the idler in teeth, one pitch 2 pi");
+    let delta1 = m.coordinate("delta1", "m", Start::Static, "deflection of the mesh of gears 1 and 2");
+    let delta2 = m.coordinate("delta2", "m", Start::Static, "deflection of the mesh of gears 2 and 3");
+    let (theta1, theta3) = ((theta + delta1 / h) / N1, (theta - delta2 / h) / N3);
+
+    rotor(m, "1", "driving gear", theta1);
+    rotor(m, "2", "idler", theta / N2);
+    rotor(m, "3", "driven gear", theta3);
+    mesh(m, "12", "mesh of gears 1 and 2", theta, delta1);
+    mesh(m, "23", "mesh of gears 2 and 3", theta, delta2);
+    drive(m, "motor", "driving gear", theta1);
+    load(m, "load", "driven gear", theta3);
+    damping(m);
+    m.motion("speed", "rad/s", &[(theta, N1)], "rotational speed of the driving gear");
+}

@@ -1,0 +1,163 @@
+//! Limits: models with parts so stiff that they move as one come to the models without those parts, and the difference falls
+//! as one over the stiffness.
+
+use gearsim::engine::Outcome;
+use gearsim::generated::*;
+use gearsim::scene::Scene;
+
+use crate::common::{model, models, run};
+use crate::train::train;
+
+pub const TESTS: &[(&str, fn())] = &[
+    ("stiff_shafts_make_a_gear_pair", stiff_shafts),
+    ("stiff_bearings_make_a_gear_pair", stiff_bearings),
+    ("stiff_bearings_make_a_planetary_torsional", stiff_planetaries),
+];
+
+const N1: f64 = 24.0;
+const N2: f64 = 96.0;
+const R1: f64 = 0.0716;
+/// Inertias of the two sides, and those parts of them that are motor and load.
+const I: [f64; 2] = [4.1e-3, 0.94];
+const OUTER: [f64; 2] = [1.2e-3, 0.2];
+
+/// The plain pair: its steps of k along the line of action, in the paper's units.
+fn plain() -> Outcome {
+    // V = k s^2/2 with s = 2 h phi is 2 k h^2 phi^2.
+    let kt = |k: f64| 2.0 * k * (R1 / N1).powi(2);
+    let scene = format!(
+        r#"
+model = "gear_pair"
+effects = ["stiffness_step", "rigid_kinematics", "torques"]
+parameters = {{ N1 = {N1}, N2 = {N2}, I1 = {i1}, I2 = {i2}, T0 = {t0} }}
+laws.k.steps = [{{ value = {k1}, width = 1.73 }}, {{ value = {k2} }}]
+start = {{ speed = {SPEED}, phi = 0.0 }}
+run.t_end = {T_END}
+output = {{ rate = {RATE}, events = false }}
+"#,
+        i1 = I[0],
+        i2 = I[1],
+        t0 = T1 / N1,
+        k1 = kt(K[0]),
+        k2 = kt(K[1]),
+    );
+    run_text(&scene)
+}
+
+/// Driving torque [N m], stiffnesses [N/m], speed [rad/s], a few periods of the mesh and of its natural frequency.
+const T1: f64 = 240.0;
+const K: [f64; 2] = [8.0e7, 15.6e7];
+const SPEED: f64 = 30.0;
+const T_END: f64 = 0.02;
+const RATE: f64 = 10_000.0;
+
+fn run_text(text: &str) -> Outcome {
+    let scene = Scene::parse("limit", "limit.toml", text, &[], &models());
+    run(&scene.unwrap_or_else(|errors| panic!("{}\n{text}", errors.render(100, false))))
+}
+
+/// The scene of a pair with more parts, without the jump terms: an impulse at a tooth acts on the gears alone before any
+/// shaft or bearing knows of it, however stiff, so that with them the limit is another one.
+fn scene(model: &str, parameters: &str) -> String {
+    format!(
+        r#"
+model = "{model}"
+effects = ["stiffness_step", "rigid_kinematics", "torques"]
+parameters = {{ N1 = {N1}, N2 = {N2}, r1 = {R1}, T_motor = {T1}, T_load = {load}, {parameters} }}
+laws.k12.steps = [{{ value = {k1}, width = 1.73 }}, {{ value = {k2} }}]
+start = {{ speed = {SPEED}, s = 0.0 }}
+run.t_end = {T_END}
+output = {{ rate = {RATE}, events = false }}
+"#,
+        load = T1 * N2 / N1,
+        k1 = K[0],
+        k2 = K[1],
+    )
+}
+
+/// Largest difference of the meshes' deflections [m], `mesh` the deflection of the second at a row.
+fn difference(plain: &Outcome, other: &Outcome, mesh: impl Fn(usize) -> f64) -> f64 {
+    assert_eq!(plain.trajectory.len(), other.trajectory.len(), "as many samples");
+    let phi = &plain.trajectory.q[1];
+    (0..phi.len()).map(|row| (2.0 * R1 / N1 * phi[row] - mesh(row)).abs()).fold(0.0, f64::max)
+}
+
+/// Differences that fall as one over the stiffness: between the first and the last, by a slope of -1.
+fn fall_as_one_over(what: &str, stiffness: &[f64], differences: &[f64], tolerance: f64) {
+    let (k, d) = (stiffness, differences);
+    let last = k.len() - 1;
+    let slope = (d[last] / d[0]).ln() / (k[last] / k[0]).ln();
+    println!("{what}: {differences:?} for {stiffness:?}: slope {slope:.4}");
+    assert!((slope + 1.0).abs() < tolerance, "{what}: {differences:?} falls with a slope of {slope}");
+}
+
+fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
+    let coordinates = outcome.trajectory.model.coordinates;
+    outcome.trajectory.q[coordinates.iter().position(|c| c.name == name).expect("a coordinate")].clone()
+}
+
+fn stiff_shafts() {
+    let plain = plain();
+    let stiffness = [1e6, 1e7, 1e8, 1e9].map(|k: f64| k);
+    let differences = stiffness.map(|k| {
+        let parameters = format!(
+            "I_m = {m}, I1 = {i1}, I2 = {i2}, I_l = {l}, k_m = {k:e}, k_l = {k:e}",
+            m = OUTER[0],
+            i1 = I[0] - OUTER[0],
+            i2 = I[1] - OUTER[1],
+            l = OUTER[1],
+        );
+        let other = run_text(&scene("gear_pair_shafts", &parameters));
+        let s = column(&other, "s");
+        difference(&plain, &other, |row| s[row])
+    });
+    // The stiff mode swings through its extremes between samples: a tenth of its amplitude is seen or not.
+    fall_as_one_over("shafts", &stiffness, &differences, 0.02);
+}
+
+fn stiff_bearings() {
+    let plain = plain();
+    let (sin, cos) = 20f64.to_radians().sin_cos();
+    let stiffness = [1e11, 1e12, 1e13, 1e14];
+    let differences = stiffness.map(|k: f64| {
+        let parameters = format!("I1 = {}, I2 = {}, m1 = 0.6, m2 = 8.0, kb1 = {k:e}, kb2 = {k:e}", I[0], I[1]);
+        let other = run_text(&scene("gear_pair_bearings", &parameters));
+        let [s, x1, y1, x2, y2] = ["s", "x1", "y1", "x2", "y2"].map(|name| column(&other, name));
+        difference(&plain, &other, |row| s[row] + (x1[row] - x2[row]) * sin + (y1[row] - y2[row]) * cos)
+    });
+    fall_as_one_over("bearings", &stiffness, &differences, 0.02);
+}
+
+/// With stiff bearings a planar planetary has the frequencies of the torsional one, and others beyond all bounds.
+fn stiff_planetaries() {
+    let stage = [
+        ("Z_s", 27.0),
+        ("Z_r", 99.0),
+        ("r_s", 0.0387),
+        ("I_s", 6e-4),
+        ("I_c", 0.05),
+        ("I_r", 0.06),
+        ("I_p", 1.5e-3),
+        ("m_p", 0.66),
+        ("k_r", 2e7),
+        ("k_s1", 5e8),
+        ("k_r1", 5e8),
+        ("k_s2", 5e8),
+        ("k_r2", 5e8),
+        ("k_s3", 5e8),
+        ("k_r3", 5e8),
+        ("T_motor", 0.0),
+        ("T_load", 0.0),
+    ];
+    let torsional = train::<planetary_3::Planetary3, 6>(&stage).frequencies();
+    let stiffness = [1e12, 1e13, 1e14];
+    let differences = stiffness.map(|k| {
+        let plane = [("m_s", 0.4), ("m_c", 5.43), ("m_r", 2.35), ("kb_s", k), ("kb_c", k), ("kb_r", k), ("kb_p", k)];
+        let planar = train::<planar_planetary_3::PlanarPlanetary3, 18>(&[&stage[..], &plane].concat()).frequencies();
+        // All but the rigid motion, which is zero in both.
+        let off = torsional.iter().zip(&planar).skip(1).map(|(t, p)| (t - p).abs() / t);
+        off.fold(0.0, f64::max)
+    });
+    fall_as_one_over("planetary", &stiffness, &differences, 0.01);
+    assert!(model("planetary_3").model.coordinates.len() == torsional.len());
+}

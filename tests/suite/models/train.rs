@@ -1,0 +1,52 @@
+//! A derived model with numbers in it: matrices, natural frequencies, energies.
+
+use gearsim::engine::equations::{Derived, Equations};
+use gearsim::model::Model;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// Equations of a model without effects, with a value for every law.
+pub struct Train<const N: usize> {
+    pub model: Model,
+    pub equations: Box<dyn Equations<N>>,
+    pub k: Vec<f64>,
+}
+
+/// The train of the model `D` with `numbers` by name, parameters and laws alike; others have their defaults.
+pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N> {
+    let model = D::MODEL;
+    let given = |name: &str| numbers.iter().find(|n| n.0 == name).map(|n| n.1);
+    let number = |name, default: Option<f64>| {
+        given(name).or(default).unwrap_or_else(|| panic!("{}: no number for {name}", model.name))
+    };
+    let known =
+        |name: &str| model.parameters.iter().any(|p| p.name == name) || model.laws.iter().any(|l| l.name == name);
+    assert!(numbers.iter().all(|n| known(n.0)), "{}: a number of no use in {numbers:?}", model.name);
+    let parameters: Vec<f64> = model.parameters.iter().map(|p| number(p.name, p.default)).collect();
+    let k: Vec<f64> = model.laws.iter().map(|l| number(l.name, None)).collect();
+    let equations = D::equations(0, &parameters, &k).expect("no effect contradicts");
+    Train { model, equations, k }
+}
+
+impl<const N: usize> Train<N> {
+    /// Natural frequencies [Hz], rising.
+    pub fn frequencies(&self) -> Vec<f64> {
+        let matrix = |rows: [[f64; N]; N]| DMatrix::from_fn(N, N, |i, j| rows[i][j]);
+        frequencies(matrix(self.equations.mass()), matrix(self.equations.stiffness(&self.k)))
+    }
+
+    /// Kinetic energy, were `x` the speeds, and strain energy, were it the coordinates [J].
+    pub fn energies(&self, x: &[f64; N]) -> [f64; 2] {
+        [self.equations.kinetic(x), self.equations.potential(x, &self.k)]
+    }
+}
+
+/// Natural frequencies [Hz] of M q'' + K q = 0, rising, by nalgebra's symmetric eigenvalues of L⁻¹ K L⁻ᵀ, M = L Lᵀ.
+pub fn frequencies(mass: DMatrix<f64>, stiffness: DMatrix<f64>) -> Vec<f64> {
+    let l = mass.cholesky().expect("M is positive definite").l();
+    let half = l.solve_lower_triangular(&stiffness).expect("L is regular");
+    let a = l.solve_lower_triangular(&half.transpose()).expect("L is regular");
+    let values: DVector<f64> = SymmetricEigen::new((&a + a.transpose()) * 0.5).eigenvalues;
+    let mut f: Vec<f64> = values.iter().map(|w| w.max(0.0).sqrt() / std::f64::consts::TAU).collect();
+    f.sort_by(f64::total_cmp);
+    f
+}
