@@ -33,9 +33,12 @@ fn residual(outcome: &Outcome) -> f64 {
 /// keeps the energy; and the account closes with the loss as an integral of the speeds.
 #[test]
 fn a_run_with_coupled_damping_is_flight_by_flight_the_matrix_exponential() {
-    for (c1, c2, torque, speed, end) in
-        [(0.05, 0.3, 0.1, 2.0, 12.0), (0.4, 0.0, 0.0, 2.0, 12.0), (0.0, 0.5, 0.0, 2.0, 12.0), (1.5, 20.0, 0.0, 30.0, 0.8)]
-    {
+    for (c1, c2, torque, speed, end) in [
+        (0.05, 0.3, 0.1, 2.0, 12.0),
+        (0.4, 0.0, 0.0, 2.0, 12.0),
+        (0.0, 0.5, 0.0, 2.0, 12.0),
+        (1.5, 20.0, 0.0, 30.0, 0.8),
+    ] {
         let outcome = run(&format!(
             "parameters = {{ c1 = \"{c1:?} N*m*s\", c2 = \"{c2:?} N*m*s\", T = \"{torque:?} N*m\" }}\n\
              start = {{ speed = \"{speed:?} rad/s\", beta_dot = \"1 rad/s\" }}\nrun.t_end = \"{end:?} s\"\noutput.rate = \"1 Hz\""
