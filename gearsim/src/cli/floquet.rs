@@ -21,12 +21,14 @@ use vary::Vary;
 #[command(
     name = "floquet",
     after_help = "\
-Every mesh turns on at the speed that the scene starts it with, so that the stiffnesses are periodic in time,
-k(Omega0 t). The product of the exact propagators of a period's cells gives the multipliers by which a small
-disturbance grows. Rigid motions, which always have the multiplier 1, are left out.
+Every mesh turns on at the speed that the scene starts it with, so that the stiffnesses are
+periodic in time, k(Omega0 t). The product of the exact propagators of a period's cells gives
+the multipliers by which a small disturbance grows. Rigid motions, which always have the
+multiplier 1, are left out.
 
---vary goes along a range of one quantity of the scene; given twice, the first along x and the second along y of
-a chart. Writes floquet.json; with --vary also stability.csv and the plot of it.
+--vary goes along a range of one quantity of the scene; given twice, the first along x and the
+second along y of a chart. Writes floquet.json; with --vary also stability.csv and the plot of
+it.
 
 Examples:
   gearsim floquet models/scenes/oh2005/energy_300rpm.toml

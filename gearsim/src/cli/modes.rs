@@ -20,11 +20,12 @@ use crate::scene::Scene;
 #[command(
     name = "modes",
     after_help = "\
-A cell is a combination of the levels of the scene's stiffnesses. Told in full is that of the mid
-stiffnesses, (max + min)/2 of each law, or the one chosen by --cell; the frequencies of all others in a table.
+A cell is a combination of the levels of the scene's stiffnesses. Told in full is that of the
+mid stiffnesses, (max + min)/2 of each law, or the one chosen by --cell; the frequencies of all
+others in a table.
 
-Writes modes.json with everything, the plot of the shapes, and the plot of natural frequencies and mesh
-harmonics over the speed (Campbell).
+Writes modes.json with everything, the plot of the shapes, and the plot of natural frequencies
+and mesh harmonics over the speed (Campbell).
 
 Examples:
   gearsim modes models/scenes/oh2005/energy_300rpm.toml
