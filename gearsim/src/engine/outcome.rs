@@ -12,6 +12,7 @@ use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
 use crate::engine::start;
 use crate::engine::system::{self, System};
+use crate::ensemble;
 use crate::methods;
 use crate::methods::advance::{Advance, Settings};
 use crate::methods::choice::{self, Choice};
@@ -60,6 +61,8 @@ pub struct Entry {
     pub model: &'static Model,
     /// How a scene of it is run.
     pub run: Run,
+    /// How many scenes of it are run of which only the end is wanted.
+    pub ends: Ends,
     /// The equations of a scene of it, for analyses.
     pub system: SystemOf,
 }
@@ -70,10 +73,13 @@ pub type SystemOf = fn(&Scene) -> Result<Box<dyn System>, Refusal>;
 /// Runs a scene, telling the model time [s] to a watcher as it goes.
 pub type Run = fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>;
 
+/// Runs scenes side by side ([`ensemble`]); of each, the start and the end are recorded and nothing between.
+pub type Ends = fn(&[Scene]) -> Vec<Result<Outcome, Refusal>>;
+
 impl Entry {
     /// The entry of a derived model.
     pub const fn new<D: Derived<N>, const N: usize>() -> Entry {
-        Entry { model: &D::MODEL, run: run::<D, N>, system: system::of::<D, N> }
+        Entry { model: &D::MODEL, run: run::<D, N>, ends: ends::<D, N>, system: system::of::<D, N> }
     }
 }
 
@@ -120,25 +126,87 @@ fn exact<D: Derived<N>, const N: usize>(
     if scene.solver.precision == Precision::Compensated {
         compensate::<D, N>(&mut simulation, scene)?;
     }
-    let lengths = simulation.turn_lengths();
-    let mut recorder = Recorder::new(scene.model, equations, lengths, simulation.state, &simulation.levels());
+    let mut recorder = recorder(scene, equations, &simulation);
     let begin = ThreadTime::now();
     let stopped_by = simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
     let cpu_seconds = since(begin);
     if stopped_by.is_some() {
-        let (state, lost) = (simulation.state, (simulation.dissipated, simulation.ignored));
-        recorder.row(simulation.clock.now(), Moment::Sample, &state, &simulation.levels(), lost);
+        simulation.note(&mut recorder, Moment::Sample);
     }
-    Ok(Outcome {
+    Ok(ended(scene, equations, choice, &simulation, recorder, stopped_by, cpu_seconds))
+}
+
+fn ends<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
+    let prepare = |scene: &Scene| -> Result<_, Refusal> {
+        let equations = equations::<D, N>(scene)?;
+        let choice = choice::of(scene, &start::begin(&*equations, scene)?.1)?;
+        Ok((equations, choice))
+    };
+    let prepared: Vec<_> = scenes.iter().map(prepare).collect();
+    let plain = |scene: &Scene, choice: &Choice| {
+        scene.solver.precision == Precision::Plain && choice::numerical::<N>(choice, scene).is_none()
+    };
+    // Those that are exact and plain, side by side.
+    let (mut which, mut simulations) = (vec![], vec![]);
+    for (i, (scene, prepared)) in scenes.iter().zip(&prepared).enumerate() {
+        if let Ok((equations, choice)) = prepared
+            && plain(scene, choice)
+            && let Ok(simulation) = Simulation::new(scene.model, &**equations, scene)
+        {
+            which.push(i);
+            simulations.push(simulation);
+        }
+    }
+    let recorders = which.iter().zip(&simulations).map(|(&i, simulation)| {
+        let mut recorder = recorder(&scenes[i], simulation.equations(), simulation);
+        simulation.note(&mut recorder, Moment::Sample);
+        recorder
+    });
+    let recorders: Vec<_> = recorders.collect();
+    let begin = ThreadTime::now();
+    let results = ensemble::run(&mut simulations);
+    let each = since(begin) / simulations.len().max(1) as f64;
+    let mut done: Vec<Option<Outcome>> = vec![None; scenes.len()];
+    for (((&i, simulation), mut recorder), result) in which.iter().zip(&simulations).zip(recorders).zip(results) {
+        simulation.note(&mut recorder, Moment::Sample);
+        if let Ok((equations, choice)) = &prepared[i] {
+            let outcome = ended(&scenes[i], &**equations, choice.clone(), simulation, recorder, result.err(), each);
+            done[i] = Some(outcome);
+        }
+    }
+    // The others by themselves.
+    let one = |(done, scene): (Option<Outcome>, &Scene)| done.map_or_else(|| run::<D, N>(scene, &mut |_| {}), Ok);
+    done.into_iter().zip(scenes).map(one).collect()
+}
+
+fn recorder<'e, const N: usize>(
+    scene: &Scene,
+    equations: &'e dyn Equations<N>,
+    simulation: &Simulation<'_, N>,
+) -> Recorder<'e, N> {
+    Recorder::new(scene.model, equations, simulation.turn_lengths(), simulation.state, &simulation.levels())
+}
+
+/// What a simulation came to.
+fn ended<const N: usize>(
+    scene: &Scene,
+    equations: &dyn Equations<N>,
+    choice: Choice,
+    simulation: &Simulation<'_, N>,
+    recorder: Recorder<'_, N>,
+    stopped_by: Option<Stop>,
+    cpu_seconds: f64,
+) -> Outcome {
+    Outcome {
         energy_at_start: recorder.energy_at_start,
         trajectory: recorder.trajectory,
         ignored: simulation.ignored,
-        counts: simulation.counts,
+        counts: simulation.counts.clone(),
         solver: Solver { method: choice.method.name(), why: choice.why, steps: 0, rejected: 0 },
         stopped_by,
         reference_frequency: reference_frequency(scene, equations),
         cpu_seconds,
-    })
+    }
 }
 
 /// By a numerical method.

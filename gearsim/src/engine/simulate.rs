@@ -425,7 +425,8 @@ impl<'a, const N: usize> Simulation<'a, N> {
         }
     }
 
-    fn note(&self, recorder: &mut Recorder<'_, N>, moment: Moment) {
+    /// Adds a row of how it stands.
+    pub fn note(&self, recorder: &mut Recorder<'_, N>, moment: Moment) {
         recorder.row(self.clock.now(), moment, &self.state, &self.levels(), (self.dissipated, self.ignored));
     }
 

@@ -19,6 +19,8 @@ use crate::scene::Scene;
 const KEEP_EVERY: (f64, f64) = (2.0, 60.0);
 /// Rows that are kept before their time.
 const KEEP_ROWS: usize = 1 << 14;
+/// Points that a thread takes at once, where it runs them side by side: a few for each lane.
+const SIDE_BY_SIDE: usize = 32;
 /// How often rows are taken from the workers; to be woken for each would cost as much as a short run.
 const LOOK_EVERY: Duration = Duration::from_millis(2);
 
@@ -45,13 +47,14 @@ impl Sweep {
         std::thread::scope(|scope| {
             let over = &over;
             let worker = scope.spawn(move || {
-                // One by one: points differ in what they cost by orders of magnitude.
-                let each = points.par_iter().with_max_len(1);
+                // Few at once: points differ in what they cost by orders of magnitude.
+                let few = if self.needs_only_ends() { SIDE_BY_SIDE } else { 1 };
+                let each = points.par_chunks(few).with_max_len(1);
                 pool.install(|| {
-                    each.for_each_with(send, |send, &point| {
+                    each.for_each_with(send, |send, points| {
                         if !over.load(Ordering::Relaxed) {
                             // The receiver is gone only when it is over.
-                            let _ = send.send(self.point(point));
+                            self.points(points).into_iter().for_each(|row| drop(send.send(row)));
                         }
                     });
                 });
@@ -86,21 +89,49 @@ impl Sweep {
 
     /// Runs one point. Whatever is wrong with it is in its row.
     pub fn point(&self, point: usize) -> Row {
-        // A mistake of ours at one point must not cost the others.
-        let run = catch_unwind(AssertUnwindSafe(|| self.attempt(point)));
-        run.unwrap_or_else(|_| self.refused(point, "gearsim failed at this point, which is a mistake in it".into()))
+        self.points(&[point]).remove(0)
     }
 
-    fn attempt(&self, point: usize) -> Row {
-        let mut scene = match self.template.scene(&self.plan.overrides(point), &[self.entry.model]) {
-            Ok(scene) => scene,
-            Err(errors) => return self.refused(point, errors.brief()),
+    /// Runs points, side by side where only their ends are wanted. Each has the row that it has alone, to the last bit.
+    fn points(&self, points: &[usize]) -> Vec<Row> {
+        // A mistake of ours at one point must not cost the others.
+        let run = |points: &[usize]| catch_unwind(AssertUnwindSafe(|| self.attempt(points))).ok();
+        let failed = |point| self.refused(point, "gearsim failed at this point, which is a mistake in it".into());
+        let alone = |&point: &usize| run(&[point]).and_then(|mut rows| rows.pop()).unwrap_or_else(|| failed(point));
+        run(points).unwrap_or_else(|| points.iter().map(alone).collect())
+    }
+
+    fn attempt(&self, points: &[usize]) -> Vec<Row> {
+        let scene = |&point: &usize| {
+            let scene = self.template.scene(&self.plan.overrides(point), &[self.entry.model]);
+            let mut scene = scene.map_err(|errors| self.refused(point, errors.brief()))?;
+            self.record_only_what_is_needed(&mut scene);
+            Ok((point, scene))
         };
-        self.record_only_what_is_needed(&mut scene);
-        match (self.entry.run)(&scene, &mut |_| {}) {
+        let (mut rows, mut wanted, mut scenes) = (vec![], vec![], vec![]);
+        for scene in points.iter().map(scene) {
+            match scene {
+                Ok((point, scene)) => {
+                    wanted.push(point);
+                    scenes.push(scene);
+                }
+                Err(row) => rows.push(row),
+            }
+        }
+        let outcomes = match self.needs_only_ends() {
+            true => (self.entry.ends)(&scenes),
+            false => scenes.iter().map(|scene| (self.entry.run)(scene, &mut |_| {})).collect(),
+        };
+        rows.extend(wanted.into_iter().zip(outcomes).map(|(point, outcome)| match outcome {
             Ok(outcome) => self.row(point, &outcome),
             Err(refusal) => self.refused(point, refusal.to_string()),
-        }
+        }));
+        rows
+    }
+
+    /// Whether nothing is made of what happens between the start of a run and its end.
+    fn needs_only_ends(&self) -> bool {
+        !self.spectra && !self.groups.iter().any(|group| group.samples || group.limits)
     }
 
     /// Samples take longer than the motion: none are taken if nothing is made of them.
