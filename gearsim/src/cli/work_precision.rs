@@ -20,12 +20,12 @@ use crate::scene::Scene;
 #[command(
     name = "work-precision",
     after_help = "\
-Runs exact cells, adaptive methods (explicit of order 5 and 8, implicit) at tolerances from 1e-3 to 1e-13, rk4
-in steps of one length with events located and with events ignored, ramps in place of steps, and the cheaper
-equations, each against the same reference. What fails is shown as failed.
+Runs exact cells; adaptive methods (explicit of order 5 and 8, implicit) at tolerances from 1e-3
+to 1e-13; rk4 in steps of one length, with events located and with events ignored; ramps in place
+of steps; and the cheaper equations: each against the same reference. What fails is shown as failed.
 
-Writes work_precision.svg, .png, .md and .csv, a folder a scene. The scene should be short: it runs some
-hundred times, and what takes a method of high order a millisecond may take others seconds.
+Writes work_precision.svg, .png, .md and .csv, a folder a scene. The scene should be short: it runs
+some hundred times, and what takes one method a millisecond may take another seconds.
 
 Examples:
   gearsim work-precision models/scenes/oh2005/spectrum_4500rpm_exact.toml --set run.t_end=\"0.05 s\"

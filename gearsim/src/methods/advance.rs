@@ -4,13 +4,14 @@
 //! as long as to there, so that states at events are as accurate as steps, not as their interpolation. Laws, jumps and the
 //! account are those of the exact engine. It has no held contact: a phase that is pressed against a step ends as a cascade.
 
+mod events;
+
 use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
-use crate::engine::equations::{Equations, Switching};
+use crate::engine::equations::Equations;
 use crate::engine::error::{Refusal, Stop};
-use crate::engine::guard::{self, Guard};
-use crate::engine::jump::Passage;
-use crate::engine::law::{self, Law};
+use crate::engine::guard::Guard;
+use crate::engine::law::Law;
 use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Counts;
 use crate::engine::start;
@@ -22,7 +23,7 @@ use super::dense::Dense;
 use super::field::Field;
 use super::flow::Flow;
 use super::radau::Radau;
-use super::{Method, Trial, root};
+use super::{Method, Trial};
 
 /// Where events are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -231,161 +232,6 @@ impl<'a, const N: usize> Advance<'a, N> {
             self.gave_way = Some(self.clock.now());
             self.replacement = Some(Box::new(Radau::new(tolerance)));
         }
-    }
-
-    /// The first boundary that the motion of a step meets: at which part of it, which law's, which.
-    fn first_met(&mut self, dense: &Dense<N>) -> Option<(f64, usize, Side)> {
-        if self.settings.events == Events::AfterStep {
-            return None;
-        }
-        let mut first: Option<(f64, usize, Side)> = None;
-        for (i, law) in self.field.laws.iter().enumerate() {
-            if law.switching == Switching::Never && law.pitch.steps_only() || law.next_switch().is_some() {
-                continue;
-            }
-            let (lower, upper) = law.bounds();
-            for (side, bound) in [(Side::Upper, upper), (Side::Lower, lower)] {
-                let (gap, n) = dense.gap(law.phase, bound, side.sign());
-                let found = root::first(&gap[..n], 4.0 * law.rounding());
-                self.counts.cost.steps += found.steps;
-                self.counts.cost.grazes += found.grazes;
-                if let Some(x) = found.root.filter(|x| first.is_none_or(|first| *x < first.0)) {
-                    first = Some((x, i, side));
-                }
-            }
-        }
-        first
-    }
-
-    /// Takes the step that met a boundary at its part `x` again, as long as to there.
-    fn land(&mut self, h: f64, x: f64, law: usize, side: Side, dense: &Dense<N>) -> (f64, Trial<N>) {
-        let (start, rate, allowed) = (self.y, self.rate, self.control.allowed());
-        let interpolated = |field: &mut Field<'_, N>| {
-            let end = dense.at(x);
-            (x * h, Trial { end, rate: field.rate(x * h, &end), error: 0.0, stiffness: 0.0 })
-        };
-        if x == 0.0 {
-            return (0.0, Trial { end: start, rate, error: 0.0, stiffness: 0.0 });
-        }
-        let (phase, rounding) = (self.field.laws[law].phase, self.field.laws[law].rounding());
-        let (lower, upper) = self.field.laws[law].bounds();
-        let bound = if side == Side::Upper { upper } else { lower };
-        let mut taken = x * h;
-        for _ in 0..8 {
-            let Some(mut trial) = self.method.attempt(&mut self.field, &start, &rate, taken, &allowed) else { break };
-            let (gap, speed) = (bound - trial.end.q[phase], trial.end.v[phase]);
-            let dt = gap / speed;
-            if gap.abs() <= rounding {
-                return (taken, trial);
-            }
-            // Turning there, or not there at all: the polynomial has the last word.
-            if !(side.sign() * speed > 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * h) {
-                break;
-            }
-            // So near that two terms of Taylor's series carry the rest.
-            if dt.abs() * self.fastest < 1e-6 {
-                trial.end.q += trial.end.v * dt + trial.rate.v * (0.5 * dt * dt);
-                trial.end.v += trial.rate.v * dt;
-                trial.end.lost += trial.rate.lost * dt;
-                trial.rate = self.field.rate(taken + dt, &trial.end);
-                return (taken + dt, trial);
-            }
-            taken += dt;
-        }
-        interpolated(&mut self.field)
-    }
-
-    /// An event, its left and right limits noted.
-    fn pass(&mut self, law: usize, side: Side, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
-        let mut state = self.state();
-        if self.settings.events == Events::Located {
-            self.field.laws[law].snap(side, &mut state);
-        }
-        self.set(state);
-        // A kink is a boundary of a curve, and no event to people.
-        let kink = !self.field.laws[law].pitch.steps_only() && self.field.laws[law].step(side) == 0.0;
-        let noting = matches!(recording, Some((_, _, true))) && !kink;
-        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
-            self.note(recorder, Moment::Before);
-        }
-        self.jump(law, side, kink);
-        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
-            self.note(recorder, Moment::After);
-        }
-        self.demand_numbers()?;
-        self.guard.against_cascades(&self.clock, self.fastest, &self.state(), self.cell())
-    }
-
-    /// Passes a boundary, or is turned back by it.
-    fn jump(&mut self, law: usize, side: Side, kink: bool) {
-        let (equations, mut state) = (self.field.equations, self.state());
-        let laws = &mut self.field.laws;
-        if laws.len() > 1 {
-            self.counts.ambiguous += u64::from(guard::order_matters(equations, laws, &state, law, side));
-        }
-        let passage = match laws[law].switching {
-            Switching::WithJump => {
-                let dv = law::barrier(equations, laws, law, side, &state);
-                laws[law].surface.pass(&mut state.q_dot, side, dv)
-            }
-            _ => Passage::Transmitted,
-        };
-        match passage {
-            Passage::Transmitted => {
-                self.counts.cell_changes += u64::from(!kink);
-                let met: Vec<usize> = law::met(laws, law, side, &state).collect();
-                let phase = laws[law].phase;
-                let turns: i64 = met.into_iter().map(|i| laws[i].enter(side, &mut state)).sum();
-                laws.iter_mut().for_each(|law| law.follow(phase, turns));
-            }
-            Passage::Reflected => self.counts.reflections += 1,
-        }
-        self.set(state);
-        self.field.enter();
-        self.rate = self.field.rate(0.0, &self.y);
-    }
-
-    /// Takes the boundaries that phases were found to have passed in the step, where they are found.
-    fn catch_up(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
-        for law in 0..self.field.laws.len() {
-            for side in [Side::Upper, Side::Lower] {
-                loop {
-                    let laws = &self.field.laws[law];
-                    if laws.switching == Switching::Never || laws.next_switch().is_some() {
-                        break;
-                    }
-                    let (lower, upper) = laws.bounds();
-                    let bound = if side == Side::Upper { upper } else { lower };
-                    let over = self.y.q[laws.phase] - bound;
-                    if side.sign() * over < 0.0 || side.sign() * self.y.v[laws.phase] <= 0.0 {
-                        break;
-                    }
-                    let (phase, before) = (laws.phase, self.counts.reflections);
-                    self.pass(law, side, recording)?;
-                    // Entering puts the phase on the boundary; such programs leave it where it is.
-                    if self.counts.reflections == before {
-                        let (lower, upper) = self.field.laws[law].bounds();
-                        self.y.q[phase] = over + if side == Side::Upper { lower } else { upper };
-                        self.rate = self.field.rate(0.0, &self.y);
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
-    fn meet_at_the_end(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
-        for i in 0..self.field.laws.len() {
-            let law = &self.field.laws[i];
-            let v = law.surface.normal.dot(&self.y.v);
-            let side = if v > 0.0 { Side::Upper } else { Side::Lower };
-            let slack = v.abs() * 0.5 * (self.t_end.next_up() - self.t_end) + 2.0 * law.rounding();
-            if v != 0.0 && law.is_at(side, &self.state(), slack) {
-                self.pass(i, side, recording)?;
-            }
-        }
-        Ok(())
     }
 
     fn samples(
