@@ -24,7 +24,7 @@ enum Verb {
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
     HardCases(hard_cases::HardCases),
-    /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
+    /// Look for inputs that break the scene reader or the engine; needs a C++ compiler.
     Fuzz(fuzz::Fuzz),
     /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
