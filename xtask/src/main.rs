@@ -29,7 +29,7 @@ enum Verb {
     HardCases(hard_cases::HardCases),
     /// Compare the models with published numbers; write their table to tests/published.md.
     Published(published::Published),
-    /// Look for inputs that break the scene reader or the engine; needs nightly and cargo-fuzz.
+    /// Look for inputs that break the scene reader or the engine; needs a C++ compiler.
     Fuzz(fuzz::Fuzz),
     /// Count the instructions of the main paths under valgrind; write them to tests/instructions.md.
     Instructions(instructions::Instructions),

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::engine::cell::{Cell, Flight, Point};
 use crate::engine::cells::Prepared;
-use crate::engine::crossing::{Cost, Search, Side};
+use crate::engine::crossing::{Cost, Lost, Search, Side};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, Law};
@@ -149,7 +149,7 @@ impl<const N: usize> Contact<N> {
     /// The first end of a hold before the horizon, with `point` moved there.
     ///
     /// # Errors
-    /// The number of steps taken, where the search does not end.
+    /// Where the search does not end, or leaves the numbers.
     pub fn first_ending(
         &self,
         flight: &Flight<'_, N>,
@@ -157,7 +157,7 @@ impl<const N: usize> Contact<N> {
         mut horizon: f64,
         point: &mut Point<N>,
         cost: &mut Cost,
-    ) -> Result<Option<(usize, Ending)>, u64> {
+    ) -> Result<Option<(usize, Ending)>, Lost> {
         let mut first = None;
         for watch in &self.watches {
             let value = watch.value(state);

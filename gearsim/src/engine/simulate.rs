@@ -8,7 +8,7 @@ use crate::engine::cells::{self, Cells, Prepared};
 use crate::engine::clock::Clock;
 use crate::engine::compensated::Compensated;
 use crate::engine::contact::{self, Contact, Ending};
-use crate::engine::crossing::{Cost, Search, Side};
+use crate::engine::crossing::{Cost, Lost, Search, Side};
 use crate::engine::equations::{Equations, Matrices, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::guard::{self, Guard};
@@ -206,11 +206,12 @@ impl<'a, const N: usize> Simulation<'a, N> {
         point: &mut Point<N>,
         cost: &mut Cost,
     ) -> Result<End, Stop> {
-        let stuck = |steps| Stop::Search {
-            t: self.clock.now(),
-            steps: steps as usize,
-            state: self.state.describe(),
-            cell: self.cell(),
+        let lost = |lost| {
+            let (t, state, cell) = (self.clock.now(), self.state.describe(), self.cell());
+            match lost {
+                Lost::Stuck(steps) => Stop::Search { t, steps: steps as usize, state, cell },
+                Lost::Overflow => Stop::NotFinite { t, state, cell },
+            }
         };
         let (mut end, mut horizon) = (End::Run, self.clock.until(self.t_end));
         for (i, law) in self.laws.iter().enumerate() {
@@ -233,11 +234,8 @@ impl<'a, const N: usize> Simulation<'a, N> {
             let search = Search { signal, rate, down: s - lower, up: upper - s, horizon };
             // The first law's search moves the point itself: mostly there is no other.
             let place = if i == 0 { &mut *point } else { &mut trial };
-            let met = if self.unguarded {
-                search.unguarded(place, cost)
-            } else {
-                search.first(place, cost).map_err(stuck)?
-            };
+            let met =
+                if self.unguarded { search.unguarded(place, cost) } else { search.first(place, cost).map_err(lost)? };
             if let Some(side) = met {
                 (end, horizon) = (End::Step(i, side), place.t);
                 if i > 0 {
@@ -246,7 +244,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             }
         }
         if let Some(contact) = &self.contact {
-            let ending = contact.first_ending(flight, &self.state, horizon, point, cost).map_err(stuck)?;
+            let ending = contact.first_ending(flight, &self.state, horizon, point, cost).map_err(lost)?;
             end = ending.map_or(end, |(law, ending)| End::Hold(law, ending));
         }
         if end == End::Run {

@@ -1,7 +1,7 @@
 //! Any linear cell as a model: M q'' + C q' + K q = f, its phase n.q. What the engine is given where no scene is needed.
 
 use gearsim::engine::cell::{Cell, Flight, Point};
-use gearsim::engine::crossing::{Cost, Search, Side};
+use gearsim::engine::crossing::{Cost, Lost, Search, Side};
 use gearsim::engine::equations::{Equations, Switching};
 use gearsim::engine::signal::Signal;
 use nalgebra::SVector;
@@ -110,7 +110,7 @@ pub fn first<const N: usize>(
     participation: &SVector<f64, N>,
     [down, up]: [f64; 2],
     horizon: f64,
-) -> Result<Met, u64> {
+) -> Result<Met, Lost> {
     let (mut point, mut cost): (Point<N>, Cost) = (flight.begin(), Cost::default());
     let signal = Signal { flight, on_moved: participation, on_speed: None };
     let search = Search { signal, rate: signal.derivatives(&point)[1], down, up, horizon };

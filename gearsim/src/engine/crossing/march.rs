@@ -1,0 +1,105 @@
+//! The search where the phase may turn: by steps that are proved not to pass a crossing, until one simple root is proved to lie
+//! ahead, or the phase is at a boundary and passes it.
+
+use super::departure::Departure;
+use super::step::Approach;
+use super::{Cost, Lost, Search, Side};
+use crate::engine::cell::Point;
+
+/// More steps than this mean that the search is stuck.
+const MOST_STEPS: u64 = 1_000_000;
+
+impl<const N: usize> Search<'_, N> {
+    /// Marches by steps that cannot pass a crossing.
+    pub(super) fn march(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, Lost> {
+        match self.depart(point) {
+            Some(Departure::Back { side, t }) => {
+                self.go(point, t, cost);
+                return Ok((t < self.horizon).then_some(side));
+            }
+            Some(Departure::Clear { until }) => self.go(point, until, cost),
+            None => {}
+        }
+        let tolerance = self.tolerance();
+        let mut approached = [false; 2];
+        for _ in 0..MOST_STEPS {
+            cost.steps += 1;
+            let t = point.t;
+            let [moved, rates @ ..] = self.signal.derivatives(point);
+            let bounds = self.signal.bounds(point);
+            if bounds.iter().chain(&rates).any(|x| !x.is_finite()) {
+                return Err(Lost::Overflow);
+            }
+            let rounding = self.signal.rounding(point);
+            let reach = self.signal.reach(point);
+            let slack = 0.5 * tolerance.max(rounding.value);
+            let mut h = f64::INFINITY;
+            for (i, (side, full)) in self.sides().into_iter().enumerate() {
+                if full.is_infinite() {
+                    continue;
+                }
+                let sign = side.sign();
+                let [r, a, j, _] = rates.map(|x| sign * x);
+                let gap = full - sign * moved;
+                if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
+                    // Here or hereabouts: does it pass, or turn within the tolerance?
+                    let turns = a + rounding.acceleration < 0.0;
+                    if !turns || gap + r * r / (2.0 * a) <= -tolerance {
+                        return Ok(self.here(side, full, [gap, r, a], point, cost));
+                    }
+                    cost.grazes += 1;
+                    approached[i] = false;
+                    h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
+                    continue;
+                }
+                // Turned between two steps: was that a touch?
+                if approached[i] && r < 0.0 && gap <= tolerance + r * r / (2.0 * a.abs()) {
+                    cost.grazes += 1;
+                }
+                approached[i] = r > 0.0;
+                let approach = Approach { gap: gap.max(0.0), r, a, j, bounds, rounding };
+                if let Some((earliest, latest)) = approach.single(tolerance) {
+                    if earliest > self.horizon - t {
+                        continue;
+                    }
+                    let bracket = (t + 0.5 * approach.gap / r, t + latest);
+                    self.go(point, t + approach.gap / r, cost);
+                    return Ok(self.newton(side, full, bracket, point, cost));
+                }
+                let safe = reach.time(approach.gap, sign);
+                if safe < h {
+                    h = h.min(safe.max(approach.clear(slack, self.horizon - t)));
+                }
+            }
+            let next = t + h;
+            if next >= self.horizon {
+                return Ok(None);
+            }
+            self.go(point, if next > t { next } else { t.next_up() }, cost);
+        }
+        Err(Lost::Stuck(MOST_STEPS))
+    }
+
+    fn sides(&self) -> [(Side, f64); 2] {
+        [(Side::Upper, self.up), (Side::Lower, self.down)]
+    }
+
+    /// The crossing that lies hereabouts, within the tolerance ahead or behind.
+    fn here(
+        &self,
+        side: Side,
+        full: f64,
+        [gap, r, a]: [f64; 3],
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Option<Side> {
+        let t = point.t;
+        let off = gap.abs();
+        let wide = 4.0 * off / (r + (r * r + 2.0 * a * gap).max(0.0).sqrt());
+        if t == 0.0 || !wide.is_finite() {
+            return (t < self.horizon).then_some(side);
+        }
+        let bracket = if gap > 0.0 { (t, t + wide) } else { ((t - wide).max(0.0), t) };
+        self.newton(side, full, bracket, point, cost)
+    }
+}
