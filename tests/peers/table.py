@@ -122,8 +122,8 @@ from one run; not to be edited. {machine()}. {"; ".join(dict.fromkeys(versions))
 
 Errors are against an engine of 50 digits with an algorithm of its own, in units of the motion: theta over a pitch, theta' over
 its start, phi over T0/k1, phi' over w0 T0/k1; the largest of them. Events count as found up to the first that differs in kind or
-place. Times are processor times of a whole run, the least and the median of several (of one, where it takes longer than
-3 s); "once, before" is compilation and setting up, not in them. What takes over {limits[0]} s on a scene,
+place. Times are processor times of a whole run, the least and the median of up to five
+samples of 0.2 s and more (of one, where a run takes longer than 3 s); "once, before" is compilation and setting up, not in them. What takes over {limits[0]} s on a scene,
 repetitions included, is stopped, and tighter tolerances of it are not tried. An error in bold is no solution.
 
 {scenes_text}## Derivation
