@@ -221,7 +221,8 @@ fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize
     let (on_moved, on_speed) = cell.follow(&SVector::from(system.normal), None);
     let signal = Signal { flight: &flight, on_moved: &on_moved, on_speed: on_speed.as_ref() };
     let mut point = flight.begin();
-    let found = Search { signal, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());
+    let rate = SVector::from(system.normal).dot(&SVector::from(drawn.v));
+    let found = Search { signal, rate, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());
     let Ok(side) = found else { return 1.0 };
     let end = if side.is_some() { point.t } else { drawn.t };
     // What the motion is known to, in the phase.
