@@ -66,7 +66,7 @@ impl<const N: usize> Drawn<N> {
     /// An error, by what it costs to round such matrices.
     pub fn judged(&self, error: f64) -> f64 {
         let judged = error / self.condition;
-        if !(judged < 1e3) {
+        if judged.is_nan() || judged >= 1e3 {
             println!("{judged:e}: {self:?}");
         }
         judged
