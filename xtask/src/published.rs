@@ -16,7 +16,8 @@ impl Published {
         let table = root.join("tests/published.md");
         let mut command = Command::new(env!("CARGO"));
         command.args(["test", "--quiet", "--package", "gearsim-tests", "--test", "models", "published"]);
-        let status = command.env("GEARSIM_PUBLISHED", &table).current_dir(root).status().context("cannot start cargo")?;
+        let status =
+            command.env("GEARSIM_PUBLISHED", &table).current_dir(root).status().context("cannot start cargo")?;
         if !status.success() {
             bail!("a published number was missed; see above");
         }
