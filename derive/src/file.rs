@@ -48,7 +48,9 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
         section("Deflections", "text", &texts.deflections);
     }
     section("Equations of motion", "text", &texts.motion);
-    section("At a step of a stiffness", "text", &texts.jump);
+    if !texts.jump.is_empty() {
+        section("At a step of a stiffness", "text", &texts.jump);
+    }
     section("Between two steps", "text", &texts.cell);
     section("LaTeX", "latex", &texts.latex);
     lines.extend([String::new(), "# Proved".into(), String::new()]);

@@ -31,7 +31,7 @@ pub enum Slip {
     )]
     Massless { model: String, coordinate: String },
     #[error(
-        "{model}: the mass matrix of ({coordinates}) is singular: its determinant is zero, so a combination of these coordinates has no inertia"
+        "{model}: the mass matrix is singular, its determinant zero: a combination of coordinates in which ({coordinates}) takes part has no inertia"
     )]
     Singular { model: String, coordinates: String },
     #[error(

@@ -23,7 +23,7 @@ pub(crate) enum Squares {
 
 /// Eliminates speeds until none is left, or none that squares hold.
 pub(crate) fn decide(model: &Model, s: &Symbols) -> Squares {
-    let Some(mut rows) = forms(model, s) else { return Squares::Undecided };
+    let Some(Forms { mut rows, whole }) = forms(model, s) else { return Squares::Undecided };
     let mut left: Vec<usize> = (0..s.q.len()).collect();
     loop {
         rows.retain(|row| row.iter().any(|c| !c.is_zero()));
@@ -46,7 +46,7 @@ pub(crate) fn decide(model: &Model, s: &Symbols) -> Squares {
             other[column] = Atom::Zero;
         }
     }
-    match (left.is_empty(), rows.is_empty()) {
+    match (left.is_empty(), rows.is_empty() && whole) {
         (true, _) => Squares::Definite,
         (false, true) => Squares::Free(left),
         (false, false) => Squares::Undecided,
@@ -65,22 +65,29 @@ fn not_zero(model: &Model, e: &Atom) -> bool {
     }
 }
 
-/// The forms l_i, a coefficient a coordinate; without those that effects add, which must be squares all the same.
-fn forms(model: &Model, s: &Symbols) -> Option<Vec<Vec<Atom>>> {
-    let mut rows = vec![];
+/// The forms l_i, a coefficient a coordinate.
+struct Forms {
+    rows: Vec<Vec<Atom>>,
+    /// Whether these are all: squares that effects add, or whose c_i may be zero, hold nothing for certain.
+    whole: bool,
+}
+
+/// The forms of T; `None` where it is not a sum of squares by its form.
+fn forms(model: &Model, s: &Symbols) -> Option<Forms> {
+    let (mut rows, mut whole) = (vec![], true);
     for piece in &model.kinetic {
         let piece = piece.atom();
         let of_effect = symbols(&piece).iter().any(|s| s.0 == Kind::Marker);
         let (factor, form) = square(&all_present(&piece))?;
-        match of_effect {
-            true if never_negative(model, &factor) => {}
-            false if positive(model, &factor) => {
-                rows.push(s.v.iter().map(|v| form.derivative(*v).expand()).collect());
-            }
-            _ => return None,
+        if !of_effect && positive(model, &factor) {
+            rows.push(s.v.iter().map(|v| form.derivative(*v).expand()).collect());
+        } else if never_negative(model, &factor) {
+            whole = false;
+        } else {
+            return None;
         }
     }
-    Some(rows)
+    Some(Forms { rows, whole })
 }
 
 /// c and l of c l^2, where l has the speeds and c has none.

@@ -5,18 +5,25 @@
 //! 1. Write `models/src/my_train.rs` with one function that describes it to a [`Model`] (`use gearsim_derive::{Model,
 //!    Range, Start, half};`):
 //!    - `m.title(text)`, `m.source(text)`: what it is, in one line, and where it comes from.
-//!    - `m.parameter(name, unit, default, range, doc)`, `m.coordinate(name, unit, start, doc)`: declare symbols. They
-//!      come back as expressions to calculate with: `+ - * /`, `.sq()`, `.sqrt()`, `.dot()` for the time derivative.
-//!      Numbers are integers: a half is `half(...)`, any other quantity a parameter with a default.
-//!    - `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`: the energies.
-//!      Call them as often as there are bodies, springs, dampers, torques.
+//!    - `m.coordinate(name, unit, start, doc)`: declares a symbol. It comes back as an expression to calculate with:
+//!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, `.dot()` for the time derivative. Numbers are integers: a half
+//!      is `half(...)`, any other quantity a parameter with a default.
+//!    - [`components`] add bodies and what is between them, with their parameters: `rotor`, `planar_rotor`, `shaft`,
+//!      `ground`, `bearing`, `mesh`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, and last
+//!      `damping`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
+//!      small and elastic (a twist, a deflection), and one phase for each mesh that rolls on.
+//!    - For what no component says: `m.parameter(name, unit, default, range, doc)` and the energies themselves,
+//!      `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called as often
+//!      as there are bodies, springs, dampers, torques. T is proved positive definite if each call adds one square.
 //!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate; its levels are the
 //!      scene's. This is the only way to be piecewise: the jump rule is derived from it. An `if`, `abs` or `max` on
 //!      symbols is refused, since its derivative would lose energy without a word.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect.
-//!    - `m.constant(name, value)`: a name for a recurring constant, where you want to see it in the equations.
+//!    - `m.constant(name, value)`, `m.deflection(name, value)`: a name for a recurring constant, or for a sum of
+//!      coordinates that a spring feels, where you want to see it in the equations.
 //!    - `m.motion(name, unit, speeds, doc)`: how a scene may state its speed in one number.
-//! 2. Declare it below, `pub mod my_train;`, and add it to [`MODELS`]: one line.
+//! 2. Declare it below, `pub mod my_train;`, and add it to [`MODELS`]: one line. A model with a number of equal parts is one
+//!    function of that number, and one line a number: `("my_train_3", |m| my_train::my_train(m, 3))`.
 //! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and
 //!    writes `gearsim/src/generated/my_train.rs`; read its head. A slip is refused with the name of the culprit.
 //!    Cells that are not linear are derived and named, but the engine runs linear ones only.
@@ -26,7 +33,7 @@
 //!    `cargo run --release -- run models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene
 //!    can set.
 //!
-//! [`gear_pair`](gear_pair::gear_pair) is a complete example in thirty lines.
+//! [`idler`](idler::idler) is a complete example made of components, [`gear_pair`](gear_pair::gear_pair) one of bare energies.
 
 pub mod chain;
 pub mod components;

@@ -12,6 +12,8 @@ mod blocks;
 mod files;
 #[path = "derivation/gear_pair.rs"]
 mod gear_pair;
+#[path = "derivation/models.rs"]
+mod models;
 #[path = "derivation/newcomer.rs"]
 mod newcomer;
 #[path = "derivation/odd.rs"]
@@ -40,6 +42,10 @@ fn main() -> ExitCode {
         ("derived_jump_rule_is_the_papers", gear_pair::jump_rule_is_the_papers),
         ("a_wrong_equation_is_told_from_the_derived_one", gear_pair::wrong_equations_are_told),
         ("derived_equations_read_as_before", gear_pair::equations_read_as_before),
+        ("models_read_as_before", models::models_read_as_before),
+        ("every_inertia_is_proved_definite", models::every_inertia_is_proved_definite),
+        ("deflections_are_what_they_stand_for", models::deflections_are_what_they_stand_for),
+        ("mid_values_may_stand_in_energies", models::mid_values_may_stand_in_energies),
         ("a_newcomers_file_is_what_the_energies_say", newcomer::file_is_current),
         ("nonlinear_cells_are_named", newcomer::nonlinear_cells_are_named),
         ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),

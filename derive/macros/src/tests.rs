@@ -42,6 +42,18 @@ fn refused(good: &str, bad: &str, place: &str, message: &str) {
     assert!(text.contains(message), "{text}");
 }
 
+/// A mid value is a number like a parameter, wherever numbers may stand; large sums of deflections are shared.
+#[test]
+fn mid_values_and_deflections() {
+    let sample = sample().replacen("_ => k*phi.powi(2);", "_ => k_mid*delta.powi(2);", 1);
+    let sample = sample.replacen("energies {", "deflections { delta = phi - theta; } energies {", 1);
+    let code = expand(tokens(&sample)).to_string();
+    assert!(!code.contains("compile_error"), "{code}");
+    for said in ["self . k_mid * d [0] . powi (2)", "let d = self . deflections (q)", "[q [1] - q [0]]"] {
+        assert!(code.contains(said), "{said} is not there: {code}");
+    }
+}
+
 #[test]
 fn gear_pair() {
     let code = syn::parse2(expand(tokens(FILE))).unwrap();

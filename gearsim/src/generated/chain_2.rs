@@ -21,11 +21,6 @@
 //! theta2'' = k1*theta1/I2 - k1*theta2/I2 - T_load/I2 [torques] + beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2 [damping]
 //! ```
 //!
-//! # At a step of a stiffness
-//!
-//! ```text
-//! ```
-//!
 //! # Between two steps
 //!
 //! ```text

@@ -81,11 +81,6 @@
 //! (I32) theta32'' = k31*theta31 - k31*theta32 - T_load [torques] + beta_K*k31*theta31_dot - I32*alpha_M*theta32_dot - beta_K*k31*theta32_dot [damping]
 //! ```
 //!
-//! # At a step of a stiffness
-//!
-//! ```text
-//! ```
-//!
 //! # Between two steps
 //!
 //! ```text

@@ -27,11 +27,6 @@
 //! (I5) theta5'' = k4*theta4 - k4*theta5 - T_load [torques] + beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot [damping]
 //! ```
 //!
-//! # At a step of a stiffness
-//!
-//! ```text
-//! ```
-//!
 //! # Between two steps
 //!
 //! ```text

@@ -25,11 +25,6 @@
 //! (I_b) theta_b'' = N1*k_b*theta1/N2 - k_b*theta_b - T_load [torques] + N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot [damping]
 //! ```
 //!
-//! # At a step of a stiffness
-//!
-//! ```text
-//! ```
-//!
 //! # Between two steps
 //!
 //! ```text

@@ -112,7 +112,7 @@
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
-//! - M is positive definite: not decided symbolically; checked for the numbers of every scene
+//! - M is positive definite: T is a sum of squares that vanish together only at rest
 //! - without the jump terms the balance fails: energy is created at the rate (dk12*s2^2*theta2_dot + dk_r1*delta_r1^2*theta_dot + dk_r2*delta_r2^2*theta_dot + dk_r3*delta_r3^2*theta_dot + dk_s1*u1^2*theta_dot + dk_s2*u2^2*theta_dot + dk_s3*u3^2*theta_dot)/2
 //!
 //! # Operations, all effects present

@@ -92,6 +92,26 @@ const SLIPS: &[Row] = &[
         let [y, z] = ["y", "z"].map(|name| m.coordinate(name, "m", Start::Static, ""));
         m.kinetic(half(o.m * (y.dot() - z.dot()).sq()));
     }),
+    ("six coordinates with five inertias between them", "(x6)", |m, o| {
+        let q: Vec<Expr> = (1..6).map(|i| m.coordinate(&format!("x{}", i + 1), "m", Start::Static, "")).collect();
+        q.windows(2).for_each(|x| m.kinetic(half(o.m * (x[0].dot() - x[1].dot()).sq())));
+    }),
+    ("a deflection that is no sum of coordinates", "`delta`", |m, o| {
+        let delta = m.deflection("delta", o.x.sq());
+        m.potential(o.s * delta.sq());
+    }),
+    ("a deflection that is not zero at the start of coordinates", "`delta`", |m, o| {
+        let delta = m.deflection("delta", o.x - o.s);
+        m.potential(o.s * delta.sq());
+    }),
+    ("a deflection in T", "`delta_dot`", |m, o| {
+        let delta = m.deflection("delta", 2 * o.x);
+        m.kinetic(o.m * delta.dot().sq());
+    }),
+    ("an effect declared twice, and not as one", "`damping`", |m, o| {
+        m.effect("damping", "of the spring", |m| m.dissipation(o.m * o.x.dot().sq()));
+        m.effect("damping", "of the mass", |m| m.dissipation(o.s * o.x.dot().sq()));
+    }),
     ("a negative damper", "-m*x_dot^2", |m, o| m.dissipation(-o.m * o.x.dot().sq())),
     ("a damper that a scene could make negative", "c*x_dot^2", |m, o| {
         let c = m.parameter("c", "N*s/m", None, Range::Any, "");
@@ -133,7 +153,7 @@ macro_rules! variants {
     };
 }
 variants! {
-    Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear Massless Singular NegativeDissipation
+    Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear NotADeflection Massless Singular NegativeDissipation
     Phase Pitch Default InverseMass Unproved Empty
 }
 

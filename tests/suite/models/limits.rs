@@ -29,11 +29,11 @@ fn plain() -> Outcome {
         r#"
 model = "gear_pair"
 effects = ["stiffness_step", "rigid_kinematics", "torques"]
-parameters = {{ N1 = {N1}, N2 = {N2}, I1 = {i1}, I2 = {i2}, T0 = {t0} }}
-laws.k.steps = [{{ value = {k1}, width = 1.73 }}, {{ value = {k2} }}]
-start = {{ speed = {SPEED}, phi = 0.0 }}
-run.t_end = {T_END}
-output = {{ rate = {RATE}, events = false }}
+parameters = {{ N1 = {N1}, N2 = {N2}, I1 = "{i1} kg*m^2", I2 = "{i2} kg*m^2", T0 = "{t0} N*m" }}
+laws.k.steps = [{{ value = "{k1} N*m", width = "1.73 rad" }}, {{ value = "{k2} N*m" }}]
+start = {{ speed = "{SPEED} rad/s", phi = 0 }}
+run.t_end = "{T_END} s"
+output = {{ rate = "{RATE} Hz", events = false }}
 "#,
         i1 = I[0],
         i2 = I[1],
@@ -63,11 +63,11 @@ fn scene(model: &str, parameters: &str) -> String {
         r#"
 model = "{model}"
 effects = ["stiffness_step", "rigid_kinematics", "torques"]
-parameters = {{ N1 = {N1}, N2 = {N2}, r1 = {R1}, T_motor = {T1}, T_load = {load}, {parameters} }}
-laws.k12.steps = [{{ value = {k1}, width = 1.73 }}, {{ value = {k2} }}]
-start = {{ speed = {SPEED}, s = 0.0 }}
-run.t_end = {T_END}
-output = {{ rate = {RATE}, events = false }}
+parameters = {{ N1 = {N1}, N2 = {N2}, r1 = "{R1} m", T_motor = "{T1} N*m", T_load = "{load} N*m", {parameters} }}
+laws.k12.steps = [{{ value = "{k1} N/m", width = "1.73 rad" }}, {{ value = "{k2} N/m" }}]
+start = {{ speed = "{SPEED} rad/s", s = 0 }}
+run.t_end = "{T_END} s"
+output = {{ rate = "{RATE} Hz", events = false }}
 "#,
         load = T1 * N2 / N1,
         k1 = K[0],
@@ -98,10 +98,10 @@ fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
 
 fn stiff_shafts() {
     let plain = plain();
-    let stiffness = [1e6, 1e7, 1e8, 1e9].map(|k: f64| k);
-    let differences = stiffness.map(|k| {
+    let stiffness = [1e9, 1e10, 1e11, 1e12];
+    let differences = stiffness.map(|k: f64| {
         let parameters = format!(
-            "I_m = {m}, I1 = {i1}, I2 = {i2}, I_l = {l}, k_m = {k:e}, k_l = {k:e}",
+            "I_m = '{m} kg*m^2', I1 = '{i1} kg*m^2', I2 = '{i2} kg*m^2', I_l = '{l} kg*m^2', k_m = '{k} N*m', k_l = '{k} N*m'",
             m = OUTER[0],
             i1 = I[0] - OUTER[0],
             i2 = I[1] - OUTER[1],
@@ -120,7 +120,10 @@ fn stiff_bearings() {
     let (sin, cos) = 20f64.to_radians().sin_cos();
     let stiffness = [1e11, 1e12, 1e13, 1e14];
     let differences = stiffness.map(|k: f64| {
-        let parameters = format!("I1 = {}, I2 = {}, m1 = 0.6, m2 = 8.0, kb1 = {k:e}, kb2 = {k:e}", I[0], I[1]);
+        let parameters = format!(
+            "I1 = '{} kg*m^2', I2 = '{} kg*m^2', m1 = '0.6 kg', m2 = '8 kg', kb1 = '{k} N/m', kb2 = '{k} N/m'",
+            I[0], I[1]
+        );
         let other = run_text(&scene("gear_pair_bearings", &parameters));
         let [s, x1, y1, x2, y2] = ["s", "x1", "y1", "x2", "y2"].map(|name| column(&other, name));
         difference(&plain, &other, |row| s[row] + (x1[row] - x2[row]) * sin + (y1[row] - y2[row]) * cos)

@@ -22,7 +22,7 @@ pub struct Case {
 
 /// Printed to a tenth of a hertz of 743 Hz and more.
 const TENTH: f64 = 1e-4;
-/// The one value of Table 2 that the paper's own numbers do not give to its digits: they give 727.27.
+/// Two values of Table 2 are printed without tenths that the paper's own numbers give: 727.27 and 1091.16.
 const ODD: f64 = 5e-4;
 /// Printed to four or five digits, of inputs with two or three.
 const DIGITS: f64 = 1e-4;
@@ -30,7 +30,8 @@ const DIGITS: f64 = 1e-4;
 const LIN_PARKER: &str = "Lin & Parker (1999), J. Vib. Acoust. 121(3), Tables 1, 2";
 const FRISWELL: &str = "Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines";
 const TABLE_1: &str = "Table 1: 24.6 deg, meshes 5e8 N/m, bearings 1e8 N/m, ring 1e9 N/m";
-const PRINTED: &str = "half a digit of 743.2; 727.0 comes out as 727.27";
+const PRINTED: &str =
+    "half a digit of 743.2; with 4 planets, 727.0 and 1091.0 are printed where the inputs give 727.27 and 1091.16";
 
 pub const CASES: &[Case] = &[
     Case {
@@ -61,7 +62,7 @@ pub const CASES: &[Case] = &[
         printed: &[
             (0.0, 1, TENTH),
             (727.0, 2, ODD),
-            (1091.0, 2, TENTH),
+            (1091.0, 2, ODD),
             (1536.6, 1, TENTH),
             (1808.2, 1, TENTH),
             (1892.8, 2, TENTH),

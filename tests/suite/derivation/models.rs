@@ -1,0 +1,67 @@
+//! The models made of components: how they read, and what is proved of them.
+
+use gearsim_derive::{Expr, Model, Range, Start, derive, half};
+use gearsim_models::MODELS;
+
+use crate::slips::oscillator;
+
+fn model(name: &str) -> Model {
+    let (name, describe) = MODELS.iter().find(|m| m.0 == name).unwrap_or_else(|| panic!("no model {name}"));
+    Model::new(name, describe)
+}
+
+pub fn models_read_as_before() {
+    for name in ["idler", "gear_pair_bearings", "planar_planetary_3"] {
+        insta::assert_snapshot!(name, derive(&model(name)).unwrap_or_else(|slip| panic!("{slip}")).text());
+    }
+}
+
+/// No inertia is left to be checked for the numbers of a scene.
+pub fn every_inertia_is_proved_definite() {
+    for (name, describe) in MODELS {
+        let model = Model::new(name, describe);
+        let derivation = derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
+        let proved = derivation.proofs().iter().filter(|proof| proof.starts_with("M is positive definite"));
+        let [proof] = &proved.collect::<Vec<_>>()[..] else { panic!("{name}: not said once") };
+        assert!(!proof.contains("not decided"), "{name}: {proof}");
+        assert!(derivation.nonlinear_terms().is_empty(), "{name}: {:?}", derivation.nonlinear_terms());
+    }
+}
+
+/// The same equations with the deflection named and written out.
+pub fn deflections_are_what_they_stand_for() {
+    let describe = |m: &mut Model, name: &dyn Fn(&mut Model, Expr) -> Expr| {
+        let [mass, r, s, c] = ["m", "r", "s", "c"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
+        let q = ["x", "y", "z"].map(|name| m.coordinate(name, "1", Start::At(0.0), ""));
+        q.iter().for_each(|q| m.kinetic(half(mass * q.dot().sq())));
+        let k = m.mesh_stiffness("k", "1", q[0], 1.0, "");
+        let delta = name(m, q[0] - r * q[1] + q[2] / r);
+        m.potential(half(k.value * delta.sq()));
+        m.potential(half(s * q[2].sq()));
+        m.dissipation(half(c * delta.dot().sq()));
+    };
+    let named = Model::new("named", |m| describe(m, &|m, delta| m.deflection("delta", delta)));
+    let written = Model::new("written", |m| describe(m, &|_, delta| delta));
+    let (named, written) = (derive(&named).expect("sound"), derive(&written).expect("sound"));
+    for i in 0..3 {
+        let (a, b) = (named.equation(i, &[]), written.equation(i, &[]));
+        assert!((a - b).is_zero(), "row {i}: {a}\nwritten out: {b}");
+    }
+    assert!(named.file().contains("deflections {") && !written.file().contains("deflections {"));
+}
+
+/// In T, V, D and a torque alike; the generated code knows them by name.
+pub fn mid_values_may_stand_in_energies() {
+    let model = Model::new("train", |m| {
+        let o = oscillator(m);
+        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        m.kinetic(k.mid * o.x.dot().sq());
+        m.potential(k.mid * o.x.sq());
+        m.dissipation(k.mid * o.x.dot().sq());
+        m.torque("pull", k.mid, o.x, "");
+    });
+    let file = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).file();
+    for said in ["k_mid*x.powi(2)", "k_mid*x_dot.powi(2)", "=> k_mid*x;"] {
+        assert!(file.contains(said), "{said} is not there: {file}");
+    }
+}
