@@ -1,14 +1,9 @@
 //! Eight simulations under way: one cell change of all of them at once.
 //!
-//! A lane passes a step where its phase is monotone for certain, Newton's method converges in the bracket, the step lies
-//! before the end of the run, and the energy suffices. What is not so plain is left as it was, for the scalar engine.
+//! A lane passes a step where its phase is monotone for certain, Newton's method converges, the step lies before the end of
+//! the run, and the energy suffices. What is not so plain is left as it was, for the scalar engine.
 
-use xprec::Df64;
-
-use crate::engine::cell::Cell;
-use crate::engine::equations::Switching;
-use crate::engine::mode::{Mode, NEAR};
-use crate::engine::simulate::Simulation;
+use crate::engine::mode::NEAR;
 use crate::ensemble::cells::Cells;
 use crate::ensemble::elementary::LARGEST_ANGLE;
 use crate::ensemble::flight::{Flight, Point};
@@ -41,91 +36,34 @@ pub struct Lanes<const N: usize> {
     pub lateness: Vec<Pack>,
 }
 
-/// What simulations must have in common to be side by side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Kind<const N: usize> {
-    /// Cells in a pitch.
-    places: usize,
-    /// Coordinate that is the phase.
-    phase: usize,
-    /// Which modes are rigid, in every cell; the others oscillate.
-    rigid: [bool; N],
+/// Where the phase of each lane goes.
+struct Way {
+    /// Whether it is sure to get there.
+    monotone: Mask,
+    /// Whether that is upwards.
+    up: Mask,
+    /// 1 upwards, -1 downwards.
+    sign: Pack,
+    boundary: Pack,
+    /// Distance to it.
+    gap: Pack,
+    /// Time to it at the steady part of the speed [s].
+    steady: Pack,
 }
 
-impl<const N: usize> Kind<N> {
-    /// That of a simulation; `None` if it can be in no lane: its events are never plain, or a mode is rigid in some cells
-    /// only, damped beyond oscillating, or coupled to others by damping.
-    pub fn of(simulation: &Simulation<'_, N>) -> Option<Self> {
-        let law = simulation.laws.first().filter(|_| simulation.is_plain())?;
-        let cells = simulation.cells().all();
-        let rigid: [bool; N] = std::array::from_fn(|i| cells[0].cell.modes[i].is_rigid());
-        let oscillates = |mode: &Mode| mode.damped_frequency() > 0.1 * mode.sigma;
-        let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };
-        let fits = |cell: &Cell<N>| cell.coupling.is_none() && cell.modes.iter().zip(&rigid).all(plain);
-        let fits = cells.iter().all(|prepared| fits(&prepared.cell));
-        fits.then_some(Kind { places: law.pitch.cells(), phase: law.phase, rigid })
-    }
+/// A state that may come to be.
+struct Ahead<const N: usize> {
+    q: [Pack; N],
+    q_dot: [Pack; N],
+    dissipated: Pack,
 }
 
+/// Below this product of rate and time the closed forms cancel digits: such short flights are for the scalar engine.
+const SHORT: f64 = 0.5;
 /// Evaluations of the motion beyond which a lane is left to the scalar engine.
 const MOST: usize = 3;
 
 impl<const N: usize> Lanes<N> {
-    /// Empty lanes for simulations of one kind.
-    pub fn new(kind: Kind<N>) -> Self {
-        let zero = Pack::all(0.0);
-        let Kind { places, phase, rigid } = kind;
-        Lanes {
-            tables: vec![Cells::empty(); places],
-            rigid,
-            phase,
-            compliance: zero,
-            direction: [zero; N],
-            q: [zero; N],
-            q_dot: [zero; N],
-            clock: [zero; 2],
-            end: zero,
-            dissipated: zero,
-            at: [0; LANES],
-            turns: [0; LANES],
-            changes: [0; LANES],
-            lateness: vec![zero; places],
-        }
-    }
-
-    /// Puts a simulation into a lane; its cells only if it is `new` there.
-    pub fn load(&mut self, lane: usize, simulation: &Simulation<'_, N>, new: bool) {
-        let law = &simulation.laws[0];
-        if new {
-            self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
-            self.lateness.iter_mut().for_each(|lateness| lateness.0[lane] = 0.0);
-            let impulse = law.switching == Switching::WithJump;
-            self.compliance.0[lane] = if impulse { law.surface.compliance } else { 0.0 };
-            (0..N).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
-        }
-        for i in 0..N {
-            self.q[i].0[lane] = simulation.state.q[i];
-            self.q_dot[i].0[lane] = simulation.state.q_dot[i];
-        }
-        (self.clock[0].0[lane], self.clock[1].0[lane]) = (simulation.clock.0.hi(), simulation.clock.0.lo());
-        self.end.0[lane] = simulation.t_end;
-        self.dissipated.0[lane] = simulation.dissipated;
-        (self.at[lane], self.turns[lane], self.changes[lane]) = (law.cell, 0, 0);
-    }
-
-    /// Hands its state back to a simulation.
-    pub fn unload(&self, lane: usize, simulation: &mut Simulation<'_, N>) {
-        for i in 0..N {
-            simulation.state.q[i] = self.q[i].0[lane];
-            simulation.state.q_dot[i] = self.q_dot[i].0[lane];
-        }
-        simulation.state.turns[self.phase] += self.turns[lane];
-        simulation.laws[0].cell = self.at[lane];
-        simulation.clock.0 = Df64::new_full(self.clock[0].0[lane], self.clock[1].0[lane]);
-        simulation.dissipated = self.dissipated.0[lane];
-        simulation.counts.cell_changes += self.changes[lane];
-    }
-
     /// Passes one step in those of the `active` lanes that can; tells which have.
     #[inline(always)]
     pub fn pass(&mut self, active: Mask) -> Mask {
@@ -138,36 +76,65 @@ impl<const N: usize> Lanes<N> {
             gathered = Cells::gather(&self.tables, &self.at);
             &gathered
         };
+        // Solve.
         let flight = Flight::new(cells, &self.q, &self.q_dot);
+        // Locate.
+        let way = self.way(cells, &flight);
+        let sure = active.and(way.monotone);
+        let (sure, t, points) = self.locate(cells, &flight, &way, self.lateness(together, first), sure);
+        // Jump.
+        let (sure, ahead) = self.jump(cells, &flight, &way, &points, sure);
+        // Only where all of it holds.
+        for i in 0..N {
+            self.q[i] = ahead.q[i].or(sure, self.q[i]);
+            self.q_dot[i] = ahead.q_dot[i].or(sure, self.q_dot[i]);
+        }
+        self.dissipated = ahead.dissipated.or(sure, self.dissipated);
+        self.advance(t, sure);
+        self.remember(t - way.steady, sure, together, first);
+        self.enter(way.up, sure);
+        sure
+    }
 
-        // Certainty: the steady part of the phase's speed outweighs all that the oscillations can do.
-        let (mut drift, mut wobble) = (Pack::all(0.0), Pack::all(0.0));
-        let mut sure = active;
+    /// Which boundary the phase goes to, and whether it is sure to: the steady part of its speed outweighs all that the
+    /// oscillations can do.
+    #[inline(always)]
+    fn way(&self, cells: &Cells<N>, flight: &Flight<'_, N>) -> Way {
+        let (mut drift, mut wobble, mut rolls) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
         for i in 0..N {
             let (c, v, a) = (cells.modes[i].part, flight.speed[i], flight.acceleration(i));
             if self.rigid[i] {
                 drift = drift + c * v;
-                sure = sure.and((c * a).compare(c, |a, _| a == 0.0));
+                rolls = rolls.and((c * a).compare(c, |a, _| a == 0.0));
             } else {
                 wobble = wobble + c.abs() * (v.abs() + a.abs() * cells.modes[i].gain);
             }
         }
-        sure = sure.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
         let up = drift.compare(drift, |d, _| d > 0.0);
         let sign = Pack::all(1.0).or(up, Pack::all(-1.0));
         let boundary = cells.bounds[1].or(up, cells.bounds[0]);
         let gap = sign * (boundary - self.q[self.phase]);
-        let steady = gap / drift.abs();
+        let monotone = rolls.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
+        Way { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
+    }
 
-        // Newton's method, from the time that the cell took last.
-        let lateness = self.lateness(together, first);
-        let mut t = (steady + lateness).zip(steady, |t, steady| if t > 0.0 { t } else { steady });
+    /// When the phase is there, and the modes then: Newton's method, from the time that the cell took last. Each lane's result
+    /// is that of its first good step, however long the others take.
+    #[inline(always)]
+    fn locate(
+        &self,
+        cells: &Cells<N>,
+        flight: &Flight<'_, N>,
+        way: &Way,
+        lateness: Pack,
+        sure: Mask,
+    ) -> (Mask, Pack, [Point; N]) {
+        let mut t = (way.steady + lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
         let mut near = flight.all_at(&self.rigid, t);
-        // Each lane's result is that of its first good step, however long the others take.
         let (mut points, mut taken, mut done) = (near, t, Mask::of(|_| false));
         for round in 1..=MOST {
-            let [s, r, a, jerk, snap] = self.signal(cells, &flight, &near, sign);
-            let f = gap - s;
+            let [s, r, a, jerk, snap] = self.signal(cells, flight, &near, way.sign);
+            let f = way.gap - s;
             // The root of f - r dt - a dt²/2 - jerk dt³/6 - snap dt⁴/24 by reversion of the series.
             let inverse = 1.0 / r;
             let h = f * inverse;
@@ -191,45 +158,50 @@ impl<const N: usize> Lanes<N> {
             t = t + dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
             near = flight.all_at(&self.rigid, t);
         }
-        let t = taken;
-        sure = sure.and(done).and(t.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left));
-        sure = sure.and((cells.rate * t).compare(t, |angle, _| (angle >= 0.5) & (angle < LARGEST_ANGLE)));
+        let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
+        let angle = cells.rate * taken;
+        let resolved = angle.compare(angle, |angle, _| (angle >= SHORT) & (angle < LARGEST_ANGLE));
+        (sure.and(done).and(in_time).and(resolved), taken, points)
+    }
 
-        // The state there, and the jump.
-        let (mut q, mut q_dot, mut lost) = (self.q, self.q_dot, self.dissipated);
+    /// The state beyond the step, where the energy suffices for it.
+    #[inline(always)]
+    fn jump(
+        &self,
+        cells: &Cells<N>,
+        flight: &Flight<'_, N>,
+        way: &Way,
+        points: &[Point; N],
+        sure: Mask,
+    ) -> (Mask, Ahead<N>) {
+        let Ahead { mut q, mut q_dot, mut dissipated } =
+            Ahead { q: self.q, q_dot: self.q_dot, dissipated: self.dissipated };
         for j in 0..N {
             for i in 0..N {
                 q[i] = q[i] + cells.shapes[i][j] * points[j].moved;
                 q_dot[i] = q_dot[i] + cells.shapes[i][j] * points[j].gained;
             }
             if !self.rigid[j] {
-                lost = lost + flight.dissipated(j, &points[j]);
+                dissipated = dissipated + flight.dissipated(j, &points[j]);
             }
         }
-        q[self.phase] = boundary;
+        q[self.phase] = way.boundary;
         let mut dv = Pack::all(0.0);
         for i in 0..N {
             for j in 0..N {
-                dv = dv + cells.step[1][i][j].or(up, cells.step[0][i][j]) * q[i] * q[j];
+                dv = dv + cells.step[1][i][j].or(way.up, cells.step[0][i][j]) * q[i] * q[j];
             }
         }
         let v = q_dot[self.phase];
         let lowered = 2.0 * self.compliance * dv;
         let square = v * v - lowered;
-        sure = sure.and(square.compare(v, |square, v| (square > 0.0) & v.is_finite()));
-        let gain = -(sign * lowered) / (square.sqrt() + v.abs());
-        q[self.phase] = cells.entered[1].or(up, cells.entered[0]);
-
-        // Only where all of it holds.
+        let gain = -(way.sign * lowered) / (square.sqrt() + v.abs());
         for i in 0..N {
-            self.q[i] = q[i].or(sure, self.q[i]);
-            self.q_dot[i] = (q_dot[i] + self.direction[i] * gain).or(sure, self.q_dot[i]);
+            q_dot[i] = q_dot[i] + self.direction[i] * gain;
         }
-        self.dissipated = lost.or(sure, self.dissipated);
-        self.advance(t, sure);
-        self.remember(t - steady, sure, together, first);
-        self.enter(up, sure);
-        sure
+        q[self.phase] = cells.entered[1].or(way.up, cells.entered[0]);
+        let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
+        (sure.and(passes), Ahead { q, q_dot, dissipated })
     }
 
     /// The phase's way, in the direction of its boundary, and its derivatives.

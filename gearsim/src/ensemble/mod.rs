@@ -7,9 +7,17 @@
 //!
 //! `pulp` picks the instructions that the processor has.
 
+#![allow(
+    clippy::needless_range_loop,
+    clippy::manual_range_contains,
+    reason = "loops over indices and plain comparisons become vector instructions; iterators and calls may not"
+)]
+
 mod cells;
 mod elementary;
 mod flight;
+mod handover;
+mod kind;
 mod lanes;
 mod pack;
 #[cfg(test)]
@@ -19,7 +27,8 @@ use pulp::{Arch, NullaryFnOnce};
 
 use crate::engine::Stop;
 use crate::engine::simulate::Simulation;
-use lanes::{Kind, Lanes};
+use kind::Kind;
+use lanes::Lanes;
 use pack::{LANES, Mask};
 
 /// Runs simulations to their ends, unrecorded.

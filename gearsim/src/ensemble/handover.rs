@@ -1,0 +1,67 @@
+//! Simulations handed to lanes, and back.
+
+use xprec::Df64;
+
+use crate::engine::equations::Switching;
+use crate::engine::simulate::Simulation;
+use crate::ensemble::cells::Cells;
+use crate::ensemble::kind::Kind;
+use crate::ensemble::lanes::Lanes;
+use crate::ensemble::pack::{LANES, Pack};
+
+impl<const N: usize> Lanes<N> {
+    /// Empty lanes for simulations of one kind.
+    pub fn new(kind: Kind<N>) -> Self {
+        let zero = Pack::all(0.0);
+        let Kind { places, phase, rigid } = kind;
+        Lanes {
+            tables: vec![Cells::empty(); places],
+            rigid,
+            phase,
+            compliance: zero,
+            direction: [zero; N],
+            q: [zero; N],
+            q_dot: [zero; N],
+            clock: [zero; 2],
+            end: zero,
+            dissipated: zero,
+            at: [0; LANES],
+            turns: [0; LANES],
+            changes: [0; LANES],
+            lateness: vec![zero; places],
+        }
+    }
+
+    /// Puts a simulation into a lane; its cells only if it is `new` there.
+    pub fn load(&mut self, lane: usize, simulation: &Simulation<'_, N>, new: bool) {
+        let law = &simulation.laws[0];
+        if new {
+            self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
+            self.lateness.iter_mut().for_each(|lateness| lateness.0[lane] = 0.0);
+            let impulse = law.switching == Switching::WithJump;
+            self.compliance.0[lane] = if impulse { law.surface.compliance } else { 0.0 };
+            (0..N).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
+        }
+        for i in 0..N {
+            self.q[i].0[lane] = simulation.state.q[i];
+            self.q_dot[i].0[lane] = simulation.state.q_dot[i];
+        }
+        (self.clock[0].0[lane], self.clock[1].0[lane]) = (simulation.clock.0.hi(), simulation.clock.0.lo());
+        self.end.0[lane] = simulation.t_end;
+        self.dissipated.0[lane] = simulation.dissipated;
+        (self.at[lane], self.turns[lane], self.changes[lane]) = (law.cell, 0, 0);
+    }
+
+    /// Hands its state back to a simulation.
+    pub fn unload(&self, lane: usize, simulation: &mut Simulation<'_, N>) {
+        for i in 0..N {
+            simulation.state.q[i] = self.q[i].0[lane];
+            simulation.state.q_dot[i] = self.q_dot[i].0[lane];
+        }
+        simulation.state.turns[self.phase] += self.turns[lane];
+        simulation.laws[0].cell = self.at[lane];
+        simulation.clock.0 = Df64::new_full(self.clock[0].0[lane], self.clock[1].0[lane]);
+        simulation.dissipated = self.dissipated.0[lane];
+        simulation.counts.cell_changes += self.changes[lane];
+    }
+}
