@@ -50,11 +50,13 @@ pub struct Cost {
 }
 
 /// Why a search has no answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Lost {
-    /// It did not end within so many steps.
+    /// It did not end.
+    #[error("the search did not end in {0} steps")]
     Stuck(u64),
-    /// A bound on the motion is beyond what numbers can hold.
+    /// It left the numbers.
+    #[error("a bound on the motion is beyond what numbers can hold")]
     Overflow,
 }
 

@@ -78,7 +78,7 @@ pub fn judge<const N: usize>(drawn: &Drawn<N>) -> Verdict {
     let gaps = if *upper { [*far, *level] } else { [*level, *far] };
     let met = match first(&flight, &participation, gaps, *horizon) {
         Ok(met) => met,
-        Err(steps) => return Verdict::Wrong(format!("the search did not end in {steps} steps")),
+        Err(lost) => return Verdict::Wrong(lost.to_string()),
     };
     let modes = (0..N).map(|i| {
         // Each shape is one coordinate, either way round.
