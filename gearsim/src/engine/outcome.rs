@@ -79,7 +79,12 @@ pub type Ends = fn(&[Scene]) -> Vec<Result<Outcome, Refusal>>;
 impl Entry {
     /// The entry of a derived model.
     pub const fn new<D: Derived<N>, const N: usize>() -> Entry {
-        Entry { model: &D::MODEL, run: run::<D, N>, ends: ends::<D, N>, system: system::of::<D, N> }
+        Entry {
+            model: &D::MODEL,
+            run: run::<D, N>,
+            ends: if N <= ensemble::LARGEST { side_by_side::<D, N> } else { one_by_one::<D, N> },
+            system: system::of::<D, N>,
+        }
     }
 }
 
@@ -136,7 +141,8 @@ fn exact<D: Derived<N>, const N: usize>(
     Ok(ended(scene, equations, choice, &simulation, recorder, stopped_by, cpu_seconds))
 }
 
-fn ends<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
+/// Those that are exact and plain in lanes, the others by themselves.
+fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
     let prepare = |scene: &Scene| -> Result<_, Refusal> {
         let equations = equations::<D, N>(scene)?;
         let choice = choice::of(scene, &start::begin(&*equations, scene)?.1)?;
@@ -177,6 +183,10 @@ fn ends<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, 
     // The others by themselves.
     let one = |(done, scene): (Option<Outcome>, &Scene)| done.map_or_else(|| run::<D, N>(scene, &mut |_| {}), Ok);
     done.into_iter().zip(scenes).map(one).collect()
+}
+
+fn one_by_one<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
+    scenes.iter().map(|scene| run::<D, N>(scene, &mut |_| {})).collect()
 }
 
 fn recorder<'e, const N: usize>(

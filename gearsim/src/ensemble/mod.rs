@@ -31,6 +31,9 @@ use kind::Kind;
 use lanes::Lanes;
 use pack::{LANES, Mask};
 
+/// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
+pub const LARGEST: usize = 8;
+
 /// Runs simulations to their ends, unrecorded.
 ///
 /// # Errors
