@@ -90,7 +90,9 @@ fn a_run_split_anywhere_is_the_whole() {
         prop_assert!(difference < tolerance, "{difference:e}, not {tolerance:e}");
         prop_assert_eq!(second.cell, whole.cell);
         prop_assert_eq!(first.times.len() + second.times.len(), whole.times.len());
-        prop_assert!(first.times.iter().zip(&whole.times).all(|(a, b)| a == b));
+        // The steps of a search go by the time that is left to the end, so that roundings differ.
+        let apart = first.times.iter().zip(&whole.times).map(|(a, b)| (a - b).abs() / pair.span).fold(0.0, f64::max);
+        prop_assert!(apart < tolerance, "events {apart:e} of the span apart, not {tolerance:e}");
         Ok(())
     });
 }
