@@ -20,7 +20,8 @@ const CALM: f64 = 1e-6;
 
 /// Bounces closer than this part of an oscillation are those of a pressed tooth, about to be held.
 const PRESSED: f64 = 1e-5;
-/// Events after which a comparison ends: the reference takes its time.
+/// Bounces this close are fast, and so many of them enough: the reference takes its time.
+const FAST: f64 = 1e-2;
 const MOST: usize = 80;
 
 /// What a comparison came to.
@@ -79,10 +80,14 @@ pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
     compared
 }
 
-/// Half-way between the last two events before a tooth is pressed, if one is, or there are too many.
+/// Half-way between the last two events before a tooth is pressed, if one is, or has bounced fast for long.
 fn until_pressed(events: &[oh2005::Event], w0: f64) -> Option<f64> {
-    let pressed = events.windows(2).take(MOST).position(|pair| (pair[1].t - pair[0].t) * w0 < PRESSED);
-    let pressed = pressed.or((events.len() > MOST).then_some(MOST))?;
+    let mut fast = 0;
+    let pressed = events.windows(2).position(|pair| {
+        let apart = (pair[1].t - pair[0].t) * w0;
+        fast += usize::from(apart < FAST);
+        apart < PRESSED || fast > MOST
+    })?;
     let before = if pressed > 0 { events[pressed - 1].t } else { 0.0 };
     Some(0.5 * (before + events[pressed].t))
 }
