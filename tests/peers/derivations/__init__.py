@@ -16,7 +16,7 @@ TOOLS = {
 }
 def limit(quick):
     """Processor time that one derivation with its counting may take [s]."""
-    return 5 if quick else 120
+    return 5 if quick else 60
 
 
 def tool(name):

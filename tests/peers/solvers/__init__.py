@@ -8,10 +8,10 @@ from importlib import import_module
 SOLVERS = {
     "gearsim": "gearsim",
     "heyoka": "heyoka_taylor",
+    "Rust crates": "rust_crates",
     "SUNDIALS CVODE": "cvode",
     "CasADi": "casadi_events",
     "SciPy": "scipy_ivp",
-    "Rust crates": "rust_crates",
 }
 
 
