@@ -3,7 +3,7 @@
 mod common;
 
 use common::{PAPER, gear_pair, relative, run, scene};
-use gearsim::scene::{Precision, Scene};
+use gearsim::scene::Precision;
 use gearsim_tests::oh2005::GearPair;
 use gearsim_tests::precise;
 
