@@ -340,8 +340,8 @@ fn planar_planetaries() {
         for (body, kb) in [(s, "kb_s"), (c, "kb_c"), (r, "kb_r")] {
             by_hand.springs.extend([(p(kb), vec![(body, 1.0)]), (p(kb), vec![(body + 1, 1.0)])]);
         }
-        for i in 0..n {
-            let (psi, at) = (places[i].1, 9 + 3 * i);
+        for (i, &(_, psi)) in places.iter().take(n).enumerate() {
+            let at = 9 + 3 * i;
             let (psi_s, psi_r) = (psi - p("alpha"), psi + p("alpha"));
             by_hand.inertia.extend([p("m_p"), p("m_p"), p("I_p") / (r_p * r_p)]);
             let planet = |zeta, eta, u| [(at, zeta), (at + 1, eta), (at + 2, u)];
