@@ -340,11 +340,7 @@ fn planar_planetaries() {
         for (body, kb) in [(s, "kb_s"), (c, "kb_c"), (r, "kb_r")] {
             by_hand.springs.extend([(p(kb), vec![(body, 1.0)]), (p(kb), vec![(body + 1, 1.0)])]);
         }
-<<<<<<< HEAD
-        for (i, (_, psi)) in places[..n].iter().copied().enumerate() {
-=======
         for (i, &(_, psi)) in places.iter().take(n).enumerate() {
->>>>>>> h-b
             let at = 9 + 3 * i;
             let (psi_s, psi_r) = (psi - p("alpha"), psi + p("alpha"));
             by_hand.inertia.extend([p("m_p"), p("m_p"), p("I_p") / (r_p * r_p)]);
