@@ -42,6 +42,9 @@ enum Verb {
 }
 
 fn main() -> ExitCode {
+    if let Some(code) = fuzz::compile() {
+        return code;
+    }
     let done = match Arguments::parse().verb {
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),

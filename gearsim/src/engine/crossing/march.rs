@@ -45,7 +45,7 @@ impl<const N: usize> Search<'_, N> {
                     // Here or hereabouts: does it pass, or turn within the tolerance?
                     let turns = a + rounding.acceleration < 0.0;
                     if !turns || gap + r * r / (2.0 * a) <= -tolerance {
-                        return Ok(self.here(side, full, [gap, r, a], point, cost));
+                        return Ok(self.here(side, full, [gap, r, a], rounding.value, point, cost));
                     }
                     cost.grazes += 1;
                     approached[i] = false;
@@ -84,19 +84,20 @@ impl<const N: usize> Search<'_, N> {
         [(Side::Upper, self.up), (Side::Lower, self.down)]
     }
 
-    /// The crossing that lies hereabouts, within the tolerance ahead or behind.
+    /// The crossing that lies hereabouts, within the tolerance ahead or behind: found as far as the phase is known.
     fn here(
         &self,
         side: Side,
         full: f64,
         [gap, r, a]: [f64; 3],
+        rounding: f64,
         point: &mut Point<N>,
         cost: &mut Cost,
     ) -> Option<Side> {
         let t = point.t;
         let off = gap.abs();
         let wide = 4.0 * off / (r + (r * r + 2.0 * a * gap).max(0.0).sqrt());
-        if t == 0.0 || !wide.is_finite() {
+        if t == 0.0 || off <= rounding || !wide.is_finite() {
             return (t < self.horizon).then_some(side);
         }
         let bracket = if gap > 0.0 { (t, t + wide) } else { ((t - wide).max(0.0), t) };
