@@ -54,7 +54,8 @@ def agreement(scene, result):
 def solver_row(scene, row):
     head = [row["solver"], row["method"], row["tolerance"]]
     if "failed" in row:
-        return [*head, f"**failed: {row['failed']}**", "", "", "", "", "", ""]
+        reason = row["failed"].split(".cpp:", 1)[-1]
+        return [*head, f"**failed: {reason}**", "", "", "", "", "", ""]
     error, (events, last) = end_error(scene, row), agreement(scene, row)
     cpu = row["cpu"]
     each = min(cpu) / len(scene["reference"]["events"])
@@ -129,7 +130,7 @@ repetitions included, is stopped, and tighter tolerances of it are not tried. An
 {scenes_text}## Derivation
 
 From T, V, D and Q as gearsim prints them to equations of motion. "Forces" leave M on the left, "accelerations" have it
-inverted. gearsim's time has its proofs and its file in it, and its derivation the jump terms, which no other has. Operations are counted one way
+inverted. gearsim's time is by the clock, with its proofs and its file in it, and its derivation has the jump terms, which no other has. Operations are counted one way
 for all, `tests/peers/derivations/operations.py`. The
 limit is {limits[1]} s.
 

@@ -1,4 +1,5 @@
-"""gearsim's own derivation, `cargo xtask derive --check`: its time includes the proofs and the writing of the file.
+"""gearsim's own derivation, `cargo xtask derive --check`: its time, the least of three, is that on the clock and includes
+the proofs and the writing of the file.
 
 Its derivation covers every set of effects at once and the jump terms; what is counted are the equations that it prints for
 people, all effects present, jump terms (zero within a cell) left out as the others have none. Where M is not inverted
@@ -18,7 +19,7 @@ METHODS = ["gearsim"]
 
 
 def version():
-    return "this checkout"
+    return "gearsim of this checkout"
 
 
 def run(model):

@@ -11,7 +11,7 @@ TOLERANCES = ["exact"]
 
 
 def version():
-    return "this checkout"
+    return "gearsim of this checkout"
 
 
 def run(scene, method, tolerance):
