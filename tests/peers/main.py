@@ -58,7 +58,10 @@ def main(path, out, quick):
         "scenes": load(path),
         "runs": {name: list(rows(path, name)) for name in load(path)},
         "derivations": list(derivations.rows(quick)),
-        "versions": [module_of(solver).version() for solver in SOLVERS],
+        "versions": [
+            *(module_of(solver).version() for solver in SOLVERS),
+            *(derivations.tool(tool).version() for tool in derivations.TOOLS),
+        ],
         "limits": [LIMITS[Path(path).stem], derivations.limit(quick)],
         "quick": quick,
     }
