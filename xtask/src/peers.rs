@@ -11,7 +11,7 @@ use anyhow::{Context, bail};
 /// Run other tools on our scenes; write the table tests/peers.md.
 #[derive(clap::Args)]
 pub struct Peers {
-    /// A tenth of the events, short limits; the table goes to out/peers.md.
+    /// A tenth of the events, one tolerance a method, one derivation; the table goes to out/peers.md.
     #[arg(long)]
     quick: bool,
 }
