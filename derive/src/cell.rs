@@ -2,9 +2,10 @@
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Kind, number, symbols};
-use crate::lagrange::{Motion, Symbols};
-use crate::markers::{all_present, terms};
+use crate::expr::{Kind, has_speeds, number, symbols};
+use crate::lagrange::{Motion, Symbols, external};
+use crate::markers::{all_present, markers, terms};
+use crate::model::Model;
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -13,15 +14,17 @@ pub(crate) struct Cell {
     pub stiffness: Vec<Vec<Atom>>,
     pub damping: Vec<Vec<Atom>>,
     pub load: Vec<Atom>,
+    /// Terms that make the cell nonlinear with an effect, which the matrices leave out: the effect, and the term as text.
+    pub nonlinear_with: Vec<(String, String)>,
 }
 
 /// The cell matrices, or the terms (as text, with the energy they come from) that make the cell nonlinear.
-pub(crate) fn derive(motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> {
+pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> {
     let (positions, speeds): (Vec<Symbol>, Vec<Symbol>) = (
         s.q.iter().copied().chain(s.deflections.iter().map(|d| d.symbol)).collect(),
-        s.v.iter().copied().chain(s.deflections.iter().map(|d| d.rate)).collect(),
+        s.v.iter().copied().chain(s.deflections.iter().map(|d| d.rate_symbol)).collect(),
     );
-    let culprits: Vec<String> = [
+    let mut culprits: Vec<String> = [
         ("kinetic energy", &motion.kinetic, &speeds),
         ("potential energy", &motion.potential, &positions),
         ("dissipation function", &motion.dissipation, &speeds),
@@ -29,6 +32,17 @@ pub(crate) fn derive(motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> 
     .into_iter()
     .flat_map(|(energy, e, by)| curved(e, by).into_iter().map(move |term| format!("{term} in the {energy}")))
     .collect();
+    let mut nonlinear_with = vec![];
+    for torque in model.torques.iter().filter(|t| has_speeds(&t.value.atom())) {
+        let value = torque.value.atom();
+        let value_text = print(&Tree::new(&all_present(&value)), Style::Plain);
+        let text = format!("{value_text} in the torque `{}`", torque.name);
+        match &markers(&value)[..] {
+            [effect] => nonlinear_with.push((effect.clone(), text)),
+            _ => culprits.push(text),
+        }
+    }
+    let constant = external(model, s, |torque| !has_speeds(&torque.value.atom()));
     if !culprits.is_empty() {
         return Err(culprits);
     }
@@ -38,12 +52,18 @@ pub(crate) fn derive(motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> 
         slopes.iter().map(|slope| (0..n).map(|j| by(slope, j).expand()).collect()).collect()
     };
     let rest = |e: &Atom| {
-        positions.iter().fold(e.clone(), |e, q| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern()))
+        let unbent = s
+            .deflections
+            .iter()
+            .fold(e.clone(), |e, d| e.replace(Atom::var(d.symbol).to_pattern()).with(d.rest.to_pattern()));
+        s.q.iter().fold(unbent, |e, q| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern()))
     };
+    let restoring = |i: usize| s.by_coordinate(&motion.potential, i) + s.clipped(&motion.potential, i);
     Ok(Cell {
-        stiffness: second(&motion.potential, &|e, i| s.by_coordinate(e, i)),
+        stiffness: (0..n).map(|i| (0..n).map(|j| s.by_coordinate(&restoring(i), j).expand()).collect()).collect(),
         damping: second(&motion.dissipation, &|e, i| s.by_speed(e, i)),
-        load: (0..n).map(|i| (&motion.external[i] - rest(&s.by_coordinate(&motion.potential, i))).expand()).collect(),
+        load: (0..n).map(|i| (&constant[i] - rest(&restoring(i))).expand()).collect(),
+        nonlinear_with,
     })
 }
 

@@ -31,7 +31,7 @@ pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
     let motion = lagrange::derive(model, &s)?;
     let jumps = jump::derive(model, &motion, &s);
     let proofs = proof::prove(model, &s, &motion, &jumps)?;
-    let cell = cell::derive(&motion, &s);
+    let cell = cell::derive(model, &motion, &s);
     let jacobian = jacobian(model, &s, &motion);
     let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
     let derived = derived.chain(motion.mobility.iter().flatten().flatten());
@@ -61,36 +61,51 @@ impl Derivation<'_> {
     /// terms of the effects and conditions in `absent`.
     pub fn equation(&self, i: usize, absent: &[&str]) -> Expr {
         let all = self.motion.acceleration.as_ref().unwrap_or(&self.motion.force);
-        let without = absent.iter().fold(all[i].clone(), |e, name| {
+        self.in_parameters(&all[i], absent)
+    }
+
+    /// An expression without the terms of the effects and conditions in `absent`.
+    fn without(&self, e: &Atom, absent: &[&str]) -> Atom {
+        let without = absent.iter().fold(e.clone(), |e, name| {
             let marker = Atom::var(expr::symbol(Kind::Marker, name));
             e.replace(marker.to_pattern()).with(expr::number(0).to_pattern())
         });
-        self.in_parameters(&without)
+        let gone = self.model.dead_bands.iter().filter(|band| absent.contains(&band.effect.as_str()));
+        gone.flat_map(|band| band.symbols()).fold(without, |e, (kind, name)| {
+            let neutral = expr::number(i64::from(matches!(kind, Kind::Touch | Kind::Damp)));
+            e.replace(Atom::var(expr::symbol(kind, &name)).to_pattern()).with(neutral.to_pattern())
+        })
     }
 
-    /// What a step `dk` of law `l` takes from the square of the normal speed, 2 G dV; where M was inverted.
-    pub fn speed_lost(&self, l: usize) -> Option<Expr> {
+    /// What a step `dk` of law `l` takes from the square of the normal speed, 2 G dV, without the terms of the effects in
+    /// `absent`; where M was inverted.
+    pub fn speed_lost(&self, l: usize, absent: &[&str]) -> Option<Expr> {
         let jump = &self.jumps[l];
-        jump.compliance.as_ref().map(|g| self.in_parameters(&(expr::number(2) * g * &jump.step)))
+        jump.compliance.as_ref().map(|g| self.in_parameters(&(expr::number(2) * g * &jump.step), absent))
     }
 
     /// The change of the speed of coordinate `i` per change of the normal speed at law `l`; where M was inverted.
     pub fn direction(&self, l: usize, i: usize) -> Option<Expr> {
-        self.jumps[l].direction.as_ref().map(|d| self.in_parameters(&d[i]))
+        self.jumps[l].direction.as_ref().map(|d| self.in_parameters(&d[i], &[]))
     }
 
-    fn in_parameters(&self, e: &Atom) -> Expr {
+    fn in_parameters(&self, e: &Atom, absent: &[&str]) -> Expr {
         let s = Symbols::new(self.model);
         let written_out = s.deflections.iter().fold(e.clone(), |e, d| {
             let e = e.replace(Atom::var(d.symbol).to_pattern()).with(d.of(&s.q).to_pattern());
-            e.replace(Atom::var(d.rate).to_pattern()).with(d.of(&s.v).to_pattern())
+            e.replace(Atom::var(d.rate_symbol).to_pattern()).with(d.rate(&s.v).to_pattern())
         });
-        Expr::new(markers::all_present(&proof::exact(&self.motion, &written_out)))
+        Expr::new(markers::all_present(&proof::exact(&self.motion, &self.without(&written_out, absent))))
     }
 
     /// The terms of a cell that are not linear, with the energies they come from; empty where all are.
     pub fn nonlinear_terms(&self) -> &[String] {
         self.cell.as_ref().err().map_or(&[], |terms| terms)
+    }
+
+    /// The terms of a cell that are not linear with an effect: the effect, and the term.
+    pub fn nonlinear_with(&self) -> &[(String, String)] {
+        self.cell.as_ref().map_or(&[], |cell| &cell.nonlinear_with)
     }
 
     /// Whether whole pitches of a law's phase change nothing but the law: no energy depends on it otherwise.

@@ -35,10 +35,18 @@ pub enum Kind {
     Slope,
     /// Curvature of a law along its phase, `ddk`.
     Curvature,
+    /// Whether a dead band is in contact: 1, or 0.
+    Touch,
+    /// Whether its damper acts: 1, or 0.
+    Damp,
+    /// What its damper is clipped to, in forces of its spring: 1, 0 or -1.
+    Clip,
     /// Named deflection, linear in the coordinates.
     Deflection,
     /// Generalised coordinate.
     Coordinate,
+    /// The edge of a dead band that is in contact.
+    Edge,
     /// Rate of a deflection.
     Rate,
     /// Generalised speed.
@@ -47,7 +55,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 13] = [
+const KINDS: [(Kind, &str); 17] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -56,8 +64,12 @@ const KINDS: [(Kind, &str); 13] = [
     (Kind::Law, "law"),
     (Kind::Slope, "slope"),
     (Kind::Curvature, "curvature"),
+    (Kind::Touch, "touch"),
+    (Kind::Damp, "damp"),
+    (Kind::Clip, "clip"),
     (Kind::Deflection, "deflection"),
     (Kind::Coordinate, "coordinate"),
+    (Kind::Edge, "edge"),
     (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
     (Kind::Free, "free"),
@@ -198,6 +210,11 @@ impl Expr {
         }
         Expr::new(rate)
     }
+}
+
+/// Whether an expression depends on speeds.
+pub(crate) fn has_speeds(e: &Atom) -> bool {
+    symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate))
 }
 
 /// The name of the speed of a coordinate.

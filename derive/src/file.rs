@@ -5,10 +5,10 @@ use std::fmt::Write;
 use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
-use crate::expr::Expr;
+use crate::expr::{Expr, has_speeds};
 use crate::lagrange;
 use crate::markers::{Group, as_written, grouped};
-use crate::model::{CONDITIONS, Range, Start};
+use crate::model::{CONDITIONS, DeadBand, Range, Start};
 use crate::print::{Style, print};
 use crate::text::{self, Texts};
 use crate::tree::Tree;
@@ -134,7 +134,11 @@ impl Block {
             [one] => one.clone(),
             many => {
                 let name = many.join("_and_");
-                let entry = (name.clone(), many.join(", "));
+                let written_out = |effect: &String| {
+                    let condition = CONDITIONS.iter().find(|(name, _)| name == effect);
+                    condition.map_or(effect.clone(), |(_, effects)| effects.to_string())
+                };
+                let entry = (name.clone(), many.iter().map(written_out).collect::<Vec<_>>().join(", "));
                 if !self.conditions.contains(&entry) {
                     self.conditions.push(entry);
                 }
@@ -164,6 +168,15 @@ impl Block {
             }
             self.line(1, "}");
         }
+        if !m.dead_bands.is_empty() {
+            self.line(1, "dead_bands {");
+            for DeadBand { over, touch, edge, damp, clip, unit, half, effect, doc } in &m.dead_bands {
+                let half = print(&Tree::new(&half.atom()), Style::Rust);
+                let symbols = format!("{touch}, {edge}, {damp}, {clip}");
+                self.line(2, &format!("{over} {unit:?} ({symbols}) half {half} with {effect}, {doc:?};"));
+            }
+            self.line(1, "}");
+        }
         self.line(1, "energies {");
         self.groups(2, "kinetic", &written(&m.kinetic));
         self.groups(2, "potential", &written(&m.potential));
@@ -171,11 +184,19 @@ impl Block {
         self.line(1, "}");
         self.line(1, "torques {");
         for t in &m.torques {
-            let work = as_written(&[t.value.atom() * lagrange::displacement(m, t)], &d.order());
-            self.row(2, &format!("{} {:?}", t.name, t.doc), &work);
+            let title = format!("{} {:?}", t.name, t.doc);
+            if has_speeds(&t.value.atom()) {
+                let power = as_written(&[t.value.atom() * lagrange::rate(m, t)], &d.order());
+                self.row(2, &title, &[]);
+                self.groups(2, "power", &power);
+            } else {
+                let work = as_written(&[t.value.atom() * lagrange::displacement(m, t)], &d.order());
+                self.row(2, &title, &work);
+            }
         }
         self.line(1, "}");
-        self.vector("work", &names, &motion.external, &group);
+        let constant = lagrange::external(m, &lagrange::Symbols::new(m), |t| !has_speeds(&t.value.atom()));
+        self.vector("work", &names, &constant, &group);
         self.matrix("mass", &names, &motion.mass, &group, 1, true);
         if let Some(w) = &motion.mobility {
             // Not expanded: a sum over the determinant stays one fraction, without cancellation where M is without.
@@ -204,6 +225,13 @@ impl Block {
                 }
                 self.line(2, "}");
                 self.line(1, "}");
+                if !cell.nonlinear_with.is_empty() {
+                    self.line(1, "nonlinear_with {");
+                    for (effect, text) in &cell.nonlinear_with {
+                        self.line(2, &format!("{effect} {text:?};"));
+                    }
+                    self.line(1, "}");
+                }
             }
             Err(culprits) => self.line(1, &format!("nonlinear {:?};", culprits.join("; "))),
         }
@@ -272,7 +300,11 @@ impl Block {
         b.line(1, "}");
         b.line(1, "parameters {");
         for p in &m.parameters {
-            let default = p.default.map_or("required".into(), |x| format!("default {x:?}"));
+            let default = match (p.default, &p.with) {
+                (Some(x), _) => format!("default {x:?}"),
+                (None, Some(effect)) => format!("required with {effect}"),
+                (None, None) => "required".into(),
+            };
             let range = match p.range {
                 Range::Any => "open -inf to inf",
                 Range::Positive => "open 0.0 to inf",

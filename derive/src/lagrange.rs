@@ -7,7 +7,7 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, number, speed_name, symbol};
-use crate::model::{Deflection, JUMP_TERMS, Model, Torque, mobility_name};
+use crate::model::{DeadBand, Deflection, JUMP_TERMS, Model, Torque, mobility_name};
 use crate::slip::Slip;
 
 /// The symbols of one model.
@@ -23,15 +23,24 @@ pub(crate) struct Symbols {
 /// A named deflection delta = sum slope_i q_i, and its rate.
 pub(crate) struct Linear {
     pub symbol: Symbol,
-    pub rate: Symbol,
+    pub rate_symbol: Symbol,
     /// Its slopes along the coordinates, those that are not zero.
     pub slopes: Vec<(usize, Atom)>,
+    /// What it is where the coordinates are zero: 0, or less the edge of a dead band.
+    pub rest: Atom,
+    /// The clipping of the damper of a dead band, marked with its effect.
+    pub clip: Option<Atom>,
 }
 
 impl Linear {
-    /// The sum itself, of coordinates or of speeds.
-    pub fn of(&self, by: &[Symbol]) -> Atom {
-        self.slopes.iter().fold(number(0), |sum, (i, slope)| sum + slope * Atom::var(by[*i]))
+    /// Itself, of the coordinates.
+    pub fn of(&self, q: &[Symbol]) -> Atom {
+        self.rate(q) + &self.rest
+    }
+
+    /// Its rate, of the speeds.
+    pub fn rate(&self, v: &[Symbol]) -> Atom {
+        self.slopes.iter().fold(number(0), |sum, (i, slope)| sum + slope * Atom::var(v[*i]))
     }
 
     fn along(&self, i: usize) -> Option<&Atom> {
@@ -45,12 +54,17 @@ impl Symbols {
             |kind, prefix: &str| model.laws.iter().map(|l| symbol(kind, &format!("{prefix}{}", l.name))).collect();
         let q: Vec<Symbol> = model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect();
         let linear = |d: &Deflection| {
+            let band: Option<&DeadBand> = model.dead_bands.iter().find(|band| band.over == d.name);
             let value = d.value.atom();
             let slopes = q.iter().map(|q| value.derivative(*q).expand()).enumerate();
             Linear {
                 symbol: symbol(Kind::Deflection, &d.name),
-                rate: symbol(Kind::Rate, &speed_name(&d.name)),
+                rate_symbol: symbol(Kind::Rate, &speed_name(&d.name)),
                 slopes: slopes.filter(|s| !s.1.is_zero()).collect(),
+                rest: band.map_or(number(0), |band| -Atom::var(symbol(Kind::Edge, &band.edge))),
+                clip: band.map(|band| {
+                    Atom::var(symbol(Kind::Marker, &band.effect)) * Atom::var(symbol(Kind::Clip, &band.clip))
+                }),
             }
         };
         Symbols {
@@ -69,9 +83,15 @@ impl Symbols {
         through.fold(e.derivative(self.q[i]), |sum, part| sum + part)
     }
 
+    /// What clipping the dampers of dead bands adds to the restoring force dV/dq_i.
+    pub fn clipped(&self, potential: &Atom, i: usize) -> Atom {
+        let clipped = |d: &Linear| Some(d.clip.as_ref()? * potential.derivative(d.symbol) * d.along(i)?);
+        self.deflections.iter().filter_map(clipped).fold(number(0), |sum, part| sum + part)
+    }
+
     /// de/dq'_i, through the deflections' rates too.
     pub fn by_speed(&self, e: &Atom, i: usize) -> Atom {
-        let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.rate)));
+        let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.rate_symbol)));
         through.fold(e.derivative(self.v[i]), |sum, part| sum + part)
     }
 }
@@ -124,6 +144,24 @@ pub(crate) fn displacement(model: &Model, torque: &Torque) -> Atom {
     })
 }
 
+/// The rate of that displacement.
+pub(crate) fn rate(model: &Model, torque: &Torque) -> Atom {
+    let through = torque.through.atom();
+    model.coordinates.iter().fold(number(0), |sum, c| {
+        let q = symbol(Kind::Coordinate, &c.name);
+        sum + through.derivative(q).expand() * Atom::var(symbol(Kind::Speed, &speed_name(&c.name)))
+    })
+}
+
+/// Generalised forces Q of the torques of which `which` holds.
+pub(crate) fn external(model: &Model, s: &Symbols, which: impl Fn(&Torque) -> bool) -> Vec<Atom> {
+    let along = |q: &Symbol| {
+        let torques = model.torques.iter().filter(|t| which(t));
+        torques.fold(number(0), |sum, t| sum + t.value.atom() * t.through.atom().derivative(*q)).expand()
+    };
+    s.q.iter().map(along).collect()
+}
+
 /// Derives the equations of motion.
 pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
     let n = model.coordinates.len();
@@ -137,19 +175,11 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
             return Err(Slip::Massless { model: model.name.clone(), coordinate });
         }
     }
-    let external: Vec<Atom> = (0..n)
-        .map(|i| {
-            model
-                .torques
-                .iter()
-                .fold(number(0), |q, t| q + t.value.atom() * t.through.atom().derivative(s.q[i]))
-                .expand()
-        })
-        .collect();
+    let external = external(model, s, |_| true);
     let force: Vec<Atom> = (0..n)
         .map(|i| {
             let carried = (0..n).fold(number(0), |c, j| c + momentum[i].derivative(s.q[j]) * Atom::var(s.v[j]));
-            let elastic = gradient(model, s, &potential, i, JUMP_TERMS);
+            let elastic = gradient(model, s, &potential, i, JUMP_TERMS) + s.clipped(&potential, i);
             (&external[i] - elastic - s.by_speed(&dissipation, i) + kinetic.derivative(s.q[i]) - carried).expand()
         })
         .collect();

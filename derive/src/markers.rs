@@ -62,7 +62,8 @@ pub(crate) fn terms(e: &Atom) -> Vec<Atom> {
     }
 }
 
-fn markers(e: &Atom) -> Vec<String> {
+/// The effects that a term needs.
+pub(crate) fn markers(e: &Atom) -> Vec<String> {
     symbols(e).into_iter().filter(|s| s.0 == Kind::Marker).map(|s| s.1).collect()
 }
 

@@ -33,6 +33,8 @@ pub(crate) struct Parameter {
     pub name: String,
     pub unit: String,
     pub default: Option<f64>,
+    /// The effect in whose closure it was declared, which alone needs it.
+    pub with: Option<String>,
     pub range: Range,
     pub doc: String,
 }
@@ -48,6 +50,30 @@ pub(crate) struct Law {
 pub(crate) struct Deflection {
     pub name: String,
     pub value: Expr,
+}
+
+/// V and D of a spring with play, by its cells: touch, damp, clip and the edge are constants of a cell.
+pub(crate) struct DeadBand {
+    /// The deflection beyond the band.
+    pub over: String,
+    pub touch: String,
+    pub edge: String,
+    pub damp: String,
+    pub clip: String,
+    pub unit: String,
+    /// Half its width.
+    pub half: Expr,
+    /// Without this effect the band is not there: touch = damp = 1, edge = clip = 0.
+    pub effect: String,
+    pub doc: String,
+}
+
+impl DeadBand {
+    /// Its symbols besides the deflection.
+    pub fn symbols(&self) -> [(Kind, String); 4] {
+        [(Kind::Touch, &self.touch), (Kind::Edge, &self.edge), (Kind::Damp, &self.damp), (Kind::Clip, &self.clip)]
+            .map(|(kind, name)| (kind, name.clone()))
+    }
 }
 
 pub(crate) struct Motion {
@@ -86,6 +112,7 @@ pub struct Model {
     pub(crate) effects: Vec<Effect>,
     pub(crate) constants: Vec<(String, Expr)>,
     pub(crate) deflections: Vec<Deflection>,
+    pub(crate) dead_bands: Vec<DeadBand>,
     pub(crate) torques: Vec<Torque>,
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
@@ -118,9 +145,11 @@ impl Model {
         Expr::var(Kind::Coordinate, name)
     }
 
-    /// A parameter with its SI unit; scenes must give it where `default` [SI] is `None`.
+    /// A parameter with its SI unit; scenes must give it where `default` [SI] is `None`, and within an effect only if they
+    /// name that.
     pub fn parameter(&mut self, name: &str, unit: &str, default: Option<f64>, range: Range, doc: &str) -> Expr {
-        self.parameters.push(Parameter { name: name.into(), unit: unit.into(), default, range, doc: doc.into() });
+        let with = self.within.clone();
+        self.parameters.push(Parameter { name: name.into(), unit: unit.into(), default, with, range, doc: doc.into() });
         Expr::var(Kind::Parameter, name)
     }
 
@@ -141,6 +170,30 @@ impl Model {
         }
         self.deflections.push(Deflection { name: name.into(), value });
         Expr::var(Kind::Deflection, name)
+    }
+
+    /// Play about `delta` [unit], linear in the coordinates: nothing is felt within `half` [unit] to either side of zero. For
+    /// scenes without `effect` there is none. V is to be written in what comes back, `k.value * gap.touch * gap.over.sq()`,
+    /// and a damper that acts in contact in `gap.damp * gap.over.dot().sq()`.
+    ///
+    /// V does not step at an edge, so there is no impulse. The damper never pulls, nor pushes more than the spring (as in
+    /// Modelica.Mechanics.Rotational.Components.ElastoBacklash2): its force is clipped to plus or minus the spring's.
+    ///
+    /// Names: `over`, `touch`, `edge`, `damp`, `clip`, each with `part` behind it.
+    pub fn dead_band(&mut self, part: &str, unit: &str, delta: Expr, half: Expr, effect: &str, doc: &str) -> Play {
+        let named = |what: &str| format!("{what}{part}");
+        let (over, touch, edge) = (named("over"), named("touch"), named("edge"));
+        let (damp, clip) = (named("damp"), named("clip"));
+        let value = delta.expand() - Expr::var(Kind::Edge, &edge);
+        self.deflections.push(Deflection { name: over.clone(), value });
+        let play = Play {
+            over: Expr::var(Kind::Deflection, &over),
+            touch: Expr::var(Kind::Touch, &touch),
+            damp: Expr::var(Kind::Damp, &damp),
+        };
+        let (unit, effect, doc) = (unit.into(), effect.into(), doc.into());
+        self.dead_bands.push(DeadBand { over, touch, edge, damp, clip, unit, half, effect, doc });
+        play
     }
 
     /// The entry of the inverse mass matrix for two coordinates, whatever the derivation finds it to be. (At most two
@@ -218,17 +271,30 @@ impl Model {
                 .deflections
                 .iter()
                 .fold(speeds, |v, d| v.with((Kind::Deflection, &d.name), (Kind::Rate, &speed_name(&d.name))));
+            let speeds = self
+                .dead_bands
+                .iter()
+                .fold(speeds, |v, band| v.with((Kind::Touch, &band.touch), (Kind::Damp, &band.damp)));
             let at_mid =
                 self.laws.iter().fold(speeds, |v, l| v.with((Kind::Law, &l.name), (Kind::Mid, &mid_name(&l.name))));
             self.dissipation(beta * at_mid);
         }
     }
 
-    /// A constant external torque (or force) of size `value` that works through the displacement `through`, linear in
-    /// the coordinates.
+    /// An external torque (or force) of size `value` that works through the displacement `through`, linear in the
+    /// coordinates. It is constant, or depends on speeds; then cells are not linear, so that what is linear in the speed of
+    /// `through` is better said as a constant torque and a dissipation: T = c (n - omega) is c n, and D = c omega^2/2.
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });
+    }
+
+    /// Says that the effect `name`, declared before, contradicts `others`: a scene names it or them. Each set of effects is
+    /// compiled by itself, so that it pays to rule out sets that nobody needs.
+    pub fn exclude(&mut self, name: &str, others: &[&str]) {
+        for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
+            effect.excludes.extend(others.iter().map(|other| other.to_string()));
+        }
     }
 
     fn marked(&self, e: Expr) -> Expr {
@@ -253,6 +319,17 @@ pub struct MeshStiffness {
     pub slope: Expr,
     /// Its mid value, (max + min)/2 over a pitch.
     pub mid: Expr,
+}
+
+/// A dead band in expressions.
+#[derive(Clone, Copy, Debug)]
+pub struct Play {
+    /// The deflection beyond the band, to either side.
+    pub over: Expr,
+    /// 1 in contact, 0 within the band.
+    pub touch: Expr,
+    /// 1 while the damper of the contact acts.
+    pub damp: Expr,
 }
 
 pub(crate) fn mid_name(law: &str) -> String {

@@ -27,9 +27,13 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
         Err(Slip::Unproved { model: model.name.clone(), what: what.into(), rest })
     };
     let n = model.coordinates.len();
+    let clipped =
+        if model.dead_bands.is_empty() { "" } else { ", the clipped force of a damper counted with the latter" };
     claim(
-        "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, \
-         with any set of the additive effects",
+        &format!(
+            "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, \
+             with any set of the additive effects{clipped}"
+        ),
         balance(model, s, motion),
     )?;
     if let (Some(a), Some(w)) = (&motion.acceleration, &motion.mobility) {
@@ -57,6 +61,14 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
                 rest,
             )?;
         }
+    }
+    for band in &model.dead_bands {
+        let at = |symbol: Atom| motion.potential.replace(symbol.to_pattern()).with(number(0).to_pattern());
+        let (over, touch) = (symbol(Kind::Deflection, &band.over), symbol(Kind::Touch, &band.touch));
+        claim(
+            &format!("V is the same on both sides of the edges of {}: no impulse there", band.over),
+            at(Atom::var(over)) - at(Atom::var(touch)),
+        )?;
     }
     let asymmetry = (0..n).fold(number(0), |sum, i| {
         (0..i).fold(sum, |sum, j| sum + tag("m", i, j) * (&motion.mass[i][j] - &motion.mass[j][i]))
@@ -101,10 +113,11 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
         rate = rate + &v * hamiltonian.derivative(s.q[i]) + &v * motion.potential.derivative(s.q[i]);
         rate += &v * jump(motion.force[i].clone());
         rate = rate - &v * &motion.external[i] + &v * motion.dissipation.derivative(s.v[i]);
+        rate += &v * s.clipped(&motion.potential, i);
     }
     // V and D change through deflections too, and V through the laws; not by way of the gradients that made F.
     for d in &s.deflections {
-        rate += d.of(&s.v) * (motion.potential.derivative(d.symbol) + motion.dissipation.derivative(d.rate));
+        rate += d.rate(&s.v) * (motion.potential.derivative(d.symbol) + motion.dissipation.derivative(d.rate_symbol));
     }
     for (l, law) in model.laws.iter().enumerate() {
         rate += motion.potential.derivative(s.law[l]) * Atom::var(s.slope[l]) * law.phase.dot().atom();

@@ -5,6 +5,7 @@ use symbolica::atom::{Atom, AtomCore};
 use crate::derivation::Derivation;
 use crate::expr::{Kind, number, speed_name};
 use crate::markers::{Group, as_written, grouped};
+use crate::model::DeadBand;
 use crate::print::{Style, latex_name, print, symbol_text};
 use crate::tree::Tree;
 
@@ -78,6 +79,7 @@ pub(crate) fn write(d: &Derivation) -> Texts {
         t.deflections.push(format!("{} = {}", d.name, print(&value, Style::Plain)));
         t.latex.push(format!("{} = {}", latex_name(&d.name), print(&value, Style::Latex)));
     }
+    t.deflections.extend(m.dead_bands.iter().flat_map(band_text));
     for (i, c) in m.coordinates.iter().enumerate() {
         let left = |j: usize, style| match style {
             Style::Latex => format!("\\ddot{{{}}}", latex_name(&m.coordinates[j].name)),
@@ -100,10 +102,29 @@ pub(crate) fn write(d: &Derivation) -> Texts {
     }
     jumps(d, &mut t);
     match &d.cell {
-        Ok(_) => t.cell.push("M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into()),
+        Ok(cell) => {
+            t.cell.push("M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into());
+            t.cell.extend(cell.nonlinear_with.iter().map(|(effect, c)| format!("nonlinear with {effect}: {c}")));
+        }
         Err(culprits) => t.cell.extend(culprits.iter().map(|c| format!("nonlinear: {c}"))),
     }
     t
+}
+
+/// What the symbols of a dead band are in each of its cells.
+fn band_text(band: &DeadBand) -> [String; 4] {
+    let DeadBand { over, touch, edge, damp, clip, effect, .. } = band;
+    let half = print(&Tree::new(&band.half.atom()), Style::Plain);
+    let side = format!("{half} or -{half}");
+    let without = effect.replace('_', " ");
+    [
+        format!("{touch} = 1 where {over} is beyond {edge} = {side}, 0 between; without {without} 1, with {edge} = 0"),
+        format!(
+            "{damp} = 1, {clip} = 0 in contact while the damper's force is less than the spring's, else {damp} = 0:"
+        ),
+        format!("  {clip} = 1 where it would push more than the spring does, it pushes as much"),
+        format!("  {clip} = -1 where it would pull more than the spring pushes, the contact has no force"),
+    ]
 }
 
 /// The jump rule in the speeds themselves, where the surface is a coordinate and M was inverted.

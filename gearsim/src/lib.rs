@@ -12,6 +12,7 @@ pub mod analysis;
 pub mod cli;
 pub mod engine;
 pub mod ensemble;
+pub mod gear;
 pub mod generated;
 pub mod methods;
 pub mod model;

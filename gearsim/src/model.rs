@@ -24,8 +24,12 @@ pub struct Model {
     pub effects: &'static [Effect],
     /// External torques, in the order in which their work is recorded.
     pub torques: &'static [Torque],
+    /// Deflections with play, in the order of the law values behind those of the laws.
+    pub dead_bands: &'static [DeadBand],
     /// The terms that make a cell nonlinear, with the energies they come from; empty where cells are linear.
     pub nonlinear: &'static str,
+    /// Those that make it so with an effect: the effect, and the term.
+    pub nonlinear_with: &'static [(&'static str, &'static str)],
     /// The derived equations as plain text, one a line.
     pub equations: &'static str,
     /// The derived equations in LaTeX, one a line.
@@ -63,6 +67,10 @@ pub struct Parameter {
     pub unit: &'static str,
     /// Value [SI] if a scene gives none; `None` if a scene must give one.
     pub default: Option<f64>,
+    /// The effect that alone needs it: without a default, it must be given only by scenes that name this effect.
+    pub with: Option<&'static str>,
+    /// Whether a scene may let it vary in time: the generalised forces are linear in it, and nothing else depends on it.
+    pub varies: bool,
     /// Admissible values [SI].
     pub range: Range,
     /// What it is.
@@ -114,6 +122,27 @@ pub struct Law {
     pub rolling: bool,
     /// What it is.
     pub doc: &'static str,
+}
+
+/// A deflection with play: a spring that is felt only beyond half the play to either side.
+#[derive(Debug, Clone, Copy)]
+pub struct DeadBand {
+    /// Name of what is beyond the play, e.g. `over`.
+    pub name: &'static str,
+    /// Its SI unit, e.g. `m`.
+    pub unit: &'static str,
+    /// The effect without which there is none.
+    pub with: &'static str,
+    /// What it is.
+    pub doc: &'static str,
+}
+
+impl Model {
+    /// Law values with every dead band in contact at its drive flank and without play: those of the laws, then four of each
+    /// band (touch, edge, damp, clip).
+    pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        laws.into_iter().chain(self.dead_bands.iter().flat_map(|_| [1.0, 0.0, 1.0, 0.0])).collect()
+    }
 }
 
 /// A rigid motion of the whole train, scaled by one number.

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Model, Range, Start, half};
 
+use crate::components::play;
+
 /// Mean rotation theta and relative deflection phi of the mesh, in units in which one tooth pitch is 2 pi.
 #[allow(non_snake_case)] // the paper's symbols
 pub fn gear_pair(m: &mut Model) {
@@ -26,14 +28,15 @@ pub fn gear_pair(m: &mut Model) {
     m.kinetic(half(I2 * (q2.dot() / N2).sq()));
 
     let k = m.mesh_stiffness("k", "N*m", theta, TAU, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action");
-    m.potential(k.value * phi.sq());
+    let gap = play(m, "", "mesh, in phi", "rad", phi);
+    m.potential(k.value * gap.touch * gap.over.sq());
 
     let _M1 = m.constant("M1", 2 * m.inverse_mass(theta, phi));
     let M2 = m.constant("M2", 2 * m.inverse_mass(phi, phi));
 
     m.effect("damping", "Rayleigh damping of the relative motion, with the damping factor zeta", |m| {
         let C = m.constant("C", 2 * zeta * (k.mid / M2).sqrt());
-        m.dissipation(C * phi.dot().sq());
+        m.dissipation(C * gap.damp * gap.over.dot().sq());
     });
     m.effect("torques", "constant driving and load torque in balance", |m| {
         m.torque("drive", T0, q1, "torque T0 N1 on the driving gear");

@@ -2,7 +2,9 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, load, mesh, pair, rotor, shaft};
+use crate::components::{
+    damping, dc_motor, drive, fan, governor, induction_motor, load, mesh_with_play, pair, rotor, shaft,
+};
 
 /// The pair's mean rotation and mesh deflection, and the twists of the two shafts.
 pub fn gear_pair_shafts(m: &mut Model) {
@@ -20,9 +22,20 @@ pub fn gear_pair_shafts(m: &mut Model) {
     rotor(m, "l", "load", theta_l);
     shaft(m, "m", "motor's shaft", psi_m);
     shaft(m, "l", "load's shaft", psi_l);
-    mesh(m, "12", "mesh", gears.theta, gears.s);
+    mesh_with_play(m, "12", "mesh", gears.theta, gears.s);
     drive(m, "motor", "motor", theta_m);
     load(m, "load", "load", theta_l);
+    // What drives and loads by its speed: these rates have names of their own in the equations.
+    let (omega_m, omega_l) = (m.deflection("theta_m", theta_m).dot(), m.deflection("theta_l", theta_l).dot());
+    governor(m, "motor", "motor", theta_m, omega_m);
+    dc_motor(m, "motor", "motor", theta_m, omega_m);
+    induction_motor(m, "motor", "motor", theta_m, omega_m);
+    fan(m, "load", "load", theta_l, omega_l);
     damping(m);
+    // One motor at a time, and none of them with the approximations of the mesh.
+    m.exclude("speed_governor", &["dc_motor", "induction_motor", "rigid_kinematics", "frozen_phase"]);
+    m.exclude("dc_motor", &["induction_motor", "rigid_kinematics", "frozen_phase"]);
+    m.exclude("induction_motor", &["rigid_kinematics", "frozen_phase"]);
+    m.exclude("fan_load", &["rigid_kinematics", "frozen_phase"]);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
 }

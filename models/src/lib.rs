@@ -9,16 +9,19 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, `.dot()` for the time derivative. Numbers are integers: a half
 //!      is `half(...)`, any other quantity a parameter with a default.
 //!    - [`components`] add bodies and what is between them, with their parameters: `rotor`, `planar_rotor`, `shaft`,
-//!      `ground`, `bearing`, `mesh`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, and last
-//!      `damping`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
+//!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
+//!      `dc_motor`, `induction_motor`, `fan`, and last `damping`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
 //!      small and elastic (a twist, a deflection), and one phase for each mesh that rolls on.
 //!    - For what no component says: `m.parameter(name, unit, default, range, doc)` and the energies themselves,
 //!      `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called as often
 //!      as there are bodies, springs, dampers, torques. T is proved positive definite if each call adds one square.
 //!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate; its levels are the
-//!      scene's. This is the only way to be piecewise: the jump rule is derived from it. An `if`, `abs` or `max` on
+//!      scene's, which may state one in N/m by its teeth: along the line of action, V = k delta^2/2. This is the only way to be piecewise: the jump rule is derived from it. An `if`, `abs` or `max` on
 //!      symbols is refused, since its derivative would lose energy without a word.
-//!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect.
+//!    - `m.dead_band(part, unit, delta, half, effect, doc)`, or the component `play`: what is felt only beyond its play. V is
+//!      written in what comes back.
+//!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect;
+//!      a parameter declared inside is asked only of them.
 //!    - `m.constant(name, value)`, `m.deflection(name, value)`: a name for a recurring constant, or for a sum of
 //!      coordinates that a spring feels, where you want to see it in the equations.
 //!    - `m.motion(name, unit, speeds, doc)`: how a scene may state its speed in one number.
@@ -26,7 +29,7 @@
 //!    function of that number, and one line a number: `("my_train_3", |m| my_train::my_train(m, 3))`.
 //! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and
 //!    writes `gearsim/src/generated/my_train.rs`; read its head. A slip is refused with the name of the culprit.
-//!    Cells that are not linear are derived and named, but the engine runs linear ones only.
+//!    Cells that are not linear are derived and named, and integrated by steps instead of in closed form.
 //! 4. Declare the file in `gearsim/src/generated/mod.rs`, `#[rustfmt::skip] pub mod my_train;`, and add it to the list
 //!    there: `Entry::new::<my_train::MyTrain, 2>()` for two coordinates.
 //! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it:
@@ -35,6 +38,7 @@
 //!
 //! [`idler`](idler::idler) is a complete example made of components, [`gear_pair`](gear_pair::gear_pair) one of bare energies.
 
+pub mod backlash_oscillator;
 pub mod chain;
 pub mod components;
 pub mod gear_pair;
@@ -55,6 +59,7 @@ pub type Entry = (&'static str, fn(&mut Model));
 /// Every model: one line each.
 pub const MODELS: &[Entry] = &[
     ("gear_pair", gear_pair::gear_pair),
+    ("backlash_oscillator", backlash_oscillator::backlash_oscillator),
     ("gear_pair_shafts", gear_pair_shafts::gear_pair_shafts),
     ("gear_pair_bearings", gear_pair_bearings::gear_pair_bearings),
     ("geared_branches", geared_branches::geared_branches),

@@ -2,9 +2,9 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, load, mesh, pair, rotor, shaft};
+use crate::components::{damping, drive, load, mesh_with_play, pair, rotor, shaft};
 
-/// Mean rotation and deflection of each mesh, and the twists of motor's and load's shafts.
+/// Mean rotation and deflection of each mesh_with_play, and the twists of motor's and load's shafts.
 pub fn two_stage(m: &mut Model) {
     m.title("a two-stage gearbox with a countershaft");
     m.source("standard torsional model; phases as Oh, Grosh & Barber (2005)");
@@ -23,8 +23,8 @@ pub fn two_stage(m: &mut Model) {
     shaft(m, "m", "motor's shaft", psi_m);
     shaft(m, "c", "countershaft", first.theta2 - second.theta1);
     shaft(m, "l", "load's shaft", psi_l);
-    mesh(m, "12", "mesh of gears 1 and 2", first.theta, first.s);
-    mesh(m, "34", "mesh of gears 3 and 4", second.theta, second.s);
+    mesh_with_play(m, "12", "mesh of gears 1 and 2", first.theta, first.s);
+    mesh_with_play(m, "34", "mesh of gears 3 and 4", second.theta, second.s);
     drive(m, "motor", "motor", theta_m);
     load(m, "load", "load", theta_l);
     damping(m);

@@ -48,6 +48,7 @@ fn main() -> ExitCode {
         ("mid_values_may_stand_in_energies", models::mid_values_may_stand_in_energies),
         ("a_newcomers_file_is_what_the_energies_say", newcomer::file_is_current),
         ("nonlinear_cells_are_named", newcomer::nonlinear_cells_are_named),
+        ("torques_by_speed_are_named_with_their_effects", newcomer::torques_by_speed_are_named_with_their_effects),
         ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),
         ("mobility_is_one_fraction_an_entry", blocks::mobility_is_one_fraction_an_entry),
         ("mobility_is_left_out_where_it_is_not_known", blocks::mobility_is_left_out_where_it_is_not_known),

@@ -1,7 +1,9 @@
 //! The project's chores: `cargo xtask VERB`. One verb, one file.
 
+mod costs;
 mod derive;
 mod fuzz;
+mod gallery;
 mod hard_cases;
 mod instructions;
 mod oh2005;
@@ -23,12 +25,16 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
+    /// Measure what grows with the number of coordinates, and how; write it to tests/costs.md.
+    Costs(costs::Costs),
     /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
     HardCases(hard_cases::HardCases),
     /// Compare the models with published numbers; write their table to tests/published.md.
     Published(published::Published),
+    /// Run the example scenes; keep a plot of each in models/scenes/plots.
+    Gallery(gallery::Gallery),
     /// Look for inputs that break the scene reader or the engine; needs a C++ compiler.
     Fuzz(fuzz::Fuzz),
     /// Count the instructions of the main paths under valgrind; write them to tests/instructions.md.
@@ -46,10 +52,12 @@ fn main() -> ExitCode {
         return code;
     }
     let done = match Arguments::parse().verb {
+        Verb::Costs(verb) => verb.run(),
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
         Verb::Published(verb) => verb.run(),
         Verb::Fuzz(verb) => verb.run(),
+        Verb::Gallery(verb) => verb.run(),
         Verb::Instructions(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
         Verb::Peers(verb) => verb.run(),

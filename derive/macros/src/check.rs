@@ -47,6 +47,9 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     }
     m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
     m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
+    for band in &m.dead_bands {
+        band.symbols.iter().for_each(|s| claim("symbol of a dead band", s, vec![]));
+    }
     unique("motion", m.motions.iter().map(|x| &x.name), errors);
     unique("torque", m.torques.iter().map(|x| &x.name), errors);
     unique("jump", m.jumps.iter().map(|x| &x.law), errors);
@@ -105,6 +108,8 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         motion.speeds.iter().for_each(|s| known("a speed", &s.name, &q_dot, errors));
         unique("speed", motion.speeds.iter().map(|s| &s.name), errors);
     }
+    let deflections: Vec<String> = m.deflections.iter().map(|d| d.name.to_string()).collect();
+    m.dead_bands.iter().for_each(|band| known("a deflection", &band.over, &deflections, errors));
     let laws: Vec<String> = m.laws.iter().map(|l| l.name.to_string()).collect();
     for j in &m.jumps {
         known("a law", &j.law, &laws, errors);

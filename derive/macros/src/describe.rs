@@ -5,13 +5,14 @@ use quote::quote;
 use syn::{Ident, LitStr};
 
 use crate::model::*;
+use crate::varies::varies;
 
 /// The expression of type `crate::model::Model`.
 pub fn describe(m: &Model) -> TokenStream {
     let (name, title) = (m.name.to_string(), &m.title);
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
     let coordinates = m.coordinates.iter().map(coordinate);
-    let parameters = m.parameters.iter().map(parameter);
+    let parameters = m.parameters.iter().map(|p| parameter(p, varies(m, &p.name)));
     let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, doc }| {
         let (name, phase) = (name.to_string(), phase.to_string());
         quote!(model::Law { name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, doc: #doc })
@@ -28,7 +29,15 @@ pub fn describe(m: &Model) -> TokenStream {
         let name = name.to_string();
         quote!(model::Torque { name: #name, doc: #doc })
     });
+    let dead_bands = m.dead_bands.iter().map(|DeadBand { over, unit, effect, doc, .. }| {
+        let (name, with) = (over.to_string(), effect.to_string());
+        quote!(model::DeadBand { name: #name, unit: #unit, with: #with, doc: #doc })
+    });
     let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
+    let nonlinear_with = m.nonlinear_with.iter().map(|NonlinearWith { effect, text }| {
+        let effect = effect.to_string();
+        quote!((#effect, #text))
+    });
     let (equations, latex) = (joined(&m.text), joined(&m.latex));
     quote! {
         model::Model {
@@ -41,7 +50,9 @@ pub fn describe(m: &Model) -> TokenStream {
             motions: &[#(#motions),*],
             effects: &[#(#effects),*],
             torques: &[#(#torques),*],
+            dead_bands: &[#(#dead_bands),*],
             nonlinear: #nonlinear,
+            nonlinear_with: &[#(#nonlinear_with),*],
             equations: #equations,
             latex: #latex,
         }
@@ -60,11 +71,15 @@ fn coordinate(c: &Coordinate) -> TokenStream {
     quote!(model::Coordinate { name: #name, unit: #unit, doc: #doc, start: #start })
 }
 
-fn parameter(p: &Parameter) -> TokenStream {
+fn parameter(p: &Parameter, varies: bool) -> TokenStream {
     let Parameter { unit, low_included, high_included, doc, .. } = p;
     let (name, low, high) = (p.name.to_string(), number(p.low), number(p.high));
     let default = match p.default.map(number) {
         Some(x) => quote!(Some(#x)),
+        None => quote!(None),
+    };
+    let with = match p.with.as_ref().map(Ident::to_string) {
+        Some(effect) => quote!(Some(#effect)),
         None => quote!(None),
     };
     quote! {
@@ -72,6 +87,8 @@ fn parameter(p: &Parameter) -> TokenStream {
             name: #name,
             unit: #unit,
             default: #default,
+            with: #with,
+            varies: #varies,
             range: model::Range {
                 low: #low,
                 high: #high,

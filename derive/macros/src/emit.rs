@@ -4,10 +4,12 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Ident, Index};
 
+use crate::cells::{any_number, matrices};
+use crate::cold::cold;
+use crate::dead_bands;
 use crate::describe::describe;
 use crate::effects;
 use crate::functions::functions;
-use crate::matrices::{any_number, matrices};
 use crate::model::*;
 
 /// Everything that a generated file holds.
@@ -18,14 +20,21 @@ pub fn emit(m: &Model) -> TokenStream {
     let describe = describe(m);
     let sets = effects::sets(m).map(|set| effects::literal(m, set));
     let sets = quote!(#(#sets => Some(Box::new(With::<#sets>(Numbers::new(parameters, mids)))),)*);
+    let cold = cold(m);
     let with = with(m);
-    let (functions, shared) = functions(m);
+    let (functions, shared) = functions(m, &cold);
+    let conditions = effects::variables(m);
+    let cold = cold.iter().map(|f| f.define(&conditions));
     let constants = effects::constants(m);
     let deflections = (!m.deflections.is_empty()).then(|| {
-        let (count, values) = (Index::from(m.deflections.len()), m.deflections.iter().map(|d| &d.value));
+        let count = Index::from(m.deflections.len());
+        let (values, rates) = (m.deflections.iter().map(|d| &d.value), m.rates.iter().map(|d| &d.value));
+        let edges = dead_bands::edges(m);
         quote! {
             #[inline]
-            fn deflections(&self, q: &[f64; #n]) -> [f64; #count] { [#(#values),*] }
+            fn deflections(&self, q: &[f64; #n], #(#edges: f64),*) -> [f64; #count] { [#(#values),*] }
+            #[inline]
+            fn rates(&self, q_dot: &[f64; #n]) -> [f64; #count] { [#(#rates),*] }
         }
     });
     quote! {
@@ -61,10 +70,14 @@ pub fn emit(m: &Model) -> TokenStream {
             #constants
         }
 
-        #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
+        #[allow(
+            non_snake_case, unused_variables, clippy::all,
+            reason = "code as the derivation wrote it; many a term uses little",
+        )]
         impl Numbers<f64> {
             #deflections
             #(#shared)*
+            #(#cold)*
         }
 
         #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]

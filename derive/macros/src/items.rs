@@ -23,6 +23,12 @@ impl Parse for Parameter {
             0 => Some(number(input)?),
             _ => None,
         };
+        let with = if default.is_none() && input.peek(Ident) {
+            word(input, "with")?;
+            Some(input.parse()?)
+        } else {
+            None
+        };
         input.parse::<Token![,]>()?;
         let low_included = choice(input, &["open", "from"])? == 1;
         let low = number(input)?;
@@ -32,7 +38,7 @@ impl Parse for Parameter {
             word(input, "included")?;
         }
         let high = number(input)?;
-        Ok(Self { name, unit, default, low, low_included, high, high_included, doc: doc(input)? })
+        Ok(Self { name, unit, default, with, low, low_included, high, high_included, doc: doc(input)? })
     }
 }
 
@@ -97,9 +103,45 @@ impl Parse for Assignment {
     }
 }
 
+impl Parse for DeadBand {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (over, unit) = (input.parse()?, input.parse()?);
+        let inner;
+        parenthesized!(inner in input);
+        let symbol = |comma: bool| -> Result<Ident> {
+            let name = inner.parse()?;
+            if comma {
+                inner.parse::<Token![,]>()?;
+            }
+            Ok(name)
+        };
+        let symbols = [symbol(true)?, symbol(true)?, symbol(true)?, symbol(false)?];
+        word(input, "half")?;
+        let half = input.parse()?;
+        word(input, "with")?;
+        let effect = input.parse()?;
+        Ok(Self { over, unit, symbols, half, effect, doc: doc(input)? })
+    }
+}
+
 impl Parse for Torque {
     fn parse(input: ParseStream) -> Result<Self> {
-        Ok(Self { name: input.parse()?, doc: input.parse()?, work: list(input)? })
+        let (name, doc, work) = (input.parse()?, input.parse()?, list(input)?);
+        let power = if peek_word(input, "power") {
+            word(input, "power")?;
+            list(input)?
+        } else {
+            vec![]
+        };
+        Ok(Self { name, doc, work, power })
+    }
+}
+
+impl Parse for NonlinearWith {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (effect, text) = (input.parse()?, input.parse()?);
+        input.parse::<Token![;]>()?;
+        Ok(Self { effect, text })
     }
 }
 

@@ -4,32 +4,39 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Index;
 
+use crate::cold::Cold;
+use crate::dead_bands;
 use crate::functions::deflections;
 use crate::model::{Jump, Law, Model};
-use crate::sums::{block, position, vector};
+use crate::sums::{Ask, block, position, vector};
 
-/// The functions of `Equations` about jumps; what the file leaves out is computed from M and n.
-pub fn jumps(m: &Model) -> TokenStream {
+/// The geometry of jumps; what the file leaves out is computed from M and n.
+pub fn jumps(m: &Model) -> [Cold; 3] {
     let n = Index::from(m.coordinates.len());
     let normal = by_law(m, quote!(equations::no_such("law", law)), |law, jump| {
         Some(match jump.and_then(|j| j.normal.as_ref()) {
-            Some(rows) => vector(m, rows),
+            Some(rows) => vector(m, rows, Ask::Running),
             None => unit(m, law),
         })
     });
-    let numeric = quote!(equations::compliance(&self.mass(), &self.normal(law)));
-    let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(block));
-    let numeric = quote!(equations::direction(&self.mass(), &self.normal(law)));
-    let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows)));
-    let step = by_law(m, quote!(equations::no_such("jump", law)), |_, jump| jump?.step.as_ref().map(block));
-    let (d, _) = deflections(m);
-    quote! {
-        fn normal(&self, law: usize) -> [f64; #n] { #normal }
-        fn compliance(&self, law: usize) -> f64 { #compliance }
-        fn direction(&self, law: usize) -> [f64; #n] { #direction }
-        #[inline]
-        fn step(&self, law: usize, q: &[f64; #n], dk: f64) -> f64 { #d #step }
-    }
+    let numeric = quote!(equations::compliance(&self.mass(effects), &self.normal(effects, law)));
+    let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(|sum| block(sum, Ask::Running)));
+    let numeric = quote!(equations::direction(&self.mass(effects), &self.normal(effects, law)));
+    let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows, Ask::Running)));
+    let of_law = |name, returns, body| Cold { name, takes: quote!(law: usize), given: quote!(law), returns, body };
+    [
+        of_law("normal", quote!([f64; #n]), normal),
+        of_law("compliance", quote!(f64), compliance),
+        of_law("direction", quote!([f64; #n]), direction),
+    ]
+}
+
+/// dV, which every jump asks for.
+pub fn step(m: &Model) -> TokenStream {
+    let otherwise = quote!(equations::no_such("jump", law));
+    let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| block(sum, Ask::Compiled)));
+    let (bands, (d, _)) = (dead_bands::of_effects(m, Ask::Compiled), deflections(m));
+    quote!(#bands #d #step)
 }
 
 /// A match over the laws, with an arm for each law of which the file says something.

@@ -17,8 +17,9 @@
 //! coordinates {                       // `start static`: where the forces balance
 //!     x "m" start 0.0, "deflection";
 //! }
-//! parameters {                        // `default X` or `required`; `from 0.0`: 0 is admissible, `open 0.0`: it is not;
+//! parameters {                        // `default X`, `required` or `required with EFFECT`; `from 0.0`: 0 is admissible, `open 0.0`: it is not;
 //!     m "kg" required, open 0.0 to inf, "mass";                  // `-inf` and `inf` are numbers, too
+//!     b "m" required with backlash, open 0.0 to inf, "play";
 //!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper end is admissible
 //! }
 //! laws {                              // gives k, its slopes dk and ddk along the phase, and k_mid = (max + min)/2
@@ -30,6 +31,7 @@
 //! effects {
 //!     stiffness_step "k steps with x";
 //!     rigid_kinematics requires(stiffness_step) "without the impulse";
+//!     backlash "play";
 //!     damping "viscous damper";       // also: excludes(a, b)
 //!     weight "a constant force of 1 N";
 //! }
@@ -39,8 +41,11 @@
 //! constants {                         // of parameters, mid values and the constants before
 //!     C = 2.0*zeta*(k_mid*m).sqrt();
 //! }
-//! deflections {                       // linear in the coordinates: also gives the rates, as `stretch_dot`
-//!     stretch = x;                    // for potential, force, acceleration, jacobian, step; the rates for D and the latter
+//! deflections {                       // linear in the coordinates: also gives the rates, as `over_dot`
+//!     over = x - edge;                // for potential, force, acceleration, jacobian, step; the rates for D and the latter
+//! }
+//! dead_bands {                        // play: `over` is what is beyond it, the others constants of a cell
+//!     over "m" (touch, edge, damp, clip) half b/2.0 with backlash, "play";   // 1, 0, 1, 0 without `backlash`
 //! }
 //! energies {                          // sums of terms `COND => EXPR;`, COND an effect, a condition, or `_` for always
 //!     kinetic { _ => m*x_dot.powi(2)/2.0; }
@@ -48,6 +53,7 @@
 //!     dissipation { damping => C*x_dot.powi(2)/2.0; }
 //! }
 //! torques { weight "the weight" { weight => 1.0*x; } }   // work of each over the displacement x
+//! // torques { fan "a fan" {} power { fan_load => -c*x_dot.powi(3); } }  // power of one that depends on speeds
 //! work { x { weight => 1.0; } }                          // net generalised forces
 //! mass { x x { _ => m; } }                               // `x y` stands for `y x`, too
 //! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without it M is inverted numerically
@@ -63,6 +69,7 @@
 //!     load { x { weight => 1.0; } }
 //! }
 //! // nonlinear "k*x^3 in the potential energy";                // instead of `cell`, where there is none
+//! // nonlinear_with { fan_load "-c*x_dot^2 in the torque `fan`"; }       // beside `cell`, which is without it
 //! jump k {                            // dk: the step; only `step` is needed, the rest follows from M and the phase
 //!     normal { x { _ => 1.0; } }
 //!     compliance { _ => 1.0/m; }
@@ -85,9 +92,12 @@
 //! | --- | --- |
 //! | tokens to structs | `parse`, `items`, `tokens` to `model` |
 //! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | structs to code | `emit`, `describe`, `functions`, `jumps`, `matrices`, `sums`, `share` |
+//! | structs to code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `dead_bands`, `sums` |
 
+mod cells;
 mod check;
+mod cold;
+mod dead_bands;
 mod describe;
 mod effects;
 mod emit;
@@ -95,7 +105,6 @@ mod expand;
 mod functions;
 mod items;
 mod jumps;
-mod matrices;
 mod model;
 mod parse;
 mod resolve;
@@ -105,6 +114,7 @@ mod sums;
 #[cfg(test)]
 mod tests;
 mod tokens;
+mod varies;
 
 use proc_macro::TokenStream;
 

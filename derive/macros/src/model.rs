@@ -16,6 +16,9 @@ pub struct Model {
     pub conditions: Vec<Condition>,
     pub constants: Vec<Assignment>,
     pub deflections: Vec<Assignment>,
+    /// Rates of the deflections; the file does not state them.
+    pub rates: Vec<Assignment>,
+    pub dead_bands: Vec<DeadBand>,
     pub kinetic: Sum,
     pub potential: Sum,
     pub dissipation: Sum,
@@ -31,6 +34,8 @@ pub struct Model {
     pub load: Vec<Row>,
     /// What makes a cell nonlinear.
     pub nonlinear: Option<LitStr>,
+    /// What makes it so with an effect.
+    pub nonlinear_with: Vec<NonlinearWith>,
     pub jumps: Vec<Jump>,
     pub text: Vec<LitStr>,
     pub latex: Vec<LitStr>,
@@ -51,6 +56,8 @@ pub struct Parameter {
     pub unit: LitStr,
     /// `None`: `required`.
     pub default: Option<f64>,
+    /// `required with damping`: the effect that alone needs it.
+    pub with: Option<Ident>,
     pub low: f64,
     pub low_included: bool,
     pub high: f64,
@@ -97,11 +104,33 @@ pub struct Assignment {
     pub value: Expr,
 }
 
-/// `drive "doc" { TERMS }`
+/// `over "m" (touch, edge, damp, clip) half b with backlash, "doc";`: play of the deflection `over`.
+pub struct DeadBand {
+    pub over: Ident,
+    pub unit: LitStr,
+    /// touch, edge, damp, clip: constants of a cell.
+    pub symbols: [Ident; 4],
+    /// Half its width.
+    pub half: Expr,
+    /// The effect without which it is not there.
+    pub effect: Ident,
+    pub doc: LitStr,
+}
+
+/// `drive "doc" { TERMS }`, `fan "doc" {} power { TERMS }`
 pub struct Torque {
     pub name: Ident,
     pub doc: LitStr,
+    /// Work over a displacement, as far as it is constant.
     pub work: Sum,
+    /// Power, as far as it depends on speeds.
+    pub power: Sum,
+}
+
+/// `fan_load "c*omega^2 in the torque `fan`";`
+pub struct NonlinearWith {
+    pub effect: Ident,
+    pub text: LitStr,
 }
 
 /// `jump k { normal { ROWS } compliance { TERMS } direction { ROWS } step { TERMS } }`
@@ -165,6 +194,8 @@ impl Model {
             conditions: vec![],
             constants: vec![],
             deflections: vec![],
+            rates: vec![],
+            dead_bands: vec![],
             kinetic: vec![],
             potential: vec![],
             dissipation: vec![],
@@ -179,6 +210,7 @@ impl Model {
             damping: vec![],
             load: vec![],
             nonlinear: None,
+            nonlinear_with: vec![],
             jumps: vec![],
             text: vec![],
             latex: vec![],

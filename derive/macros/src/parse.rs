@@ -38,6 +38,7 @@ impl Model {
                 self.nonlinear = Some(input.parse()?);
                 input.parse::<Token![;]>()?;
             }
+            "nonlinear_with" => self.nonlinear_with = list(input)?,
             "coordinates" => self.coordinates = list(input)?,
             "parameters" => self.parameters = list(input)?,
             "laws" => self.laws = list(input)?,
@@ -46,6 +47,7 @@ impl Model {
             "conditions" => self.conditions = list(input)?,
             "constants" => self.constants = list(input)?,
             "deflections" => self.deflections = list(input)?,
+            "dead_bands" => self.dead_bands = list(input)?,
             "energies" => parts(input, &["kinetic", "potential", "dissipation"], |part, input| {
                 *[&mut self.kinetic, &mut self.potential, &mut self.dissipation][part] = list(input)?;
                 Ok(())

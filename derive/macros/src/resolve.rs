@@ -1,8 +1,9 @@
 //! Which names each block may use: what its function is given, and nothing else.
 
+use quote::quote;
 use syn::Error;
 
-use crate::model::{Entry, Model, Row};
+use crate::model::{Assignment, Entry, Model, Row};
 use crate::scope::Scope;
 
 /// Resolves every expression of the model in place.
@@ -13,20 +14,27 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         constants.declare(&c.name);
     }
 
-    // Linear and homogeneous: of speeds they give the rates.
-    let deflections = Scope::of(m, "deflections").coordinates(m, "q");
+    // Linear: of speeds they give the rates, in which an edge has no part.
+    m.rates = m.deflections.iter().map(|d| Assignment { name: d.name.clone(), value: d.value.clone() }).collect();
+    let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").edges(m, quote!(0.0));
+    m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
+    let deflections = Scope::of(m, "deflections").coordinates(m, "q").dead_bands(m);
     m.deflections.iter_mut().for_each(|d| deflections.expression(&mut d.value, errors));
+    let half = Scope::of(m, "dead_bands");
+    m.dead_bands.iter_mut().for_each(|band| half.expression(&mut band.half, errors));
 
     let kinetic = Scope::of(m, "kinetic").speeds(m);
     kinetic.sum(&mut m.kinetic, errors);
-    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0);
+    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0).dead_bands(m);
     potential.sum(&mut m.potential, errors);
-    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m);
+    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).dead_bands(m);
     dissipation.sum(&mut m.dissipation, errors);
 
     // The work of a constant torque is its displacement's: the coordinates stand for their changes.
     let torques = Scope::of(m, "torques").coordinates(m, "dq");
     m.torques.iter_mut().for_each(|t| torques.sum(&mut t.work, errors));
+    let powers = Scope::of(m, "power").speeds(m).rates(m);
+    m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);
     let motions = Scope::of(m, "motions");
@@ -36,22 +44,28 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     entries(&mut m.mass, &mass, errors);
     let mobility = Scope::of(m, "mobility");
     entries(m.mobility.iter_mut().flatten(), &mobility, errors);
-    let moving =
-        |block: &str, order| Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, order);
+    let moving = |block: &str, order| {
+        let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m);
+        scope.laws(m, order).dead_bands(m)
+    };
     let (force, acceleration, jacobian) = (moving("force", 1), moving("acceleration", 1), moving("jacobian", 2));
     rows(m.force.iter_mut().flatten(), &force, errors);
     rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
     entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
 
-    let stiffness = Scope::of(m, "cell stiffness").laws(m, 0);
+    let stiffness = Scope::of(m, "cell stiffness").laws(m, 0).dead_bands(m);
     entries(&mut m.stiffness, &stiffness, errors);
-    let cell = Scope::of(m, "cell damping and load");
-    entries(&mut m.damping, &cell, errors);
-    rows(&mut m.load, &cell, errors);
+    let damping = Scope::of(m, "cell damping").dead_bands(m);
+    entries(&mut m.damping, &damping, errors);
+    let load = Scope::of(m, "cell load").laws(m, 0).dead_bands(m);
+    rows(&mut m.load, &load, errors);
 
     let impulse = Scope::of(m, "the impulse of a jump");
-    let steps: Vec<_> =
-        m.jumps.iter().map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).step(&j.law)).collect();
+    let steps: Vec<_> = m
+        .jumps
+        .iter()
+        .map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).dead_bands(m).step(&j.law))
+        .collect();
     for (j, step) in m.jumps.iter_mut().zip(steps) {
         rows(j.normal.iter_mut().flatten(), &impulse, errors);
         j.compliance.iter_mut().for_each(|sum| impulse.sum(sum, errors));

@@ -90,6 +90,20 @@ impl Scope {
         self
     }
 
+    /// The constants of the cells of dead bands: plain variables that [`crate::dead_bands`] sets.
+    pub fn dead_bands(mut self, model: &Model) -> Self {
+        model.dead_bands.iter().flat_map(|band| &band.symbols).for_each(|name| self.declare(name));
+        self
+    }
+
+    /// The edges of dead bands, as `value`.
+    pub fn edges(mut self, model: &Model, value: TokenStream) -> Self {
+        for band in &model.dead_bands {
+            self.names.insert(band.symbols[1].to_string(), value.clone());
+        }
+        self
+    }
+
     /// The step `dk` of the one law that jumps.
     pub fn step(mut self, law: &Ident) -> Self {
         self.names.insert(format!("d{law}"), quote!(dk));

@@ -5,9 +5,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::Ident;
 
-use crate::effects::constant;
 use crate::model::Sum;
-use crate::sums::block;
+use crate::sums::{Ask, block};
 
 /// Sums of more terms than this, all entries together, are shared.
 pub const LARGE: usize = 40;
@@ -25,25 +24,26 @@ pub struct Function<'a> {
     pub zero: TokenStream,
     /// `let d = ..;`
     pub first: TokenStream,
+    /// The constants of dead bands, with the effects known or not.
+    pub bands: [TokenStream; 2],
 }
 
-/// An entry of the result: its place, what else is set with it, its sum.
+/// An entry of the result: its place and its sum.
 pub struct Place<'a> {
     pub at: TokenStream,
-    pub mirror: Option<TokenStream>,
     pub sum: &'a Sum,
 }
 
 impl Function<'_> {
     /// The statements of the function; what they call goes to `shared`.
     pub fn body(&self, places: &[Place], shared: &mut Vec<TokenStream>) -> TokenStream {
-        let Function { name, takes, given, returns, zero, first } = self;
+        let Function { name, takes, given, returns, zero, first, bands: [bands, any_bands] } = self;
         if places.iter().map(|p| p.sum.len()).sum::<usize>() <= LARGE {
-            let set = places.iter().filter(|p| !p.sum.is_empty()).map(|Place { at, mirror, sum }| {
-                let value = block(sum);
-                quote!(#at = #value; #mirror)
+            let set = places.iter().filter(|p| !p.sum.is_empty()).map(|Place { at, sum }| {
+                let value = block(sum, Ask::Compiled);
+                quote!(#at = #value;)
             });
-            return quote!(#first let mut v = #zero; #(#set)* v);
+            return quote!(#bands #first let mut v = #zero; #(#set)* v);
         }
         let mut conditions: Vec<Option<Ident>> = vec![];
         for term in places.iter().flat_map(|p| p.sum) {
@@ -58,14 +58,14 @@ impl Function<'_> {
                     Some(condition) => format_ident!("{name}_of_{condition}"),
                     None => format_ident!("{name}_always"),
                 };
-                let add = places.iter().flat_map(|Place { at, mirror, sum }| {
+                let add = places.iter().flat_map(|Place { at, sum }| {
                     let terms = sum.iter().filter(|term| term.condition == *condition).map(|term| &term.value);
-                    terms.map(move |value| quote!(#at += #value; #mirror))
+                    terms.map(move |value| quote!(#at += #value;))
                 });
-                shared.push(quote!(fn #part(&self, #takes v: &mut #returns) { #first #(#add)* }));
+                shared.push(quote!(fn #part(&self, #takes v: &mut #returns) { #any_bands #first #(#add)* }));
                 let call = quote!(self.#part(#given &mut v););
-                match condition.as_ref().map(constant) {
-                    Some(condition) => quote!(if Self::#condition { #call }),
+                match condition.as_ref().map(|c| Ask::Compiled.tell(c)) {
+                    Some(met) => quote!(if #met { #call }),
                     None => call,
                 }
             })

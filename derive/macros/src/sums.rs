@@ -1,4 +1,4 @@
-//! Sums, vectors and matrices as code, from which the terms of absent effects are absent.
+//! Sums and vectors as code that leaves out the terms of absent effects: as it is compiled, or as it runs.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -7,34 +7,54 @@ use syn::{Ident, Index};
 use crate::effects::constant;
 use crate::model::*;
 
+/// When code asks whether an effect or condition is in force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ask {
+    /// As it is compiled, a set of effects at a time: the terms of absent ones are absent.
+    Compiled,
+    /// As it runs, of variables: one piece of code serves all sets.
+    Running,
+}
+
+impl Ask {
+    /// The expression that tells.
+    pub fn tell(self, condition: &Ident) -> TokenStream {
+        let constant = constant(condition);
+        match self {
+            Ask::Compiled => quote!(Self::#constant),
+            Ask::Running => quote!(#constant),
+        }
+    }
+}
+
 /// The statements of a function that returns a vector: what has no row is zero.
-pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>) -> TokenStream {
+pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>, ask: Ask) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let rows = rows.into_iter().filter(|r| !r.sum.is_empty()).map(|r| {
-        let (i, value) = (position(m, &r.name), block(&r.sum));
+        let (i, value) = (position(m, &r.name), block(&r.sum, ask));
         quote!(v[#i] = #value;)
     });
     quote!(let mut v = [0.0; #n]; #(#rows)* v)
 }
 
 /// The statements of a function that returns a sum; a term whose effect is absent is absent from the code.
-pub fn body(sum: &Sum) -> TokenStream {
+pub fn body(sum: &Sum, ask: Ask) -> TokenStream {
     let (first, rest) = match &sum[..] {
         [] => return quote!(0.0),
         [Term { condition: None, value }] => return quote!(#value),
         [Term { condition: None, value }, rest @ ..] => (quote!(#value), rest),
         all => (quote!(0.0), all),
     };
-    let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(constant) {
-        Some(condition) => quote!(if Self::#condition { sum += #value; }),
+    let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(|c| ask.tell(c)) {
+        Some(met) => quote!(if #met { sum += #value; }),
         None => quote!(sum += #value;),
     });
     quote!(let mut sum = #first; #(#terms)* sum)
 }
 
 /// A sum as an expression.
-pub fn block(sum: &Sum) -> TokenStream {
-    let body = body(sum);
+pub fn block(sum: &Sum, ask: Ask) -> TokenStream {
+    let body = body(sum, ask);
     if matches!(&sum[..], [] | [Term { condition: None, .. }]) { body } else { quote!({ #body }) }
 }
 

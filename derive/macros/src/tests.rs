@@ -45,11 +45,11 @@ fn refused(good: &str, bad: &str, place: &str, message: &str) {
 /// A mid value is a number like a parameter, wherever numbers may stand; large sums of deflections are shared.
 #[test]
 fn mid_values_and_deflections() {
-    let sample = sample().replacen("_ => k*phi.powi(2);", "_ => k_mid*delta.powi(2);", 1);
-    let sample = sample.replacen("energies {", "deflections { delta = phi - theta; } energies {", 1);
+    let sample = sample().replacen("_ => k*touch*over.powi(2);", "_ => k_mid*delta.powi(2);", 1);
+    let sample = sample.replacen("deflections {", "deflections { delta = phi - theta;", 1);
     let code = expand(tokens(&sample)).to_string();
     assert!(!code.contains("compile_error"), "{code}");
-    for said in ["self . k_mid * d [0] . powi (2)", "let d = self . deflections (q)", "[q [1] - q [0]]"] {
+    for said in ["self . k_mid * d [0] . powi (2)", "let d = self . deflections (q , edge)", "[q [1] - q [0] ,"] {
         assert!(code.contains(said), "{said} is not there: {code}");
     }
 }
@@ -63,16 +63,16 @@ fn gear_pair() {
 #[test]
 fn unknown_identifier() {
     refused(
-        "k*phi.powi(2)",
-        "k*psi.powi(2)",
+        "k*touch*over.powi(2)",
+        "k*touch*psi.powi(2)",
         "psi",
-        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, k, k_mid, phi, theta, zeta",
+        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, b, clip, damp, edge, k, k_mid, over, phi, theta, touch, zeta",
     );
 }
 
 #[test]
 fn identifier_that_the_block_is_not_given() {
-    refused("C*phi_dot.powi(2)", "C*phi.powi(2)", "phi", "`phi` is unknown in dissipation");
+    refused("C*damp*over_dot.powi(2)", "C*damp*phi.powi(2)", "phi", "`phi` is unknown in dissipation");
     refused("M1 = (N1", "M1 = (M2", "M2", "`M2` is unknown in constants");
     refused("theta phi { _ => M1/2.0; }", "theta phi { _ => k; }", "k", "`k` is unknown in mobility");
 }
@@ -80,10 +80,10 @@ fn identifier_that_the_block_is_not_given() {
 #[test]
 fn unknown_condition() {
     refused(
-        "{ damping => C*phi",
-        "{ dumping => C*phi",
+        "{ damping => C*damp",
+        "{ dumping => C*damp",
         "dumping",
-        "there are: stiffness_step, rigid_kinematics, frozen_phase, damping, torques, jump_terms",
+        "there are: stiffness_step, rigid_kinematics, frozen_phase, backlash, damping, torques, jump_terms",
     );
 }
 
@@ -121,7 +121,7 @@ fn missing_mobility_row() {
 
 #[test]
 fn missing_force_row() {
-    refused("theta { jump_terms => -dk*phi.powi(2); }", "", "theta", "force: no row for the coordinate `theta`");
+    refused("theta { jump_terms => -dk*touch*over.powi(2); }", "", "theta", "force: no row for the coordinate `theta`");
 }
 
 #[test]
@@ -138,23 +138,23 @@ fn piecewise_expressions() {
         ("k*phi.abs()", "abs"),
         ("match k { _ => 0.0 }", "match k { _ => 0.0 }"),
     ] {
-        refused("k*phi.powi(2)", bad, place, "a piecewise thing");
+        refused("k*touch*over.powi(2)", bad, place, "a piecewise thing");
     }
 }
 
 #[test]
 fn integers_and_calls() {
-    refused("_ => k*phi.powi(2)", "_ => 2*k", "2", "write it with a point");
-    refused("_ => k*phi.powi(2)", "_ => k.powi(2.0)", "2.0", "`powi` takes an integer");
-    refused("_ => k*phi.powi(2)", "_ => f(k)", "f(k)", "not of the grammar");
-    refused("_ => k*phi.powi(2)", "_ => k.sinh()", "sinh", "not a method of the grammar");
+    refused("_ => k*touch*over.powi(2)", "_ => 2*k", "2", "write it with a point");
+    refused("_ => k*touch*over.powi(2)", "_ => k.powi(2.0)", "2.0", "`powi` takes an integer");
+    refused("_ => k*touch*over.powi(2)", "_ => f(k)", "f(k)", "not of the grammar");
+    refused("_ => k*touch*over.powi(2)", "_ => k.sinh()", "sinh", "not a method of the grammar");
 }
 
 #[test]
 fn blocks() {
     refused("cell {", "cells {", "cells", "no block is called `cells`");
     refused("work {", "text {} work {", "text", "a second `text`");
-    refused("step { _ => dk*phi.powi(2); }", "", "k", "jump k: no `step`");
+    refused("step { _ => dk*touch*over.powi(2); }", "", "k", "jump k: no `step`");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
 use super::sign::never_negative;
-use crate::expr::{Kind, symbol, symbols};
+use crate::expr::{Kind, number, symbol, symbols};
 use crate::markers::{all_present, terms};
 use crate::mobility::is_zero;
 use crate::model::Model;
@@ -62,7 +62,11 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         }
     }
     for d in &model.deflections {
-        let value = d.value.atom();
+        // The edge of a dead band is no part of the sum of coordinates.
+        let value = model.dead_bands.iter().fold(d.value.atom(), |value, band| {
+            let edge = Atom::var(symbol(Kind::Edge, &band.edge));
+            value.replace(edge.to_pattern()).with(number(0).to_pattern())
+        });
         let rest = slopes(&value).into_iter().fold(value.clone(), |rest, (q, slope)| rest - slope * q);
         if slopes(&value).iter().any(|(_, slope)| moves(slope)) || !is_zero(&rest) {
             let (deflection, value) = (d.name.clone(), print(&Tree::new(&value), Style::Plain));

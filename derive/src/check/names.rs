@@ -25,6 +25,10 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",
+        Kind::Touch => "the contact of a dead band",
+        Kind::Edge => "the edge of a dead band",
+        Kind::Damp => "the damper of a dead band",
+        Kind::Clip => "the clipping of a dead band",
         Kind::Marker | Kind::Mobility | Kind::Free => "nothing that is declared",
     }
 }
@@ -54,6 +58,11 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     for d in &model.deflections {
         declare(&d.name, known(Deflection), false)?;
         declare(&speed_name(&d.name), known(Rate), true)?;
+    }
+    for band in &model.dead_bands {
+        for (kind, name) in band.symbols() {
+            declare(&name, known(kind), false)?;
+        }
     }
     for law in &model.laws {
         declare(&law.name, known(Law), false)?;

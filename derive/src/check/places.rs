@@ -13,7 +13,7 @@ use crate::slip::Slip;
 use Kind::*;
 
 /// What energies are written in.
-const USABLE: [Kind; 8] = [Constant, Parameter, Mid, Law, Deflection, Coordinate, Rate, Speed];
+const USABLE: [Kind; 10] = [Constant, Parameter, Mid, Law, Touch, Damp, Deflection, Coordinate, Rate, Speed];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -49,7 +49,12 @@ impl Places<'_> {
     fn deflections(&self) -> Result<(), Slip> {
         self.model.deflections.iter().try_for_each(|d| {
             let why = "a deflection depends on coordinates";
-            self.check(d.value, &format!("the deflection `{}`", d.name), &[Constant, Parameter, Coordinate], why)
+            let allowed = [Constant, Parameter, Coordinate, Edge];
+            self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
+        })?;
+        self.model.dead_bands.iter().try_for_each(|band| {
+            let why = "half the width of a dead band is constant";
+            self.check(band.half, &format!("the dead band of `{}`", band.over), &[Constant, Parameter], why)
         })
     }
 
@@ -62,18 +67,19 @@ impl Places<'_> {
         let why = "T depends on speeds, not on the mesh, and not on positions until the engine has inertia that \
                    depends on them";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
-        let positions = [Constant, Parameter, Mid, Law, Deflection, Coordinate];
+        let positions = [Constant, Parameter, Mid, Law, Touch, Deflection, Coordinate];
         each(&self.model.potential, "the potential energy", &positions, "V depends on positions, never on speeds")?;
         let why = "D depends on speeds, not on the mesh, and not on positions until the engine has damping that \
                    depends on them";
-        let rates = [Constant, Parameter, Mid, Rate, Speed];
+        let rates = [Constant, Parameter, Mid, Damp, Rate, Speed];
         each(&self.model.dissipation, "the dissipation function", &rates, why)
     }
 
     fn torques(&self) -> Result<(), Slip> {
         for torque in &self.model.torques {
             let place = format!("the torque `{}`", torque.name);
-            self.check(torque.value, &place, &[Constant, Parameter, Mid], "torques are constant")?;
+            let why = "a torque is constant or depends on speeds; what depends on positions is an energy";
+            self.check(torque.value, &place, &[Constant, Parameter, Mid, Rate, Speed], why)?;
             let place = format!("the displacement of {place}");
             let why = "a displacement depends on coordinates";
             self.check(torque.through, &place, &[Constant, Parameter, Coordinate], why)?;

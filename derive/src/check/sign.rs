@@ -30,7 +30,7 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
                 model.constants.iter().any(|(c, value)| c == name && sign(model, &value.atom(), strictly))
             }
             // A scene's law values are >= 0; W_ii > 0 since M is positive definite.
-            [(Kind::Mid | Kind::Law, _)] => !strictly,
+            [(Kind::Mid | Kind::Law | Kind::Touch | Kind::Damp, _)] => !strictly,
             [(Kind::Mobility, name)] => name[1..].split_once('_').is_some_and(|(i, j)| i == j),
             _ => false,
         },

@@ -5,6 +5,7 @@ use gearsim::engine::simulate::Simulation;
 use gearsim::ensemble;
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
+use gearsim_tests::oh2005;
 
 use crate::bare::BarePair;
 use crate::written::{Exact, Free, Pair, RightHandSide, Rigid, Undamped};
@@ -28,7 +29,8 @@ const fn path(name: &'static str, what: &'static str, beside: Option<&'static st
 
 /// All paths.
 pub const PATHS: &[Path] = &[
-    path("cell_4500rpm", "a cell change at 4500 rpm, guarantee and account included", None, || {
+    path("cell_by_hand", "a cell change at 4500 rpm, by a program for this pair alone, without account", None, by_hand),
+    path("cell_4500rpm", "the same by the engine, guarantee and account included", Some("cell_by_hand"), || {
         cells("spectrum_4500rpm_exact", &[])
     }),
     path("cell_undamped", "the same without damping", None, || {
@@ -89,6 +91,13 @@ fn cells(name: &str, overrides: &[&str]) -> Job {
         simulation.run(None, &mut |_| {}).expect("the run ends");
         simulation.counts.cell_changes
     })
+}
+
+/// The hand-written solver that `benches/cell_change.rs` measures against, on the scene of `cell_4500rpm`.
+fn by_hand() -> Job {
+    let pair = oh2005::GearPair::paper(0.05, 10.0);
+    let start = pair.start(4500.0);
+    Box::new(move || pair.solve_fast(start.theta, start.theta_dot, start.phi, start.phi_dot, 0.3).cell_changes)
 }
 
 fn lanes() -> Job {

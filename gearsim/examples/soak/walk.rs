@@ -60,7 +60,7 @@ impl Walk {
         if scene.solver.precision == Precision::Compensated {
             outcome::compensate::<GearPair, 2>(&mut simulation, &scene)?;
         }
-        let (start, k) = (simulation.state, simulation.levels());
+        let (start, k) = (simulation.state, simulation.levels().to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), start, &k);
         let mut seconds_an_event = 1e-3;
         let mut walk = Walk { events: vec![], error: vec![], reflections: 0, model_time: 0.0, elapsed: Duration::ZERO };
@@ -82,7 +82,7 @@ impl Walk {
                     simulation.t_end,
                     Moment::Sample,
                     &simulation.state,
-                    &simulation.levels(),
+                    simulation.levels(),
                     (0.0, simulation.ignored),
                 );
                 let residual = recorder.trajectory.residual.last().context("a row was written")?;

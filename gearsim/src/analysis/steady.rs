@@ -15,7 +15,7 @@ pub struct Course {
     pub levels: Vec<(f64, f64)>,
     /// One pitch [unit of the phase].
     pub period: f64,
-    /// Phase at t = 0, within the pitch.
+    /// Phase at t = 0, from the beginning of the first level on.
     pub start: f64,
     /// Speed of the phase [unit of the phase/s].
     pub speed: f64,
@@ -81,7 +81,7 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             name: law.name,
             levels,
             period: law.period,
-            start: begin.rem_euclid(law.period),
+            start: (begin - scene.laws[i].origin).rem_euclid(law.period),
             speed: speeds[phase],
             steps,
         }

@@ -93,6 +93,7 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
             root_steps: counts.cost.steps,
             grazes: counts.cost.grazes,
             holds: counts.holds,
+            impacts: counts.impacts,
             ignored: Number(outcome.ignored),
             ambiguous: counts.ambiguous,
         },

@@ -1,5 +1,6 @@
 //! The command line: one file and one line of [`COMMANDS`] a command.
 
+mod advise;
 mod compare;
 mod failure;
 mod files;
@@ -29,6 +30,7 @@ use failure::Failure;
 const COMMANDS: &[Command] = &[
     Command::of::<run::Run>(), //
     Command::of::<compare::Compare>(),
+    Command::of::<advise::Advise>(),
     Command::of::<sweep::SweepCommand>(),
     Command::of::<merge::Merge>(),
     Command::of::<modes::Modes>(),

@@ -54,6 +54,9 @@ fn rare(summary: &Summary, width: usize) -> String {
         let ignored = number::short(counts.ignored.0);
         text += &line("held at a step", &format!("{} times, with {ignored} J of bounces ignored", counts.holds), width);
     }
+    if counts.impacts > 0 {
+        text += &line("flanks met", &format!("{} times across their play", counts.impacts), width);
+    }
     if counts.grazes > 0 {
         text += &line("steps touched", &format!("{} times without passing, to within rounding", counts.grazes), width);
     }

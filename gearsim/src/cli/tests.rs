@@ -1,5 +1,6 @@
 //! Tests of the command line, without a built program.
 
+mod advise;
 mod runs;
 mod sweeps;
 mod texts;

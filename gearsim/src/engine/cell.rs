@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use crate::engine::coupling::Coupling;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
+use crate::engine::forcing::linear::Linear;
 use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
 use crate::engine::mode::{Mode, Response};
 
@@ -41,11 +42,11 @@ impl<const N: usize> Cell<N> {
         Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
-    /// The cell in which the speeds along `normals` (N, one a column) are held at zero.
+    /// The cell in which the speeds along `normals` (N, one a column) are held at zero, and the same for windows.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
-    pub fn held(equations: &dyn Equations<N>, k: &[f64], normals: &DMatrix<f64>) -> Result<Self, Refusal> {
+    pub fn held(equations: &dyn Equations<N>, k: &[f64], normals: &DMatrix<f64>) -> Result<(Self, Linear<N>), Refusal> {
         let full = matrices(equations, k)?;
         // Z spans the motions that are left, orthonormal: q' = Z u, and M, C, K, f are seen through it.
         let q = normals.clone().insert_columns(normals.ncols(), N, 0.0);
@@ -64,12 +65,9 @@ impl<const N: usize> Cell<N> {
             load: z.transpose() * &full.load,
         })?;
         let shapes = &z * &modal.shapes;
-        Ok(Self::from_modal(
-            &modal,
-            &shapes,
-            &(&modal.momentum * z.transpose()),
-            &(shapes.transpose() * full.stiffness),
-        ))
+        let (momentum, springs) = (&modal.momentum * z.transpose(), shapes.transpose() * full.stiffness);
+        let linear = Linear::seen(&modal, &shapes, &momentum, &springs);
+        Ok((Self::from_modal(&modal, &shapes, &momentum, &springs), linear))
     }
 
     /// With N modes; those that are not there are at rest for ever. `shapes` and the like are those of the undamped modes.
@@ -100,6 +98,7 @@ impl<const N: usize> Cell<N> {
             self.shapes * whole(&coupled.by_acceleration),
             force_by_speed * self.momentum,
             (speed_by_force * self.load, speed_by_force * self.springs),
+            [speed_by_force, force].map(|by| by * self.shapes.transpose()),
         );
         Cell {
             modes: std::array::from_fn(|i| coupled.modes.get(i).copied().unwrap_or(Mode::new(0.0, 0.0))),
@@ -122,6 +121,16 @@ impl<const N: usize> Cell<N> {
             force += coupling.force(q_dot);
         }
         Flight { cell: self, speed, force }
+    }
+
+    /// The same under the generalised forces `f` beside its load.
+    #[cold]
+    pub fn pushed(&self, flight: Flight<'_, N>, f: &SVector<f64, N>) -> Flight<'_, N> {
+        let [speed, force] = match &self.coupling {
+            Some(coupling) => coupling.push(f),
+            None => [SVector::zeros(), self.shapes.tr_mul(f)],
+        };
+        Flight { cell: self, speed: flight.speed + speed, force: flight.force + force }
     }
 
     /// The motion of the difference (dq, dq') of two motions: no load acts on it.
@@ -173,9 +182,9 @@ pub fn matrices<const N: usize>(equations: &dyn Equations<N>, k: &[f64]) -> Resu
     Ok(Matrices {
         mobility: matrix(equations.mobility()),
         mass,
-        damping: matrix(equations.damping()),
+        damping: matrix(equations.damping(k)),
         stiffness: matrix(equations.stiffness(k)),
-        load: DVector::from_row_slice(&equations.load()),
+        load: DVector::from_row_slice(&equations.load(k)),
     })
 }
 
@@ -296,7 +305,7 @@ impl<'a, const N: usize> Flight<'a, N> {
             let mode = &self.cell.modes[i];
             if mode.sigma > 0.0 {
                 let (v, a) = self.rates_at_start(i);
-                lost += 2.0 * mode.sigma * mode.speed_squared(v, a, point.t, &point.responses[i]);
+                lost += mode.lost(v, a, point.t, &point.responses[i]);
             }
         }
         lost

@@ -1,78 +1,153 @@
-//! The modes of every cell: every combination of the levels of the stiffnesses, worked out once.
+//! The modes of every cell: every combination of the levels of the stiffnesses and the regimes of the dead bands, worked
+//! out once, where there are many not before it is met.
+
+use std::collections::HashMap;
 
 use nalgebra::SVector;
 
 use crate::engine::cell::Cell;
+use crate::engine::dead_band::{DeadBand, Elastic, REGIMES, Regime};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::Law;
+use crate::engine::watch::Watch;
 
 /// The cells of a scene.
 #[derive(Debug, Clone)]
 pub struct Cells<const N: usize> {
     cells: Vec<Prepared<N>>,
+    /// Where each combination met so far stands; `None` where all of them stand in their order.
+    met: Option<HashMap<usize, usize>>,
+    /// Where the present one stands.
+    present: usize,
 }
 
-/// A cell, and how its modes take part in the phase of each law.
+/// A cell, and what is watched in it.
 #[derive(Debug, Clone)]
 pub struct Prepared<const N: usize> {
     /// Its modes.
     pub cell: Cell<N>,
-    /// n.X of each law.
+    /// n.X of each law: how its modes take part in the phase.
     pub participation: Vec<SVector<f64, N>>,
     /// n.Y of each law, where damping couples the modes: how the phase follows their speeds.
     pub on_speed: Vec<Option<SVector<f64, N>>>,
+    /// Of each dead band, its contact and what can end its regime.
+    pub bands: Vec<Banded<N>>,
 }
 
-/// More cells than this are refused: their modes would take minutes and gigabytes.
-const MOST: usize = 1 << 16;
+/// A dead band in a cell.
+#[derive(Debug, Clone)]
+pub struct Banded<const N: usize> {
+    /// Spring and damper of its contact.
+    pub elastic: Elastic,
+    /// What can end its regime, and the one after it.
+    pub exits: Vec<(Regime, Watch<N>)>,
+}
+
+/// What cells are combinations of.
+pub type Stand<'a, const N: usize> = (&'a [Law<N>], &'a [DeadBand<N>], &'a [f64]);
+
+/// More cells than this are worked out as they are met: the modes of all would take long.
+const MOST_BEFOREHAND: usize = 1024;
 
 impl<const N: usize> Cells<N> {
-    /// All cells of `laws`.
+    /// The cells of laws and dead bands, whose values are `k`.
     ///
     /// # Errors
-    /// Where one of them has no modes, or there are too many.
-    pub fn new(equations: &dyn Equations<N>, laws: &[Law<N>]) -> Result<Self, Refusal> {
-        let count = laws.iter().map(|l| l.pitch.cells()).fold(1, usize::saturating_mul);
-        if count > MOST {
-            return Err(Refusal::Cells { cells: count, most: MOST });
+    /// Where one of them has no modes.
+    pub fn new(equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Result<Self, Refusal> {
+        let count = laws.iter().map(|l| l.pitch.cells()).chain(bands.iter().map(|_| REGIMES.len()));
+        let count = count.fold(1, usize::saturating_mul);
+        if count > MOST_BEFOREHAND {
+            let mut cells = Cells { cells: vec![], met: Some(HashMap::new()), present: 0 };
+            cells.meet(equations, (laws, bands, k))?;
+            return Ok(cells);
         }
-        let prepare = |index| Ok(Prepared::new(Cell::new(equations, &levels(laws, index))?, laws));
-        Ok(Cells { cells: (0..count).map(prepare).collect::<Result<_, _>>()? })
+        let prepare = |i| {
+            let (mut laws, mut bands) = (laws.to_vec(), bands.to_vec());
+            stand(&mut laws, &mut bands, i);
+            let mut k = k.to_vec();
+            write(&laws, &bands, &mut k);
+            Ok(Prepared::new(Cell::new(equations, &k)?, equations, (&laws, &bands, &k)))
+        };
+        let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
+        Ok(Cells { cells, met: None, present: index(laws, bands) })
     }
 
-    /// All of them, by their numbers.
-    pub fn all(&self) -> &[Prepared<N>] {
-        &self.cells
-    }
-
-    /// The cell in which the laws stand.
+    /// Makes the cell in which laws and dead bands stand the present one; works it out, if that is still to be done.
+    ///
+    /// # Errors
+    /// Where it has no modes.
     #[inline]
-    pub fn at(&self, laws: &[Law<N>]) -> &Prepared<N> {
-        &self.cells[index(laws)]
+    pub fn meet(&mut self, equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Result<(), Refusal> {
+        self.present = index(laws, bands);
+        let Some(met) = &mut self.met else { return Ok(()) };
+        self.present = match met.get(&self.present) {
+            Some(place) => *place,
+            None => {
+                self.cells.push(Prepared::new(Cell::new(equations, k)?, equations, (laws, bands, k)));
+                met.insert(self.present, self.cells.len() - 1);
+                self.cells.len() - 1
+            }
+        };
+        Ok(())
+    }
+
+    /// All of them, by their numbers; `None` where they are worked out as they are met.
+    pub fn all(&self) -> Option<&[Prepared<N>]> {
+        self.met.is_none().then_some(&self.cells)
+    }
+
+    /// The present one.
+    #[inline]
+    pub fn here(&self) -> &Prepared<N> {
+        &self.cells[self.present]
     }
 }
 
 impl<const N: usize> Prepared<N> {
-    /// A cell with the laws' participation.
-    pub fn new(cell: Cell<N>, laws: &[Law<N>]) -> Self {
+    /// A cell with the laws' participation and the exits of the dead bands.
+    pub fn new(cell: Cell<N>, equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
-        Prepared { cell, participation, on_speed }
+        let banded = |band: &DeadBand<N>| {
+            let elastic = band.elastic(equations, laws.len(), k);
+            Banded { elastic, exits: band.exits(&cell, elastic) }
+        };
+        let bands = bands.iter().map(banded).collect();
+        Prepared { participation, on_speed, bands, cell }
     }
 }
 
-/// The number of the cell in which the laws stand: the first law's counts fastest.
+/// The number of the cell in which laws and dead bands stand: the first law's counts fastest.
 #[inline]
-pub fn index<const N: usize>(laws: &[Law<N>]) -> usize {
-    laws.iter().rev().fold(0, |index, law| index * law.pitch.cells() + law.cell)
+pub fn index<const N: usize>(laws: &[Law<N>], bands: &[DeadBand<N>]) -> usize {
+    let of_bands = bands.iter().rev().fold(0, |index, band| index * REGIMES.len() + band.place());
+    laws.iter().rev().fold(of_bands, |index, law| index * law.pitch.cells() + law.cell)
 }
 
-/// The law values in a cell, by its number.
-pub fn levels<const N: usize>(laws: &[Law<N>], mut index: usize) -> Vec<f64> {
+/// Has laws and dead bands stand in the cell of a number.
+fn stand<const N: usize>(laws: &mut [Law<N>], bands: &mut [DeadBand<N>], mut index: usize) {
+    let mut digit = |base: usize| {
+        let digit = index % base;
+        index /= base;
+        digit
+    };
+    laws.iter_mut().for_each(|law| law.cell = digit(law.pitch.cells()));
+    bands.iter_mut().for_each(|band| band.regime = REGIMES[digit(REGIMES.len())]);
+}
+
+/// Writes the present values of laws and dead bands to where they belong in `k`.
+pub fn write<const N: usize>(laws: &[Law<N>], bands: &[DeadBand<N>], k: &mut [f64]) {
+    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
+    bands.iter().for_each(|band| band.write(laws.len(), k));
+}
+
+/// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.
+pub fn levels<const N: usize>(laws: &[Law<N>], mut index: usize, rest: &[f64]) -> Vec<f64> {
     let level = |law: &Law<N>| {
         let place = index % law.pitch.cells();
         index /= law.pitch.cells();
         law.pitch.level(place)
     };
-    laws.iter().map(level).collect()
+    laws.iter().map(level).chain(rest.iter().copied()).collect()
 }

@@ -36,6 +36,12 @@ impl Clock {
         self.exactly_until(t).hi()
     }
 
+    /// The same to two roundings, in two operations.
+    #[inline]
+    pub fn until_about(&self, t: f64) -> f64 {
+        (t - self.0.hi()) - self.0.lo()
+    }
+
     /// Time from now until `t` [s].
     #[inline]
     pub fn exactly_until(&self, t: impl Into<Df64>) -> Df64 {

@@ -12,12 +12,15 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::engine::cell::{Cell, Flight, Point};
 use crate::engine::cells::Prepared;
-use crate::engine::crossing::{Cost, Lost, Search, Side};
+use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
+use crate::engine::forcing::linear::Linear;
+use crate::engine::forcing::window::Window;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
-use crate::engine::signal::Signal;
+use crate::engine::watch::Watch;
 
 /// Energy of the normal motion, relative to T + V, below which a pressed phase is held.
 pub const HOLD: f64 = 1e-12;
@@ -42,20 +45,21 @@ pub struct Contact<const N: usize> {
     pub laws: Vec<(usize, Side)>,
     /// The motion with the phases held.
     pub left: Prepared<N>,
-    watches: Vec<Watch<N>>,
+    /// The same, where torques vary.
+    pub linear: Linear<N>,
+    /// Forces beside the equations' load as the hold began (N).
+    further: SVector<f64, N>,
+    watches: Vec<Ends<N>>,
 }
 
-/// A linear function of the state whose first zero ends a hold.
+/// What can end the hold of a law.
 #[derive(Debug, Clone)]
-struct Watch<const N: usize> {
+struct Ends<const N: usize> {
     law: usize,
     ending: Ending,
-    /// Its value is constant + on_q.q + on_speed.q'.
-    on_q: SVector<f64, N>,
-    on_speed: SVector<f64, N>,
-    constant: f64,
-    /// The same for modes.
-    modal: (SVector<f64, N>, SVector<f64, N>),
+    watch: Watch<N>,
+    /// How its value changes with the load.
+    on_load: SVector<f64, N>,
 }
 
 /// Whether a phase that was just turned back at `side` is pressed against the step so hard, and bounces so little, that
@@ -81,11 +85,11 @@ impl<const N: usize> Contact<N> {
     /// Where the motion that is left has no modes.
     pub fn begin(
         equations: &dyn Equations<N>,
-        laws: &[Law<N>],
+        (laws, bands, k): (&[Law<N>], &[DeadBand<N>], &[f64]),
         mut held: Vec<(usize, Side)>,
         state: &mut State<N>,
+        further: &SVector<f64, N>,
     ) -> Result<(Option<Self>, f64), Refusal> {
-        let k: Vec<f64> = laws.iter().map(Law::level).collect();
         loop {
             if held.is_empty() {
                 return Ok((None, 0.0));
@@ -100,10 +104,12 @@ impl<const N: usize> Contact<N> {
             let mobility = mass.solve(&normals);
             let compliance = (normals.transpose() * &mobility).cholesky().ok_or(Refusal::Mass)?;
             let to_reactions = compliance.solve(&mobility.transpose());
-            let (stiffness, damping) = (matrix(equations.stiffness(&k)), matrix(equations.damping()));
-            let load = DVector::from_row_slice(&equations.load());
+            let (stiffness, damping) = (matrix(equations.stiffness(k)), matrix(equations.damping(k)));
+            let load = equations.load(k);
+            let load = DVector::from_fn(N, |i, _| load[i] + further[i]);
 
-            let reactions: Vec<Watch<N>> = held
+            let (cell, linear) = Cell::held(equations, k, &normals)?;
+            let reactions: Vec<_> = held
                 .iter()
                 .enumerate()
                 .map(|(c, &(law, _))| {
@@ -114,11 +120,12 @@ impl<const N: usize> Contact<N> {
                     let forces = loaded.abs() + on_q.abs().dot(&state.q.abs()) + on_speed.abs().dot(&state.q_dot.abs());
                     // Its zero is where it pulls by RELEASE.
                     let constant = loaded + RELEASE * forces;
-                    let modal = (SVector::zeros(), SVector::zeros());
-                    Watch { law, ending: Ending::Release, on_q, on_speed, constant, modal }
+                    let on_load = SVector::from_fn(|i, _| w[(0, i)]);
+                    let watch = Watch::new(&cell, constant, on_q, on_speed);
+                    Ends { law, ending: Ending::Release, watch, on_load }
                 })
                 .collect();
-            if let Some(pulls) = reactions.iter().position(|w| w.value(state) <= 0.0) {
+            if let Some(pulls) = reactions.iter().position(|w| w.watch.value(state) <= 0.0) {
                 held.remove(pulls);
                 continue;
             }
@@ -129,15 +136,14 @@ impl<const N: usize> Contact<N> {
             state.q_dot -= SVector::from_fn(|i, _| change[i]);
             let ignored = 0.5 * speeds.dot(&impulses);
 
-            let cell = Cell::held(equations, &k, &normals)?;
-            let barriers = held.iter().filter_map(|&(law, side)| barrier(equations, laws, law, side, state, &k));
-            let mut watches: Vec<Watch<N>> = reactions.into_iter().chain(barriers).collect();
-            for watch in &mut watches {
-                let (on_moved, on_speed) = cell.follow(&watch.on_q, Some(&watch.on_speed));
-                watch.modal = (on_moved, on_speed.unwrap_or_else(SVector::zeros));
-            }
-            let left = Prepared::new(cell, laws);
-            return Ok((Some(Contact { laws: held, left, watches }), ignored));
+            let barriers = held.iter().filter_map(|&(law, side)| {
+                let watch = barrier(equations, (laws, k), &cell, law, side, state)?;
+                Some(Ends { law, ending: Ending::Slip, watch, on_load: SVector::zeros() })
+            });
+            let watches = reactions.into_iter().chain(barriers).collect();
+            let left = Prepared::new(cell, equations, (laws, bands, k));
+            let contact = Contact { laws: held, left, linear, further: *further, watches };
+            return Ok((Some(contact), ignored));
         }
     }
 
@@ -159,55 +165,74 @@ impl<const N: usize> Contact<N> {
         cost: &mut Cost,
     ) -> Result<Option<(usize, Ending)>, Lost> {
         let mut first = None;
-        for watch in &self.watches {
-            let value = watch.value(state);
-            let (down, up) = if value >= 0.0 { (value, f64::INFINITY) } else { (f64::INFINITY, -value) };
-            let on_speed = watch.modal.1.iter().any(|x| *x != 0.0).then_some(&watch.modal.1);
-            let signal = Signal { flight, on_moved: &watch.modal.0, on_speed };
+        for Ends { law, ending, watch, .. } in &self.watches {
             let mut trial = flight.begin();
-            if (Search { signal, rate: signal.derivatives(&trial)[1], down, up, horizon })
-                .first(&mut trial, cost)?
-                .is_some()
-            {
-                (horizon, first) = (trial.t, Some((watch.law, watch.ending)));
+            if watch.first_zero(watch.value(state), flight, horizon, &mut trial, cost)? {
+                (horizon, first) = (trial.t, Some((*law, *ending)));
                 *point = trial;
             }
         }
         Ok(first)
     }
-}
 
-impl<const N: usize> Watch<N> {
-    fn value(&self, state: &State<N>) -> f64 {
-        self.constant + self.on_q.dot(&state.q) + self.on_speed.dot(&state.q_dot)
+    /// The first end of a hold in a window, before its part `until`: where, and which.
+    pub fn first_in(
+        &self,
+        window: &Window<'_, N>,
+        state: &State<N>,
+        load: &SVector<f64, N>,
+        mut until: f64,
+        cost: &mut Cost,
+    ) -> Option<(f64, usize, Ending)> {
+        let mut first = None;
+        for Ends { law, ending, watch, on_load } in &self.watches {
+            let value = watch.value(state) + on_load.dot(&(load - self.further));
+            let zero = watch.first_zero_in(value, on_load, window, cost);
+            if let Some(x) = zero.filter(|x| *x < until) {
+                (until, first) = (x, Some((x, *law, *ending)));
+            }
+        }
+        first
     }
 }
 
-/// The deflection whose zero makes the step of a law vanish: dV = c (d.q)². `None` where the law strains more than one
-/// deflection: they do not vanish together.
+/// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
+pub fn is_void<const N: usize>(
+    equations: &dyn Equations<N>,
+    (laws, k): (&[Law<N>], &[f64]),
+    (law, side): (usize, Side),
+    state: &State<N>,
+) -> bool {
+    equations.stiffness(k) == equations.stiffness(&beyond((laws, k), law, side, state))
+}
+
+/// The law values beyond a step.
+fn beyond<const N: usize>((laws, k): (&[Law<N>], &[f64]), law: usize, side: Side, state: &State<N>) -> Vec<f64> {
+    let mut beyond = k.to_vec();
+    law::met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
+    beyond
+}
+
+/// The deflection whose zero makes the step of a law vanish: dV = c (d.q - e)², with e the edge of a dead band if it has
+/// one. `None` where the law strains more than one deflection: they do not vanish together.
 fn barrier<const N: usize>(
     equations: &dyn Equations<N>,
-    laws: &[Law<N>],
+    (laws, k): (&[Law<N>], &[f64]),
+    cell: &Cell<N>,
     law: usize,
     side: Side,
     state: &State<N>,
-    k: &[f64],
 ) -> Option<Watch<N>> {
-    let mut beyond = k.to_vec();
-    law::met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
+    let beyond = beyond((laws, k), law, side, state);
     let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
+    let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
     let step = DMatrix::from_fn(N, N, |i, j| there[i][j] - here[i][j]);
     let row = (0..N).max_by(|&a, &b| step[(a, a)].abs().total_cmp(&step[(b, b)].abs()))?;
     let d = step.row(row).transpose() / step[(row, row)];
     let one = &d * d.transpose() * step[(row, row)];
     let rank_one = (&step - one).amax() <= 1e-10 * step.amax();
-    let zero = SVector::zeros();
-    rank_one.then(|| Watch {
-        law,
-        ending: Ending::Slip,
-        on_q: SVector::from_fn(|i, _| d[i]),
-        on_speed: zero,
-        constant: 0.0,
-        modal: (zero, zero),
-    })
+    // The step of the load is c e d.
+    let edge = (load_there[row] - load_here[row]) / step[(row, row)];
+    let d = SVector::from_fn(|i, _| d[i]);
+    rank_one.then(|| Watch::new(cell, -edge, d, SVector::zeros()))
 }

@@ -18,6 +18,8 @@ pub struct Coupling<const N: usize> {
     force: SMatrix<f64, N, N>,
     /// Speeds of the modes from loads, and from coordinates.
     speed: (SVector<f64, N>, SMatrix<f64, N, N>),
+    /// Speeds and forces of the modes from generalised forces.
+    loading: [SMatrix<f64, N, N>; 2],
     /// What damping takes.
     loss: loss::Loss,
     /// X1 and X2 in undamped modes, and G there: n of each, for n <= N modes.
@@ -25,15 +27,16 @@ pub struct Coupling<const N: usize> {
 }
 
 impl<const N: usize> Coupling<N> {
-    /// From the modes of a cell, Y, and how forces follow q', speeds follow f and -q.
+    /// From the modes of a cell, Y, and how forces follow q', speeds follow f and -q, both follow further forces.
     pub fn new(
         coupled: &Coupled,
         shapes: SMatrix<f64, N, N>,
         force: SMatrix<f64, N, N>,
         speed: (SVector<f64, N>, SMatrix<f64, N, N>),
+        loading: [SMatrix<f64, N, N>; 2],
     ) -> Self {
         let modal = [&coupled.by_speed, &coupled.by_acceleration, &coupled.damping].map(Clone::clone);
-        Coupling { shapes, force, speed, loss: loss::Loss::new(coupled), modal }
+        Coupling { shapes, force, speed, loading, loss: loss::Loss::new(coupled), modal }
     }
 
     /// What the forces at `q` add to the speeds of the modes.
@@ -44,6 +47,11 @@ impl<const N: usize> Coupling<N> {
     /// What the speeds `q_dot` add to the forces on the modes.
     pub fn force(&self, q_dot: &SVector<f64, N>) -> SVector<f64, N> {
         self.force * q_dot
+    }
+
+    /// What the generalised forces `f` add to the speeds of the modes, and to the forces on them.
+    pub fn push(&self, f: &SVector<f64, N>) -> [SVector<f64, N>; 2] {
+        self.loading.map(|by| by * f)
     }
 
     /// Energy lost to damping on a flight of the time `t` \[J\], by integration of the speeds.

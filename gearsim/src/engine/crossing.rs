@@ -14,12 +14,15 @@
 
 mod bernstein;
 mod departure;
+mod lateness;
 mod march;
 mod step;
 
 use crate::engine::cell::Point;
 use crate::engine::mode::NEAR;
 use crate::engine::signal::Signal;
+
+pub use lateness::Lateness;
 
 /// Which boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,21 +89,37 @@ impl<const N: usize> Search<'_, N> {
     /// Where the search does not end, or leaves the numbers.
     #[inline]
     pub fn first(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, Lost> {
+        self.first_near(&mut Lateness::default(), point, cost)
+    }
+
+    /// The same, beginning where the phase is expected; notes how late it is.
+    ///
+    /// # Errors
+    /// Those of [`Search::first`].
+    #[inline]
+    pub fn first_near(
+        &self,
+        lateness: &mut Lateness,
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Result<Option<Side>, Lost> {
         let (drift, wobble) = self.signal.drift_and_wobble();
         if drift.abs() > wobble * (1.0 + 1e-12) {
-            return Ok(self.monotone(drift, wobble, point, cost));
+            return Ok(self.monotone(drift, wobble, lateness, point, cost));
         }
         self.march(point, cost)
     }
 
     /// The crossing that Newton's method alone leads to, from the same guess: no bound, no certificate that it is the first,
     /// no bracket that binds. For measuring what the guarantee costs.
-    pub(super) fn unguarded(&self, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
+    pub(super) fn unguarded(&self, lateness: &mut Lateness, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
         let drift = self.signal.drift_and_wobble().0;
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
-        let guess = gap / drift.abs();
-        self.go(point, guess, cost);
-        self.newton(side, gap, (0.0, 4.0 * guess), point, cost)
+        let steady = gap / drift.abs();
+        self.go(point, lateness.guess(side, steady), cost);
+        let met = self.newton(side, gap, (0.0, 4.0 * steady), point, cost);
+        lateness.note(side, steady, point.t);
+        met
     }
 
     /// Depth to which a touch is told from a crossing [unit of the signal].
@@ -109,16 +128,28 @@ impl<const N: usize> Search<'_, N> {
         4.0 * f64::EPSILON * width
     }
 
-    /// The only crossing of a monotone phase: Newton from the steady guess, in a bracket.
-    fn monotone(&self, drift: f64, wobble: f64, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
+    /// The only crossing of a monotone phase: Newton from where it is expected, in a bracket.
+    #[inline]
+    fn monotone(
+        &self,
+        drift: f64,
+        wobble: f64,
+        lateness: &mut Lateness,
+        point: &mut Point<N>,
+        cost: &mut Cost,
+    ) -> Option<Side> {
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let (slowest, fastest) = (drift.abs() - wobble, drift.abs() + wobble);
         let bracket = (gap / fastest * (1.0 - 1e-15), gap / slowest * (1.0 + 1e-15));
         if bracket.0 >= self.horizon {
             return None;
         }
-        self.go(point, gap / drift.abs(), cost);
-        self.newton(side, gap, bracket, point, cost)
+        let steady = gap / drift.abs();
+        let guess = lateness.guess(side, steady);
+        self.go(point, if guess > bracket.0 && guess < bracket.1 { guess } else { steady }, cost);
+        let met = self.newton(side, gap, bracket, point, cost);
+        lateness.note(side, steady, point.t);
+        met
     }
 
     /// Newton's method from `point` for the one root in a bracket; it counts if it lies before the horizon.
@@ -158,6 +189,10 @@ impl<const N: usize> Search<'_, N> {
             } else {
                 self.go(point, if inside { t + dt } else { 0.5 * (low + high) }, cost);
             }
+        }
+        // A rounding of the rate may put it before the start.
+        if point.t < 0.0 {
+            self.go(point, 0.0, cost);
         }
         (point.t < self.horizon).then_some(side)
     }

@@ -10,18 +10,27 @@ use crate::model::Model;
 
 /// The equations of one model with one set of effects and one set of numbers.
 ///
-/// `k` holds the present value of each stiffness law [unit of the law], (L).
+/// `k` holds the present value of each law [unit of the law] (L), then touch, edge, damp, clip of each dead band (4 B);
+/// `dk`, `ddk` those of the laws only (L).
 pub trait Equations<const N: usize>: Send + Sync {
     /// Kinetic energy T [J].
     fn kinetic(&self, q_dot: &[f64; N]) -> f64;
     /// Strain energy V [J].
     fn potential(&self, q: &[f64; N], k: &[f64]) -> f64;
     /// Rayleigh's dissipation function D [W]; 2 D is the power lost.
-    fn dissipation(&self, q_dot: &[f64; N]) -> f64;
+    fn dissipation(&self, q_dot: &[f64; N], k: &[f64]) -> f64;
 
-    /// Work of external torque `i` over the displacement `dq` [J]; the torques are constant.
+    /// Work of external torque `i` over the displacement `dq` [J], as far as it is constant.
     fn torque_work(&self, i: usize, dq: &[f64; N]) -> f64;
-    /// Net work of all external torques over the displacement `dq` [J], balanced parts cancelled.
+    /// Power of external torque `i` at the speeds q' [W], as far as it depends on them.
+    fn torque_power(&self, _i: usize, _q_dot: &[f64; N]) -> f64 {
+        0.0
+    }
+    /// Whether any torque depends on speeds.
+    fn has_powers(&self) -> bool {
+        false
+    }
+    /// Net work of all external torques over the displacement `dq` [J], balanced parts cancelled, as far as they are constant.
     fn work(&self, dq: &[f64; N]) -> f64;
 
     /// Generalised forces F of M q'' = F [SI], with the laws' slopes `dk` = dk/ds along their phases.
@@ -41,11 +50,11 @@ pub trait Equations<const N: usize>: Send + Sync {
         mobility(&self.mass())
     }
     /// Damping matrix C of a cell (N x N): M q'' + C q' + K q = f.
-    fn damping(&self) -> [[f64; N]; N];
+    fn damping(&self, k: &[f64]) -> [[f64; N]; N];
     /// Stiffness matrix K of a cell (N x N).
     fn stiffness(&self, k: &[f64]) -> [[f64; N]; N];
     /// Constant load f of a cell (N).
-    fn load(&self) -> [f64; N];
+    fn load(&self, k: &[f64]) -> [f64; N];
 
     /// Speeds q' of rigid motion `i` of unit size (N).
     fn motion(&self, i: usize) -> [f64; N];
@@ -63,7 +72,19 @@ pub trait Equations<const N: usize>: Send + Sync {
         direction(&self.mass(), &self.normal(law))
     }
     /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
-    fn step(&self, law: usize, q: &[f64; N], dk: f64) -> f64;
+    fn step(&self, law: usize, q: &[f64; N], k: &[f64], dk: f64) -> f64;
+
+    /// Dead band `i`; `None` without its effect.
+    fn dead_band(&self, i: usize) -> Option<DeadBand<N>>;
+}
+
+/// Play of a deflection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DeadBand<const N: usize> {
+    /// Gradient of the deflection (N).
+    pub normal: [f64; N],
+    /// Half its width [unit of the deflection].
+    pub half: f64,
 }
 
 /// How a stiffness law switches.

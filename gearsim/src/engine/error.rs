@@ -10,8 +10,8 @@ pub enum Refusal {
         "the equations are not linear between two steps ({terms}), so there is no exact solution: name another method in [run], or none"
     )]
     Nonlinear { terms: String },
-    #[error("the steps of the model's stiffnesses make {cells} cells; {most} are simulated at most")]
-    Cells { cells: usize, most: usize },
+    #[error("precision = \"compensated\" is offered up to a thousand cells, and not with play: leave it out")]
+    CompensatedCells,
     #[error(
         "the mass matrix is not positive definite with these numbers: an inertia is zero, negative, or lost beside another by rounding"
     )]
@@ -32,6 +32,12 @@ pub enum Refusal {
         "only exact cells are compensated, and this scene is not solved by them ({0}): set run.precision = \"plain\""
     )]
     CompensatedNumerical(String),
+    #[error(
+        "only constant torques are compensated, not what varies in time ({torques}): set run.precision = \"plain\", or give a number"
+    )]
+    CompensatedVarying { torques: String },
+    #[error("this way of running a scene has constant torques only, not what varies in time ({torques})")]
+    Varying { torques: String },
     #[error(
         "the damping feeds energy to a vibration of a cell (which grows at {rate:e} 1/s): it must take energy from every motion"
     )]
@@ -60,6 +66,8 @@ pub enum Stop {
         "at t = {t} s ({state}, cell {cell}) a phase is held at a step, and the motion that is left has no modes: {reason}"
     )]
     Held { t: f64, state: String, cell: usize, reason: Refusal },
+    #[error("at t = {t} s ({state}, cell {cell}) the cell that is met has no modes: {reason}")]
+    Cell { t: f64, state: String, cell: usize, reason: Refusal },
     #[error("at t = {t} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})")]
     Search { t: f64, steps: usize, state: String, cell: usize },
     #[error(

@@ -37,7 +37,7 @@ impl Guard {
         cell: usize,
     ) -> Result<(), Stop> {
         let (since, events) = &mut self.cascade;
-        let span = clock.until(*since).abs();
+        let span = clock.until_about(*since).abs();
         if span * rate > CASCADE_SPAN {
             (*since, *events) = (clock.now(), 0);
             return Ok(());
@@ -54,7 +54,7 @@ impl Guard {
 /// the opposite order: the motion beyond is then one of several.
 pub fn order_matters<const N: usize>(
     equations: &dyn Equations<N>,
-    laws: &[Law<N>],
+    (laws, k): (&[Law<N>], &[f64]),
     state: &State<N>,
     law: usize,
     side: Side,
@@ -62,7 +62,7 @@ pub fn order_matters<const N: usize>(
     let pass = |(l, side): (usize, Side), speeds: &mut SVector<f64, N>| {
         // The second step is met only if the first leaves the phase on its way to it.
         if side.sign() * laws[l].surface.normal.dot(speeds) > 0.0 {
-            laws[l].surface.pass(speeds, side, law::barrier(equations, laws, l, side, state));
+            laws[l].surface.pass(speeds, side, law::barrier(equations, (laws, k), l, side, state));
         }
     };
     let others = (0..laws.len()).filter_map(|i| {

@@ -78,7 +78,9 @@ impl<const N: usize> Law<N> {
             if !surface.compliance.is_finite() || surface.direction.iter().any(|x| !x.is_finite()) {
                 return Err(Refusal::Overflow);
             }
-            let ahead = if turn > 0.0 || frozen.is_some() { 0 } else { pitches };
+            // Laws on one coordinate may begin their pitches at different places of it.
+            let counted = if turn > 0.0 { state.turns[phase] } else { 0 };
+            let ahead = if frozen.is_some() { 0 } else { pitches - counted };
             laws.push(Law { switching, pitch, surface, phase, turns, turn, frozen, cell, ahead });
         }
         Ok(laws)
@@ -105,6 +107,7 @@ impl<const N: usize> Law<N> {
     }
 
     /// The step of the stiffness beyond a side of the present cell.
+    #[inline]
     pub fn step(&self, side: Side) -> f64 {
         self.pitch.step(self.cell, side)
     }
@@ -154,15 +157,20 @@ impl<const N: usize> Law<N> {
     }
 
     /// When a frozen phase next meets a boundary, and which; `None` where the phase moves with the motion.
+    #[inline]
     pub fn next_switch(&self) -> Option<(Df64, Side)> {
-        let frozen = self.frozen?;
+        self.frozen.as_ref().map(|frozen| self.switch_of(frozen))
+    }
+
+    #[cold]
+    fn switch_of(&self, frozen: &Frozen) -> (Df64, Side) {
         let (lower, upper) = self.pitch.bounds(self.cell);
         let travelled = Df64::from(self.ahead as f64) * self.pitch.period();
-        Some(match frozen.speed {
+        match frozen.speed {
             w if w > 0.0 => ((travelled + upper - frozen.origin) / w, Side::Upper),
             w if w < 0.0 => ((travelled + lower - frozen.origin) / w, Side::Lower),
             _ => (f64::INFINITY.into(), Side::Upper),
-        })
+        }
     }
 
     /// Puts the phase exactly on a boundary of the cell.
@@ -206,14 +214,14 @@ pub fn met<'a, const N: usize>(
     (0..laws.len()).filter(move |&i| i == law || laws[i].joins(&laws[law], side, state))
 }
 
-/// What the potential energy gains there, dV [J].
+/// What the potential energy gains there, dV [J]; `k` are the law values.
 #[inline]
 pub fn barrier<const N: usize>(
     equations: &dyn Equations<N>,
-    laws: &[Law<N>],
+    (laws, k): (&[Law<N>], &[f64]),
     law: usize,
     side: Side,
     state: &State<N>,
 ) -> f64 {
-    met(laws, law, side, state).map(|i| equations.step(i, &state.q.data.0[0], laws[i].step(side))).sum()
+    met(laws, law, side, state).map(|i| equations.step(i, &state.q.data.0[0], k, laws[i].step(side))).sum()
 }

@@ -2,7 +2,8 @@
 //!
 //! From the inside out, one file each: `mode` (one degree of freedom, exact), `modal` (matrices to modes), `cell` (a
 //! motion along them), `coupling` (what more there is where damping couples them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
-//! `contact` (a phase held at a step), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
+//! `watch` (any other linear function of the state), `contact` (a phase held at a step), `dead_band` (play), `forcing`
+//! (torques that vary in time), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
 //! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run), `system` (equations of any number of coordinates, as analyses see them).
 
 pub mod cell;
@@ -12,8 +13,10 @@ pub mod compensated;
 pub mod contact;
 pub mod coupling;
 pub mod crossing;
+pub mod dead_band;
 pub mod equations;
 pub mod error;
+pub mod forcing;
 pub mod guard;
 pub mod jump;
 pub mod law;
@@ -27,6 +30,7 @@ pub mod signal;
 pub mod simulate;
 pub(crate) mod start;
 pub mod system;
+pub mod watch;
 
 pub use error::{Refusal, Stop};
 pub use outcome::{Entry, Outcome};

@@ -8,6 +8,7 @@ use xprec::Df64;
 use crate::engine::cell::Cell;
 use crate::engine::equations::{Derived, Equations};
 use crate::engine::error::{Refusal, Stop};
+use crate::engine::forcing::Forcing;
 use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
 use crate::engine::start;
@@ -82,7 +83,7 @@ impl Entry {
         Entry {
             model: &D::MODEL,
             run: run::<D, N>,
-            ends: if N <= ensemble::LARGEST { side_by_side::<D, N> } else { one_by_one::<D, N> },
+            ends: if ensemble::suits(&D::MODEL) { side_by_side::<D, N> } else { one_by_one::<D, N> },
             system: system::of::<D, N>,
         }
     }
@@ -116,7 +117,10 @@ fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64))
     match choice::numerical(&choice, scene) {
         None => exact::<D, N>(scene, &*equations, choice, watch),
         Some(_) if scene.solver.precision == Precision::Compensated => Err(Refusal::CompensatedNumerical(choice.why)),
-        Some((method, settings)) => numerical(scene, &*equations, choice, method, settings, watch),
+        Some((method, settings)) => {
+            let forcing = Forcing::of::<D>(scene);
+            numerical(scene, &*equations, choice, (method, settings, forcing), watch)
+        }
     }
 }
 
@@ -127,8 +131,11 @@ fn exact<D: Derived<N>, const N: usize>(
     choice: Choice,
     watch: &mut dyn FnMut(f64),
 ) -> Result<Outcome, Refusal> {
-    let mut simulation = Simulation::new(scene.model, equations, scene)?;
+    let mut simulation = Simulation::driven(scene.model, equations, scene, Forcing::of::<D>(scene))?;
     if scene.solver.precision == Precision::Compensated {
+        if let Some(torques) = scene.varying() {
+            return Err(Refusal::CompensatedVarying { torques });
+        }
         compensate::<D, N>(&mut simulation, scene)?;
     }
     let mut recorder = recorder(scene, equations, &simulation);
@@ -194,7 +201,7 @@ fn recorder<'e, const N: usize>(
     equations: &'e dyn Equations<N>,
     simulation: &Simulation<'_, N>,
 ) -> Recorder<'e, N> {
-    Recorder::new(scene.model, equations, simulation.turn_lengths(), simulation.state, &simulation.levels())
+    Recorder::new(scene.model, equations, simulation.turn_lengths(), simulation.state, simulation.levels())
 }
 
 /// What a simulation came to.
@@ -224,11 +231,10 @@ fn numerical<const N: usize>(
     scene: &Scene,
     equations: &dyn Equations<N>,
     choice: Choice,
-    method: Box<dyn methods::Method<N>>,
-    settings: Settings,
+    (method, settings, forcing): (Box<dyn methods::Method<N>>, Settings, Option<Forcing<N>>),
     watch: &mut dyn FnMut(f64),
 ) -> Result<Outcome, Refusal> {
-    let mut advance = Advance::new(equations, scene, method, settings)?;
+    let mut advance = Advance::new(equations, scene, method, settings, forcing)?;
     let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
     let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
     let begin = ThreadTime::now();
@@ -266,6 +272,7 @@ fn since(begin: ThreadTime) -> f64 {
 /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s], where the cells are linear.
 fn reference_frequency<const N: usize>(scene: &Scene, equations: &dyn Equations<N>) -> Option<f64> {
     let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    let cell = Cell::new(equations, &mids).ok().filter(|_| scene.model.nonlinear.is_empty())?;
+    let cell = Cell::new(equations, &scene.model.in_contact(mids));
+    let cell = cell.ok().filter(|_| scene.effects.nonlinear(scene.model).is_empty())?;
     cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0)
 }

@@ -21,7 +21,12 @@ impl<const N: usize> State<N> {
     /// Whether all of it is finite.
     #[inline]
     pub fn is_finite(&self) -> bool {
-        self.q.iter().chain(self.q_dot.iter()).all(|x| x.is_finite())
+        // What is not finite stays so in a sum; where the sum alone is beyond numbers, one by one.
+        let mut sum = 0.0;
+        for i in 0..N {
+            sum += self.q[i] + self.q_dot[i];
+        }
+        sum.is_finite() || self.q.iter().chain(self.q_dot.iter()).all(|x| x.is_finite())
     }
 
     /// The state in words, for messages.
@@ -43,6 +48,8 @@ pub struct Recorder<'a, const N: usize> {
     start: State<N>,
     /// T + V at the start [J].
     pub energy_at_start: f64,
+    /// Work of each torque beyond that of a constant one [J] in the next row (n_torques); empty where all are constant.
+    pub beyond: Vec<f64>,
     /// The rows.
     pub trajectory: Trajectory,
 }
@@ -57,7 +64,8 @@ impl<'a, const N: usize> Recorder<'a, N> {
         k: &[f64],
     ) -> Self {
         let energy_at_start = equations.kinetic(&start.q_dot.into()) + equations.potential(&start.q.into(), k);
-        Recorder { equations, pitch, start, energy_at_start, trajectory: Trajectory::new(model) }
+        let (beyond, trajectory) = (vec![], Trajectory::new(model));
+        Recorder { equations, pitch, start, energy_at_start, beyond, trajectory }
     }
 
     /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].
@@ -69,7 +77,8 @@ impl<'a, const N: usize> Recorder<'a, N> {
         let moved: [f64; N] = std::array::from_fn(|i| {
             (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (q[i] - self.start.q[i])
         });
-        let work = self.equations.work(&moved);
+        let mut work = self.equations.work(&moved);
+        self.beyond.iter().for_each(|beyond| work += beyond);
         let row = &mut self.trajectory;
         row.t.push(t);
         row.moment.push(moment);
@@ -81,7 +90,8 @@ impl<'a, const N: usize> Recorder<'a, N> {
         row.strain.push(strain);
         row.work.push(work);
         for (i, column) in row.torque_work.iter_mut().enumerate() {
-            column.push(self.equations.torque_work(i, &moved));
+            let constant = self.equations.torque_work(i, &moved);
+            column.push(self.beyond.get(i).map_or(constant, |beyond| constant + beyond));
         }
         row.dissipated.push(dissipated);
         row.residual.push(kinetic + strain - work + dissipated + ignored - self.energy_at_start);

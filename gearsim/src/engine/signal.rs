@@ -81,8 +81,8 @@ impl<const N: usize> Signal<'_, N> {
     #[inline]
     pub fn drift_and_wobble(&self) -> (f64, f64) {
         let (mut drift, mut wobble) = (0.0, 0.0);
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let c = self.on_moved[i];
+        for i in 0..N {
+            let (c, mode) = (self.on_moved[i], &self.flight.modes()[i]);
             let (v, a) = self.flight.rates_at_start(i);
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
@@ -114,21 +114,32 @@ impl<const N: usize> Signal<'_, N> {
     #[inline]
     pub fn derivatives(&self, point: &Point<N>) -> [f64; 5] {
         let mut sum = [0.0; 5];
+        for i in 0..N {
+            let (c, mode) = (self.on_moved[i], &self.flight.modes()[i]);
+            let (v, a) = self.flight.rates(i, point);
+            let jerk = mode.next(v, a);
+            let derivatives = [point.moved[i], v, a, jerk, mode.next(a, jerk)];
+            for k in 0..5 {
+                sum[k] += c * derivatives[k];
+            }
+        }
+        if let Some(d) = self.on_speed {
+            self.add_by_speeds(d, point, &mut sum);
+        }
+        sum
+    }
+
+    /// What the speeds of the modes add to it and its derivatives.
+    #[cold]
+    fn add_by_speeds(&self, d: &SVector<f64, N>, point: &Point<N>, sum: &mut [f64; 5]) {
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let (v, a) = self.flight.rates(i, point);
             let jerk = mode.next(v, a);
             let snap = mode.next(a, jerk);
-            let c = self.on_moved[i];
-            for (sum, x) in sum.iter_mut().zip([point.moved[i], v, a, jerk, snap]) {
-                *sum += c * x;
-            }
-            if let Some(d) = self.on_speed {
-                for (sum, x) in sum.iter_mut().zip([point.gained[i], a, jerk, snap, mode.next(jerk, snap)]) {
-                    *sum += d[i] * x;
-                }
+            for (sum, x) in sum.iter_mut().zip([point.gained[i], a, jerk, snap, mode.next(jerk, snap)]) {
+                *sum += d[i] * x;
             }
         }
-        sum
     }
 
     /// Bounds on its second, third and fourth derivative from a point on.

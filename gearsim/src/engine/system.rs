@@ -7,9 +7,11 @@ use crate::engine::equations::{Derived, Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::modal::Matrices;
 use crate::engine::outcome::equations;
+use crate::model::Model;
 use crate::scene::Scene;
 
-/// Equations that are linear between two steps; `k` holds the present value of each stiffness law.
+/// Equations that are linear between two steps; `k` holds the present value of each stiffness law. Play is taken up: every
+/// dead band is in contact, its deflection counted from its edge.
 pub trait System: Send + Sync {
     /// M, M⁻¹, C, K, f.
     ///
@@ -35,21 +37,22 @@ pub trait System: Send + Sync {
 /// # Errors
 /// Where the model's cells are not linear, or its effects contradict one another.
 pub fn of<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn System>, Refusal> {
-    if !D::MODEL.nonlinear.is_empty() {
-        return Err(Refusal::Nonlinear { terms: D::MODEL.nonlinear.into() });
+    let terms = scene.effects.nonlinear(&D::MODEL);
+    if !terms.is_empty() {
+        return Err(Refusal::Nonlinear { terms });
     }
-    Ok(Box::new(Of(equations::<D, N>(scene)?)))
+    Ok(Box::new(Of(equations::<D, N>(scene)?, &D::MODEL)))
 }
 
-struct Of<const N: usize>(Box<dyn Equations<N>>);
+struct Of<const N: usize>(Box<dyn Equations<N>>, &'static Model);
 
 impl<const N: usize> System for Of<N> {
     fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
-        cell::matrices(&*self.0, k)
+        cell::matrices(&*self.0, &self.1.in_contact(k.iter().copied()))
     }
 
     fn propagator(&self, k: &[f64], t: f64) -> Result<DMatrix<f64>, Refusal> {
-        let cell = Cell::new(&*self.0, k)?;
+        let cell = Cell::new(&*self.0, &self.1.in_contact(k.iter().copied()))?;
         let mut propagator = DMatrix::identity(2 * N, 2 * N);
         for column in 0..2 * N {
             let unit = |from: usize| SVector::<f64, N>::from_fn(|i, _| f64::from(u8::from(from + i == column)));

@@ -80,7 +80,7 @@ impl<const N: usize> Cells<N> {
     /// Fills a lane with cell `place` of the only law of a simulation.
     pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_, N>, place: usize) {
         let (law, cells) = (&simulation.laws[0], simulation.cells());
-        let prepared = &cells.all()[place];
+        let prepared = &cells.all().expect("a plain simulation has few cells")[place];
         let cell: &Cell<N> = &prepared.cell;
         let matrix = |to: &mut [[Pack; N]; N], of: &dyn Fn(usize, usize) -> f64| {
             (0..N).for_each(|i| (0..N).for_each(|j| to[i][j].0[lane] = of(i, j)));
@@ -98,7 +98,11 @@ impl<const N: usize> Cells<N> {
             let (beyond, entered, _) = law.pitch.beyond(place, side);
             self.bounds[i].0[lane] = bound;
             self.entered[i].0[lane] = entered;
-            let stiffness = |place| simulation.equations().stiffness(&[law.pitch.level(place)]);
+            let stiffness = |place| {
+                let mut k = simulation.levels().to_vec();
+                k[0] = law.pitch.level(place);
+                simulation.equations().stiffness(&k)
+            };
             let (there, here) = (stiffness(beyond), stiffness(place));
             matrix(&mut self.step[i], &|i, j| 0.5 * (there[i][j] - here[i][j]));
         }

@@ -138,7 +138,7 @@ impl<'a, const N: usize> Flight<'a, N> {
         [v, a, jerk, next(a, jerk)]
     }
 
-    /// Energy lost to damping in mode `i` until a point [J], as [`crate::engine::mode::Mode::speed_squared`] has it.
+    /// Energy lost to damping in mode `i` until a point [J], as [`crate::engine::mode::Mode::lost`] has it.
     #[inline(always)]
     pub fn dissipated(&self, i: usize, point: &Point) -> Pack {
         let Modes { sigma, omega2, per_omega2, w, per_w, .. } = self.cells.modes[i];

@@ -59,7 +59,7 @@ impl<const N: usize> Lanes<N> {
             simulation.state.q_dot[i] = self.q_dot[i].0[lane];
         }
         simulation.state.turns[self.phase] += self.turns[lane];
-        simulation.laws[0].cell = self.at[lane];
+        simulation.stand_in(self.at[lane]);
         simulation.clock.0 = Df64::new_full(self.clock[0].0[lane], self.clock[1].0[lane]);
         simulation.dissipated = self.dissipated.0[lane];
         simulation.counts.cell_changes += self.changes[lane];

@@ -20,7 +20,7 @@ impl<const N: usize> Kind<N> {
     /// only, damped beyond oscillating, or coupled to others by damping.
     pub fn of(simulation: &Simulation<'_, N>) -> Option<Self> {
         let law = simulation.laws.first().filter(|_| simulation.is_plain())?;
-        let cells = simulation.cells().all();
+        let cells = simulation.cells().all()?;
         let rigid: [bool; N] = std::array::from_fn(|i| cells[0].cell.modes[i].is_rigid());
         let oscillates = |mode: &Mode| mode.damped_frequency() > 0.1 * mode.sigma;
         let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };

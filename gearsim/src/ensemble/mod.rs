@@ -27,12 +27,19 @@ use pulp::{Arch, NullaryFnOnce};
 
 use crate::engine::Stop;
 use crate::engine::simulate::Simulation;
+use crate::model::Model;
 use kind::Kind;
 use lanes::Lanes;
 use pack::{LANES, Mask};
 
 /// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
-pub const LARGEST: usize = 8;
+const LARGEST: usize = 8;
+
+/// Whether simulations of a model can be in lanes. A plain event is one of a single law ([`Simulation::is_plain`]): for models with
+/// none or several no lanes are compiled.
+pub const fn suits(model: &Model) -> bool {
+    model.coordinates.len() <= LARGEST && model.laws.len() == 1
+}
 
 /// Runs simulations to their ends, unrecorded.
 ///

@@ -8,8 +8,8 @@
 //!
 //! ```text
 //! T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2
-//! V = k*phi^2
-//! D = C*phi_dot^2 [damping]
+//! V = k*touch*over^2
+//! D = C*damp*over_dot^2 [damping]
 //! Q_theta = 0
 //! Q_phi = 2*T0 [torques]
 //! ```
@@ -22,18 +22,28 @@
 //! C = 2*zeta*sqrt(k_mid/M2)
 //! ```
 //!
+//! # Deflections
+//!
+//! ```text
+//! over = phi - edge
+//! touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0
+//! damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:
+//!   clip = 1 where it would push more than the spring does, it pushes as much
+//!   clip = -1 where it would pull more than the spring pushes, the contact has no force
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! theta'' = -M1*k*phi - C*M1*phi_dot [damping] + M1*T0 [torques] - M2*dk*phi^2/2 [jump terms]
-//! phi'' = -M2*k*phi - C*M2*phi_dot [damping] + M2*T0 [torques] - M1*dk*phi^2/2 [jump terms]
+//! theta'' = -M1*k*touch*over - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]
+//! phi'' = -M2*k*touch*over - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]
 //! ```
 //!
 //! # At a step of a stiffness
 //!
 //! ```text
 //! at a step dk of k in theta, where energy allows:
-//! theta_dot+^2 = theta_dot-^2 - M2*dk*phi^2
+//! theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2
 //! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
 //! else theta_dot+ = -theta_dot-: reflected, and the stiffness stays
 //! ```
@@ -48,36 +58,39 @@
 //!
 //! ```latex
 //! T = \frac{1}{2} (\frac{I_{1}\, \left(\dot{\varphi} + \dot{\theta}\right)^{2}}{N_{1}^{2}} + \frac{I_{2}\, \left(\dot{\theta} - \dot{\varphi}\right)^{2}}{N_{2}^{2}})
-//! V = k\, \varphi^{2}
-//! D = C\, \dot{\varphi}^{2}\ [\text{damping}]
+//! V = k\, \mathrm{touch}\, \mathrm{over}^{2}
+//! D = C\, \mathrm{damp}\, \dot{\mathrm{over}}^{2}\ [\text{damping}]
 //! Q_{\theta} = 0
 //! Q_{\varphi} = 2\, T_{0}\ [\text{torques}]
 //! M_{1} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} - \frac{N_{2}^{2}}{I_{2}})
 //! M_{2} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} + \frac{N_{2}^{2}}{I_{2}})
 //! C = 2\, \zeta\, \sqrt{\frac{\bar{k}}{M_{2}}}
-//! \ddot{\theta} = -M_{1}\, k\, \varphi - C\, M_{1}\, \dot{\varphi}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] - \frac{M_{2}\, k'\, \varphi^{2}}{2}\ [\text{jump terms}]
-//! \ddot{\varphi} = -M_{2}\, k\, \varphi - C\, M_{2}\, \dot{\varphi}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] - \frac{M_{1}\, k'\, \varphi^{2}}{2}\ [\text{jump terms}]
-//! \dot{\theta}_+^2 = \dot{\theta}_-^2 - M_{2}\, \Delta k\, \varphi^{2}
+//! \mathrm{over} = \varphi - \mathrm{edge}
+//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \dot{\theta}_+^2 = \dot{\theta}_-^2 - M_{2}\, \Delta k\, \mathrm{touch}\, \mathrm{over}^{2}
 //! \dot{\varphi}_+ - \dot{\varphi}_- = \frac{M_{1}}{M_{2}} \left(\dot{\theta}_+ - \dot{\theta}_-\right)
 //! ```
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - V is the same on both sides of the edges of over: no impulse there
 //! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
-//! - without the jump terms the balance fails: energy is created at the rate dk*phi^2*theta_dot
+//! - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 2 | 15 | 1 |
-//! | force | 0 | 7 | 0 |
-//! | acceleration | 0 | 18 | 0 |
-//! | energy step of k | 0 | 2 | 0 |
+//! | force | 0 | 14 | 0 |
+//! | acceleration | 0 | 32 | 0 |
+//! | energy step of k | 0 | 3 | 0 |
 
 use gearsim_macros::equations;
 
@@ -96,6 +109,7 @@ equations! {
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         zeta "1" default 0.0, from 0.0 to inf, "damping factor of phi at the mid stiffness";
         T0 "N*m" required, open -inf to inf, "balanced torque: T0 N1 drives, T0 N2 loads";
+        b "rad" required with backlash, open 0.0 to inf, "backlash of the mesh, in phi: it is free within b/2 to either side";
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
@@ -107,12 +121,14 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        backlash "flanks with play: drive and coast flank, and free flight between";
         damping "Rayleigh damping of the relative motion, with the damping factor zeta";
         torques "constant driving and load torque in balance";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -120,15 +136,21 @@ equations! {
         M2 = (N1.powi(2)/I1 + N2.powi(2)/I2)/2.0;
         C = 2.0*zeta*(k_mid/M2).sqrt();
     }
+    deflections {
+        over = phi - edge;
+    }
+    dead_bands {
+        over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the mesh, in phi";
+    }
     energies {
         kinetic {
             _ => (I1*(phi_dot + theta_dot).powi(2)/N1.powi(2) + I2*(theta_dot - phi_dot).powi(2)/N2.powi(2))/2.0;
         }
         potential {
-            _ => k*phi.powi(2);
+            _ => k*touch*over.powi(2);
         }
         dissipation {
-            damping => C*phi_dot.powi(2);
+            damping => C*damp*over_dot.powi(2);
         }
     }
     torques {
@@ -169,65 +191,75 @@ equations! {
     }
     force {
         theta {
-            jump_terms => -dk*phi.powi(2);
+            jump_terms => -dk*touch*over.powi(2);
         }
         phi {
-            _ => -2.0*k*phi;
-            damping => -2.0*C*phi_dot;
+            _ => -2.0*k*touch*over;
+            backlash => -2.0*k*touch*clip*over;
+            damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
         }
     }
     acceleration {
         theta {
-            _ => -M1*k*phi;
-            damping => -C*M1*phi_dot;
+            _ => -M1*k*touch*over;
+            backlash => -M1*k*touch*clip*over;
+            damping => -C*M1*damp*over_dot;
             torques => M1*T0;
-            jump_terms => -M2*dk*phi.powi(2)/2.0;
+            jump_terms => -M2*dk*touch*over.powi(2)/2.0;
         }
         phi {
-            _ => -M2*k*phi;
-            damping => -C*M2*phi_dot;
+            _ => -M2*k*touch*over;
+            backlash => -M2*k*touch*clip*over;
+            damping => -C*M2*damp*over_dot;
             torques => M2*T0;
-            jump_terms => -M1*dk*phi.powi(2)/2.0;
+            jump_terms => -M1*dk*touch*over.powi(2)/2.0;
         }
     }
     jacobian {
         theta theta {
-            jump_terms => -M2*ddk*phi.powi(2)/2.0;
-            moving_phase => -M1*dk*phi;
+            backlash_and_moving_phase => -M1*dk*touch*clip*over;
+            jump_terms => -M2*ddk*touch*over.powi(2)/2.0;
+            moving_phase => -M1*dk*touch*over;
         }
         theta phi {
-            _ => -M1*k;
-            jump_terms => -M2*dk*phi;
+            _ => -M1*k*touch;
+            backlash => -M1*k*touch*clip;
+            jump_terms => -M2*dk*touch*over;
         }
         theta phi_dot {
-            damping => -C*M1;
+            damping => -C*M1*damp;
         }
         phi theta {
-            jump_terms => -M1*ddk*phi.powi(2)/2.0;
-            moving_phase => -M2*dk*phi;
+            backlash_and_moving_phase => -M2*dk*touch*clip*over;
+            jump_terms => -M1*ddk*touch*over.powi(2)/2.0;
+            moving_phase => -M2*dk*touch*over;
         }
         phi phi {
-            _ => -M2*k;
-            jump_terms => -M1*dk*phi;
+            _ => -M2*k*touch;
+            backlash => -M2*k*touch*clip;
+            jump_terms => -M1*dk*touch*over;
         }
         phi phi_dot {
-            damping => -C*M2;
+            damping => -C*M2*damp;
         }
     }
     cell {
         stiffness {
             phi phi {
-                _ => 2.0*k;
+                _ => 2.0*k*touch;
+                backlash => 2.0*k*touch*clip;
             }
         }
         damping {
             phi phi {
-                damping => 2.0*C;
+                damping => 2.0*C*damp;
             }
         }
         load {
             phi {
+                _ => 2.0*k*touch*edge;
+                backlash => 2.0*k*touch*clip*edge;
                 torques => 2.0*T0;
             }
         }
@@ -250,39 +282,45 @@ equations! {
             }
         }
         step {
-            _ => dk*phi.powi(2);
+            _ => dk*touch*over.powi(2);
         }
     }
 
     text {
         "T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2";
-        "V = k*phi^2";
-        "D = C*phi_dot^2 [damping]";
+        "V = k*touch*over^2";
+        "D = C*damp*over_dot^2 [damping]";
         "Q_theta = 0";
         "Q_phi = 2*T0 [torques]";
         "M1 = (N1^2/I1 - N2^2/I2)/2";
         "M2 = (N1^2/I1 + N2^2/I2)/2";
         "C = 2*zeta*sqrt(k_mid/M2)";
-        "theta'' = -M1*k*phi - C*M1*phi_dot [damping] + M1*T0 [torques] - M2*dk*phi^2/2 [jump terms]";
-        "phi'' = -M2*k*phi - C*M2*phi_dot [damping] + M2*T0 [torques] - M1*dk*phi^2/2 [jump terms]";
+        "over = phi - edge";
+        "touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0";
+        "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
+        "  clip = 1 where it would push more than the spring does, it pushes as much";
+        "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
+        "theta'' = -M1*k*touch*over - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]";
+        "phi'' = -M2*k*touch*over - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]";
         "at a step dk of k in theta, where energy allows:";
-        "theta_dot+^2 = theta_dot-^2 - M2*dk*phi^2";
+        "theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
         "else theta_dot+ = -theta_dot-: reflected, and the stiffness stays";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
         "T = \\frac{1}{2} (\\frac{I_{1}\\, \\left(\\dot{\\varphi} + \\dot{\\theta}\\right)^{2}}{N_{1}^{2}} + \\frac{I_{2}\\, \\left(\\dot{\\theta} - \\dot{\\varphi}\\right)^{2}}{N_{2}^{2}})";
-        "V = k\\, \\varphi^{2}";
-        "D = C\\, \\dot{\\varphi}^{2}\\ [\\text{damping}]";
+        "V = k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
+        "D = C\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}^{2}\\ [\\text{damping}]";
         "Q_{\\theta} = 0";
         "Q_{\\varphi} = 2\\, T_{0}\\ [\\text{torques}]";
         "M_{1} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} - \\frac{N_{2}^{2}}{I_{2}})";
         "M_{2} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} + \\frac{N_{2}^{2}}{I_{2}})";
         "C = 2\\, \\zeta\\, \\sqrt{\\frac{\\bar{k}}{M_{2}}}";
-        "\\ddot{\\theta} = -M_{1}\\, k\\, \\varphi - C\\, M_{1}\\, \\dot{\\varphi}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{2}\\, k'\\, \\varphi^{2}}{2}\\ [\\text{jump terms}]";
-        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\varphi - C\\, M_{2}\\, \\dot{\\varphi}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{1}\\, k'\\, \\varphi^{2}}{2}\\ [\\text{jump terms}]";
-        "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - M_{2}\\, \\Delta k\\, \\varphi^{2}";
+        "\\mathrm{over} = \\varphi - \\mathrm{edge}";
+        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - M_{2}\\, \\Delta k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
         "\\dot{\\varphi}_+ - \\dot{\\varphi}_- = \\frac{M_{1}}{M_{2}} \\left(\\dot{\\theta}_+ - \\dot{\\theta}_-\\right)";
     }
 }

@@ -8,8 +8,8 @@
 //!
 //! ```text
 //! T = (I1*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*(theta_dot/N2 - s_dot/(2*h*N2))^2 + m1*x1_dot^2 + m1*y1_dot^2 + m2*x2_dot^2 + m2*y2_dot^2)/2
-//! V = (kb1*x1^2 + kb1*y1^2 + kb2*x2^2 + kb2*y2^2 + k12*delta12^2)/2
-//! D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + alpha_M*m1*x1_dot^2 + alpha_M*m1*y1_dot^2 + alpha_M*m2*x2_dot^2 + alpha_M*m2*y2_dot^2 + beta_K*kb1*x1_dot^2 + beta_K*kb1*y1_dot^2 + beta_K*kb2*x2_dot^2 + beta_K*kb2*y2_dot^2 + beta_K*k12_mid*delta12_dot^2)/2 [damping]
+//! V = (kb1*x1^2 + kb1*y1^2 + kb2*x2^2 + kb2*y2^2 + k12*touch12*over12^2)/2
+//! D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + alpha_M*m1*x1_dot^2 + alpha_M*m1*y1_dot^2 + alpha_M*m2*x2_dot^2 + alpha_M*m2*y2_dot^2 + beta_K*kb1*x1_dot^2 + beta_K*kb1*y1_dot^2 + beta_K*kb2*x2_dot^2 + beta_K*kb2*y2_dot^2 + beta_K*k12_mid*damp12*over12_dot^2)/2 [damping]
 //! Q_theta = T_motor/N1 - T_load/N2 [torques]
 //! Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]
 //! Q_x1 = 0
@@ -29,24 +29,28 @@
 //! # Deflections
 //!
 //! ```text
-//! delta12 = s + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2
+//! over12 = s - edge12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2
+//! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
+//! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
+//!   clip12 = 1 where it would push more than the spring does, it pushes as much
+//!   clip12 = -1 where it would pull more than the spring pushes, the contact has no force
 //! ```
 //!
 //! # Equations of motion
 //!
 //! ```text
-//! (I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*delta12^2/2 [jump terms]
-//! ((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*delta12 + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*delta12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]
-//! (m1) x1'' = -sin_a*k12*delta12 - kb1*x1 - sin_a*beta_K*k12_mid*delta12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]
-//! (m1) y1'' = -cos_a*k12*delta12 - kb1*y1 - cos_a*beta_K*k12_mid*delta12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]
-//! (m2) x2'' = sin_a*k12*delta12 - kb2*x2 + sin_a*beta_K*k12_mid*delta12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]
-//! (m2) y2'' = cos_a*k12*delta12 - kb2*y2 + cos_a*beta_K*k12_mid*delta12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]
+//! (I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]
+//! ((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]
+//! (m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]
+//! (m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]
+//! (m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]
+//! (m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]
 //! ```
 //!
 //! # At a step of a stiffness
 //!
 //! ```text
-//! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*delta12^2/2)
+//! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)
 //! ```
 //!
 //! # Between two steps
@@ -59,8 +63,8 @@
 //!
 //! ```latex
 //! T = \frac{1}{2} (I_{1}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + m_{1}\, \dot{x_{1}}^{2} + m_{1}\, \dot{y_{1}}^{2} + m_{2}\, \dot{x_{2}}^{2} + m_{2}\, \dot{y_{2}}^{2})
-//! V = \frac{1}{2} (\mathrm{kb}_{1}\, x_{1}^{2} + \mathrm{kb}_{1}\, y_{1}^{2} + \mathrm{kb}_{2}\, x_{2}^{2} + \mathrm{kb}_{2}\, y_{2}^{2} + k_{12}\, \delta_{12}^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + \alpha_{M}\, m_{1}\, \dot{x_{1}}^{2} + \alpha_{M}\, m_{1}\, \dot{y_{1}}^{2} + \alpha_{M}\, m_{2}\, \dot{x_{2}}^{2} + \alpha_{M}\, m_{2}\, \dot{y_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}^{2} + \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}}^{2})\ [\text{damping}]
+//! V = \frac{1}{2} (\mathrm{kb}_{1}\, x_{1}^{2} + \mathrm{kb}_{1}\, y_{1}^{2} + \mathrm{kb}_{2}\, x_{2}^{2} + \mathrm{kb}_{2}\, y_{2}^{2} + k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2})
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + \alpha_{M}\, m_{1}\, \dot{x_{1}}^{2} + \alpha_{M}\, m_{1}\, \dot{y_{1}}^{2} + \alpha_{M}\, m_{2}\, \dot{x_{2}}^{2} + \alpha_{M}\, m_{2}\, \dot{y_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}^{2} + \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}}^{2})\ [\text{damping}]
 //! Q_{\theta} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}]
 //! Q_{s} = \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}]
 //! Q_{x_{1}} = 0
@@ -70,30 +74,31 @@
 //! h = \frac{r_{1}}{N_{1}}
 //! \mathrm{cos}_{a} = \cos\left(\alpha\right)
 //! \mathrm{sin}_{a} = \sin\left(\alpha\right)
-//! \delta_{12} = s + \mathrm{cos}_{a}\, y_{1} - \mathrm{cos}_{a}\, y_{2} + \mathrm{sin}_{a}\, x_{1} - \mathrm{sin}_{a}\, x_{2}
-//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{s} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \delta_{12}^{2}}{2}\ [\text{jump terms}]
-//! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}})) \ddot{s} = -k_{12}\, \delta_{12} + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}}\ [\text{damping}]
-//! (m_{1}) \ddot{x_{1}} = -\mathrm{sin}_{a}\, k_{12}\, \delta_{12} - \mathrm{kb}_{1}\, x_{1} - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \alpha_{M}\, m_{1}\, \dot{x_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}\ [\text{damping}]
-//! (m_{1}) \ddot{y_{1}} = -\mathrm{cos}_{a}\, k_{12}\, \delta_{12} - \mathrm{kb}_{1}\, y_{1} - \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \alpha_{M}\, m_{1}\, \dot{y_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}\ [\text{damping}]
-//! (m_{2}) \ddot{x_{2}} = \mathrm{sin}_{a}\, k_{12}\, \delta_{12} - \mathrm{kb}_{2}\, x_{2} + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \alpha_{M}\, m_{2}\, \dot{x_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}\ [\text{damping}]
-//! (m_{2}) \ddot{y_{2}} = \mathrm{cos}_{a}\, k_{12}\, \delta_{12} - \mathrm{kb}_{2}\, y_{2} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \alpha_{M}\, m_{2}\, \dot{y_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}\ [\text{damping}]
+//! \mathrm{over}_{12} = s - \mathrm{edge}_{12} + \mathrm{cos}_{a}\, y_{1} - \mathrm{cos}_{a}\, y_{2} + \mathrm{sin}_{a}\, x_{1} - \mathrm{sin}_{a}\, x_{2}
+//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{s} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2}}{2}\ [\text{jump terms}]
+//! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}})) \ddot{s} = -k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}}\ [\text{damping}]
+//! (m_{1}) \ddot{x_{1}} = -\mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, x_{1} - \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{x_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}\ [\text{damping}]
+//! (m_{1}) \ddot{y_{1}} = -\mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, y_{1} - \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{y_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}\ [\text{damping}]
+//! (m_{2}) \ddot{x_{2}} = \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{2}\, x_{2} + \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{2}\, \dot{x_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}\ [\text{damping}]
+//! (m_{2}) \ddot{y_{2}} = \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{2}\, y_{2} + \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{2}\, \dot{y_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - V is the same on both sides of the edges of over12: no impulse there
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
-//! - without the jump terms the balance fails: energy is created at the rate dk12*delta12^2*theta_dot/2
+//! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 0 | 1 | 2 |
-//! | force | 21 | 100 | 0 |
-//! | energy step of k12 | 0 | 3 | 0 |
+//! | force | 21 | 130 | 0 |
+//! | energy step of k12 | 0 | 4 | 0 |
 
 use gearsim_macros::equations;
 
@@ -120,6 +125,7 @@ equations! {
         m2 "kg" required, open 0.0 to inf, "mass of the driven gear";
         kb1 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 1";
         kb2 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 2";
+        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: it is free within b/2 to either side";
         T_motor "N*m" required, open -inf to inf, "driving torque of the driving gear";
         T_load "N*m" required, open -inf to inf, "load torque of the driven gear, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -135,12 +141,14 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        backlash "flanks with play: drive and coast flank, and free flight between";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -149,17 +157,20 @@ equations! {
         sin_a = alpha.sin();
     }
     deflections {
-        delta12 = s + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+        over12 = s - edge12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+    }
+    dead_bands {
+        over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh";
     }
     energies {
         kinetic {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + m1*x1_dot.powi(2) + m1*y1_dot.powi(2) + m2*x2_dot.powi(2) + m2*y2_dot.powi(2))/2.0;
         }
         potential {
-            _ => (kb1*x1.powi(2) + kb1*y1.powi(2) + kb2*x2.powi(2) + kb2*y2.powi(2) + k12*delta12.powi(2))/2.0;
+            _ => (kb1*x1.powi(2) + kb1*y1.powi(2) + kb2*x2.powi(2) + kb2*y2.powi(2) + k12*touch12*over12.powi(2))/2.0;
         }
         dissipation {
-            damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + alpha_M*m1*x1_dot.powi(2) + alpha_M*m1*y1_dot.powi(2) + alpha_M*m2*x2_dot.powi(2) + alpha_M*m2*y2_dot.powi(2) + beta_K*kb1*x1_dot.powi(2) + beta_K*kb1*y1_dot.powi(2) + beta_K*kb2*x2_dot.powi(2) + beta_K*kb2*y2_dot.powi(2) + beta_K*k12_mid*delta12_dot.powi(2))/2.0;
+            damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + alpha_M*m1*x1_dot.powi(2) + alpha_M*m1*y1_dot.powi(2) + alpha_M*m2*x2_dot.powi(2) + alpha_M*m2*y2_dot.powi(2) + beta_K*kb1*x1_dot.powi(2) + beta_K*kb1*y1_dot.powi(2) + beta_K*kb2*x2_dot.powi(2) + beta_K*kb2*y2_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -209,48 +220,53 @@ equations! {
         theta {
             torques => T_motor/N1 - T_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2) - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
-            jump_terms => -dk12*delta12.powi(2)/2.0;
+            jump_terms => -dk12*touch12*over12.powi(2)/2.0;
         }
         s {
-            _ => -k12*delta12;
+            _ => -k12*touch12*over12;
+            backlash => -k12*touch12*clip12*over12;
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
-            damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*delta12_dot - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
+            damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
         }
         x1 {
-            _ => -sin_a*k12*delta12 - kb1*x1;
-            damping => -sin_a*beta_K*k12_mid*delta12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot;
+            _ => -sin_a*k12*touch12*over12 - kb1*x1;
+            backlash => -sin_a*k12*touch12*clip12*over12;
+            damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot;
         }
         y1 {
-            _ => -cos_a*k12*delta12 - kb1*y1;
-            damping => -cos_a*beta_K*k12_mid*delta12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot;
+            _ => -cos_a*k12*touch12*over12 - kb1*y1;
+            backlash => -cos_a*k12*touch12*clip12*over12;
+            damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot;
         }
         x2 {
-            _ => sin_a*k12*delta12 - kb2*x2;
-            damping => sin_a*beta_K*k12_mid*delta12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot;
+            _ => sin_a*k12*touch12*over12 - kb2*x2;
+            backlash => sin_a*k12*touch12*clip12*over12;
+            damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot;
         }
         y2 {
-            _ => cos_a*k12*delta12 - kb2*y2;
-            damping => cos_a*beta_K*k12_mid*delta12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot;
+            _ => cos_a*k12*touch12*over12 - kb2*y2;
+            backlash => cos_a*k12*touch12*clip12*over12;
+            damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot;
         }
     }
     jacobian {
         theta theta {
-            jump_terms => -ddk12*delta12.powi(2)/2.0;
+            jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
-            jump_terms => -dk12*delta12;
+            jump_terms => -dk12*touch12*over12;
         }
         theta x1 {
-            jump_terms => -sin_a*dk12*delta12;
+            jump_terms => -sin_a*dk12*touch12*over12;
         }
         theta y1 {
-            jump_terms => -cos_a*dk12*delta12;
+            jump_terms => -cos_a*dk12*touch12*over12;
         }
         theta x2 {
-            jump_terms => sin_a*dk12*delta12;
+            jump_terms => sin_a*dk12*touch12*over12;
         }
         theta y2 {
-            jump_terms => cos_a*dk12*delta12;
+            jump_terms => cos_a*dk12*touch12*over12;
         }
         theta theta_dot {
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
@@ -259,220 +275,265 @@ equations! {
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
-            moving_phase => -dk12*delta12;
+            backlash_and_moving_phase => -dk12*touch12*clip12*over12;
+            moving_phase => -dk12*touch12*over12;
         }
         s s {
-            _ => -k12;
+            _ => -k12*touch12;
+            backlash => -k12*touch12*clip12;
         }
         s x1 {
-            _ => -sin_a*k12;
+            _ => -sin_a*k12*touch12;
+            backlash => -sin_a*k12*touch12*clip12;
         }
         s y1 {
-            _ => -cos_a*k12;
+            _ => -cos_a*k12*touch12;
+            backlash => -cos_a*k12*touch12*clip12;
         }
         s x2 {
-            _ => sin_a*k12;
+            _ => sin_a*k12*touch12;
+            backlash => sin_a*k12*touch12*clip12;
         }
         s y2 {
-            _ => cos_a*k12;
+            _ => cos_a*k12*touch12;
+            backlash => cos_a*k12*touch12*clip12;
         }
         s theta_dot {
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
-            damping => -beta_K*k12_mid - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
         }
         s x1_dot {
-            damping => -sin_a*beta_K*k12_mid;
+            damping => -sin_a*beta_K*k12_mid*damp12;
         }
         s y1_dot {
-            damping => -cos_a*beta_K*k12_mid;
+            damping => -cos_a*beta_K*k12_mid*damp12;
         }
         s x2_dot {
-            damping => sin_a*beta_K*k12_mid;
+            damping => sin_a*beta_K*k12_mid*damp12;
         }
         s y2_dot {
-            damping => cos_a*beta_K*k12_mid;
+            damping => cos_a*beta_K*k12_mid*damp12;
         }
         x1 theta {
-            moving_phase => -sin_a*dk12*delta12;
+            backlash_and_moving_phase => -sin_a*dk12*touch12*clip12*over12;
+            moving_phase => -sin_a*dk12*touch12*over12;
         }
         x1 s {
-            _ => -sin_a*k12;
+            _ => -sin_a*k12*touch12;
+            backlash => -sin_a*k12*touch12*clip12;
         }
         x1 x1 {
-            _ => -kb1 - sin_a.powi(2)*k12;
+            _ => -kb1 - sin_a.powi(2)*k12*touch12;
+            backlash => -sin_a.powi(2)*k12*touch12*clip12;
         }
         x1 y1 {
-            _ => -cos_a*sin_a*k12;
+            _ => -cos_a*sin_a*k12*touch12;
+            backlash => -cos_a*sin_a*k12*touch12*clip12;
         }
         x1 x2 {
-            _ => sin_a.powi(2)*k12;
+            _ => sin_a.powi(2)*k12*touch12;
+            backlash => sin_a.powi(2)*k12*touch12*clip12;
         }
         x1 y2 {
-            _ => cos_a*sin_a*k12;
+            _ => cos_a*sin_a*k12*touch12;
+            backlash => cos_a*sin_a*k12*touch12*clip12;
         }
         x1 s_dot {
-            damping => -sin_a*beta_K*k12_mid;
+            damping => -sin_a*beta_K*k12_mid*damp12;
         }
         x1 x1_dot {
-            damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid;
+            damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid*damp12;
         }
         x1 y1_dot {
-            damping => -cos_a*sin_a*beta_K*k12_mid;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         x1 x2_dot {
-            damping => sin_a.powi(2)*beta_K*k12_mid;
+            damping => sin_a.powi(2)*beta_K*k12_mid*damp12;
         }
         x1 y2_dot {
-            damping => cos_a*sin_a*beta_K*k12_mid;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y1 theta {
-            moving_phase => -cos_a*dk12*delta12;
+            backlash_and_moving_phase => -cos_a*dk12*touch12*clip12*over12;
+            moving_phase => -cos_a*dk12*touch12*over12;
         }
         y1 s {
-            _ => -cos_a*k12;
+            _ => -cos_a*k12*touch12;
+            backlash => -cos_a*k12*touch12*clip12;
         }
         y1 x1 {
-            _ => -cos_a*sin_a*k12;
+            _ => -cos_a*sin_a*k12*touch12;
+            backlash => -cos_a*sin_a*k12*touch12*clip12;
         }
         y1 y1 {
-            _ => -kb1 - cos_a.powi(2)*k12;
+            _ => -kb1 - cos_a.powi(2)*k12*touch12;
+            backlash => -cos_a.powi(2)*k12*touch12*clip12;
         }
         y1 x2 {
-            _ => cos_a*sin_a*k12;
+            _ => cos_a*sin_a*k12*touch12;
+            backlash => cos_a*sin_a*k12*touch12*clip12;
         }
         y1 y2 {
-            _ => cos_a.powi(2)*k12;
+            _ => cos_a.powi(2)*k12*touch12;
+            backlash => cos_a.powi(2)*k12*touch12*clip12;
         }
         y1 s_dot {
-            damping => -cos_a*beta_K*k12_mid;
+            damping => -cos_a*beta_K*k12_mid*damp12;
         }
         y1 x1_dot {
-            damping => -cos_a*sin_a*beta_K*k12_mid;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y1 y1_dot {
-            damping => -alpha_M*m1 - beta_K*kb1 - cos_a.powi(2)*beta_K*k12_mid;
+            damping => -alpha_M*m1 - beta_K*kb1 - cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
         y1 x2_dot {
-            damping => cos_a*sin_a*beta_K*k12_mid;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y1 y2_dot {
-            damping => cos_a.powi(2)*beta_K*k12_mid;
+            damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
         x2 theta {
-            moving_phase => sin_a*dk12*delta12;
+            backlash_and_moving_phase => sin_a*dk12*touch12*clip12*over12;
+            moving_phase => sin_a*dk12*touch12*over12;
         }
         x2 s {
-            _ => sin_a*k12;
+            _ => sin_a*k12*touch12;
+            backlash => sin_a*k12*touch12*clip12;
         }
         x2 x1 {
-            _ => sin_a.powi(2)*k12;
+            _ => sin_a.powi(2)*k12*touch12;
+            backlash => sin_a.powi(2)*k12*touch12*clip12;
         }
         x2 y1 {
-            _ => cos_a*sin_a*k12;
+            _ => cos_a*sin_a*k12*touch12;
+            backlash => cos_a*sin_a*k12*touch12*clip12;
         }
         x2 x2 {
-            _ => -kb2 - sin_a.powi(2)*k12;
+            _ => -kb2 - sin_a.powi(2)*k12*touch12;
+            backlash => -sin_a.powi(2)*k12*touch12*clip12;
         }
         x2 y2 {
-            _ => -cos_a*sin_a*k12;
+            _ => -cos_a*sin_a*k12*touch12;
+            backlash => -cos_a*sin_a*k12*touch12*clip12;
         }
         x2 s_dot {
-            damping => sin_a*beta_K*k12_mid;
+            damping => sin_a*beta_K*k12_mid*damp12;
         }
         x2 x1_dot {
-            damping => sin_a.powi(2)*beta_K*k12_mid;
+            damping => sin_a.powi(2)*beta_K*k12_mid*damp12;
         }
         x2 y1_dot {
-            damping => cos_a*sin_a*beta_K*k12_mid;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         x2 x2_dot {
-            damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid;
+            damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid*damp12;
         }
         x2 y2_dot {
-            damping => -cos_a*sin_a*beta_K*k12_mid;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y2 theta {
-            moving_phase => cos_a*dk12*delta12;
+            backlash_and_moving_phase => cos_a*dk12*touch12*clip12*over12;
+            moving_phase => cos_a*dk12*touch12*over12;
         }
         y2 s {
-            _ => cos_a*k12;
+            _ => cos_a*k12*touch12;
+            backlash => cos_a*k12*touch12*clip12;
         }
         y2 x1 {
-            _ => cos_a*sin_a*k12;
+            _ => cos_a*sin_a*k12*touch12;
+            backlash => cos_a*sin_a*k12*touch12*clip12;
         }
         y2 y1 {
-            _ => cos_a.powi(2)*k12;
+            _ => cos_a.powi(2)*k12*touch12;
+            backlash => cos_a.powi(2)*k12*touch12*clip12;
         }
         y2 x2 {
-            _ => -cos_a*sin_a*k12;
+            _ => -cos_a*sin_a*k12*touch12;
+            backlash => -cos_a*sin_a*k12*touch12*clip12;
         }
         y2 y2 {
-            _ => -kb2 - cos_a.powi(2)*k12;
+            _ => -kb2 - cos_a.powi(2)*k12*touch12;
+            backlash => -cos_a.powi(2)*k12*touch12*clip12;
         }
         y2 s_dot {
-            damping => cos_a*beta_K*k12_mid;
+            damping => cos_a*beta_K*k12_mid*damp12;
         }
         y2 x1_dot {
-            damping => cos_a*sin_a*beta_K*k12_mid;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y2 y1_dot {
-            damping => cos_a.powi(2)*beta_K*k12_mid;
+            damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
         y2 x2_dot {
-            damping => -cos_a*sin_a*beta_K*k12_mid;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y2 y2_dot {
-            damping => -alpha_M*m2 - beta_K*kb2 - cos_a.powi(2)*beta_K*k12_mid;
+            damping => -alpha_M*m2 - beta_K*kb2 - cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
     }
     cell {
         stiffness {
             s s {
-                _ => k12;
+                _ => k12*touch12;
+                backlash => k12*touch12*clip12;
             }
             s x1 {
-                _ => sin_a*k12;
+                _ => sin_a*k12*touch12;
+                backlash => sin_a*k12*touch12*clip12;
             }
             s y1 {
-                _ => cos_a*k12;
+                _ => cos_a*k12*touch12;
+                backlash => cos_a*k12*touch12*clip12;
             }
             s x2 {
-                _ => -sin_a*k12;
+                _ => -sin_a*k12*touch12;
+                backlash => -sin_a*k12*touch12*clip12;
             }
             s y2 {
-                _ => -cos_a*k12;
+                _ => -cos_a*k12*touch12;
+                backlash => -cos_a*k12*touch12*clip12;
             }
             x1 x1 {
-                _ => kb1 + sin_a.powi(2)*k12;
+                _ => kb1 + sin_a.powi(2)*k12*touch12;
+                backlash => sin_a.powi(2)*k12*touch12*clip12;
             }
             x1 y1 {
-                _ => cos_a*sin_a*k12;
+                _ => cos_a*sin_a*k12*touch12;
+                backlash => cos_a*sin_a*k12*touch12*clip12;
             }
             x1 x2 {
-                _ => -sin_a.powi(2)*k12;
+                _ => -sin_a.powi(2)*k12*touch12;
+                backlash => -sin_a.powi(2)*k12*touch12*clip12;
             }
             x1 y2 {
-                _ => -cos_a*sin_a*k12;
+                _ => -cos_a*sin_a*k12*touch12;
+                backlash => -cos_a*sin_a*k12*touch12*clip12;
             }
             y1 y1 {
-                _ => kb1 + cos_a.powi(2)*k12;
+                _ => kb1 + cos_a.powi(2)*k12*touch12;
+                backlash => cos_a.powi(2)*k12*touch12*clip12;
             }
             y1 x2 {
-                _ => -cos_a*sin_a*k12;
+                _ => -cos_a*sin_a*k12*touch12;
+                backlash => -cos_a*sin_a*k12*touch12*clip12;
             }
             y1 y2 {
-                _ => -cos_a.powi(2)*k12;
+                _ => -cos_a.powi(2)*k12*touch12;
+                backlash => -cos_a.powi(2)*k12*touch12*clip12;
             }
             x2 x2 {
-                _ => kb2 + sin_a.powi(2)*k12;
+                _ => kb2 + sin_a.powi(2)*k12*touch12;
+                backlash => sin_a.powi(2)*k12*touch12*clip12;
             }
             x2 y2 {
-                _ => cos_a*sin_a*k12;
+                _ => cos_a*sin_a*k12*touch12;
+                backlash => cos_a*sin_a*k12*touch12*clip12;
             }
             y2 y2 {
-                _ => kb2 + cos_a.powi(2)*k12;
+                _ => kb2 + cos_a.powi(2)*k12*touch12;
+                backlash => cos_a.powi(2)*k12*touch12*clip12;
             }
         }
         damping {
@@ -483,49 +544,49 @@ equations! {
                 damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0;
             }
             s s {
-                damping => beta_K*k12_mid + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
             }
             s x1 {
-                damping => sin_a*beta_K*k12_mid;
+                damping => sin_a*beta_K*k12_mid*damp12;
             }
             s y1 {
-                damping => cos_a*beta_K*k12_mid;
+                damping => cos_a*beta_K*k12_mid*damp12;
             }
             s x2 {
-                damping => -sin_a*beta_K*k12_mid;
+                damping => -sin_a*beta_K*k12_mid*damp12;
             }
             s y2 {
-                damping => -cos_a*beta_K*k12_mid;
+                damping => -cos_a*beta_K*k12_mid*damp12;
             }
             x1 x1 {
-                damping => alpha_M*m1 + beta_K*kb1 + sin_a.powi(2)*beta_K*k12_mid;
+                damping => alpha_M*m1 + beta_K*kb1 + sin_a.powi(2)*beta_K*k12_mid*damp12;
             }
             x1 y1 {
-                damping => cos_a*sin_a*beta_K*k12_mid;
+                damping => cos_a*sin_a*beta_K*k12_mid*damp12;
             }
             x1 x2 {
-                damping => -sin_a.powi(2)*beta_K*k12_mid;
+                damping => -sin_a.powi(2)*beta_K*k12_mid*damp12;
             }
             x1 y2 {
-                damping => -cos_a*sin_a*beta_K*k12_mid;
+                damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
             }
             y1 y1 {
-                damping => alpha_M*m1 + beta_K*kb1 + cos_a.powi(2)*beta_K*k12_mid;
+                damping => alpha_M*m1 + beta_K*kb1 + cos_a.powi(2)*beta_K*k12_mid*damp12;
             }
             y1 x2 {
-                damping => -cos_a*sin_a*beta_K*k12_mid;
+                damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
             }
             y1 y2 {
-                damping => -cos_a.powi(2)*beta_K*k12_mid;
+                damping => -cos_a.powi(2)*beta_K*k12_mid*damp12;
             }
             x2 x2 {
-                damping => alpha_M*m2 + beta_K*kb2 + sin_a.powi(2)*beta_K*k12_mid;
+                damping => alpha_M*m2 + beta_K*kb2 + sin_a.powi(2)*beta_K*k12_mid*damp12;
             }
             x2 y2 {
-                damping => cos_a*sin_a*beta_K*k12_mid;
+                damping => cos_a*sin_a*beta_K*k12_mid*damp12;
             }
             y2 y2 {
-                damping => alpha_M*m2 + beta_K*kb2 + cos_a.powi(2)*beta_K*k12_mid;
+                damping => alpha_M*m2 + beta_K*kb2 + cos_a.powi(2)*beta_K*k12_mid*damp12;
             }
         }
         load {
@@ -533,7 +594,25 @@ equations! {
                 torques => T_motor/N1 - T_load/N2;
             }
             s {
+                _ => k12*touch12*edge12;
+                backlash => k12*touch12*clip12*edge12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
+            }
+            x1 {
+                _ => sin_a*k12*touch12*edge12;
+                backlash => sin_a*k12*touch12*clip12*edge12;
+            }
+            y1 {
+                _ => cos_a*k12*touch12*edge12;
+                backlash => cos_a*k12*touch12*clip12*edge12;
+            }
+            x2 {
+                _ => -sin_a*k12*touch12*edge12;
+                backlash => -sin_a*k12*touch12*clip12*edge12;
+            }
+            y2 {
+                _ => -cos_a*k12*touch12*edge12;
+                backlash => -cos_a*k12*touch12*clip12*edge12;
             }
         }
     }
@@ -544,14 +623,14 @@ equations! {
             }
         }
         step {
-            _ => dk12*delta12.powi(2)/2.0;
+            _ => dk12*touch12*over12.powi(2)/2.0;
         }
     }
 
     text {
         "T = (I1*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*(theta_dot/N2 - s_dot/(2*h*N2))^2 + m1*x1_dot^2 + m1*y1_dot^2 + m2*x2_dot^2 + m2*y2_dot^2)/2";
-        "V = (kb1*x1^2 + kb1*y1^2 + kb2*x2^2 + kb2*y2^2 + k12*delta12^2)/2";
-        "D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + alpha_M*m1*x1_dot^2 + alpha_M*m1*y1_dot^2 + alpha_M*m2*x2_dot^2 + alpha_M*m2*y2_dot^2 + beta_K*kb1*x1_dot^2 + beta_K*kb1*y1_dot^2 + beta_K*kb2*x2_dot^2 + beta_K*kb2*y2_dot^2 + beta_K*k12_mid*delta12_dot^2)/2 [damping]";
+        "V = (kb1*x1^2 + kb1*y1^2 + kb2*x2^2 + kb2*y2^2 + k12*touch12*over12^2)/2";
+        "D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + alpha_M*m1*x1_dot^2 + alpha_M*m1*y1_dot^2 + alpha_M*m2*x2_dot^2 + alpha_M*m2*y2_dot^2 + beta_K*kb1*x1_dot^2 + beta_K*kb1*y1_dot^2 + beta_K*kb2*x2_dot^2 + beta_K*kb2*y2_dot^2 + beta_K*k12_mid*damp12*over12_dot^2)/2 [damping]";
         "Q_theta = T_motor/N1 - T_load/N2 [torques]";
         "Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]";
         "Q_x1 = 0";
@@ -561,20 +640,24 @@ equations! {
         "h = r1/N1";
         "cos_a = cos(alpha)";
         "sin_a = sin(alpha)";
-        "delta12 = s + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2";
-        "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*delta12^2/2 [jump terms]";
-        "((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*delta12 + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*delta12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]";
-        "(m1) x1'' = -sin_a*k12*delta12 - kb1*x1 - sin_a*beta_K*k12_mid*delta12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]";
-        "(m1) y1'' = -cos_a*k12*delta12 - kb1*y1 - cos_a*beta_K*k12_mid*delta12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]";
-        "(m2) x2'' = sin_a*k12*delta12 - kb2*x2 + sin_a*beta_K*k12_mid*delta12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]";
-        "(m2) y2'' = cos_a*k12*delta12 - kb2*y2 + cos_a*beta_K*k12_mid*delta12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]";
-        "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*delta12^2/2)";
+        "over12 = s - edge12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2";
+        "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
+        "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
+        "  clip12 = 1 where it would push more than the spring does, it pushes as much";
+        "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
+        "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
+        "((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]";
+        "(m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]";
+        "(m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]";
+        "(m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]";
+        "(m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]";
+        "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + m_{1}\\, \\dot{x_{1}}^{2} + m_{1}\\, \\dot{y_{1}}^{2} + m_{2}\\, \\dot{x_{2}}^{2} + m_{2}\\, \\dot{y_{2}}^{2})";
-        "V = \\frac{1}{2} (\\mathrm{kb}_{1}\\, x_{1}^{2} + \\mathrm{kb}_{1}\\, y_{1}^{2} + \\mathrm{kb}_{2}\\, x_{2}^{2} + \\mathrm{kb}_{2}\\, y_{2}^{2} + k_{12}\\, \\delta_{12}^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}}^{2} + \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}}^{2} + \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}}^{2} + \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}^{2} + \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}}^{2})\\ [\\text{damping}]";
+        "V = \\frac{1}{2} (\\mathrm{kb}_{1}\\, x_{1}^{2} + \\mathrm{kb}_{1}\\, y_{1}^{2} + \\mathrm{kb}_{2}\\, x_{2}^{2} + \\mathrm{kb}_{2}\\, y_{2}^{2} + k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2})";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}}^{2} + \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}}^{2} + \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}}^{2} + \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}^{2} + \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}}^{2})\\ [\\text{damping}]";
         "Q_{\\theta} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}]";
         "Q_{s} = \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}]";
         "Q_{x_{1}} = 0";
@@ -584,12 +667,12 @@ equations! {
         "h = \\frac{r_{1}}{N_{1}}";
         "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
         "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
-        "\\delta_{12} = s + \\mathrm{cos}_{a}\\, y_{1} - \\mathrm{cos}_{a}\\, y_{2} + \\mathrm{sin}_{a}\\, x_{1} - \\mathrm{sin}_{a}\\, x_{2}";
-        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{s} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\delta_{12}^{2}}{2}\\ [\\text{jump terms}]";
-        "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}})) \\ddot{s} = -k_{12}\\, \\delta_{12} + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}]";
-        "(m_{1}) \\ddot{x_{1}} = -\\mathrm{sin}_{a}\\, k_{12}\\, \\delta_{12} - \\mathrm{kb}_{1}\\, x_{1} - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}\\ [\\text{damping}]";
-        "(m_{1}) \\ddot{y_{1}} = -\\mathrm{cos}_{a}\\, k_{12}\\, \\delta_{12} - \\mathrm{kb}_{1}\\, y_{1} - \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}\\ [\\text{damping}]";
-        "(m_{2}) \\ddot{x_{2}} = \\mathrm{sin}_{a}\\, k_{12}\\, \\delta_{12} - \\mathrm{kb}_{2}\\, x_{2} + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}\\ [\\text{damping}]";
-        "(m_{2}) \\ddot{y_{2}} = \\mathrm{cos}_{a}\\, k_{12}\\, \\delta_{12} - \\mathrm{kb}_{2}\\, y_{2} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}\\ [\\text{damping}]";
+        "\\mathrm{over}_{12} = s - \\mathrm{edge}_{12} + \\mathrm{cos}_{a}\\, y_{1} - \\mathrm{cos}_{a}\\, y_{2} + \\mathrm{sin}_{a}\\, x_{1} - \\mathrm{sin}_{a}\\, x_{2}";
+        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{s} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2}}{2}\\ [\\text{jump terms}]";
+        "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}})) \\ddot{s} = -k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}]";
+        "(m_{1}) \\ddot{x_{1}} = -\\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, x_{1} - \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}\\ [\\text{damping}]";
+        "(m_{1}) \\ddot{y_{1}} = -\\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, y_{1} - \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}\\ [\\text{damping}]";
+        "(m_{2}) \\ddot{x_{2}} = \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{2}\\, x_{2} + \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}\\ [\\text{damping}]";
+        "(m_{2}) \\ddot{y_{2}} = \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{2}\\, y_{2} + \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}\\ [\\text{damping}]";
     }
 }

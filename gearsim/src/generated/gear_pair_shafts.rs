@@ -8,12 +8,12 @@
 //!
 //! ```text
 //! T = (I1*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*(theta_dot/N2 - s_dot/(2*h*N2))^2 + I_l*(theta_dot/N2 - psi_l_dot - s_dot/(2*h*N2))^2 + I_m*(psi_m_dot + s_dot/(2*h*N1) + theta_dot/N1)^2)/2
-//! V = (k_l*psi_l^2 + k_m*psi_m^2 + k12*s^2)/2
-//! D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2*h*N2))^2 + I_m*alpha_M*(psi_m_dot + s_dot/(2*h*N1) + theta_dot/N1)^2 + beta_K*k_l*psi_l_dot^2 + beta_K*k_m*psi_m_dot^2 + beta_K*k12_mid*s_dot^2)/2 [damping]
-//! Q_theta = T_motor/N1 - T_load/N2 [torques]
-//! Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]
-//! Q_psi_m = T_motor [torques]
-//! Q_psi_l = T_load [torques]
+//! V = (k_l*psi_l^2 + k_m*psi_m^2 + k12*touch12*over12^2)/2
+//! D = c_motor*theta_m_dot^2/2 [speed governor] + Ts_motor*theta_m_dot^2/(2*n0_motor) [dc motor] + (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2*h*N2))^2 + I_m*alpha_M*(psi_m_dot + s_dot/(2*h*N1) + theta_dot/N1)^2 + beta_K*k_l*psi_l_dot^2 + beta_K*k_m*psi_m_dot^2 + beta_K*k12_mid*damp12*over12_dot^2)/2 [damping]
+//! Q_theta = T_motor/N1 - T_load/N2 [torques] + c_motor*n_motor/N1 [speed governor] + Ts_motor/N1 [dc motor] + 2*(Tb_motor*sb_motor/(N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/N2 [fan load]
+//! Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + c_motor*n_motor/(2*h*N1) [speed governor] + Ts_motor/(2*h*N1) [dc motor] + Tb_motor*sb_motor/(h*N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) [induction motor] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/(2*h*N2) [fan load]
+//! Q_psi_m = T_motor [torques] + c_motor*n_motor [speed governor] + Ts_motor [dc motor] + 2*(Tb_motor*sb_motor/(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor) - Tb_motor*sb_motor*theta_m_dot/(ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor]
+//! Q_psi_l = T_load [torques] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) [fan load]
 //! ```
 //!
 //! # Constants
@@ -22,58 +22,77 @@
 //! h = r1/N1
 //! ```
 //!
+//! # Deflections
+//!
+//! ```text
+//! over12 = s - edge12
+//! theta_m = psi_m + s/(2*h*N1) + theta/N1
+//! theta_l = theta/N2 - psi_l - s/(2*h*N2)
+//! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
+//! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
+//!   clip12 = 1 where it would push more than the spring does, it pushes as much
+//!   clip12 = -1 where it would pull more than the spring pushes, the contact has no force
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! (I1/N1^2 + I2/N2^2 + I_l/N2^2 + I_m/N1^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) s'' + (I_m/N1) psi_m'' + (-I_l/N2) psi_l'' = T_motor/N1 - T_load/N2 [torques] + I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I_l*alpha_M*theta_dot/N2^2 - I_m*alpha_M*theta_dot/N1^2 - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s_dot/(2*h*N1^2) + I2*alpha_M*s_dot/(2*h*N2^2) + I_l*alpha_M*s_dot/(2*h*N2^2) - I_m*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*s^2/2 [jump terms]
-//! ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2) + I_l/(h^2*N2^2) + I_m/(h^2*N1^2))/4) s'' + (I_m/(2*h*N1)) psi_m'' + (I_l/(2*h*N2)) psi_l'' = -k12*s + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*s_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I_l*alpha_M*s_dot/(4*h^2*N2^2) - I_m*alpha_M*s_dot/(4*h^2*N1^2) - I1*alpha_M*theta_dot/(2*h*N1^2) + I_l*alpha_M*theta_dot/(2*h*N2^2) - I_l*alpha_M*psi_l_dot/(2*h*N2) - I_m*alpha_M*theta_dot/(2*h*N1^2) - I_m*alpha_M*psi_m_dot/(2*h*N1) [damping]
-//! (I_m/N1) theta'' + (I_m/(2*h*N1)) s'' + (I_m) psi_m'' = -k_m*psi_m + T_motor [torques] - I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2*h*N1) [damping]
-//! (-I_l/N2) theta'' + (I_l/(2*h*N2)) s'' + (I_l) psi_l'' = -k_l*psi_l + T_load [torques] + I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s_dot/(2*h*N2) [damping]
+//! (I1/N1^2 + I2/N2^2 + I_l/N2^2 + I_m/N1^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) s'' + (I_m/N1) psi_m'' + (-I_l/N2) psi_l'' = T_motor/N1 - T_load/N2 [torques] + c_motor*n_motor/N1 - c_motor*theta_m_dot/N1 [speed governor] + Ts_motor/N1 - Ts_motor*theta_m_dot/(N1*n0_motor) [dc motor] + 2*(Tb_motor*sb_motor/(N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/N2 [fan load] + I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I_l*alpha_M*theta_dot/N2^2 - I_m*alpha_M*theta_dot/N1^2 - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s_dot/(2*h*N1^2) + I2*alpha_M*s_dot/(2*h*N2^2) + I_l*alpha_M*s_dot/(2*h*N2^2) - I_m*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]
+//! ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2) + I_l/(h^2*N2^2) + I_m/(h^2*N1^2))/4) s'' + (I_m/(2*h*N1)) psi_m'' + (I_l/(2*h*N2)) psi_l'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2 [speed governor] + (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2 [dc motor] + Tb_motor*sb_motor/(h*N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) [induction motor] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/(2*h*N2) [fan load] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I_l*alpha_M*s_dot/(4*h^2*N2^2) - I_m*alpha_M*s_dot/(4*h^2*N1^2) - I1*alpha_M*theta_dot/(2*h*N1^2) + I_l*alpha_M*theta_dot/(2*h*N2^2) - I_l*alpha_M*psi_l_dot/(2*h*N2) - I_m*alpha_M*theta_dot/(2*h*N1^2) - I_m*alpha_M*psi_m_dot/(2*h*N1) [damping]
+//! (I_m/N1) theta'' + (I_m/(2*h*N1)) s'' + (I_m) psi_m'' = -k_m*psi_m + T_motor [torques] + c_motor*n_motor - c_motor*theta_m_dot [speed governor] + Ts_motor - Ts_motor*theta_m_dot/n0_motor [dc motor] + 2*(Tb_motor*sb_motor/(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor) - Tb_motor*sb_motor*theta_m_dot/(ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2*h*N1) [damping]
+//! (-I_l/N2) theta'' + (I_l/(2*h*N2)) s'' + (I_l) psi_l'' = -k_l*psi_l + T_load [torques] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) [fan load] + I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s_dot/(2*h*N2) [damping]
 //! ```
 //!
 //! # At a step of a stiffness
 //!
 //! ```text
-//! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*s^2/2)
+//! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)
 //! ```
 //!
 //! # Between two steps
 //!
 //! ```text
 //! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! nonlinear with induction_motor: 2*Tb_motor*sb_motor*(1 - theta_m_dot/ns_motor)/(sb_motor^2 + (1 - theta_m_dot/ns_motor)^2) in the torque `induction`
+//! nonlinear with fan_load: -cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) in the torque `fan`
 //! ```
 //!
 //! # LaTeX
 //!
 //! ```latex
 //! T = \frac{1}{2} (I_{1}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + I_{l}\, \left(\frac{\dot{\theta}}{N_{2}} - \dot{\psi_{l}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + I_{m}\, \left(\dot{\psi_{m}} + \frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2})
-//! V = \frac{1}{2} (k_{l}\, \psi_{l}^{2} + k_{m}\, \psi_{m}^{2} + k_{12}\, s^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + I_{l}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \dot{\psi_{l}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + I_{m}\, \alpha_{M}\, \left(\dot{\psi_{m}} + \frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + \beta_{K}\, k_{l}\, \dot{\psi_{l}}^{2} + \beta_{K}\, k_{m}\, \dot{\psi_{m}}^{2} + \beta_{K}\, \bar{k_{12}}\, \dot{s}^{2})\ [\text{damping}]
-//! Q_{\theta} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}]
-//! Q_{s} = \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}]
-//! Q_{\psi_{m}} = T_{motor}\ [\text{torques}]
-//! Q_{\psi_{l}} = T_{load}\ [\text{torques}]
+//! V = \frac{1}{2} (k_{l}\, \psi_{l}^{2} + k_{m}\, \psi_{m}^{2} + k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2})
+//! D = \frac{c_{motor}\, \dot{\theta_{m}}^{2}}{2}\ [\text{speed governor}] + \frac{\mathrm{Ts}_{motor}\, \dot{\theta_{m}}^{2}}{2\, n_{0,motor}}\ [\text{dc motor}] + \frac{1}{2} (I_{1}\, \alpha_{M}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + I_{l}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \dot{\psi_{l}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + I_{m}\, \alpha_{M}\, \left(\dot{\psi_{m}} + \frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + \beta_{K}\, k_{l}\, \dot{\psi_{l}}^{2} + \beta_{K}\, k_{m}\, \dot{\psi_{m}}^{2} + \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}}^{2})\ [\text{damping}]
+//! Q_{\theta} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{c_{motor}\, n_{motor}}{N_{1}}\ [\text{speed governor}] + \frac{\mathrm{Ts}_{motor}}{N_{1}}\ [\text{dc motor}] + 2 (\frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}}{N_{1}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)} - \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}\, \dot{\theta_{m}}}{N_{1}\, \mathrm{ns}_{motor}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)})\ [\text{induction motor}] - \frac{\mathrm{cf}_{load}\, \dot{\theta_{l}}\, \sqrt{w_{0,load}^{2} + \dot{\theta_{l}}^{2}}}{N_{2}}\ [\text{fan load}]
+//! Q_{s} = \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{c_{motor}\, n_{motor}}{2\, h\, N_{1}}\ [\text{speed governor}] + \frac{\mathrm{Ts}_{motor}}{2\, h\, N_{1}}\ [\text{dc motor}] + \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}}{h\, N_{1}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)} - \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}\, \dot{\theta_{m}}}{h\, N_{1}\, \mathrm{ns}_{motor}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)}\ [\text{induction motor}] + \frac{\mathrm{cf}_{load}\, \dot{\theta_{l}}\, \sqrt{w_{0,load}^{2} + \dot{\theta_{l}}^{2}}}{2\, h\, N_{2}}\ [\text{fan load}]
+//! Q_{\psi_{m}} = T_{motor}\ [\text{torques}] + c_{motor}\, n_{motor}\ [\text{speed governor}] + \mathrm{Ts}_{motor}\ [\text{dc motor}] + 2 (\frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}}{\left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)} - \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)})\ [\text{induction motor}]
+//! Q_{\psi_{l}} = T_{load}\ [\text{torques}] + \mathrm{cf}_{load}\, \dot{\theta_{l}}\, \sqrt{w_{0,load}^{2} + \dot{\theta_{l}}^{2}}\ [\text{fan load}]
 //! h = \frac{r_{1}}{N_{1}}
-//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}} + \frac{I_{l}}{N_{2}^{2}} + \frac{I_{m}}{N_{1}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}} - \frac{I_{l}}{h\, N_{2}^{2}} + \frac{I_{m}}{h\, N_{1}^{2}})) \ddot{s} + (\frac{I_{m}}{N_{1}}) \ddot{\psi_{m}} + (-\frac{I_{l}}{N_{2}}) \ddot{\psi_{l}} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{l}\, \alpha_{M}\, \dot{\psi_{l}}}{N_{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{l}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\psi_{m}}}{N_{1}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}} + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} + \frac{I_{l}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, s^{2}}{2}\ [\text{jump terms}]
-//! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}} - \frac{I_{l}}{h\, N_{2}^{2}} + \frac{I_{m}}{h\, N_{1}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}} + \frac{I_{l}}{h^{2}\, N_{2}^{2}} + \frac{I_{m}}{h^{2}\, N_{1}^{2}})) \ddot{s} + (\frac{I_{m}}{2\, h\, N_{1}}) \ddot{\psi_{m}} + (\frac{I_{l}}{2\, h\, N_{2}}) \ddot{\psi_{l}} = -k_{12}\, s + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \dot{s} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{l}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}} + \frac{I_{l}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \frac{I_{l}\, \alpha_{M}\, \dot{\psi_{l}}}{2\, h\, N_{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\psi_{m}}}{2\, h\, N_{1}}\ [\text{damping}]
-//! (\frac{I_{m}}{N_{1}}) \ddot{\theta} + (\frac{I_{m}}{2\, h\, N_{1}}) \ddot{s} + (I_{m}) \ddot{\psi_{m}} = -k_{m}\, \psi_{m} + T_{motor}\ [\text{torques}] - I_{m}\, \alpha_{M}\, \dot{\psi_{m}} - \frac{I_{m}\, \alpha_{M}\, \dot{\theta}}{N_{1}} - \beta_{K}\, k_{m}\, \dot{\psi_{m}} - \frac{I_{m}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}}\ [\text{damping}]
-//! (-\frac{I_{l}}{N_{2}}) \ddot{\theta} + (\frac{I_{l}}{2\, h\, N_{2}}) \ddot{s} + (I_{l}) \ddot{\psi_{l}} = -k_{l}\, \psi_{l} + T_{load}\ [\text{torques}] + \frac{I_{l}\, \alpha_{M}\, \dot{\theta}}{N_{2}} - I_{l}\, \alpha_{M}\, \dot{\psi_{l}} - \beta_{K}\, k_{l}\, \dot{\psi_{l}} - \frac{I_{l}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}}\ [\text{damping}]
+//! \mathrm{over}_{12} = s - \mathrm{edge}_{12}
+//! \theta_{m} = \psi_{m} + \frac{s}{2\, h\, N_{1}} + \frac{\theta}{N_{1}}
+//! \theta_{l} = \frac{\theta}{N_{2}} - \psi_{l} - \frac{s}{2\, h\, N_{2}}
+//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}} + \frac{I_{l}}{N_{2}^{2}} + \frac{I_{m}}{N_{1}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}} - \frac{I_{l}}{h\, N_{2}^{2}} + \frac{I_{m}}{h\, N_{1}^{2}})) \ddot{s} + (\frac{I_{m}}{N_{1}}) \ddot{\psi_{m}} + (-\frac{I_{l}}{N_{2}}) \ddot{\psi_{l}} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{c_{motor}\, n_{motor}}{N_{1}} - \frac{c_{motor}\, \dot{\theta_{m}}}{N_{1}}\ [\text{speed governor}] + \frac{\mathrm{Ts}_{motor}}{N_{1}} - \frac{\mathrm{Ts}_{motor}\, \dot{\theta_{m}}}{N_{1}\, n_{0,motor}}\ [\text{dc motor}] + 2 (\frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}}{N_{1}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)} - \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}\, \dot{\theta_{m}}}{N_{1}\, \mathrm{ns}_{motor}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)})\ [\text{induction motor}] - \frac{\mathrm{cf}_{load}\, \dot{\theta_{l}}\, \sqrt{w_{0,load}^{2} + \dot{\theta_{l}}^{2}}}{N_{2}}\ [\text{fan load}] + \frac{I_{l}\, \alpha_{M}\, \dot{\psi_{l}}}{N_{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{l}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\psi_{m}}}{N_{1}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}} + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} + \frac{I_{l}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2}}{2}\ [\text{jump terms}]
+//! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}} - \frac{I_{l}}{h\, N_{2}^{2}} + \frac{I_{m}}{h\, N_{1}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}} + \frac{I_{l}}{h^{2}\, N_{2}^{2}} + \frac{I_{m}}{h^{2}\, N_{1}^{2}})) \ddot{s} + (\frac{I_{m}}{2\, h\, N_{1}}) \ddot{\psi_{m}} + (\frac{I_{l}}{2\, h\, N_{2}}) \ddot{\psi_{l}} = -k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{1}{2} (\frac{c_{motor}\, n_{motor}}{h\, N_{1}} - \frac{c_{motor}\, \dot{\theta_{m}}}{h\, N_{1}})\ [\text{speed governor}] + \frac{1}{2} (\frac{\mathrm{Ts}_{motor}}{h\, N_{1}} - \frac{\mathrm{Ts}_{motor}\, \dot{\theta_{m}}}{h\, N_{1}\, n_{0,motor}})\ [\text{dc motor}] + \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}}{h\, N_{1}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)} - \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}\, \dot{\theta_{m}}}{h\, N_{1}\, \mathrm{ns}_{motor}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)}\ [\text{induction motor}] + \frac{\mathrm{cf}_{load}\, \dot{\theta_{l}}\, \sqrt{w_{0,load}^{2} + \dot{\theta_{l}}^{2}}}{2\, h\, N_{2}}\ [\text{fan load}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{l}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}} + \frac{I_{l}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \frac{I_{l}\, \alpha_{M}\, \dot{\psi_{l}}}{2\, h\, N_{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}} - \frac{I_{m}\, \alpha_{M}\, \dot{\psi_{m}}}{2\, h\, N_{1}}\ [\text{damping}]
+//! (\frac{I_{m}}{N_{1}}) \ddot{\theta} + (\frac{I_{m}}{2\, h\, N_{1}}) \ddot{s} + (I_{m}) \ddot{\psi_{m}} = -k_{m}\, \psi_{m} + T_{motor}\ [\text{torques}] + c_{motor}\, n_{motor} - c_{motor}\, \dot{\theta_{m}}\ [\text{speed governor}] + \mathrm{Ts}_{motor} - \frac{\mathrm{Ts}_{motor}\, \dot{\theta_{m}}}{n_{0,motor}}\ [\text{dc motor}] + 2 (\frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}}{\left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)} - \frac{\mathrm{Tb}_{motor}\, \mathrm{sb}_{motor}\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}\, \left(1 + \mathrm{sb}_{motor}^{2} + \frac{\dot{\theta_{m}}^{2}}{\mathrm{ns}_{motor}^{2}} - \frac{2\, \dot{\theta_{m}}}{\mathrm{ns}_{motor}}\right)})\ [\text{induction motor}] - I_{m}\, \alpha_{M}\, \dot{\psi_{m}} - \frac{I_{m}\, \alpha_{M}\, \dot{\theta}}{N_{1}} - \beta_{K}\, k_{m}\, \dot{\psi_{m}} - \frac{I_{m}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}}\ [\text{damping}]
+//! (-\frac{I_{l}}{N_{2}}) \ddot{\theta} + (\frac{I_{l}}{2\, h\, N_{2}}) \ddot{s} + (I_{l}) \ddot{\psi_{l}} = -k_{l}\, \psi_{l} + T_{load}\ [\text{torques}] + \mathrm{cf}_{load}\, \dot{\theta_{l}}\, \sqrt{w_{0,load}^{2} + \dot{\theta_{l}}^{2}}\ [\text{fan load}] + \frac{I_{l}\, \alpha_{M}\, \dot{\theta}}{N_{2}} - I_{l}\, \alpha_{M}\, \dot{\psi_{l}} - \beta_{K}\, k_{l}\, \dot{\psi_{l}} - \frac{I_{l}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - V is the same on both sides of the edges of over12: no impulse there
 //! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
-//! - without the jump terms the balance fails: energy is created at the rate dk12*s^2*theta_dot/2
+//! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 0 | 1 | 0 |
-//! | force | 27 | 148 | 0 |
-//! | energy step of k12 | 0 | 3 | 0 |
+//! | force | 57 | 262 | 3 |
+//! | energy step of k12 | 0 | 4 | 0 |
 
 use gearsim_macros::equations;
 
@@ -97,8 +116,18 @@ equations! {
         I_l "kg*m^2" required, open 0.0 to inf, "moment of inertia of the load";
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
+        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: it is free within b/2 to either side";
         T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
         T_load "N*m" required, open -inf to inf, "load torque of the load, against its rotation";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf, "torque of the motor's governor per speed that it lacks";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "speed that the motor's governor aims at";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "speed of the motor without load";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, the largest it has";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "torque of the load as a fan, over the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf, "speed of the load below which the fan's torque is straight instead of square";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -112,26 +141,42 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        backlash "flanks with play: drive and coast flank, and free flight between";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, rigid_kinematics, frozen_phase) "a governor that drives the motor in proportion to what its speed lacks";
+        dc_motor excludes(induction_motor, rigid_kinematics, frozen_phase) "a DC motor on a constant voltage: its torque falls straight from stall to no load";
+        induction_motor excludes(rigid_kinematics, frozen_phase) "an induction motor, its torque by the formula of Kloss";
+        fan_load excludes(rigid_kinematics, frozen_phase) "a fan as load: torque with the square of the speed, against it";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
     }
 
     constants {
         h = r1/N1;
+    }
+    deflections {
+        over12 = s - edge12;
+        theta_m = psi_m + s/(2.0*h*N1) + theta/N1;
+        theta_l = theta/N2 - psi_l - s/(2.0*h*N2);
+    }
+    dead_bands {
+        over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh";
     }
     energies {
         kinetic {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + I_l*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2) + I_m*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2))/2.0;
         }
         potential {
-            _ => (k_l*psi_l.powi(2) + k_m*psi_m.powi(2) + k12*s.powi(2))/2.0;
+            _ => (k_l*psi_l.powi(2) + k_m*psi_m.powi(2) + k12*touch12*over12.powi(2))/2.0;
         }
         dissipation {
-            damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2) + I_m*alpha_M*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + beta_K*k_l*psi_l_dot.powi(2) + beta_K*k_m*psi_m_dot.powi(2) + beta_K*k12_mid*s_dot.powi(2))/2.0;
+            speed_governor => c_motor*theta_m_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_m_dot.powi(2)/(2.0*n0_motor);
+            damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2) + I_m*alpha_M*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + beta_K*k_l*psi_l_dot.powi(2) + beta_K*k_m*psi_m_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -141,16 +186,36 @@ equations! {
         load "load torque of the load, against its rotation" {
             torques => T_load*(psi_l + s/(2.0*h*N2) - theta/N2);
         }
+        governor "torque c n of the governor; what it takes back, c omega, is in D" {
+            speed_governor => c_motor*n_motor*(psi_m + s/(2.0*h*N1) + theta/N1);
+        }
+        dc "stall torque of the DC motor; what speed takes of it is in D" {
+            dc_motor => Ts_motor*(psi_m + s/(2.0*h*N1) + theta/N1);
+        }
+        induction "torque of the induction motor" {}
+        power {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_m_dot/ns_motor)*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1)/(sb_motor.powi(2) + (1.0 - theta_m_dot/ns_motor).powi(2));
+        }
+        fan "torque of the fan, against its rotation" {}
+        power {
+            fan_load => -cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2));
+        }
     }
     work {
         theta {
             torques => T_motor/N1 - T_load/N2;
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
         }
         s {
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
+            speed_governor => c_motor*n_motor/(2.0*h*N1);
+            dc_motor => Ts_motor/(2.0*h*N1);
         }
         psi_m {
             torques => T_motor;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
         }
         psi_l {
             torques => T_load;
@@ -188,91 +253,143 @@ equations! {
     force {
         theta {
             torques => T_motor/N1 - T_load/N2;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_m_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_m_dot/(N1*n0_motor);
+            induction_motor => 2.0*(Tb_motor*sb_motor/(N1*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)));
+            fan_load => -cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2;
             damping => I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2) - I_l*alpha_M*theta_dot/N2.powi(2) - I_m*alpha_M*theta_dot/N1.powi(2) - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2)) + I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) + I_l*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I_m*alpha_M*s_dot/(2.0*h*N1.powi(2));
-            jump_terms => -dk12*s.powi(2)/2.0;
+            jump_terms => -dk12*touch12*over12.powi(2)/2.0;
         }
         s {
-            _ => -k12*s;
+            _ => -k12*touch12*over12;
+            backlash => -k12*touch12*clip12*over12;
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
-            damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*s_dot - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I_l*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2)) + I_l*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - I_l*alpha_M*psi_l_dot/(2.0*h*N2) - I_m*alpha_M*theta_dot/(2.0*h*N1.powi(2)) - I_m*alpha_M*psi_m_dot/(2.0*h*N1);
+            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2.0;
+            dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2.0;
+            induction_motor => Tb_motor*sb_motor/(h*N1*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor));
+            fan_load => cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(2.0*h*N2);
+            damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I_l*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2)) + I_l*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - I_l*alpha_M*psi_l_dot/(2.0*h*N2) - I_m*alpha_M*theta_dot/(2.0*h*N1.powi(2)) - I_m*alpha_M*psi_m_dot/(2.0*h*N1);
         }
         psi_m {
             _ => -k_m*psi_m;
             torques => T_motor;
+            speed_governor => c_motor*n_motor - c_motor*theta_m_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_m_dot/n0_motor;
+            induction_motor => 2.0*(Tb_motor*sb_motor/(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor) - Tb_motor*sb_motor*theta_m_dot/(ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)));
             damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2.0*h*N1);
         }
         psi_l {
             _ => -k_l*psi_l;
             torques => T_load;
+            fan_load => cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt();
             damping => I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s_dot/(2.0*h*N2);
         }
     }
     jacobian {
         theta theta {
-            jump_terms => -ddk12*s.powi(2)/2.0;
+            jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
-            jump_terms => -dk12*s;
+            jump_terms => -dk12*touch12*over12;
         }
         theta theta_dot {
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(N1.powi(2)*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 8.0*Tb_motor*sb_motor*theta_m_dot/(N1.powi(2)*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 2.0*Tb_motor*sb_motor/(N1.powi(2)*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 4.0*Tb_motor*sb_motor/(N1.powi(2)*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            fan_load => -cf_load*theta_l_dot.powi(2)/(N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_l*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2);
         }
         theta s_dot {
+            speed_governor => -c_motor/(2.0*h*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(h*N1.powi(2)*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 4.0*Tb_motor*sb_motor*theta_m_dot/(h*N1.powi(2)*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 2.0*Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            fan_load => (cf_load*theta_l_dot.powi(2)/(h*N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2.powi(2)))/2.0;
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))/2.0;
         }
         theta psi_m_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 8.0*Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 2.0*Tb_motor*sb_motor/(N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 4.0*Tb_motor*sb_motor/(N1*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
             damping => -I_m*alpha_M/N1;
         }
         theta psi_l_dot {
+            fan_load => cf_load*theta_l_dot.powi(2)/(N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2;
             damping => I_l*alpha_M/N2;
         }
         s theta {
-            moving_phase => -dk12*s;
+            backlash_and_moving_phase => -dk12*touch12*clip12*over12;
+            moving_phase => -dk12*touch12*over12;
         }
         s s {
-            _ => -k12;
+            _ => -k12*touch12;
+            backlash => -k12*touch12*clip12;
         }
         s theta_dot {
+            speed_governor => -c_motor/(2.0*h*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(h*N1.powi(2)*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 4.0*Tb_motor*sb_motor*theta_m_dot/(h*N1.powi(2)*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 2.0*Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            fan_load => (cf_load*theta_l_dot.powi(2)/(h*N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2.powi(2)))/2.0;
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
-            damping => -beta_K*k12_mid - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)) - I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
+            speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
+            dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
+            induction_motor => Tb_motor*sb_motor*theta_m_dot.powi(2)/(h.powi(2)*N1.powi(2)*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 2.0*Tb_motor*sb_motor*theta_m_dot/(h.powi(2)*N1.powi(2)*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - Tb_motor*sb_motor/(2.0*h.powi(2)*N1.powi(2)*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + Tb_motor*sb_motor/(h.powi(2)*N1.powi(2)*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            fan_load => (-cf_load*theta_l_dot.powi(2)/(h.powi(2)*N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h.powi(2)*N2.powi(2)))/4.0;
+            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)) - I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
         }
         s psi_m_dot {
+            speed_governor => -c_motor/(2.0*h*N1);
+            dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
+            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(h*N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 4.0*Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - Tb_motor*sb_motor/(h*N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 2.0*Tb_motor*sb_motor/(h*N1*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
             damping => -I_m*alpha_M/(2.0*h*N1);
         }
         s psi_l_dot {
+            fan_load => (-cf_load*theta_l_dot.powi(2)/(h*N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2))/2.0;
             damping => -I_l*alpha_M/(2.0*h*N2);
         }
         psi_m psi_m {
             _ => -k_m;
         }
         psi_m theta_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 8.0*Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 2.0*Tb_motor*sb_motor/(N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 4.0*Tb_motor*sb_motor/(N1*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
             damping => -I_m*alpha_M/N1;
         }
         psi_m s_dot {
+            speed_governor => -c_motor/(2.0*h*N1);
+            dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
+            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(h*N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 4.0*Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - Tb_motor*sb_motor/(h*N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 2.0*Tb_motor*sb_motor/(h*N1*ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
             damping => -I_m*alpha_M/(2.0*h*N1);
         }
         psi_m psi_m_dot {
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)/(ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 8.0*Tb_motor*sb_motor*theta_m_dot/(ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor)) - 2.0*Tb_motor*sb_motor/(ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)) + 4.0*Tb_motor*sb_motor/(ns_motor*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4) - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2) + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
             damping => -I_m*alpha_M - beta_K*k_m;
         }
         psi_l psi_l {
             _ => -k_l;
         }
         psi_l theta_dot {
+            fan_load => cf_load*theta_l_dot.powi(2)/(N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2;
             damping => I_l*alpha_M/N2;
         }
         psi_l s_dot {
+            fan_load => (-cf_load*theta_l_dot.powi(2)/(h*N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()) - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2))/2.0;
             damping => -I_l*alpha_M/(2.0*h*N2);
         }
         psi_l psi_l_dot {
+            fan_load => -cf_load*theta_l_dot.powi(2)/(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt() - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt();
             damping => -I_l*alpha_M - beta_K*k_l;
         }
     }
     cell {
         stiffness {
             s s {
-                _ => k12;
+                _ => k12*touch12;
+                backlash => k12*touch12*clip12;
             }
             psi_m psi_m {
                 _ => k_m;
@@ -283,27 +400,39 @@ equations! {
         }
         damping {
             theta theta {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
                 damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_l*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2);
             }
             theta s {
+                speed_governor => c_motor/(2.0*h*N1.powi(2));
+                dc_motor => Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
                 damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)) - I_l*alpha_M/(h*N2.powi(2)) + I_m*alpha_M/(h*N1.powi(2)))/2.0;
             }
             theta psi_m {
+                speed_governor => c_motor/N1;
+                dc_motor => Ts_motor/(N1*n0_motor);
                 damping => I_m*alpha_M/N1;
             }
             theta psi_l {
                 damping => -I_l*alpha_M/N2;
             }
             s s {
-                damping => beta_K*k12_mid + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)) + I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) + I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
+                speed_governor => c_motor/(4.0*h.powi(2)*N1.powi(2));
+                dc_motor => Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)) + I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) + I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
             }
             s psi_m {
+                speed_governor => c_motor/(2.0*h*N1);
+                dc_motor => Ts_motor/(2.0*h*N1*n0_motor);
                 damping => I_m*alpha_M/(2.0*h*N1);
             }
             s psi_l {
                 damping => I_l*alpha_M/(2.0*h*N2);
             }
             psi_m psi_m {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
                 damping => I_m*alpha_M + beta_K*k_m;
             }
             psi_l psi_l {
@@ -313,17 +442,29 @@ equations! {
         load {
             theta {
                 torques => T_motor/N1 - T_load/N2;
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
             }
             s {
+                _ => k12*touch12*edge12;
+                backlash => k12*touch12*clip12*edge12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
+                speed_governor => c_motor*n_motor/(2.0*h*N1);
+                dc_motor => Ts_motor/(2.0*h*N1);
             }
             psi_m {
                 torques => T_motor;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
             }
             psi_l {
                 torques => T_load;
             }
         }
+    }
+    nonlinear_with {
+        induction_motor "2*Tb_motor*sb_motor*(1 - theta_m_dot/ns_motor)/(sb_motor^2 + (1 - theta_m_dot/ns_motor)^2) in the torque `induction`";
+        fan_load "-cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) in the torque `fan`";
     }
     jump k12 {
         normal {
@@ -332,38 +473,50 @@ equations! {
             }
         }
         step {
-            _ => dk12*s.powi(2)/2.0;
+            _ => dk12*touch12*over12.powi(2)/2.0;
         }
     }
 
     text {
         "T = (I1*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*(theta_dot/N2 - s_dot/(2*h*N2))^2 + I_l*(theta_dot/N2 - psi_l_dot - s_dot/(2*h*N2))^2 + I_m*(psi_m_dot + s_dot/(2*h*N1) + theta_dot/N1)^2)/2";
-        "V = (k_l*psi_l^2 + k_m*psi_m^2 + k12*s^2)/2";
-        "D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2*h*N2))^2 + I_m*alpha_M*(psi_m_dot + s_dot/(2*h*N1) + theta_dot/N1)^2 + beta_K*k_l*psi_l_dot^2 + beta_K*k_m*psi_m_dot^2 + beta_K*k12_mid*s_dot^2)/2 [damping]";
-        "Q_theta = T_motor/N1 - T_load/N2 [torques]";
-        "Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]";
-        "Q_psi_m = T_motor [torques]";
-        "Q_psi_l = T_load [torques]";
+        "V = (k_l*psi_l^2 + k_m*psi_m^2 + k12*touch12*over12^2)/2";
+        "D = c_motor*theta_m_dot^2/2 [speed governor] + Ts_motor*theta_m_dot^2/(2*n0_motor) [dc motor] + (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2*h*N2))^2 + I_m*alpha_M*(psi_m_dot + s_dot/(2*h*N1) + theta_dot/N1)^2 + beta_K*k_l*psi_l_dot^2 + beta_K*k_m*psi_m_dot^2 + beta_K*k12_mid*damp12*over12_dot^2)/2 [damping]";
+        "Q_theta = T_motor/N1 - T_load/N2 [torques] + c_motor*n_motor/N1 [speed governor] + Ts_motor/N1 [dc motor] + 2*(Tb_motor*sb_motor/(N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/N2 [fan load]";
+        "Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + c_motor*n_motor/(2*h*N1) [speed governor] + Ts_motor/(2*h*N1) [dc motor] + Tb_motor*sb_motor/(h*N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) [induction motor] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/(2*h*N2) [fan load]";
+        "Q_psi_m = T_motor [torques] + c_motor*n_motor [speed governor] + Ts_motor [dc motor] + 2*(Tb_motor*sb_motor/(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor) - Tb_motor*sb_motor*theta_m_dot/(ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor]";
+        "Q_psi_l = T_load [torques] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) [fan load]";
         "h = r1/N1";
-        "(I1/N1^2 + I2/N2^2 + I_l/N2^2 + I_m/N1^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) s'' + (I_m/N1) psi_m'' + (-I_l/N2) psi_l'' = T_motor/N1 - T_load/N2 [torques] + I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I_l*alpha_M*theta_dot/N2^2 - I_m*alpha_M*theta_dot/N1^2 - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s_dot/(2*h*N1^2) + I2*alpha_M*s_dot/(2*h*N2^2) + I_l*alpha_M*s_dot/(2*h*N2^2) - I_m*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*s^2/2 [jump terms]";
-        "((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2) + I_l/(h^2*N2^2) + I_m/(h^2*N1^2))/4) s'' + (I_m/(2*h*N1)) psi_m'' + (I_l/(2*h*N2)) psi_l'' = -k12*s + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*s_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I_l*alpha_M*s_dot/(4*h^2*N2^2) - I_m*alpha_M*s_dot/(4*h^2*N1^2) - I1*alpha_M*theta_dot/(2*h*N1^2) + I_l*alpha_M*theta_dot/(2*h*N2^2) - I_l*alpha_M*psi_l_dot/(2*h*N2) - I_m*alpha_M*theta_dot/(2*h*N1^2) - I_m*alpha_M*psi_m_dot/(2*h*N1) [damping]";
-        "(I_m/N1) theta'' + (I_m/(2*h*N1)) s'' + (I_m) psi_m'' = -k_m*psi_m + T_motor [torques] - I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2*h*N1) [damping]";
-        "(-I_l/N2) theta'' + (I_l/(2*h*N2)) s'' + (I_l) psi_l'' = -k_l*psi_l + T_load [torques] + I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s_dot/(2*h*N2) [damping]";
-        "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*s^2/2)";
+        "over12 = s - edge12";
+        "theta_m = psi_m + s/(2*h*N1) + theta/N1";
+        "theta_l = theta/N2 - psi_l - s/(2*h*N2)";
+        "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
+        "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
+        "  clip12 = 1 where it would push more than the spring does, it pushes as much";
+        "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
+        "(I1/N1^2 + I2/N2^2 + I_l/N2^2 + I_m/N1^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) s'' + (I_m/N1) psi_m'' + (-I_l/N2) psi_l'' = T_motor/N1 - T_load/N2 [torques] + c_motor*n_motor/N1 - c_motor*theta_m_dot/N1 [speed governor] + Ts_motor/N1 - Ts_motor*theta_m_dot/(N1*n0_motor) [dc motor] + 2*(Tb_motor*sb_motor/(N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/N2 [fan load] + I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I_l*alpha_M*theta_dot/N2^2 - I_m*alpha_M*theta_dot/N1^2 - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s_dot/(2*h*N1^2) + I2*alpha_M*s_dot/(2*h*N2^2) + I_l*alpha_M*s_dot/(2*h*N2^2) - I_m*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
+        "((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2) + I_l/(h^2*N2^2) + I_m/(h^2*N1^2))/4) s'' + (I_m/(2*h*N1)) psi_m'' + (I_l/(2*h*N2)) psi_l'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2 [speed governor] + (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2 [dc motor] + Tb_motor*sb_motor/(h*N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) [induction motor] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/(2*h*N2) [fan load] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I_l*alpha_M*s_dot/(4*h^2*N2^2) - I_m*alpha_M*s_dot/(4*h^2*N1^2) - I1*alpha_M*theta_dot/(2*h*N1^2) + I_l*alpha_M*theta_dot/(2*h*N2^2) - I_l*alpha_M*psi_l_dot/(2*h*N2) - I_m*alpha_M*theta_dot/(2*h*N1^2) - I_m*alpha_M*psi_m_dot/(2*h*N1) [damping]";
+        "(I_m/N1) theta'' + (I_m/(2*h*N1)) s'' + (I_m) psi_m'' = -k_m*psi_m + T_motor [torques] + c_motor*n_motor - c_motor*theta_m_dot [speed governor] + Ts_motor - Ts_motor*theta_m_dot/n0_motor [dc motor] + 2*(Tb_motor*sb_motor/(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor) - Tb_motor*sb_motor*theta_m_dot/(ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2*h*N1) [damping]";
+        "(-I_l/N2) theta'' + (I_l/(2*h*N2)) s'' + (I_l) psi_l'' = -k_l*psi_l + T_load [torques] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) [fan load] + I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s_dot/(2*h*N2) [damping]";
+        "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+        "nonlinear with induction_motor: 2*Tb_motor*sb_motor*(1 - theta_m_dot/ns_motor)/(sb_motor^2 + (1 - theta_m_dot/ns_motor)^2) in the torque `induction`";
+        "nonlinear with fan_load: -cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) in the torque `fan`";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + I_{l}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\dot{\\psi_{l}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + I_{m}\\, \\left(\\dot{\\psi_{m}} + \\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2})";
-        "V = \\frac{1}{2} (k_{l}\\, \\psi_{l}^{2} + k_{m}\\, \\psi_{m}^{2} + k_{12}\\, s^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + I_{l}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\dot{\\psi_{l}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + I_{m}\\, \\alpha_{M}\\, \\left(\\dot{\\psi_{m}} + \\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + \\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}}^{2} + \\beta_{K}\\, k_{m}\\, \\dot{\\psi_{m}}^{2} + \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{s}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}]";
-        "Q_{s} = \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}]";
-        "Q_{\\psi_{m}} = T_{motor}\\ [\\text{torques}]";
-        "Q_{\\psi_{l}} = T_{load}\\ [\\text{torques}]";
+        "V = \\frac{1}{2} (k_{l}\\, \\psi_{l}^{2} + k_{m}\\, \\psi_{m}^{2} + k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2})";
+        "D = \\frac{c_{motor}\\, \\dot{\\theta_{m}}^{2}}{2}\\ [\\text{speed governor}] + \\frac{\\mathrm{Ts}_{motor}\\, \\dot{\\theta_{m}}^{2}}{2\\, n_{0,motor}}\\ [\\text{dc motor}] + \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + I_{l}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\dot{\\psi_{l}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + I_{m}\\, \\alpha_{M}\\, \\left(\\dot{\\psi_{m}} + \\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + \\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}}^{2} + \\beta_{K}\\, k_{m}\\, \\dot{\\psi_{m}}^{2} + \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}}^{2})\\ [\\text{damping}]";
+        "Q_{\\theta} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{c_{motor}\\, n_{motor}}{N_{1}}\\ [\\text{speed governor}] + \\frac{\\mathrm{Ts}_{motor}}{N_{1}}\\ [\\text{dc motor}] + 2 (\\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}}{N_{1}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)} - \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}\\, \\dot{\\theta_{m}}}{N_{1}\\, \\mathrm{ns}_{motor}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)})\\ [\\text{induction motor}] - \\frac{\\mathrm{cf}_{load}\\, \\dot{\\theta_{l}}\\, \\sqrt{w_{0,load}^{2} + \\dot{\\theta_{l}}^{2}}}{N_{2}}\\ [\\text{fan load}]";
+        "Q_{s} = \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{c_{motor}\\, n_{motor}}{2\\, h\\, N_{1}}\\ [\\text{speed governor}] + \\frac{\\mathrm{Ts}_{motor}}{2\\, h\\, N_{1}}\\ [\\text{dc motor}] + \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}}{h\\, N_{1}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)} - \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}\\, \\dot{\\theta_{m}}}{h\\, N_{1}\\, \\mathrm{ns}_{motor}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)}\\ [\\text{induction motor}] + \\frac{\\mathrm{cf}_{load}\\, \\dot{\\theta_{l}}\\, \\sqrt{w_{0,load}^{2} + \\dot{\\theta_{l}}^{2}}}{2\\, h\\, N_{2}}\\ [\\text{fan load}]";
+        "Q_{\\psi_{m}} = T_{motor}\\ [\\text{torques}] + c_{motor}\\, n_{motor}\\ [\\text{speed governor}] + \\mathrm{Ts}_{motor}\\ [\\text{dc motor}] + 2 (\\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}}{\\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)} - \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)})\\ [\\text{induction motor}]";
+        "Q_{\\psi_{l}} = T_{load}\\ [\\text{torques}] + \\mathrm{cf}_{load}\\, \\dot{\\theta_{l}}\\, \\sqrt{w_{0,load}^{2} + \\dot{\\theta_{l}}^{2}}\\ [\\text{fan load}]";
         "h = \\frac{r_{1}}{N_{1}}";
-        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}} + \\frac{I_{l}}{N_{2}^{2}} + \\frac{I_{m}}{N_{1}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}} - \\frac{I_{l}}{h\\, N_{2}^{2}} + \\frac{I_{m}}{h\\, N_{1}^{2}})) \\ddot{s} + (\\frac{I_{m}}{N_{1}}) \\ddot{\\psi_{m}} + (-\\frac{I_{l}}{N_{2}}) \\ddot{\\psi_{l}} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\psi_{l}}}{N_{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\psi_{m}}}{N_{1}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}} + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, s^{2}}{2}\\ [\\text{jump terms}]";
-        "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}} - \\frac{I_{l}}{h\\, N_{2}^{2}} + \\frac{I_{m}}{h\\, N_{1}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}} + \\frac{I_{l}}{h^{2}\\, N_{2}^{2}} + \\frac{I_{m}}{h^{2}\\, N_{1}^{2}})) \\ddot{s} + (\\frac{I_{m}}{2\\, h\\, N_{1}}) \\ddot{\\psi_{m}} + (\\frac{I_{l}}{2\\, h\\, N_{2}}) \\ddot{\\psi_{l}} = -k_{12}\\, s + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{s} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}} + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\psi_{l}}}{2\\, h\\, N_{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\psi_{m}}}{2\\, h\\, N_{1}}\\ [\\text{damping}]";
-        "(\\frac{I_{m}}{N_{1}}) \\ddot{\\theta} + (\\frac{I_{m}}{2\\, h\\, N_{1}}) \\ddot{s} + (I_{m}) \\ddot{\\psi_{m}} = -k_{m}\\, \\psi_{m} + T_{motor}\\ [\\text{torques}] - I_{m}\\, \\alpha_{M}\\, \\dot{\\psi_{m}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}} - \\beta_{K}\\, k_{m}\\, \\dot{\\psi_{m}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}}\\ [\\text{damping}]";
-        "(-\\frac{I_{l}}{N_{2}}) \\ddot{\\theta} + (\\frac{I_{l}}{2\\, h\\, N_{2}}) \\ddot{s} + (I_{l}) \\ddot{\\psi_{l}} = -k_{l}\\, \\psi_{l} + T_{load}\\ [\\text{torques}] + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}} - I_{l}\\, \\alpha_{M}\\, \\dot{\\psi_{l}} - \\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}}\\ [\\text{damping}]";
+        "\\mathrm{over}_{12} = s - \\mathrm{edge}_{12}";
+        "\\theta_{m} = \\psi_{m} + \\frac{s}{2\\, h\\, N_{1}} + \\frac{\\theta}{N_{1}}";
+        "\\theta_{l} = \\frac{\\theta}{N_{2}} - \\psi_{l} - \\frac{s}{2\\, h\\, N_{2}}";
+        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}} + \\frac{I_{l}}{N_{2}^{2}} + \\frac{I_{m}}{N_{1}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}} - \\frac{I_{l}}{h\\, N_{2}^{2}} + \\frac{I_{m}}{h\\, N_{1}^{2}})) \\ddot{s} + (\\frac{I_{m}}{N_{1}}) \\ddot{\\psi_{m}} + (-\\frac{I_{l}}{N_{2}}) \\ddot{\\psi_{l}} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{c_{motor}\\, n_{motor}}{N_{1}} - \\frac{c_{motor}\\, \\dot{\\theta_{m}}}{N_{1}}\\ [\\text{speed governor}] + \\frac{\\mathrm{Ts}_{motor}}{N_{1}} - \\frac{\\mathrm{Ts}_{motor}\\, \\dot{\\theta_{m}}}{N_{1}\\, n_{0,motor}}\\ [\\text{dc motor}] + 2 (\\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}}{N_{1}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)} - \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}\\, \\dot{\\theta_{m}}}{N_{1}\\, \\mathrm{ns}_{motor}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)})\\ [\\text{induction motor}] - \\frac{\\mathrm{cf}_{load}\\, \\dot{\\theta_{l}}\\, \\sqrt{w_{0,load}^{2} + \\dot{\\theta_{l}}^{2}}}{N_{2}}\\ [\\text{fan load}] + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\psi_{l}}}{N_{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\psi_{m}}}{N_{1}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}} + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2}}{2}\\ [\\text{jump terms}]";
+        "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}} - \\frac{I_{l}}{h\\, N_{2}^{2}} + \\frac{I_{m}}{h\\, N_{1}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}} + \\frac{I_{l}}{h^{2}\\, N_{2}^{2}} + \\frac{I_{m}}{h^{2}\\, N_{1}^{2}})) \\ddot{s} + (\\frac{I_{m}}{2\\, h\\, N_{1}}) \\ddot{\\psi_{m}} + (\\frac{I_{l}}{2\\, h\\, N_{2}}) \\ddot{\\psi_{l}} = -k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{1}{2} (\\frac{c_{motor}\\, n_{motor}}{h\\, N_{1}} - \\frac{c_{motor}\\, \\dot{\\theta_{m}}}{h\\, N_{1}})\\ [\\text{speed governor}] + \\frac{1}{2} (\\frac{\\mathrm{Ts}_{motor}}{h\\, N_{1}} - \\frac{\\mathrm{Ts}_{motor}\\, \\dot{\\theta_{m}}}{h\\, N_{1}\\, n_{0,motor}})\\ [\\text{dc motor}] + \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}}{h\\, N_{1}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)} - \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}\\, \\dot{\\theta_{m}}}{h\\, N_{1}\\, \\mathrm{ns}_{motor}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)}\\ [\\text{induction motor}] + \\frac{\\mathrm{cf}_{load}\\, \\dot{\\theta_{l}}\\, \\sqrt{w_{0,load}^{2} + \\dot{\\theta_{l}}^{2}}}{2\\, h\\, N_{2}}\\ [\\text{fan load}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}} + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\psi_{l}}}{2\\, h\\, N_{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\psi_{m}}}{2\\, h\\, N_{1}}\\ [\\text{damping}]";
+        "(\\frac{I_{m}}{N_{1}}) \\ddot{\\theta} + (\\frac{I_{m}}{2\\, h\\, N_{1}}) \\ddot{s} + (I_{m}) \\ddot{\\psi_{m}} = -k_{m}\\, \\psi_{m} + T_{motor}\\ [\\text{torques}] + c_{motor}\\, n_{motor} - c_{motor}\\, \\dot{\\theta_{m}}\\ [\\text{speed governor}] + \\mathrm{Ts}_{motor} - \\frac{\\mathrm{Ts}_{motor}\\, \\dot{\\theta_{m}}}{n_{0,motor}}\\ [\\text{dc motor}] + 2 (\\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}}{\\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)} - \\frac{\\mathrm{Tb}_{motor}\\, \\mathrm{sb}_{motor}\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}\\, \\left(1 + \\mathrm{sb}_{motor}^{2} + \\frac{\\dot{\\theta_{m}}^{2}}{\\mathrm{ns}_{motor}^{2}} - \\frac{2\\, \\dot{\\theta_{m}}}{\\mathrm{ns}_{motor}}\\right)})\\ [\\text{induction motor}] - I_{m}\\, \\alpha_{M}\\, \\dot{\\psi_{m}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}} - \\beta_{K}\\, k_{m}\\, \\dot{\\psi_{m}} - \\frac{I_{m}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}}\\ [\\text{damping}]";
+        "(-\\frac{I_{l}}{N_{2}}) \\ddot{\\theta} + (\\frac{I_{l}}{2\\, h\\, N_{2}}) \\ddot{s} + (I_{l}) \\ddot{\\psi_{l}} = -k_{l}\\, \\psi_{l} + T_{load}\\ [\\text{torques}] + \\mathrm{cf}_{load}\\, \\dot{\\theta_{l}}\\, \\sqrt{w_{0,load}^{2} + \\dot{\\theta_{l}}^{2}}\\ [\\text{fan load}] + \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}} - I_{l}\\, \\alpha_{M}\\, \\dot{\\psi_{l}} - \\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}} - \\frac{I_{l}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}}\\ [\\text{damping}]";
     }
 }

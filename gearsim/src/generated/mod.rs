@@ -3,6 +3,8 @@
 use crate::engine::Entry;
 
 #[rustfmt::skip]
+pub mod backlash_oscillator;
+#[rustfmt::skip]
 pub mod chain_2;
 #[rustfmt::skip]
 pub mod chain_32;
@@ -39,6 +41,7 @@ pub mod wind_turbine;
 /// each number of coordinates here, and not again in whatever links this.
 pub static MODELS: &[Entry] = &[
     Entry::new::<gear_pair::GearPair, 2>(),
+    Entry::new::<backlash_oscillator::BacklashOscillator, 1>(),
     Entry::new::<gear_pair_shafts::GearPairShafts, 4>(),
     Entry::new::<gear_pair_bearings::GearPairBearings, 6>(),
     Entry::new::<geared_branches::GearedBranches, 4>(),

@@ -5,11 +5,15 @@
 //! account are those of the exact engine. It has no held contact: a phase that is pressed against a step ends as a cascade.
 
 mod events;
+mod flanks;
+mod work;
 
 use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
+use crate::engine::dead_band::Regime;
 use crate::engine::equations::Equations;
 use crate::engine::error::{Refusal, Stop};
+use crate::engine::forcing::Forcing;
 use crate::engine::guard::Guard;
 use crate::engine::law::Law;
 use crate::engine::record::{Recorder, State};
@@ -73,6 +77,8 @@ pub struct Advance<'a, const N: usize> {
 
     /// Whole turns of each coordinate (N).
     pub turns: [i64; N],
+    /// Work of each torque as far as it is not constant [J]; empty where all are.
+    work: Vec<f64>,
     /// Time.
     pub clock: Clock,
     /// Events and costs.
@@ -83,11 +89,33 @@ pub struct Advance<'a, const N: usize> {
     pub gave_way: Option<f64>,
 }
 
+/// What a step meets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Met {
+    /// A law meets a boundary of its cell.
+    Step(usize, Side),
+    /// A dead band meets its edge at a side, and goes over into another regime.
+    Edge(usize, Side, Regime),
+}
+
+/// What is due where a step must end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Due {
+    /// The step ended before that.
+    Nothing,
+    /// A law switches by time.
+    Switch(usize, Side),
+    /// The course of a torque breaks.
+    Break,
+    /// The run is over.
+    End,
+}
+
 /// What is recorded: by whom, at which rate \[1/s\], and whether with the limits at events.
 type Recording<'r, 'e, const N: usize> = Option<(&'r mut Recorder<'e, N>, f64, bool)>;
 
 impl<'a, const N: usize> Advance<'a, N> {
-    /// Prepares a scene.
+    /// Prepares a scene with what varies in time.
     ///
     /// # Errors
     /// Where the start is not determined.
@@ -96,16 +124,19 @@ impl<'a, const N: usize> Advance<'a, N> {
         scene: &Scene,
         method: Box<dyn Method<N>>,
         settings: Settings,
+        forcing: Option<Forcing<N>>,
     ) -> Result<Self, Refusal> {
-        let (state, laws) = start::begin(equations, scene)?;
+        let swings = forcing.as_ref().map_or(0.0, Forcing::fastest);
+        let torques = if forcing.is_some() || equations.has_powers() { scene.model.torques.len() } else { 0 };
+        let (state, laws, bands) = start::begin(equations, scene)?;
         let y = Flow { q: state.q, v: state.q_dot, lost: 0.0 };
-        let mut field = Field::new(equations, laws);
+        let mut field = Field::new(scene.model, equations, (laws, bands), forcing);
         let rate = field.rate(0.0, &y);
         // Speeds that the energy at the start allows, or the forces soon give; the fastest of the motion.
         let energy = equations.kinetic(&y.v.into()) + equations.potential(&y.q.into(), field.levels(0.0, &y));
         let [by_q, by_v] = field.jacobian(0.0, &y);
         let sum = |rows: &[[f64; N]; N]| rows.iter().map(|r| r.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
-        let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(1.0 / scene.t_end);
+        let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(swings).max(1.0 / scene.t_end);
         let mobility = equations.mobility();
         let speeds = std::array::from_fn(|i| (2.0 * energy * mobility[i][i]).sqrt().max(rate.v[i].abs() / fastest));
         let control = Control::new(settings.steps, &y, speeds, fastest, method.exponent(), scene.t_end);
@@ -122,6 +153,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             stiff: 0,
             replacement: None,
             turns: state.turns,
+            work: vec![0.0; torques],
             clock: Clock::default(),
             counts: Counts::default(),
             steps: (0, 0),
@@ -137,7 +169,7 @@ impl<'a, const N: usize> Advance<'a, N> {
         let mut sample = 0;
         loop {
             // Step, as far as the run and the laws that switch by time allow.
-            let (left, switch) = self.horizon();
+            let (left, due) = self.horizon();
             let (h, trial) = self.step(left)?;
             let dense = match h > 0.0 {
                 true => self.method.dense(&mut self.field, &self.y, h, &trial),
@@ -146,7 +178,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             // Locate, and land there.
             let met = self.first_met(&dense);
             let (taken, trial) = match met {
-                Some((x, law, side)) => self.land(h, x, law, side, &dense),
+                Some((x, met)) => self.land(h, x, met, &dense),
                 None => (h, trial),
             };
             if let Some((recorder, rate, _)) = &mut recording {
@@ -155,6 +187,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             if let Some(method) = self.replacement.take() {
                 self.method = method;
             }
+            self.work_on(&dense, h, taken);
             self.clock.advance(taken);
             self.field.begins = self.clock.now();
             (self.y, self.rate) = (trial.end, trial.rate);
@@ -162,13 +195,22 @@ impl<'a, const N: usize> Advance<'a, N> {
             self.counts.cost.evaluations = self.field.evaluations;
             self.demand_numbers()?;
             // Jump.
-            let event = met.map(|(_, law, side)| (law, side)).or(switch.filter(|_| taken >= left));
-            if let Some((law, side)) = event {
-                self.pass(law, side, &mut recording)?;
-            } else if self.settings.events == Events::AfterStep {
+            let due = if taken >= left { due } else { Due::Nothing };
+            let event = match (met, due) {
+                (Some((_, met)), _) => Some(met),
+                (None, Due::Switch(law, side)) => Some(Met::Step(law, side)),
+                _ => None,
+            };
+            match event {
+                Some(Met::Step(law, side)) => self.pass(law, side, &mut recording)?,
+                Some(Met::Edge(band, _, beyond)) => self.pass_edge(band, beyond, &mut recording)?,
+                None if due == Due::Break => self.enter_course(),
+                None => {}
+            }
+            if event.is_none() && due != Due::Break && self.settings.events == Events::AfterStep {
                 self.catch_up(&mut recording)?;
             }
-            if event.is_none() && taken >= left {
+            if event.is_none() && due == Due::End {
                 self.clock.set(self.t_end);
                 self.meet_at_the_end(&mut recording)?;
                 recording.into_iter().for_each(|(recorder, ..)| self.note(recorder, Moment::Sample));
@@ -179,13 +221,16 @@ impl<'a, const N: usize> Advance<'a, N> {
         }
     }
 
-    /// Time until the step must end, and the law that then switches by time, if one does before the run is over.
-    fn horizon(&self) -> (f64, Option<(usize, Side)>) {
+    /// Time until the step must end, and what is then due.
+    fn horizon(&self) -> (f64, Due) {
         let switches = self.field.laws.iter().enumerate().filter_map(|(i, law)| {
             let (t, side) = law.next_switch()?;
-            Some((self.clock.until(t).max(0.0), Some((i, side))))
+            Some((self.clock.until(t).max(0.0), Due::Switch(i, side)))
         });
-        let end = (self.clock.until(self.t_end), None);
+        let next = self.field.forcing.iter().map(|f| f.0.next()).filter(|next| next.is_finite());
+        let breaks = next.map(|next| (self.clock.until(next).max(0.0), Due::Break));
+        let switches = switches.chain(breaks);
+        let end = (self.clock.until(self.t_end), Due::End);
         switches.fold(end, |first, other| if other.0 < first.0 { other } else { first })
     }
 
@@ -253,6 +298,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             let y = if h > 0.0 { dense.at((tau / h).clamp(0.0, 1.0)) } else { self.y };
             let state = State { q: y.q, q_dot: y.v, turns: self.turns };
             let lost = (y.lost, 0.0);
+            recorder.beyond = self.work_after(dense, h, tau);
             recorder.row(at, Moment::Sample, &state, self.field.levels(tau, &y), lost);
             *next += 1;
         }
@@ -261,6 +307,7 @@ impl<'a, const N: usize> Advance<'a, N> {
     /// Notes the state as it is.
     pub fn note(&mut self, recorder: &mut Recorder<'_, N>, moment: Moment) {
         let (state, y) = (self.state(), self.y);
+        recorder.beyond.clone_from(&self.work);
         recorder.row(self.clock.now(), moment, &state, self.field.levels(0.0, &y), (y.lost, 0.0));
     }
 

@@ -41,16 +41,18 @@ pub fn curved<const N: usize>(model: &Model, laws: &[Law<N>]) -> Option<String> 
 /// # Errors
 /// Where the scene names the exact one, and its cells are not linear.
 pub fn of<const N: usize>(scene: &Scene, laws: &[Law<N>]) -> Result<Choice, Refusal> {
-    let terms = match scene.model.nonlinear {
-        "" => curved(scene.model, laws),
-        terms => Some(terms.into()),
+    let terms = match scene.effects.nonlinear(scene.model) {
+        terms if terms.is_empty() => curved(scene.model, laws),
+        terms => Some(terms),
     };
     let named = |method| Choice { method, give_way: false, why: "the scene names it".into() };
     match (scene.solver.method, terms) {
         (Some(Name::Exact), Some(terms)) => Err(Refusal::Nonlinear { terms }),
         (Some(method), _) => Ok(named(method)),
         (None, None) => {
-            let why = "every cell is linear: M q'' + C q' + K q = f with constant M, C, K, f".into();
+            let load =
+                scene.varying().map_or(", f".into(), |torques| format!(", and f that varies in time with {torques}"));
+            let why = format!("every cell is linear: M q'' + C q' + K q = f with constant M, C, K{load}");
             Ok(Choice { method: Name::Exact, give_way: false, why })
         }
         (None, Some(terms)) => {

@@ -1,5 +1,7 @@
 //! Dense output: the motion within a step, as a polynomial in the part x = (t - t_0)/h of it.
 
+use nalgebra::SVector;
+
 use super::flow::Flow;
 
 /// Most coefficients of a dense output: DOP853's is of degree 7.
@@ -51,12 +53,18 @@ impl<const N: usize> Dense<N> {
         gap[0] = sign * (bound - self.coefficients[0].q[i]);
         (gap, self.degree + 1)
     }
+
+    /// Coefficients of constant + slopes.q; how many there are.
+    pub fn along(&self, constant: f64, slopes: &SVector<f64, N>) -> ([f64; MOST], usize) {
+        let mut along = self.coefficients.map(|c| slopes.dot(&c.q));
+        along[0] += constant;
+        (along, self.degree + 1)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::SVector;
 
     fn flow(x: f64) -> Flow<1> {
         Flow { q: SVector::from([x]), v: SVector::from([-x]), lost: 2.0 * x }

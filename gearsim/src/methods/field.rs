@@ -1,8 +1,14 @@
-//! The right-hand side that methods integrate, smooth within a cell: q'' = M⁻¹F(q, q', k(s), dk/ds), and what damping takes.
+//! The right-hand side that methods integrate, smooth within a cell: q'' = M⁻¹F(q, q', k(s), dk/ds, t), and what damping takes.
 
+use nalgebra::{SMatrix, SVector};
+
+use crate::engine::dead_band::{DeadBand, Elastic, Regime};
 use crate::engine::equations::Equations;
+use crate::engine::forcing::Forcing;
 use crate::engine::law::Law;
+use crate::engine::record::State;
 use crate::methods::flow::Flow;
+use crate::model::Model;
 
 /// The equations of a scene with its laws where they stand.
 pub struct Field<'a, const N: usize> {
@@ -10,6 +16,11 @@ pub struct Field<'a, const N: usize> {
     pub equations: &'a dyn Equations<N>,
     /// Where the stiffnesses stand.
     pub laws: Vec<Law<N>>,
+    /// Where the dead bands stand; what their dampers do is asked of each state.
+    pub bands: Vec<DeadBand<N>>,
+    elastic: Vec<Elastic>,
+    /// What varies in time, if anything does, and M⁻¹.
+    pub forcing: Option<Box<(Forcing<N>, SMatrix<f64, N, N>)>>,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
@@ -23,20 +34,55 @@ pub struct Field<'a, const N: usize> {
 
 impl<'a, const N: usize> Field<'a, N> {
     /// The field of `equations` with `laws`.
-    pub fn new(equations: &'a dyn Equations<N>, laws: Vec<Law<N>>) -> Self {
+    pub fn new(
+        model: &Model,
+        equations: &'a dyn Equations<N>,
+        (laws, bands): (Vec<Law<N>>, Vec<DeadBand<N>>),
+        forcing: Option<Forcing<N>>,
+    ) -> Self {
+        let forcing = forcing.map(|forcing| {
+            let mobility = equations.mobility();
+            Box::new((forcing, SMatrix::from_fn(|i, j| mobility[i][j])))
+        });
         let none = vec![0.0; laws.len()];
+        let in_contact = model.in_contact(none.iter().copied());
         let steps_only = laws.iter().all(|law| law.pitch.steps_only());
-        let (k, dk, ddk) = (none.clone(), none.clone(), none);
-        let mut field = Field { equations, laws, begins: 0.0, evaluations: 0, steps_only, k, dk, ddk };
+        let (k, dk, ddk) = (in_contact, none.clone(), none);
+        let mut field = Field {
+            equations,
+            laws,
+            bands,
+            elastic: vec![],
+            forcing,
+            begins: 0.0,
+            evaluations: 0,
+            steps_only,
+            k,
+            dk,
+            ddk,
+        };
         field.enter();
         field
     }
 
-    /// Takes note that laws have gone on into other cells.
+    /// Takes note that laws and dead bands have gone on into other cells.
     pub fn enter(&mut self) {
         for (k, law) in self.k.iter_mut().zip(&self.laws) {
             *k = law.level();
         }
+        self.stretch();
+    }
+
+    /// The contacts of the dead bands with the present stiffnesses.
+    fn stretch(&mut self) {
+        let (equations, laws, k) = (self.equations, self.laws.len(), &self.k);
+        self.elastic.clear();
+        self.elastic.extend(self.bands.iter().map(|band| band.elastic(equations, laws, k)));
+    }
+
+    /// The law values where they were last evaluated.
+    pub fn k(&self) -> &[f64] {
+        &self.k
     }
 
     /// The laws' values at `y`, the time `t` after the step began.
@@ -51,7 +97,12 @@ impl<'a, const N: usize> Field<'a, N> {
         self.evaluations += 1;
         self.set(t, y);
         let a = self.equations.acceleration(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk);
-        Flow { q: y.v, v: a.into(), lost: 2.0 * self.equations.dissipation(&y.v.data.0[0]) }
+        let mut a = SVector::from(a);
+        if let Some(forcing) = &self.forcing {
+            a += forcing.1 * forcing.0.load(self.begins + t);
+        }
+        let dissipation = self.equations.dissipation(&y.v.data.0[0], &self.k);
+        Flow { q: y.v, v: a, lost: 2.0 * dissipation + self.clipped(y) }
     }
 
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
@@ -62,11 +113,28 @@ impl<'a, const N: usize> Field<'a, N> {
 
     #[inline]
     fn set(&mut self, t: f64, y: &Flow<N>) {
-        if self.steps_only {
+        if !self.steps_only {
+            for (i, law) in self.laws.iter().enumerate() {
+                [self.k[i], self.dk[i], self.ddk[i]] = law.course(y.q[law.phase], self.begins + t);
+            }
+            self.stretch();
+        }
+        if self.bands.is_empty() {
             return;
         }
-        for (i, law) in self.laws.iter().enumerate() {
-            [self.k[i], self.dk[i], self.ddk[i]] = law.course(y.q[law.phase], self.begins + t);
+        let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
+        for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
+            if let Regime::Contact(side, _) = band.regime {
+                band.regime = band.gripped(side, *elastic, &state);
+            }
+            band.write(self.laws.len(), &mut self.k);
         }
+    }
+
+    /// Power that the clipped dampers take at `y`, where the field was last evaluated \[W\].
+    #[inline]
+    fn clipped(&self, y: &Flow<N>) -> f64 {
+        let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
+        self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped_power(*elastic, &state)).sum()
     }
 }

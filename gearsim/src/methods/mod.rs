@@ -21,7 +21,7 @@ pub mod radau;
 pub mod rk4;
 pub mod root;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use dense::Dense;
 use field::Field;

@@ -139,7 +139,8 @@ impl<const N: usize> Radau<N> {
             }
         }
         // The quadrature, by the collocation's own weights: Z = h A f.
-        let lost: [f64; 3] = std::array::from_fn(|i| 2.0 * field.equations.dissipation(&(start.v + z[i].v).data.0[0]));
+        let lost: [f64; 3] =
+            std::array::from_fn(|i| 2.0 * field.equations.dissipation(&(start.v + z[i].v).data.0[0], field.k()));
         for (z, row) in z.iter_mut().zip(weights()) {
             z.lost = h * (0..3).map(|j| row[j] * lost[j]).sum::<f64>();
         }

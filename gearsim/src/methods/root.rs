@@ -5,8 +5,8 @@
 //! Otherwise the interval is halved (de Casteljau) and the left half looked at first. Double roots are found, or ruled out, as
 //! any other; a touch that does not pass by more than the tolerance is a graze: no root, counted.
 
-/// Most coefficients.
-const MOST: usize = 8;
+/// Coefficients of a method's dense output, at most.
+const DENSE: usize = 8;
 /// Halvings after which an interval is a point.
 const DEEPEST: u32 = 52;
 
@@ -26,6 +26,11 @@ pub struct Found {
 /// A root at 0 is one only if the polynomial is negative right after it; then 0 is found. One at 1 is found where the next
 /// step begins. Values within `tolerance` of zero are told from it only by where they lead.
 pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
+    first_of::<DENSE>(coefficients, tolerance)
+}
+
+/// The same of a polynomial of up to `MOST` coefficients.
+pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Found {
     let mut c = coefficients.to_vec();
     // Beyond by rounding, and on its way in: it starts on the boundary.
     if c[0] < 0.0 && c[0] >= -tolerance && c.get(1).is_some_and(|c| *c > 0.0) {
@@ -37,19 +42,19 @@ pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
         return Found { root: Some(0.0), steps: 1, grazes: 0 };
     }
     let c = &c[order..];
-    search(&bernstein(c), c, order as i32, tolerance)
+    search::<MOST>(&bernstein(c), c, order as i32, tolerance)
 }
 
 /// An interval, and the Bernstein coefficients on it.
 #[derive(Clone, Copy)]
-struct Piece {
+struct Piece<const MOST: usize> {
     low: f64,
     width: f64,
     depth: u32,
     b: [f64; MOST],
 }
 
-fn search(b: &[f64; MOST], c: &[f64], order: i32, tolerance: f64) -> Found {
+fn search<const MOST: usize>(b: &[f64; MOST], c: &[f64], order: i32, tolerance: f64) -> Found {
     let n = c.len();
     let mut found = Found::default();
     let mut stack = vec![Piece { low: 0.0, width: 1.0, depth: 0, b: *b }];
@@ -90,7 +95,7 @@ fn leads_out(c: &[f64], x: f64) -> bool {
 }
 
 /// The Bernstein coefficients on \[0, 1\]: b_j = sum_{i<=j} (j over i)/(d over i) c_i.
-fn bernstein(c: &[f64]) -> [f64; MOST] {
+fn bernstein<const MOST: usize>(c: &[f64]) -> [f64; MOST] {
     let d = c.len() - 1;
     let mut b = [0.0; MOST];
     for (j, b) in b.iter_mut().enumerate().take(d + 1) {
@@ -104,7 +109,7 @@ fn bernstein(c: &[f64]) -> [f64; MOST] {
 }
 
 /// The coefficients on the two halves (de Casteljau).
-fn halves(b: &[f64; MOST], n: usize) -> ([f64; MOST], [f64; MOST]) {
+fn halves<const MOST: usize>(b: &[f64; MOST], n: usize) -> ([f64; MOST], [f64; MOST]) {
     let (mut left, mut right) = ([0.0; MOST], *b);
     for (i, left) in left.iter_mut().enumerate().take(n) {
         *left = right[0];

@@ -61,7 +61,7 @@ fn try_run(overrides: &[&str]) -> Result<Outcome, Refusal> {
 
 /// The largest difference of two trajectories' rows, each column in units of its own largest value, or a millionth of the
 /// largest of all: a coordinate at rest has roundings only.
-pub(super) fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
+pub(crate) fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     assert_eq!(a.moment, b.moment);
     let largest = b.q_dot.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     let columns = a.q.iter().zip(&b.q).chain(a.q_dot.iter().zip(&b.q_dot));
@@ -87,7 +87,7 @@ fn methods() -> Vec<(Box<dyn Method<2>>, u32)> {
 fn fixed(equations: &dyn Equations<2>, scene: &Scene, method: Box<dyn Method<2>>, h: f64) -> Trajectory {
     let (steps, events) = (Steps::Fixed(h), Events::Located);
     let settings = Settings { steps, events, give_way: false, most_steps: MOST_STEPS };
-    let mut advance = Advance::new(equations, scene, method, settings).unwrap();
+    let mut advance = Advance::new(equations, scene, method, settings, None).unwrap();
     let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
     let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
     advance.run(Some((&mut recorder, scene.output.rate, scene.output.events)), &mut |_| {}).unwrap();
@@ -235,7 +235,7 @@ fn ends_are_named() {
     let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
     let equations: Box<dyn Equations<2>> = equations::<GearPair, 2>(&scene).unwrap();
     let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };
-    let mut advance = Advance::new(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings).unwrap();
+    let mut advance = Advance::new(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings, None).unwrap();
     let stop = advance.run(None, &mut |_| {}).unwrap_err();
     assert!(matches!(stop, Stop::Steps { steps: 20, .. }), "{stop}");
     // Numbers at which the motion overflows.

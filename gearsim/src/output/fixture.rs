@@ -16,7 +16,9 @@ pub(crate) static MODEL: Model = Model {
     laws: &[],
     motions: &[],
     effects: &[],
+    dead_bands: &[],
     nonlinear: "",
+    nonlinear_with: &[],
     torques: &[
         Torque { name: "drive", doc: "on the driving gear" },
         Torque { name: "load", doc: "on the driven gear" },

@@ -94,6 +94,8 @@ pub struct Counts {
     pub grazes: u64,
     /// Times that a phase was held at a step it could not climb.
     pub holds: u64,
+    /// Times that flanks met across their play.
+    pub impacts: u64,
     /// Energy of its bounces that were not followed to their end [J]; the residual counts it as lost.
     pub ignored: Number,
     /// Steps of two phases met together whose order matters: the result is one of several.
@@ -263,6 +265,7 @@ mod tests {
                 root_steps: 2,
                 grazes: 3,
                 holds: 4,
+                impacts: 5,
                 ignored: Number(5e-12),
                 ambiguous: 6,
             },

@@ -21,9 +21,10 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     stray_keys(entries, model, report);
     let of_model = model.map(|model| {
         let effects = keys::get(entries, "effects");
+        let effects = effects.and_then(|node| effects::read(node, model, report));
         (
-            effects.and_then(|node| effects::read(node, model, report)),
-            parameters::read(entries, model, &mut absent, report),
+            effects,
+            parameters::read(entries, model, effects, &mut absent, report),
             laws::read(entries, model, &mut absent, report),
             start::read(entries, model, report),
         )
@@ -33,12 +34,14 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     keys::missing(&absent, "the scene", end, report);
 
     let (effects, parameters, laws, start) = of_model?;
+    let (parameters, courses) = parameters?;
     Some(Scene {
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
         effects: effects?,
-        parameters: parameters?,
+        parameters,
+        courses,
         laws: laws?,
         start: start?,
         t_end: t_end?,

@@ -80,13 +80,18 @@ impl Curve {
 impl Stiffness {
     /// The stiffness that is constant between its steps.
     pub fn stepping(steps: Vec<Step>) -> Self {
-        Stiffness { steps, curves: vec![] }
+        Stiffness { steps, curves: vec![], origin: 0.0 }
     }
 
     /// The stiffness that follows a curve in each cell, of a width each.
     pub fn curved(cells: Vec<(Curve, f64)>) -> Self {
         let steps = cells.iter().map(|(curve, width)| Step { value: curve.mean(*width), width: *width }).collect();
-        Stiffness { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect() }
+        Stiffness { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0 }
+    }
+
+    /// The same, its first level beginning at the phase `origin`, or whole pitches from it.
+    pub fn beginning(self, origin: f64) -> Self {
+        Stiffness { origin, ..self }
     }
 
     /// Whether it is constant in every cell.
@@ -120,7 +125,7 @@ impl Stiffness {
                 true => add(step.value, step.value + before * (next - step.value), before * ramp),
             }
         }
-        Some(Stiffness::curved(cells))
+        Some(Stiffness::curved(cells).beginning(self.origin))
     }
 
     /// The periodic cubic spline through `points` (place, value), at increasing places within one pitch of `period`: twice

@@ -17,6 +17,13 @@ impl Effects {
         model.effects.iter().enumerate().filter(|(i, _)| self.contains(*i)).map(|(_, effect)| effect.name).collect()
     }
 
+    /// The terms that make a cell of `model` nonlinear with these effects, in words; empty where cells are linear.
+    pub fn nonlinear(self, model: &Model) -> String {
+        let with = model.nonlinear_with.iter().filter(|(effect, _)| self.names(model).contains(effect));
+        let all = std::iter::once(model.nonlinear).filter(|terms| !terms.is_empty()).chain(with.map(|(_, term)| *term));
+        all.collect::<Vec<_>>().join("; ")
+    }
+
     /// The set of these effects of the model; `None` if it does not have one of them.
     pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
         let index = |name| model.effects.iter().position(|effect| effect.name == name);

@@ -5,7 +5,8 @@ use xprec::Df64;
 use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::smooth::{self, Smooth};
-use super::{Step, Stiffness, field, keys, measure};
+use super::teeth::{self, Teeth};
+use super::{Step, Stiffness, field, keys, measure, offset};
 use crate::model::{Law, Model};
 
 /// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
@@ -90,11 +91,28 @@ impl<'a> Reader<'a> {
     fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
-        let allowed: Vec<_> = ["steps"].into_iter().chain(smooth::KEYS).collect();
+        let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(teeth::KEYS).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
+        let phase = match keys::get(entries, "phase") {
+            None => Some(0.0),
+            Some(node) if offset::wrong_type(&format!("{table}.phase"), node, report) => None,
+            Some(node) => offset::read(self.law, self.phase, node, report),
+        };
+        let law = self.course(entries, node, report)?;
+        let begins = law.origin - phase?;
+        Some(law.beginning(begins))
+    }
+
+    /// The law without its phase.
+    fn course(&self, entries: &[Entry], node: &Node, report: &mut Report) -> Option<Stiffness> {
+        let table = format!("laws.{}", self.law.name);
         let smooth = Smooth { law: self.law, phase: self.phase, entries, place: &node.place };
         if let Some(read) = smooth.instead_of_steps(report) {
             return read;
+        }
+        let teeth = Teeth { law: self.law, entries, place: &node.place };
+        if teeth.given() {
+            return smooth.ramped(teeth.read(report)?, report);
         }
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());

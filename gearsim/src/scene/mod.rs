@@ -9,6 +9,11 @@
 //!
 //! [parameters]                                # those of the model, each with its default if it has one
 //! I1 = "2890 kg*mm^2"
+//! # A torque may vary in time: levels, a ramp, or straight lines between points; and harmonics on top, a cos(2 pi f t + phase).
+//! # T0 = { steps = [{ value = "0 N*m", until = "0.1 s" }, { value = "10 N*m" }] }
+//! # T0 = { ramp = { from = "0 N*m", to = "10 N*m", start = "0.1 s", duration = "2 s" } }
+//! # T0 = { table = [{ at = "0 s", value = "0 N*m" }, { at = "1 s", value = "8 N*m" }, { at = "4 s", value = "10 N*m" }] }
+//! # T0 = { mean = "10 N*m", harmonics = [{ amplitude = "1 N*m", frequency = "120 Hz", phase = "30 deg" }] }
 //!
 //! [laws.k]                                    # every law of the model
 //! steps = [                                   # levels over one pitch; a single one is a constant
@@ -21,6 +26,22 @@
 //! # harmonics = [{ order = 1, amplitude = "0.6 kN*m", phase = "30 deg" }]
 //! # or a periodic cubic spline through points:
 //! # table = [{ at = "0 rad", value = "1.5 kN*m" }, { at = "2 rad", value = "2.7 kN*m" }, { at = "4 rad", value = "2.2 kN*m" }]
+//! # or by the teeth, the driving gear first; the phase is then 0 where a pair touches at the pitch point:
+//! # teeth = [24, 96]
+//! # module = "6.35 mm"
+//! # face_width = "7 mm"
+//! # pressure_angle = "20 deg"                 # these are the defaults; two numbers where the gears differ: [1.0, 0.8]
+//! # addendum = 1                              # in modules; so dedendum = 1.25, fillet = 0.38, profile_shift = 0
+//! # centre_distance = "381 mm"                # default: without backlash
+//! # internal = false                          # true: the second gear is a ring
+//! # young = "206 GPa"                         # and poisson = 0.3
+//! # bore = "60 mm"                            # diameter; default: half the root circle
+//! # method = "iso6336"                        # or "energy": bending, shear, compression, contact and body of the teeth
+//! # course = "levels"                         # or "curves", what "energy" gives between the steps
+//! # line_load = "60 N/mm"                     # ISO 6336-1 has less stiffness below 100 N/mm
+//! # Any of them may be ahead in its pitch, k(s) = k0(s + phase):
+//! # phase = 0.25                              # in pitches, or "90 deg"; of planets by teeth and place:
+//! # phase = { sun = 27, at = "120 deg" }      # or { ring = 99, at = "120 deg", planet = 36 }
 //!
 //! [start]
 //! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
@@ -42,6 +63,8 @@
 //! ```
 
 mod check;
+pub mod course;
+mod courses;
 pub mod curve;
 pub mod dimension;
 pub(crate) mod document;
@@ -52,6 +75,7 @@ mod keys;
 mod laws;
 mod measure;
 mod measured;
+mod offset;
 mod output;
 mod overrides;
 mod parameters;
@@ -61,11 +85,13 @@ mod smooth;
 pub mod solver;
 mod start;
 mod symbol;
+mod teeth;
 pub mod template;
 #[cfg(test)]
 mod tests;
 pub mod unit;
 
+pub use course::Course;
 pub use curve::Curve;
 pub use error::{Problem, SceneErrors};
 pub(crate) use error::{did_you_mean, list};
@@ -89,8 +115,10 @@ pub struct Scene {
     pub model: &'static Model,
     /// Effects it has.
     pub effects: Effects,
-    /// Parameter values [SI], in the order of `model.parameters`.
+    /// Parameter values [SI], in the order of `model.parameters`; at t = 0, where they vary in time.
     pub parameters: Vec<f64>,
+    /// Parameters that vary in time, by their numbers, and how.
+    pub courses: Vec<(usize, Course)>,
     /// Mesh stiffnesses, in the order of `model.laws`.
     pub laws: Vec<Stiffness>,
     /// State at t = 0.
@@ -116,6 +144,8 @@ pub struct Stiffness {
     pub steps: Vec<Step>,
     /// What it follows in each cell; empty where it is constant there.
     pub curves: Vec<Curve>,
+    /// Phase at which the first level begins, once a pitch [unit of the phase].
+    pub origin: f64,
 }
 
 /// One level of a [`Stiffness`].

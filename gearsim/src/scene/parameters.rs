@@ -1,23 +1,30 @@
-//! `[parameters]`: a value for each parameter of the model.
+//! `[parameters]`: a value for each parameter of the model, or a course in time.
 
-use super::document::{Entry, Node};
+use super::document::{Entry, Node, Value};
 use super::error::Report;
-use super::{field, keys, measure};
+use super::{Course, Effects, courses, field, keys, measure};
 use crate::model::{Model, Parameter, Range};
 
-/// Reads `[parameters]`, in the order of the model; what to add goes to `absent` if the table is not there.
+/// Values in the order of the model, at t = 0, and the courses of those that vary.
+pub(super) type Given = (Vec<f64>, Vec<(usize, Course)>);
+
+/// Reads `[parameters]`, in the order of the model; what to add goes to `absent` if the table is not there. What only
+/// effects other than `effects` need is no number (NaN) where it is not given.
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
+    effects: Option<Effects>,
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
-) -> Option<Vec<f64>> {
+) -> Option<Given> {
     let node = keys::get(entries, "parameters");
     let given = node.map_or(Some(&[][..]), |node| field::table("parameters", node, report))?;
-    let names: Vec<_> = model.parameters.iter().map(|p| p.name).collect();
-    keys::known(given, "[parameters]", &names, report);
+    let known: Vec<_> = model.parameters.iter().map(|p| p.name).collect();
+    keys::known(given, "[parameters]", &known, report);
 
-    let needed = |p: &&Parameter| p.default.is_none() && keys::get(given, p.name).is_none();
+    let names = effects.map_or(vec![], |effects| effects.names(model));
+    let idle = |p: &Parameter| p.default.is_none() && p.with.is_some_and(|effect| !names.contains(&effect));
+    let needed = |p: &&Parameter| p.default.is_none() && !idle(p) && keys::get(given, p.name).is_none();
     let lines = model.parameters.iter().filter(needed).map(|p| (p.name, example(p)));
     let lines: Vec<_> = lines.collect();
     match node {
@@ -28,13 +35,34 @@ pub(super) fn read(
             absent.push(("[parameters]", format!("[parameters]\n{}", lines.join("\n"))));
         }
     }
-    let values: Vec<_> = (model.parameters.iter())
-        .map(|parameter| match keys::get(given, parameter.name) {
+    let mut varying = vec![];
+    let values: Vec<_> = (model.parameters.iter().enumerate())
+        .map(|(i, parameter)| match keys::get(given, parameter.name) {
+            Some(node) if matches!(node.value, Value::Table(_)) => {
+                let course = course(parameter, node, model, report)?;
+                let value = course.at(course.piece(0.0), 0.0);
+                varying.push((i, course));
+                Some(value)
+            }
             Some(node) => value(parameter, node, report),
+            None if idle(parameter) => Some(f64::NAN),
             None => parameter.default,
         })
         .collect();
-    values.into_iter().collect()
+    Some((values.into_iter().collect::<Option<_>>()?, varying))
+}
+
+/// A course in time, all of which is admissible.
+fn course(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<Course> {
+    let course = courses::read(parameter, node, model, report)?;
+    let (low, high) = course.bounds();
+    if parameter.range.contains(low) && parameter.range.contains(high) {
+        return Some(course);
+    }
+    let must = describe(&parameter.range, parameter.unit);
+    let message = format!("`parameters.{}` {must}, but goes from {low} to {high}", parameter.name);
+    report.add(&node.place, message, "out of range", format!("`{}` is the {}", parameter.name, parameter.doc));
+    None
 }
 
 /// What to write for a parameter.

@@ -29,12 +29,12 @@ impl Smooth<'_> {
         let get = |key| keys::get(self.entries, key);
         let series = get("harmonics").or(get("mean"));
         let (steps, table) = (get("steps"), get("table"));
-        let forms = [("steps", steps), ("harmonics", series), ("table", table)];
+        let forms = [("steps", steps), ("harmonics", series), ("table", table), ("teeth", get("teeth"))];
         let mut given = forms.iter().filter_map(|(name, node)| Some((*name, (*node)?)));
         let (first, second) = (given.next(), given.next());
         if let (Some((a, _)), Some((b, node))) = (first, second) {
             let message = format!("`laws.{}` has both {a} and {b}", self.law.name);
-            report.add(&node.place, message, "one too many", "a law is one of steps, a series, or a table");
+            report.add(&node.place, message, "one too many", "a law is one of steps, a series, a table, or teeth");
             return Some(None);
         }
         let curved = series.is_some() || table.is_some();

@@ -4,3 +4,4 @@ mod fixture;
 mod mistakes;
 mod quantities;
 mod scenes;
+mod teeth;

@@ -1,4 +1,4 @@
-//! Motor and load: constant torques, in the effect `torques`.
+//! Motor and load: torques that are constant, or vary in time as a scene says, in the effect `torques`.
 
 use gearsim_derive::{Expr, Model, Range};
 

@@ -8,10 +8,14 @@ pub mod bearing;
 pub mod constraint;
 pub mod damping;
 pub mod drive;
+pub mod fan;
 pub mod gear;
+pub mod governor;
 pub mod mesh;
+pub mod motor;
 pub mod pair;
 pub mod planets;
+pub mod play;
 pub mod rotor;
 pub mod shaft;
 
@@ -19,15 +23,19 @@ pub use bearing::bearing;
 pub use constraint::geared;
 pub use damping::damping;
 pub use drive::{drive, load};
+pub use fan::fan;
 pub use gear::{Direction, Gear, external, internal};
-pub use mesh::mesh;
+pub use governor::{dc_motor, governor};
+pub use mesh::{mesh, mesh_with_play};
+pub use motor::induction_motor;
 pub use pair::{Pair, pair};
 pub use planets::{Stage, stage};
+pub use play::play;
 pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft};
 
 /// `I1` for the quantity `I` of part `1`, `I_motor` for that of part `motor`.
 pub fn named(quantity: &str, part: &str) -> String {
-    let joint = if part.starts_with(|c: char| c.is_ascii_digit()) { "" } else { "_" };
+    let joint = if part.is_empty() || part.starts_with(|c: char| c.is_ascii_digit()) { "" } else { "_" };
     format!("{quantity}{joint}{part}")
 }

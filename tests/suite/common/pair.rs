@@ -66,7 +66,7 @@ impl Pair {
     /// The scene of it: one of the paper's with every number replaced.
     pub fn scene(&self) -> Scene {
         let mut scene = common::scene("oh2005/spectrum_600rpm_exact", &[]);
-        scene.parameters = vec![24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0];
+        scene.parameters = vec![24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0, f64::NAN];
         let steps = self.steps.iter().map(|(value, width)| Step { value: *value, width: *width }).collect();
         scene.laws = vec![Stiffness::stepping(steps)];
         scene.start.q = vec![Start::At(self.q[0]), Start::Static];
@@ -92,7 +92,7 @@ impl Pair {
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
         if let Some(from) = from {
-            (simulation.state, simulation.laws) = (from.state, from.laws.clone());
+            simulation.go_on_from(from.state, from.laws.clone(), vec![]).expect("a cell of the same scene");
         }
         let mut times = vec![];
         let stop = simulation.run(None, &mut |t| times.push(t)).err();
@@ -107,7 +107,7 @@ impl Pair {
         let equations = equations::<GearPair, 2>(&scene).expect("its effects agree");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
-        let (state, k) = (simulation.state, simulation.levels());
+        let (state, k) = (simulation.state, simulation.levels().to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k);
         let _ = simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |_| {});
         recorder.trajectory

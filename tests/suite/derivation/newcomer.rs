@@ -51,6 +51,39 @@ pub fn nonlinear_cells_are_named() {
     );
 }
 
+/// A torque that depends on a speed makes cells nonlinear with its effect only; its power is in the balance, and its matrices
+/// are those without it. Without an effect there is no linear cell at all.
+pub fn torques_by_speed_are_named_with_their_effects() {
+    let describe = |with: bool| {
+        Model::new("windmill", move |m| {
+            let [inertia, k, c, t] = ["J", "k", "c", "T"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
+            let x = m.coordinate("x", "rad", Start::At(0.0), "angle");
+            m.kinetic(half(inertia * x.dot().sq()));
+            m.potential(half(k * x.sq()));
+            m.torque("motor", t, x, "");
+            let fan = |m: &mut Model| m.torque("fan", -c * x.dot().pow(3), x, "");
+            if with { m.effect("fan_load", "", fan) } else { fan(m) }
+        })
+    };
+    let model = describe(true);
+    let d = derive(&model).expect("no slip");
+    let term = "-c*x_dot^3 in the torque `fan`".to_string();
+    assert!(d.nonlinear_terms().is_empty());
+    assert_eq!(d.nonlinear_with(), [("fan_load".to_string(), term.clone())]);
+    proved(d.proofs(), &["d/dt (q'.dT/dq' - T + V)"]);
+    let file = d.file();
+    for said in [
+        "fan \"\" {}\n        power {\n            fan_load => -c*x_dot.powi(4);\n        }",
+        "work {\n        x {\n            _ => T;\n        }",
+        "load {\n            x {\n                _ => T;\n            }",
+        "fan_load \"-c*x_dot^3 in the torque `fan`\";",
+    ] {
+        assert!(file.contains(said), "{said} is not in {file}");
+    }
+    let model = describe(false);
+    assert_eq!(derive(&model).expect("no slip").nonlinear_terms(), [term]);
+}
+
 /// Three coordinates: M is left to be factored, cells are linear, proofs hold.
 pub fn three_coordinates_are_proved() {
     let model = Model::new("three_rotors", |m| {
@@ -68,7 +101,7 @@ pub fn three_coordinates_are_proved() {
     });
     let derivation = derive(&model).expect("the model is sound");
     assert!(derivation.nonlinear_terms().is_empty(), "{:?}", derivation.nonlinear_terms());
-    assert!(derivation.speed_lost(0).is_none() && derivation.direction(0, 1).is_none(), "M is not inverted");
+    assert!(derivation.speed_lost(0, &[]).is_none() && derivation.direction(0, 1).is_none(), "M is not inverted");
     proved(derivation.proofs(), &["d/dt (q'.dT/dq' - T + V)", "M is symmetric", "M is positive definite: every"]);
     insta::assert_snapshot!("three_rotors", derivation.text());
 }

@@ -9,8 +9,8 @@ pub const POINTS: usize = 10_000;
 pub const STIFFNESS_STEP: u32 = 1;
 pub const RIGID_KINEMATICS: u32 = 2;
 pub const FROZEN_PHASE: u32 = 4;
-pub const DAMPING: u32 = 8;
-pub const TORQUES: u32 = 16;
+pub const DAMPING: u32 = 16;
+pub const TORQUES: u32 = 32;
 
 /// A gear pair and a state of it; `pair` has damping and torque, whatever the effects.
 #[derive(Debug, Clone, Copy)]
@@ -44,7 +44,7 @@ impl Point {
     /// The generated equations with the same numbers.
     pub fn equations(&self, effects: u32) -> Box<dyn Equations<2>> {
         let p = &self.pair;
-        Generated::equations(effects, &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0], &[p.k0()])
+        Generated::equations(effects, &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN], &[p.k0()])
             .expect("these effects go together")
     }
 }

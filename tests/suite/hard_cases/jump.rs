@@ -63,11 +63,14 @@ pub const CASES: &[Case] = &[
     },
 ];
 
+/// Law values of the gear pair without play; the step of the stiffness is all that counts of it.
+const IN_CONTACT: &[f64] = &[0.0, 1.0, 0.0, 1.0, 0.0];
+
 /// What the engine makes of an incidence, with the equations of the gear pair.
 fn pass(equations: &dyn Equations<2>, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
     let mut q_dot = SVector::from(v);
     let side = if v[0] >= 0.0 { Side::Upper } else { Side::Lower };
-    let passage = Surface::new(equations, 0).pass(&mut q_dot, side, equations.step(0, &q, dk));
+    let passage = Surface::new(equations, 0).pass(&mut q_dot, side, equations.step(0, &q, IN_CONTACT, dk));
     (passage, q_dot.into())
 }
 
@@ -128,7 +131,7 @@ fn energy(_: &mut String) -> f64 {
         let (q, dk) = ([0.0, 0.1 * noise.even()], noise.power(0.0, 5.0).copysign(noise.even()));
         let v = [noise.power(0.0, 3.0) * noise.even(), noise.power(0.0, 3.0) * noise.even()];
         let (passage, after) = pass(&*equations, q, v, dk);
-        let gain = if passage == Passage::Transmitted { equations.step(0, &q, dk) } else { 0.0 };
+        let gain = if passage == Passage::Transmitted { equations.step(0, &q, IN_CONTACT, dk) } else { 0.0 };
         let (before, after) = (equations.kinetic(&v), equations.kinetic(&after));
         (after - before + gain).abs() / (f64::EPSILON * (before + gain.abs()))
     }))

@@ -2,7 +2,7 @@
 
 use gearsim::engine::cell::{Cell, Flight, Point};
 use gearsim::engine::crossing::{Cost, Lost, Search, Side};
-use gearsim::engine::equations::{Equations, Switching};
+use gearsim::engine::equations::{DeadBand, Equations, Switching};
 use gearsim::engine::signal::Signal;
 use nalgebra::SVector;
 
@@ -54,7 +54,7 @@ impl<const N: usize> Equations<N> for Linear<N> {
     fn potential(&self, q: &[f64; N], _: &[f64]) -> f64 {
         0.5 * dot(q, &times(&self.stiffness, q))
     }
-    fn dissipation(&self, q_dot: &[f64; N]) -> f64 {
+    fn dissipation(&self, q_dot: &[f64; N], _: &[f64]) -> f64 {
         0.5 * dot(q_dot, &times(&self.damping, q_dot))
     }
     fn torque_work(&self, _: usize, dq: &[f64; N]) -> f64 {
@@ -73,13 +73,13 @@ impl<const N: usize> Equations<N> for Linear<N> {
     fn mass(&self) -> [[f64; N]; N] {
         self.mass
     }
-    fn damping(&self) -> [[f64; N]; N] {
+    fn damping(&self, _: &[f64]) -> [[f64; N]; N] {
         self.damping
     }
     fn stiffness(&self, _: &[f64]) -> [[f64; N]; N] {
         self.stiffness
     }
-    fn load(&self) -> [f64; N] {
+    fn load(&self, _: &[f64]) -> [f64; N] {
         self.load
     }
     fn motion(&self, _: usize) -> [f64; N] {
@@ -91,8 +91,11 @@ impl<const N: usize> Equations<N> for Linear<N> {
     fn normal(&self, _: usize) -> [f64; N] {
         self.normal
     }
-    fn step(&self, _: usize, q: &[f64; N], dk: f64) -> f64 {
+    fn step(&self, _: usize, q: &[f64; N], _: &[f64], dk: f64) -> f64 {
         0.5 * dk * q[0] * q[0]
+    }
+    fn dead_band(&self, _: usize) -> Option<DeadBand<N>> {
+        None
     }
 }
 

@@ -16,6 +16,7 @@ mod pair;
 mod table;
 
 mod absent;
+mod backlash;
 mod cells;
 mod contact;
 mod coupled;
@@ -60,7 +61,7 @@ const GROUPS: &[&[Case]] = &[
     long::CASES,
     digits::CASES,
     mirror::CASES,
-    // 11, backlash
+    backlash::CASES,
     resonance::CASES,
     stiff::CASES,
     coupled::CASES,

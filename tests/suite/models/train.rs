@@ -21,8 +21,9 @@ pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N>
     let known =
         |name: &str| model.parameters.iter().any(|p| p.name == name) || model.laws.iter().any(|l| l.name == name);
     assert!(numbers.iter().all(|n| known(n.0)), "{}: a number of no use in {numbers:?}", model.name);
-    let parameters: Vec<f64> = model.parameters.iter().map(|p| number(p.name, p.default)).collect();
-    let k: Vec<f64> = model.laws.iter().map(|l| number(l.name, None)).collect();
+    let parameters: Vec<f64> =
+        model.parameters.iter().map(|p| number(p.name, p.default.or(p.with.map(|_| f64::NAN)))).collect();
+    let k = model.in_contact(model.laws.iter().map(|l| number(l.name, None)));
     let equations = D::equations(0, &parameters, &k).expect("no effect contradicts");
     Train { model, equations, k }
 }

@@ -27,6 +27,9 @@ pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     if !model.nonlinear.is_empty() {
         text += &format!("\nNonlinear terms: {}\n", model.nonlinear);
     }
+    for (effect, term) in model.nonlinear_with {
+        text += &format!("\nNonlinear with {effect}: {term}\n");
+    }
     text += "\nEquations\n";
     for line in model.equations.lines() {
         text += &format!("  {line}\n");
@@ -46,8 +49,13 @@ fn coordinates(model: &Model) -> Vec<Row> {
 }
 
 fn parameter(p: &Parameter) -> Row {
-    let default = p.default.map_or("required".into(), |x| format!("default {x}"));
-    (vec![p.name.into(), unit(p.unit), default, format!("in {}", p.range)], p.doc.into())
+    let default = match (p.default, p.with) {
+        (Some(x), _) => format!("default {x}"),
+        (None, Some(effect)) => format!("required with {effect}"),
+        (None, None) => "required".into(),
+    };
+    let varies = if p.varies { ", may vary in time" } else { "" };
+    (vec![p.name.into(), unit(p.unit), default, format!("in {}{varies}", p.range)], p.doc.into())
 }
 
 fn laws(model: &Model) -> Vec<Row> {

@@ -25,7 +25,7 @@ fn load() -> Scene {
 #[test]
 fn help_is_for_newcomers() {
     assert_snapshot!("help", program().term_width(WIDTH).render_long_help());
-    for command in ["run", "compare", "sweep", "merge", "modes", "floquet", "models"] {
+    for command in ["run", "compare", "advise", "sweep", "merge", "modes", "floquet", "models"] {
         assert_snapshot!(format!("help_{command}"), help(command));
     }
 }

@@ -49,21 +49,23 @@ struct Surface<const N: usize> {
 
 impl<const N: usize> Compensated<N> {
     /// Takes the plain `cells`, `laws` and `state` on from their digits; `matrices` are those of a cell with given law
-    /// values.
+    /// values, of which `rest` stand behind those of the laws.
     ///
     /// # Errors
     /// Where damping couples the modes.
     pub fn new(
         matrices: &dyn Fn(&[Df64]) -> Matrices<N, Df64>,
         cells: &Cells<N>,
-        laws: &[Law<N>],
+        (laws, rest): (&[Law<N>], &[f64]),
         state: &record::State<N>,
     ) -> Result<Self, Refusal> {
+        let cells = cells.all().ok_or(Refusal::CompensatedCells)?;
         let wide = |k: Vec<f64>| k.into_iter().map(Df64::from).collect::<Vec<_>>();
-        let cell = |i: usize| Cell::new(&matrices(&wide(levels(laws, i))), &cells.all()[i].cell);
-        let done = (0..cells.all().len()).map(cell).collect::<Result<Vec<_>, _>>()?;
-        let unit = |l: usize| wide((0..laws.len()).map(|i| f64::from(u8::from(i == l))).collect());
-        let none = matrices(&wide(vec![0.0; laws.len()]));
+        let cell = |i: usize| Cell::new(&matrices(&wide(levels(laws, i, rest))), &cells[i].cell);
+        let done = (0..cells.len()).map(cell).collect::<Result<Vec<_>, _>>()?;
+        let unit =
+            |l: usize| wide((0..laws.len()).map(|i| f64::from(u8::from(i == l))).chain(rest.iter().copied()).collect());
+        let none = matrices(&wide([&vec![0.0; laws.len()], rest].concat()));
         let surface = |l: usize| {
             let with = matrices(&unit(l));
             // Column `phase` of M⁻¹ = X Xᵀ: the phase is a coordinate, n its unit vector.

@@ -6,7 +6,10 @@
 //! ∫ uᵀG u dt = sum_{k,l} c_k c_l (phi_kᵀG phi_l) (e^{(lambda_k + lambda_l) t} - 1)/(lambda_k + lambda_l)
 //! ```
 //!
-//! and by Gauss-Legendre quadrature where that cancels: for short times, and near critical damping.
+//! and by Gauss-Legendre quadrature where that cancels: for short times, and near critical damping. With e_k = e^{lambda_k t} - 1,
+//! one exponential a mode, the numerator is e_k + e_l + e_k e_l. It cancels where two eigenvalues are nearly opposite, but there
+//! the weight is as small as their sum: what damping takes from a mode is what makes it decay. The rounding is one of the
+//! modes' energy.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -27,7 +30,7 @@ pub struct Loss {
     rate: f64,
 }
 
-/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l.
+/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l); over one where the sum is zero.
 #[derive(Debug, Clone)]
 struct Closed {
     /// Mode of each, lambda, and the other of its pair.
@@ -134,7 +137,11 @@ impl Closed {
         };
         let shapes: Vec<DVector<Complex<f64>>> = exponents.iter().map(shape).collect();
         let damping = coupled.damping.map(Complex::from);
-        let weights = DMatrix::from_fn(shapes.len(), shapes.len(), |i, j| shapes[i].dot(&(&damping * &shapes[j])));
+        let damped: Vec<DVector<Complex<f64>>> = shapes.iter().map(|shape| &damping * shape).collect();
+        let weights = DMatrix::from_fn(shapes.len(), shapes.len(), |i, j| {
+            let sum = exponents[i].1 + exponents[j].1;
+            shapes[i].dot(&damped[j]) / if is_zero(sum) { 1.0.into() } else { sum }
+        });
         Some(Closed { exponents, weights })
     }
 
@@ -143,24 +150,29 @@ impl Closed {
             let (v, a) = rates[k];
             (Complex::from(a) - other * v) / (lambda - other)
         };
-        let parts: Vec<Complex<f64>> = self.exponents.iter().map(part).collect();
+        // Each exponential's part at the start, lambda and e^{lambda t} - 1.
+        let all: Vec<_> = self.exponents.iter().map(|e| (part(e), e.1, exp_m1(e.1 * t))).collect();
         let mut sum = 0.0;
-        for (i, (&(_, lambda, _), c)) in self.exponents.iter().zip(&parts).enumerate() {
-            for (j, (&(_, other, _), d)) in self.exponents.iter().zip(&parts).enumerate().take(i + 1) {
+        for (j, (d, other, f)) in all.iter().enumerate() {
+            let mut row = Complex::from(0.0);
+            for (i, (c, lambda, e)) in all.iter().enumerate().skip(j) {
+                let grown = if is_zero(lambda + other) { t.into() } else { e + f + e * f };
                 let twice = if i == j { 1.0 } else { 2.0 };
-                sum += twice * (c * d * self.weights[(i, j)] * decayed(lambda + other, t)).re;
+                row += c * self.weights[(i, j)] * grown * twice;
             }
+            sum += (row * d).re;
         }
         sum
     }
 }
 
-/// ∫ e^{lambda s} ds over \[0, t\].
-fn decayed(lambda: Complex<f64>, t: f64) -> Complex<f64> {
-    if lambda.norm() * t == 0.0 {
-        return Complex::from(t);
-    }
-    let (decay, (h, c)) = ((lambda.re * t).exp_m1(), (0.5 * lambda.im * t).sin_cos());
+fn is_zero(lambda: Complex<f64>) -> bool {
+    lambda == Complex::from(0.0)
+}
+
+/// e^x - 1.
+fn exp_m1(x: Complex<f64>) -> Complex<f64> {
+    let (decay, (h, c)) = (x.re.exp_m1(), (0.5 * x.im).sin_cos());
     let e = 1.0 + decay;
-    Complex::new(decay - 2.0 * h * h * e, 2.0 * h * c * e) / lambda
+    Complex::new(decay - 2.0 * h * h * e, 2.0 * h * c * e)
 }

@@ -7,17 +7,17 @@ use crate::model::{Range, Start};
 const STIFFNESS_STEP: u32 = 1;
 const RIGID_KINEMATICS: u32 = 2;
 const FROZEN_PHASE: u32 = 4;
-const DAMPING: u32 = 8;
-const TORQUES: u32 = 16;
+const DAMPING: u32 = 16;
+const TORQUES: u32 = 32;
 
-/// N1, N2, I1, I2, zeta, T0, and the mid value of k.
-const NUMBERS: [f64; 6] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0];
+/// N1, N2, I1, I2, zeta, T0, b, and the mid value of k.
+const NUMBERS: [f64; 7] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN];
 const MID: f64 = 2.5e4;
 
 /// A point: q, q', k, dk, ddk.
 const Q: [f64; 2] = [0.7, 3.0e-4];
 const V: [f64; 2] = [31.0, -0.4];
-const K: [f64; 1] = [3.1e4];
+const K: [f64; 5] = [3.1e4, 1.0, 0.0, 1.0, 0.0];
 const DK: [f64; 1] = [1.7e5];
 const DDK: [f64; 1] = [-2.3e6];
 
@@ -27,7 +27,7 @@ fn gear_pair(effects: u32) -> Box<dyn Equations<2>> {
 
 /// M1, M2 and C of the gear pair.
 fn constants() -> (f64, f64, f64) {
-    let [n1, n2, i1, i2, zeta, _] = NUMBERS;
+    let [n1, n2, i1, i2, zeta, ..] = NUMBERS;
     let (a, b) = (n1 * n1 / i1, n2 * n2 / i2);
     let m2 = (a + b) / 2.0;
     ((a - b) / 2.0, m2, 2.0 * zeta * (MID / m2).sqrt())
@@ -44,11 +44,11 @@ fn close(found: &[f64], expected: &[f64]) {
 #[test]
 fn energies_and_work() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
-    let [n1, n2, i1, i2, _, t0] = NUMBERS;
+    let [n1, n2, i1, i2, _, t0, _] = NUMBERS;
     let (w1, w2) = ((V[0] + V[1]) / n1, (V[0] - V[1]) / n2);
     close(&[e.kinetic(&V)], &[i1 * w1 * w1 / 2.0 + i2 * w2 * w2 / 2.0]);
     close(&[e.potential(&Q, &K)], &[K[0] * Q[1] * Q[1]]);
-    close(&[e.dissipation(&V)], &[constants().2 * V[1] * V[1]]);
+    close(&[e.dissipation(&V, &K)], &[constants().2 * V[1] * V[1]]);
     let works = [e.torque_work(0, &Q), e.torque_work(1, &Q)];
     close(&works, &[t0 * (Q[0] + Q[1]), -t0 * (Q[0] - Q[1])]);
     close(&[e.work(&Q)], &[2.0 * t0 * Q[1]]);
@@ -57,7 +57,7 @@ fn energies_and_work() {
 
 #[test]
 fn accelerations() {
-    let e = gear_pair(0b11001);
+    let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
     let (m1, m2, c) = constants();
     let ([_, phi], [_, phi_dot], t0) = (Q, V, NUMBERS[5]);
     let (smooth, jump) = (t0 - K[0] * phi - c * phi_dot, DK[0] * phi * phi / 2.0);
@@ -70,7 +70,7 @@ fn accelerations() {
 /// along theta the laws move with the phase.
 #[test]
 fn jacobian() {
-    let e = gear_pair(0b11001);
+    let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
     let [by_q, by_v] = e.jacobian(&Q, &V, &K, &DK, &DDK);
     let at = |theta: f64, phi: f64, phi_dot: f64| {
         let k = [K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0]];
@@ -91,22 +91,22 @@ fn jacobian() {
 
 #[test]
 fn cell_and_jump() {
-    let e = gear_pair(0b11001);
-    let [n1, n2, i1, i2, _, t0] = NUMBERS;
+    let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
+    let [n1, n2, i1, i2, _, t0, _] = NUMBERS;
     let (m1, m2, c) = constants();
     let (a, b) = (i1 / n1.powi(2), i2 / n2.powi(2));
     close(e.mass().as_flattened(), &[a + b, a - b, a - b, a + b]);
     close(e.mobility().as_flattened(), &[m2 / 2.0, m1 / 2.0, m1 / 2.0, m2 / 2.0]);
     close(mobility(&e.mass()).as_flattened(), e.mobility().as_flattened());
-    close(e.damping().as_flattened(), &[0.0, 0.0, 0.0, 2.0 * c]);
+    close(e.damping(&K).as_flattened(), &[0.0, 0.0, 0.0, 2.0 * c]);
     close(e.stiffness(&K).as_flattened(), &[0.0, 0.0, 0.0, 2.0 * K[0]]);
-    close(&e.load(), &[0.0, 2.0 * t0]);
+    close(&e.load(&K), &[0.0, 2.0 * t0]);
     assert_eq!(e.normal(0), [1.0, 0.0]);
     close(&[e.compliance(0)], &[m2 / 2.0]);
     close(&e.direction(0), &[1.0, m1 / m2]);
     close(&[compliance(&e.mass(), &e.normal(0))], &[e.compliance(0)]);
     close(&direction(&e.mass(), &e.normal(0)), &e.direction(0));
-    close(&[e.step(0, &Q, 400.0)], &[400.0 * Q[1] * Q[1]]);
+    close(&[e.step(0, &Q, &K, 400.0)], &[400.0 * Q[1] * Q[1]]);
 }
 
 /// NaN and infinity in what an effect would use do not reach equations without it: the terms are not there.
@@ -120,20 +120,20 @@ fn absent_terms_are_absent() {
         let a = e.acceleration(&Q, &V, &K, &[f64::INFINITY]);
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
         close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
-        assert_eq!([e.dissipation(&V), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
+        assert_eq!([e.dissipation(&V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
         // Rigid kinematics keeps the moving phase: there the accelerations change with theta by the slope of k.
         let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
         let [by_q, by_v] = e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]);
         close(by_q.as_flattened(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
         assert_eq!(by_v, [[0.0; 2]; 2]);
-        assert_eq!((e.damping(), e.load()), ([[0.0; 2]; 2], [0.0; 2]));
+        assert_eq!((e.damping(&K), e.load(&K)), ([[0.0; 2]; 2], [0.0; 2]));
     }
 }
 
 #[test]
 fn sets_of_effects() {
     let exists = |effects| GearPair::equations(effects, &NUMBERS, &[MID]).is_some();
-    assert_eq!((0..64).filter(|&effects| exists(effects)).count(), 16);
+    assert_eq!((0..128).filter(|&effects| exists(effects)).count(), 32);
     assert!(!exists(RIGID_KINEMATICS) && !exists(FROZEN_PHASE | DAMPING));
     assert!(!exists(STIFFNESS_STEP | RIGID_KINEMATICS | FROZEN_PHASE));
     let switching = |effects| gear_pair(effects).switching(0);
@@ -156,7 +156,7 @@ fn model() {
     assert_eq!([m.coordinates[0].name, m.coordinates[1].name], ["theta", "phi"]);
     assert_eq!((m.coordinates[0].start, m.coordinates[1].start), (Start::At(0.0), Start::Static));
     let names: Vec<_> = m.parameters.iter().map(|p| p.name).collect();
-    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0"]);
+    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0", "b"]);
     assert_eq!((m.parameters[0].default, m.parameters[2].default), (Some(24.0), None));
     let ranges = [m.parameters[0], m.parameters[4], m.parameters[5]].map(|p| p.range.to_string());
     assert_eq!(ranges, ["(0, inf)", "[0, inf)", "(-inf, inf)"]);
@@ -189,7 +189,7 @@ mod two_masses {
 fn a_file_that_says_the_least() {
     let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
     assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
-    assert_eq!((e.kinetic(&[1.0, 1.0]), e.dissipation(&[1.0, 1.0]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
+    assert_eq!((e.kinetic(&[1.0, 1.0]), e.dissipation(&[1.0, 1.0], &[]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
     assert_eq!(e.potential(&[2.0, 1.0], &[7.0]), 4.0);
     assert_eq!(e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), [-1.0, -6.0]);
     // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].

@@ -1,41 +1,41 @@
-//! What damping takes from a mode: the integral of its speed squared, in closed form.
+//! What damping takes from a mode: the integral of its power, in closed form.
 
 use super::{Kind, Mode, Response, SHORT, decayed};
 
 impl Mode {
-    /// ∫ xi'² dt over [0, `t`] from initial speed `v` and acceleration `a`, with the `response` at `t` known: twice
-    /// sigma times it is the energy lost. An integral of the speed, not a difference of energies: the account must not
-    /// account for itself.
+    /// The energy lost, ∫ 2 sigma xi'² dt over [0, `t`], from initial speed `v` and acceleration `a`, with the `response` at
+    /// `t` known. An integral of the speed, not a difference of energies: the account must not account for itself.
     #[inline]
-    pub fn speed_squared(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
-        let Mode { sigma, omega2, kind, .. } = *self;
+    pub fn lost(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
+        let Mode { sigma, omega2, per_omega2, kind, .. } = *self;
         if self.rate * t < SHORT {
             // The closed forms below are small differences there.
-            return self.by_quadrature(v, a, t);
+            return 2.0 * sigma * self.by_quadrature(v, a, t);
         }
         match kind {
-            Kind::Under { w } if w > 0.1 * sigma => {
+            Kind::Under { w, per_w } if w > 0.1 * sigma => {
                 // xi' = e^{-sigma t} (v cos wt + b sin wt). Decayed sine and cosine of wt come from S1 and S2, those
                 // of 2 wt from them: x1 = e² sin 2wt, x2 = 1 - e² cos 2wt with e = e^{-sigma t}.
-                let b = (a + sigma * v) / w;
+                let b = (a + sigma * v) * per_w;
                 let (sine, lacking) = (w * response.s1, omega2 * response.s2 + sigma * response.s1);
                 let (x1, x2) = (2.0 * sine * (1.0 - lacking), lacking * (2.0 - lacking) + sine * sine);
-                let flat = -response.decay * (2.0 + response.decay) / (2.0 * sigma);
-                let cosines = (sigma * x2 + w * x1) / (2.0 * omega2);
-                let sines = (w * x2 - sigma * x1) / (2.0 * omega2);
+                let flat = -response.decay * (2.0 + response.decay);
+                let part = sigma * per_omega2;
+                let (cosines, sines) = (part * (sigma * x2 + w * x1), part * (w * x2 - sigma * x1));
                 0.5 * (v * v + b * b) * flat + 0.5 * (v * v - b * b) * cosines + v * b * sines
             }
             Kind::Over { kappa, slow, fast } if kappa > 0.1 * sigma => {
                 let p = (fast * v + a) / (2.0 * kappa);
                 let q = -(slow * v + a) / (2.0 * kappa);
-                p * p * decayed(2.0 * slow, t) + 2.0 * p * q * decayed(slow + fast, t) + q * q * decayed(2.0 * fast, t)
+                let (pp, pq, qq) = (decayed(2.0 * slow, t), decayed(slow + fast, t), decayed(2.0 * fast, t));
+                2.0 * sigma * (p * p * pp + 2.0 * p * q * pq + q * q * qq)
             }
             Kind::Rigid | Kind::Undamped { .. } => 0.0, // nothing is lost, nobody asks
-            _ => self.by_quadrature(v, a, t),
+            _ => 2.0 * sigma * self.by_quadrature(v, a, t),
         }
     }
 
-    /// The same near critical damping and for short times, where the closed forms cancel: Gauss-Legendre on panels of one
+    /// ∫ xi'² dt near critical damping and for short times, where the closed forms cancel: Gauss-Legendre on panels of one
     /// decay time.
     fn by_quadrature(&self, v: f64, a: f64, t: f64) -> f64 {
         // Beyond 40 decay times what is left of the square is below 1e-30.
@@ -57,7 +57,7 @@ impl Mode {
 }
 
 /// Nodes and weights of the 16-point Gauss-Legendre rule on [-1, 1], positive half (Abramowitz & Stegun, Table 25.4).
-pub(in crate::engine) const GAUSS_16: [(f64, f64); 8] = [
+pub(crate) const GAUSS_16: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_6),
     (0.458_016_777_657_227_4, 0.169_156_519_395_002_54),

@@ -1,6 +1,7 @@
 //! Where the steps of a run meet boundaries, and what happens there.
 
 use crate::engine::crossing::Side;
+use crate::engine::dead_band::Regime;
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
 use crate::engine::guard;
@@ -8,18 +9,19 @@ use crate::engine::jump::Passage;
 use crate::engine::law;
 use crate::trajectory::Moment;
 
-use super::{Advance, Events, Recording};
+use super::{Advance, Events, Met, Recording};
 use crate::methods::dense::Dense;
 use crate::methods::field::Field;
+use crate::methods::flow::Flow;
 use crate::methods::{Trial, root};
 
 impl<const N: usize> Advance<'_, N> {
-    /// The first boundary that the motion of a step meets: at which part of it, which law's, which.
-    pub(super) fn first_met(&mut self, dense: &Dense<N>) -> Option<(f64, usize, Side)> {
+    /// The first boundary that the motion of a step meets: at which part of it, and which.
+    pub(super) fn first_met(&mut self, dense: &Dense<N>) -> Option<(f64, Met)> {
         if self.settings.events == Events::AfterStep {
             return None;
         }
-        let mut first: Option<(f64, usize, Side)> = None;
+        let mut first: Option<(f64, Met)> = None;
         for (i, law) in self.field.laws.iter().enumerate() {
             if law.switching == Switching::Never && law.pitch.steps_only() || law.next_switch().is_some() {
                 continue;
@@ -31,15 +33,32 @@ impl<const N: usize> Advance<'_, N> {
                 self.counts.cost.steps += found.steps;
                 self.counts.cost.grazes += found.grazes;
                 if let Some(x) = found.root.filter(|x| first.is_none_or(|first| *x < first.0)) {
-                    first = Some((x, i, side));
+                    first = Some((x, Met::Step(i, side)));
                 }
             }
         }
-        first
+        self.first_edge(dense, first)
+    }
+
+    /// What is left to a boundary, and its rate; positive before it is met.
+    fn gap(&self, met: Met, y: &Flow<N>) -> (f64, f64) {
+        match met {
+            Met::Step(law, side) => {
+                let law = &self.field.laws[law];
+                (side.sign() * (law.boundary(side) - y.q[law.phase]), -side.sign() * y.v[law.phase])
+            }
+            Met::Edge(band, side, beyond) => {
+                let band = &self.field.bands[band];
+                let out = if beyond == Regime::Free { 1.0 } else { -1.0 };
+                let (depth, rate) =
+                    (band.normal.dot(&y.q) * side.sign() - band.half, band.normal.dot(&y.v) * side.sign());
+                (out * depth, out * rate)
+            }
+        }
     }
 
     /// Takes the step that met a boundary at its part `x` again, as long as to there.
-    pub(super) fn land(&mut self, h: f64, x: f64, law: usize, side: Side, dense: &Dense<N>) -> (f64, Trial<N>) {
+    pub(super) fn land(&mut self, h: f64, x: f64, met: Met, dense: &Dense<N>) -> (f64, Trial<N>) {
         let (start, rate, allowed) = (self.y, self.rate, self.control.allowed());
         let interpolated = |field: &mut Field<'_, N>| {
             let end = dense.at(x);
@@ -48,19 +67,20 @@ impl<const N: usize> Advance<'_, N> {
         if x == 0.0 {
             return (0.0, Trial { end: start, rate, error: 0.0, stiffness: 0.0 });
         }
-        let (phase, rounding) = (self.field.laws[law].phase, self.field.laws[law].rounding());
-        let (lower, upper) = self.field.laws[law].bounds();
-        let bound = if side == Side::Upper { upper } else { lower };
+        let rounding = match met {
+            Met::Step(law, _) => self.field.laws[law].rounding(),
+            Met::Edge(band, ..) => f64::EPSILON * self.field.bands[band].half,
+        };
         let mut taken = x * h;
         for _ in 0..8 {
             let Some(mut trial) = self.method.attempt(&mut self.field, &start, &rate, taken, &allowed) else { break };
-            let (gap, speed) = (bound - trial.end.q[phase], trial.end.v[phase]);
-            let dt = gap / speed;
+            let (gap, rate_of_gap) = self.gap(met, &trial.end);
+            let dt = -gap / rate_of_gap;
             if gap.abs() <= rounding {
                 return (taken, trial);
             }
             // Turning there, or not there at all: the polynomial has the last word.
-            if !(side.sign() * speed > 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * h) {
+            if !(rate_of_gap < 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * h) {
                 break;
             }
             // So near that two terms of Taylor's series carry the rest.
@@ -100,13 +120,14 @@ impl<const N: usize> Advance<'_, N> {
     /// Passes a boundary, or is turned back by it.
     fn jump(&mut self, law: usize, side: Side, kink: bool) {
         let (equations, mut state) = (self.field.equations, self.state());
+        let k = self.field.k().to_vec();
         let laws = &mut self.field.laws;
         if laws.len() > 1 {
-            self.counts.ambiguous += u64::from(guard::order_matters(equations, laws, &state, law, side));
+            self.counts.ambiguous += u64::from(guard::order_matters(equations, (laws, &k), &state, law, side));
         }
         let passage = match laws[law].switching {
             Switching::WithJump => {
-                let dv = law::barrier(equations, laws, law, side, &state);
+                let dv = law::barrier(equations, (laws, &k), law, side, &state);
                 laws[law].surface.pass(&mut state.q_dot, side, dv)
             }
             _ => Passage::Transmitted,
@@ -152,7 +173,7 @@ impl<const N: usize> Advance<'_, N> {
                 }
             }
         }
-        Ok(())
+        self.catch_up_with_flanks(recording)
     }
 
     /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.

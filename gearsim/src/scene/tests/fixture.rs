@@ -16,7 +16,7 @@ const fn parameter(
     range: Range,
     doc: &'static str,
 ) -> Parameter {
-    Parameter { name, unit, default, range, doc }
+    Parameter { name, unit, default, with: None, varies: matches!(name.as_bytes(), b"T0"), range, doc }
 }
 
 const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {
@@ -39,7 +39,9 @@ pub static GEAR_PAIR: Model = Model {
         parameter("zeta", "1", Some(0.0), NOT_NEGATIVE, "damping ratio"),
         parameter("T0", "N*m", Some(10.0), ANY, "driving torque"),
     ],
+    dead_bands: &[],
     nonlinear: "",
+    nonlinear_with: &[],
     laws: &[Law { rolling: true, name: "k", unit: "N*m", phase: "theta", period: TAU, doc: "mesh stiffness" }],
     motions: &[Motion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
     effects: &[

@@ -55,6 +55,21 @@ fn laws_that_do_not_fill_the_pitch() {
     insta::assert_snapshot!(rendered(SCENE, &[r#"laws.k.steps.1.width="4.5 rad""#]));
 }
 
+/// The whole of what is said of a course, each mistake at its place.
+#[test]
+fn courses_with_mistakes() {
+    let course = r#"
+[parameters.T0]
+steps = [{ value = "5 N*m", until = "2 s" }, { value = "8 N", until = "1 s" }, { value = "9 N*m", till = "4 s" }]
+harmonics = [{ amplitude = "1 N*m", frequency = "50 rpm" }]
+"#;
+    insta::assert_snapshot!(rendered(&SCENE.replace("\n[laws.k]", &format!("{course}\n[laws.k]")), &[]));
+    insta::assert_snapshot!(rendered(
+        SCENE,
+        &["parameters.I1={ramp={to=\"1 kg*m^2\", duration=\"1 s\"}}", "parameters.T0={}"]
+    ));
+}
+
 /// Every override is refused, with this in the message.
 #[test]
 fn every_mistake_is_named() {
@@ -111,6 +126,28 @@ fn every_mistake_is_named() {
         ("run={t_end=\"1 s\", method=\"exact\", tolerance=1e-3}", "has no tolerance"),
         ("run={t_end=\"1 s\", method=\"radau\", step=\"1 s\"}", "has no step of its own"),
         ("run.tolerance=1e-20", "must lie between 1e-14 and 1e-2"),
+        ("parameters.zeta={mean=0.1}", "cannot vary in time"),
+        ("parameters.T0={}", "has no course"),
+        ("parameters.T0={mean=\"1 N\"}", "is a torque or energy, but"),
+        ("parameters.T0={men=\"1 N*m\"}", "did you mean `mean`"),
+        ("parameters.T0={mean=\"1 N*m\", steps=[{value=0}]}", "has both steps and mean"),
+        ("parameters.T0={ramp=\"1 N*m\"}", "`parameters.T0.ramp` must be a table"),
+        ("parameters.T0={ramp={to=\"1 N*m\"}}", "lacks `duration`"),
+        ("parameters.T0={ramp={to=\"1 N*m\", duration=0}}", "`parameters.T0.ramp.duration` must be positive"),
+        ("parameters.T0={ramp={to=\"1 N*m\", duration=\"1 s\", start=\"-1 s\"}}", "must not be negative"),
+        ("parameters.T0={ramp={to=\"1e300 N*m\", duration=\"1e-300 s\"}}", "faster than numbers can hold"),
+        ("parameters.T0={steps=[]}", "has 0 entries"),
+        ("parameters.T0={steps=[{value=0, until=\"1 s\"}]}", "nothing follows"),
+        ("parameters.T0={steps=[{value=0}, {value=0}]}", "lacks `until`"),
+        ("parameters.T0={steps=[{value=0, until=\"1 s\"}, {value=0, until=\"1 s\"}, {value=0}]}", "is out of order"),
+        ("parameters.T0={steps=[{value=0, until=\"1 N\"}, {value=0}]}", "is a time, but"),
+        ("parameters.T0={table=[{at=\"1 s\"}]}", "lacks `value`"),
+        ("parameters.T0={table=[{at=\"-1 s\", value=0}]}", "is out of order"),
+        ("parameters.T0={table=3}", "must be an array"),
+        ("parameters.T0={harmonics=[{amplitude=\"1 N*m\", frequency=0}]}", "has no positive frequency"),
+        ("parameters.T0={harmonics=[{amplitude=\"1 N*m\", frequency=\"9 rad/s\"}]}", "write Hz"),
+        ("parameters.T0={harmonics=[{frequency=\"1 Hz\"}]}", "lacks `amplitude`"),
+        ("parameters.T0.mean=\"1 N\"", "is a torque or energy, but"),
         ("laws.k.steps=3", "must be an array"),
         ("laws.k.steps.0.value=-1 N*m", "must not be negative"),
         ("laws.k.steps.0.width=0", "must be positive"),

@@ -100,3 +100,22 @@ fn a_file_gives_its_stem_or_says_why_not() {
     let error = Scene::load(&path, &[], &[&GEAR_PAIR]).unwrap_err();
     assert!(error.render(80, false).contains("cannot read"));
 }
+
+/// The courses of a torque, the last set over the first from the command line.
+#[test]
+fn courses() {
+    let at = |overrides: &[&str], t: f64| {
+        let scene = parse(SCENE, overrides).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+        let (p, course) = &scene.courses[0];
+        assert_eq!((*p, scene.parameters[5]), (5, course.at(0, 0.0)));
+        course.at(course.piece(t), t)
+    };
+    let steps = "parameters.T0={steps=[{value=\"1 kN*m\", until=\"100 ms\"}, {value=\"5 N*m\"}]}";
+    assert_eq!((at(&[steps], 0.05), at(&[steps], 0.1)), (1000.0, 5.0));
+    let ramp = "parameters.T0={ramp={from=\"1 N*m\", to=\"3 N*m\", start=\"1 s\", duration=\"2 s\"}}";
+    assert_eq!([0.5, 2.0, 9.0].map(|t| at(&[ramp], t)), [1.0, 2.0, 3.0]);
+    assert_eq!(at(&[ramp, "parameters.T0.ramp.to=\"5 N*m\""], 2.0), 3.0);
+    let table = "parameters.T0={table=[{at=0, value=0}, {at=\"1 s\", value=\"4 N*m\"}], harmonics=[{amplitude=\"1 N*m\", \
+                 frequency=\"1 Hz\", phase=\"180 deg\"}]}";
+    assert!((at(&[table], 0.5) - 3.0).abs() < 1e-14);
+}

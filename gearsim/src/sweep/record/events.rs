@@ -7,7 +7,7 @@ use crate::trajectory::Moment;
 
 pub(super) const GROUP: Group = Group {
     name: "events",
-    doc: "t_end, cell_changes, reflections, holds, grazes, ambiguous, first_reflection",
+    doc: "t_end, cell_changes, reflections, holds, impacts, grazes, ambiguous, first_reflection",
     samples: false,
     limits: true,
     columns,
@@ -15,7 +15,7 @@ pub(super) const GROUP: Group = Group {
 };
 
 fn columns(_: &Model) -> Vec<Column> {
-    let counts = ["cell_changes", "reflections", "holds", "grazes", "ambiguous"];
+    let counts = ["cell_changes", "reflections", "holds", "impacts", "grazes", "ambiguous"];
     let mut columns = vec![column("t_end", "s")];
     columns.extend(counts.map(|name| column(name, "1")));
     columns.push(column("first_reflection", "s"));
@@ -24,7 +24,8 @@ fn columns(_: &Model) -> Vec<Column> {
 
 fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
     let counts = &outcome.counts;
-    let counted = [counts.cell_changes, counts.reflections, counts.holds, counts.cost.grazes, counts.ambiguous];
+    let counted =
+        [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.cost.grazes, counts.ambiguous];
     let mut values = vec![last(&outcome.trajectory.t)];
     values.extend(counted.map(|n| n as f64));
     values.push(first_reflection(outcome));

@@ -1,0 +1,116 @@
+//! The matrices of a cell, in numbers of any kind R.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Expr, Index, Lit};
+
+use crate::cold::Cold;
+use crate::dead_bands;
+use crate::effects;
+use crate::model::*;
+use crate::sums::{Ask, position};
+
+/// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of the kind `r`.
+pub fn cells(m: &Model, r: &TokenStream) -> Vec<Cold> {
+    let n = Index::from(m.coordinates.len());
+    let bands = dead_bands::of_effects(m, Ask::Running);
+    let square = |name, entries| {
+        let returns = quote!([[#r; #n]; #n]);
+        Cold { name, takes: quote!(), given: quote!(), returns, body: matrix(m, entries) }
+    };
+    // What depends on the values of laws and dead bands.
+    let of_values = |cold: Cold| {
+        let body = cold.body;
+        Cold { takes: quote!(k: &[#r]), given: quote!(k), body: quote!(#bands #body), ..cold }
+    };
+    let mut all = vec![square("mass", &m.mass)];
+    all.extend(m.mobility.as_ref().map(|entries| square("mobility", entries)));
+    all.extend([square("damping", &m.damping), square("stiffness", &m.stiffness)].map(of_values));
+    let load = m.load.iter().map(|row| {
+        let (i, value) = (position(m, &row.name), sum(&row.sum));
+        quote!(v[#i] = #value;)
+    });
+    all.push(of_values(Cold {
+        name: "load",
+        takes: quote!(),
+        given: quote!(),
+        returns: quote!([#r; #n]),
+        body: quote!(let zero = R::from(0.0); let mut v = [zero; #n]; #(#load)* v),
+    }));
+    all
+}
+
+/// These functions of `Numbers<R>`, and `matrices`: all of them at once.
+pub fn matrices(m: &Model) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let mobility = match &m.mobility {
+        Some(_) => quote!(Some(self.mobility(effects))),
+        None => quote!(None),
+    };
+    let conditions = effects::variables(m);
+    let each = cells(m, &quote!(R)).into_iter().map(|f| f.define(&conditions));
+    quote! {
+        #(#each)*
+
+        fn matrices(&self, effects: u32, k: &[R]) -> equations::Matrices<#n, R> {
+            equations::Matrices {
+                mass: self.mass(effects),
+                mobility: #mobility,
+                damping: self.damping(effects, k),
+                stiffness: self.stiffness(effects, k),
+                load: self.load(effects, k),
+            }
+        }
+    }
+}
+
+/// A symmetric matrix, given by one of its triangles.
+fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let entries = entries.iter().map(|e| {
+        let (i, j, value) = (position(m, &e.row), position(m, &e.column), sum(&e.sum));
+        let mirror = (i != j).then(|| quote!(v[#j][#i] = v[#i][#j];));
+        quote!(v[#i][#j] = #value; #mirror)
+    });
+    quote!(let zero = R::from(0.0); let mut v = [[zero; #n]; #n]; #(#entries)* v)
+}
+
+fn sum(sum: &Sum) -> TokenStream {
+    if let [Term { condition: None, value }] = &sum[..] {
+        return any_number(value);
+    }
+    let terms = sum.iter().map(|Term { condition, value }| {
+        let value = any_number(value);
+        match condition.as_ref().map(|c| Ask::Running.tell(c)) {
+            Some(met) => quote!(if #met { sum += #value; }),
+            None => quote!(sum += #value;),
+        }
+    });
+    quote!({ let mut sum = zero; #(#terms)* sum })
+}
+
+/// An expression whose literals are numbers of the kind R.
+pub fn any_number(e: &Expr) -> TokenStream {
+    match e {
+        Expr::Lit(lit) if matches!(lit.lit, Lit::Float(_)) => quote!(R::from(#lit)),
+        Expr::Paren(e) => {
+            let e = any_number(&e.expr);
+            quote!((#e))
+        }
+        Expr::Group(e) => any_number(&e.expr),
+        Expr::Unary(e) => {
+            let (op, e) = (&e.op, any_number(&e.expr));
+            quote!(#op #e)
+        }
+        Expr::Binary(e) => {
+            let (left, op, right) = (any_number(&e.left), &e.op, any_number(&e.right));
+            quote!(#left #op #right)
+        }
+        Expr::MethodCall(e) => {
+            let (receiver, method) = (any_number(&e.receiver), &e.method);
+            let arguments = e.args.iter().map(any_number);
+            quote!(#receiver.#method(#(#arguments),*))
+        }
+        _ => quote!(#e),
+    }
+}

@@ -1,0 +1,127 @@
+//! A row of the table: one system, run for many cell changes.
+
+use std::time::Duration;
+
+use anyhow::Context;
+use cpu_time::ThreadTime;
+use gearsim::engine::equations::Equations;
+use gearsim::engine::simulate::Simulation;
+use gearsim::scene::Scene;
+
+use crate::planetary::planetary;
+use crate::train::train;
+
+/// A system to measure.
+pub struct System {
+    pub name: &'static str,
+    /// The rows with which it is compared.
+    pub group: Group,
+    pub measure: fn() -> anyhow::Result<Row>,
+}
+
+/// What is compared, with one exponent a group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    Undamped,
+    Coupled,
+    Planetary,
+}
+
+/// What was measured of one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Coordinates.
+    pub n: usize,
+    /// Processor time of a cell change [s].
+    pub change: f64,
+    /// Evaluations of the motion a cell change.
+    pub evaluations: f64,
+    /// Processor time until the run can begin: its cells and their modes [s].
+    pub prepare: f64,
+    /// Memory that all of it takes [kB].
+    pub memory: f64,
+}
+
+const fn system(name: &'static str, group: Group, measure: fn() -> anyhow::Result<Row>) -> System {
+    System { name, group, measure }
+}
+
+/// All systems, by group and size.
+pub const ROWS: &[System] = &[
+    system("train of 2 discs", Group::Undamped, || train::<2>(0.0)),
+    system("train of 4 discs", Group::Undamped, || train::<4>(0.0)),
+    system("train of 8 discs", Group::Undamped, || train::<8>(0.0)),
+    system("train of 16 discs", Group::Undamped, || train::<16>(0.0)),
+    system("train of 32 discs", Group::Undamped, || train::<32>(0.0)),
+    system("train of 64 discs", Group::Undamped, || train::<64>(0.0)),
+    system("train of 128 discs", Group::Undamped, || train::<128>(0.0)),
+    system("train of 4 discs, damped", Group::Coupled, || train::<4>(1e-5)),
+    system("train of 8 discs, damped", Group::Coupled, || train::<8>(1e-5)),
+    system("train of 16 discs, damped", Group::Coupled, || train::<16>(1e-5)),
+    system("train of 32 discs, damped", Group::Coupled, || train::<32>(1e-5)),
+    system("train of 64 discs, damped", Group::Coupled, || train::<64>(1e-5)),
+    system("planetary, 3 planets", Group::Planetary, || planetary(3)),
+    system("planetary, 4 planets", Group::Planetary, || planetary(4)),
+    system("planetary, 5 planets", Group::Planetary, || planetary(5)),
+];
+
+/// Cell changes before the measurement, and in each part of it.
+const CHANGES: u64 = 400;
+/// Parts of a measurement; the fastest counts.
+const PARTS: usize = 9;
+
+impl Row {
+    /// Measures a scene with its equations.
+    ///
+    /// # Errors
+    /// Where it does not run.
+    pub fn of<const N: usize>(scene: &Scene, equations: &dyn Equations<N>) -> anyhow::Result<Row> {
+        let before = memory()?;
+        let begun = ThreadTime::now();
+        let mut simulation = Simulation::new(scene.model, equations, scene)?;
+        let prepare = begun.elapsed().as_secs_f64();
+        let mut part = |changes: u64| -> anyhow::Result<(Duration, u64, u64)> {
+            let (counts, begun) = (simulation.counts.clone(), ThreadTime::now());
+            simulation.t_end = f64::MAX;
+            while simulation.counts.cell_changes < counts.cell_changes + changes {
+                simulation.step(&mut None, &mut 0)?;
+            }
+            let (elapsed, now) = (begun.elapsed(), &simulation.counts);
+            let evaluations = now.cost.evaluations - counts.cost.evaluations;
+            Ok((elapsed, now.cell_changes - counts.cell_changes, evaluations))
+        };
+        part(CHANGES)?;
+        let parts = (0..PARTS).map(|_| part(CHANGES)).collect::<anyhow::Result<Vec<_>>>()?;
+        let each = |(elapsed, changes, _): &(Duration, u64, u64)| elapsed.as_secs_f64() / *changes as f64;
+        let (changes, evaluations) = parts.iter().fold((0, 0), |(c, e), part| (c + part.1, e + part.2));
+        Ok(Row {
+            n: N,
+            change: parts.iter().map(each).fold(f64::INFINITY, f64::min),
+            evaluations: evaluations as f64 / changes as f64,
+            prepare,
+            memory: memory()? - before,
+        })
+    }
+
+    /// As one line of text.
+    pub fn line(&self) -> String {
+        let Row { n, change, evaluations, prepare, memory } = self;
+        format!("{n} {change} {evaluations} {prepare} {memory}")
+    }
+
+    /// From its line.
+    pub fn parse(line: &str) -> Option<Row> {
+        let mut words = line.split_whitespace();
+        let n = words.next()?.parse().ok()?;
+        let mut number = || words.next()?.parse().ok();
+        Some(Row { n, change: number()?, evaluations: number()?, prepare: number()?, memory: number()? })
+    }
+}
+
+/// The most memory that this process has had [kB].
+fn memory() -> anyhow::Result<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").context("memory is measured on Linux only")?;
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let peak = peak.and_then(|line| line.trim().strip_suffix("kB")?.trim().parse().ok());
+    peak.context("the system does not tell how much memory the process has had")
+}

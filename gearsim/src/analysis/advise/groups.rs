@@ -1,0 +1,112 @@
+//! The dimensionless groups of a scene, by which effects are judged.
+
+use crate::analysis::modes::{self, Meeting};
+use crate::analysis::steady::{self, Course};
+use crate::engine::Refusal;
+use crate::engine::system::System;
+use crate::scene::Scene;
+
+/// The groups.
+#[derive(Debug, Clone)]
+pub struct Groups {
+    /// Of every law that steps.
+    pub meshes: Vec<Mesh>,
+    /// Damped frequency [Hz] and damping factor of each mode at the mid stiffness, rising.
+    pub modes: Vec<(f64, f64)>,
+    /// Harmonics of a mesh frequency near a natural one, nearest first, each with its law.
+    pub meetings: Vec<(&'static str, Meeting)>,
+    /// Parameters of effects that are lengths or angles, over the static deflection of a coordinate in that unit.
+    pub gaps: Vec<(&'static str, f64)>,
+}
+
+/// The groups of a mesh.
+#[derive(Debug, Clone)]
+pub struct Mesh {
+    /// Its law.
+    pub law: &'static str,
+    /// J = 2 G dV/v², dV the energy of the greatest step at the static deflection of the softest cell: the energy of the step
+    /// over what the rotation has for it. For a gear pair M2 dk (T0/k)²/theta'².
+    pub strength: f64,
+    /// Mesh frequency [Hz].
+    pub frequency: f64,
+    /// Greatest stiffness over least.
+    pub ratio: f64,
+}
+
+impl Groups {
+    /// Those of a scene.
+    ///
+    /// # Errors
+    /// Where it has no modes.
+    pub fn of(scene: &Scene, system: &dyn System) -> Result<Groups, Refusal> {
+        let model = scene.model;
+        let courses = steady::courses(scene, system);
+        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
+        let cell = modes::of(system, &mids)?;
+        let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
+        let mut meshes = vec![];
+        for (i, course) in courses.iter().enumerate().filter(|(_, c)| c.steps) {
+            let values = course.levels.iter().map(|level| level.0);
+            let (low, high) = values.fold((f64::INFINITY, 0.0f64), |m, k| (m.0.min(k), m.1.max(k)));
+            let phase = coordinate(model.laws[i].phase);
+            meshes.push(Mesh {
+                law: course.name,
+                strength: strength(system, &mids, (i, low, high), phase, course)?,
+                frequency: course.frequency(),
+                ratio: high / low,
+            });
+        }
+        let statics = statics(system, &mids)?;
+        let gap = |p: &(usize, &'static crate::model::Parameter)| {
+            let (i, parameter) = *p;
+            let effect = parameter.with?;
+            let present = scene.effects.names(model).contains(&effect);
+            let rolls = |name: &str| model.laws.iter().any(|law| law.rolling && law.phase == name);
+            let alike = (0..statics.len())
+                .filter(|&j| model.coordinates[j].unit == parameter.unit && !rolls(model.coordinates[j].name));
+            let largest = alike.fold(0.0f64, |m, j| m.max(statics[j].abs()));
+            (present && largest > 0.0).then(|| (parameter.name, scene.parameters[i] / largest))
+        };
+        let gaps = model.parameters.iter().enumerate().filter_map(|p| gap(&p)).collect();
+        let modes = cell.modes.iter().filter_map(|mode| Some((mode.damped, mode.zeta?))).collect();
+        let meetings = modes::meetings(&courses, &cell).into_iter().map(|m| (model.laws[m.law].name, m)).collect();
+        Ok(Groups { meetings, meshes, modes, gaps })
+    }
+
+    /// The largest jump strength.
+    pub fn strength(&self) -> f64 {
+        self.meshes.iter().fold(0.0, |m, mesh| m.max(mesh.strength))
+    }
+
+    /// The lowest mesh frequency [Hz], 0 if nothing steps.
+    pub fn mesh(&self) -> f64 {
+        let lowest = self.meshes.iter().map(|m| m.frequency).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
+        if lowest.is_finite() { lowest } else { 0.0 }
+    }
+}
+
+/// J of the step of a law between its extremes, at the static deflection of its lower level.
+fn strength(
+    system: &dyn System,
+    mids: &[f64],
+    (law, low, high): (usize, f64, f64),
+    phase: usize,
+    course: &Course,
+) -> Result<f64, Refusal> {
+    let mut k = mids.to_vec();
+    k[law] = low;
+    let q = nalgebra::DVector::from_vec(statics(system, &k)?);
+    let soft = system.matrices(&k)?;
+    k[law] = high;
+    let dk = system.matrices(&k)?.stiffness - &soft.stiffness;
+    let dv = 0.5 * q.dot(&(dk * &q));
+    Ok(2.0 * soft.mobility[(phase, phase)] * dv / (course.speed * course.speed))
+}
+
+/// Deflections in the cell with law values `k`, without its rigid motions (n).
+fn statics(system: &dyn System, k: &[f64]) -> Result<Vec<f64>, Refusal> {
+    let modal = crate::engine::modal::Modal::of(&system.matrices(k)?)?;
+    let amplitude = |i: usize| if modal.modes[i].omega2 > 0.0 { modal.load[i] / modal.modes[i].omega2 } else { 0.0 };
+    let xi = nalgebra::DVector::from_fn(modal.modes.len(), |i, _| amplitude(i));
+    Ok((&modal.shapes * xi).iter().copied().collect())
+}

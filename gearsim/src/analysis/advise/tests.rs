@@ -1,0 +1,137 @@
+//! What numbers tell of the paper's gear pair, against runs.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use super::orbit::{Steady, Unknown};
+use super::*;
+use crate::engine::Outcome;
+use crate::generated::MODELS;
+use crate::scene::Scene;
+use crate::trajectory::Moment;
+
+fn scene(rpm: f64, effects: &str, more: &[&str]) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml");
+    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    let mut set = vec![format!("effects=[{effects}]"), format!("start.speed={rpm} rpm")];
+    set.extend(more.iter().map(ToString::to_string));
+    Scene::load(&path, &set, &models).unwrap()
+}
+
+const ALL: &str = "\"stiffness_step\", \"damping\", \"torques\"";
+const FROZEN: &str = "\"stiffness_step\", \"damping\", \"torques\", \"frozen_phase\"";
+
+fn run(scene: &Scene) -> Outcome {
+    let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).unwrap();
+    (entry.run)(scene, &mut |_| {}).unwrap()
+}
+
+fn steady_of<T>(scene: &Scene, f: impl FnOnce(&Steady<'_>) -> T) -> Result<T, Unknown> {
+    let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).unwrap();
+    let system = (entry.system)(scene).unwrap();
+    Steady::of(scene, &*system).map(|steady| f(&steady))
+}
+
+/// The settled motion is that into which a run under the classical equations settles: its mean square, its peak and its lines.
+#[test]
+fn the_orbit_is_where_a_run_settles() {
+    for rpm in [600.0, 1500.0, 4500.0] {
+        let pitch = 60.0 / (24.0 * rpm);
+        // 60 pitches, of which the last 20 are looked at: by then e^(-zeta w t) is below 1e-9.
+        let t_end = format!("run.t_end={:?} s", 60.0 * pitch);
+        let rate = format!("output.rate={:?} Hz", 1000.0 / pitch);
+        let set = [&t_end[..], &rate, "parameters.zeta=0.1"];
+        let outcome = run(&scene(rpm, FROZEN, &set));
+        let orbit = steady_of(&scene(rpm, ALL, &set), |steady| steady.orbit(1.0, false).unwrap()).unwrap();
+        assert!((orbit.period / pitch - 1.0).abs() < 1e-12 && orbit.steps == 2);
+        let t = &outcome.trajectory;
+        let late = |i: &usize| t.moment[*i] == Moment::Sample && t.t[*i] > 40.0 * pitch * (1.0 + 1e-9);
+        let phi: Vec<f64> = (0..t.len()).filter(late).map(|i| t.q[1][i]).collect();
+        let mean = phi.iter().sum::<f64>() / phi.len() as f64;
+        let square = phi.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / phi.len() as f64;
+        let peak = phi.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        assert!((orbit.mean[1] / mean - 1.0).abs() < 1e-3, "{rpm}: mean {} {mean}", orbit.mean[1]);
+        assert!((orbit.square[1] / square - 1.0).abs() < 2e-3, "{rpm}: square {} {square}", orbit.square[1]);
+        assert!((orbit.peak[1] / peak - 1.0).abs() < 1e-3, "{rpm}: peak {} {peak}", orbit.peak[1]);
+        // Parseval: the lines add up to the mean square.
+        let lines: f64 = orbit.lines[1].iter().sum();
+        assert!((lines / orbit.square[1] - 1.0).abs() < 1e-3, "{rpm}: lines {lines}");
+    }
+}
+
+/// In slow rotation every step settles before the next, and a pitch costs T0² (1/k1 - 1/k2)² (k1 + k2), the strain energy that
+/// is left over at both steps; with the impulses as without, for they only carry it over.
+#[test]
+fn a_slow_pitch_costs_its_steps() {
+    let set = ["parameters.zeta=0.1", "parameters.T0=10 N*m"];
+    let orbit = steady_of(&scene(30.0, ALL, &set), |steady| steady.orbit(1.0, false).unwrap()).unwrap();
+    let (k1, k2) = (1430.0, 2780.0);
+    let cost = 100.0 * (1.0 / k1 - 1.0f64 / k2).powi(2) * (k1 + k2);
+    assert!((orbit.lost / cost - 1.0).abs() < 0.02, "{} {cost}", orbit.lost);
+}
+
+/// The jump strength of the scene is that of Oh, Grosh & Barber, M2 dk (T0/k1)²/theta'².
+#[test]
+fn the_jump_strength_is_the_papers() {
+    let scene = scene(600.0, ALL, &["parameters.T0=10 N*m"]);
+    let entry = MODELS.iter().find(|entry| entry.model.name == "gear_pair").unwrap();
+    let system = (entry.system)(&scene).unwrap();
+    let groups = groups::Groups::of(&scene, &*system).unwrap();
+    let m2 = 0.5 * (24f64.powi(2) / 2.89e-3 + 96f64.powi(2) / 0.7402);
+    let speed = 24.0 * 600.0 * TAU / 60.0;
+    let j = m2 * (2780.0 - 1430.0) * (10.0f64 / 1430.0).powi(2) / (speed * speed);
+    assert!((groups.strength() / j - 1.0).abs() < 1e-9, "{} {j}", groups.strength());
+    assert!((groups.mesh() - 240.0).abs() < 1e-9 && groups.meshes[0].ratio == 2780.0 / 1430.0);
+}
+
+#[test]
+fn what_numbers_do_not_tell_is_said() {
+    let undamped = scene(600.0, "\"stiffness_step\", \"torques\"", &[]);
+    assert_eq!(steady_of(&undamped, |_| ()).unwrap_err(), Unknown::Unsettled);
+    let ramped = scene(600.0, ALL, &["laws.k.ramp=0.1 rad"]);
+    assert_eq!(steady_of(&ramped, |_| ()).unwrap_err(), Unknown::Curved);
+    let still = scene(0.0, ALL, &[]);
+    assert!(matches!(steady_of(&still, |_| ()).unwrap_err(), Unknown::Aperiodic(_)));
+}
+
+/// Every effect of the scene can go, with what needs it, and each approximation can come.
+#[test]
+fn candidates_are_the_effects() {
+    let scene = scene(600.0, FROZEN, &[]);
+    let base = base(&scene);
+    assert_eq!(base.effects.names(base.model), ["stiffness_step", "damping", "torques"]);
+    let found = candidates(&base);
+    let without: Vec<_> = found.iter().map(|c| c.without.as_str()).collect();
+    assert_eq!(without, ["jump terms", "jump terms, moving phase", "stiffness_step", "damping", "torques"]);
+    let names = |i: usize| found[i].scene.effects.names(base.model).join(" ");
+    assert_eq!(names(0), "stiffness_step rigid_kinematics damping torques");
+    assert_eq!(names(2), "damping torques");
+}
+
+#[test]
+fn deviations_are_of_the_worst() {
+    let bands = Bands::of(100.0, 900.0, 4000.0);
+    assert_eq!(
+        (bands.width, bands.index(49.0), bands.index(51.0), bands.index(451.0)),
+        (400.0, None, Some(0), Some(1))
+    );
+    let a = Measures {
+        rms: vec![1.0, 2.0],
+        peak: vec![3.0, 4.0],
+        bands: vec![vec![1.0, 1e-9], vec![1.0, 0.5]],
+        speed: vec![100.0],
+        energy: 10.0,
+        at_start: 20.0,
+        events: 200.0,
+        reflections: 0,
+    };
+    assert!(a.apart(&a, &["m", "m"]).each().iter().all(|x| *x == 0.0));
+    let mut b = a.clone();
+    (b.rms[1], b.peak[0], b.bands[1][1], b.speed[0], b.energy, b.events) = (2.2, 2.7, 5.0, 99.0, 12.0, 150.0);
+    // A faint band says nothing.
+    b.bands[0][1] = 1e-7;
+    let apart = a.apart(&b, &["m", "m"]).each();
+    for (x, want) in apart.into_iter().zip([0.1, 0.1, 10.0, 0.01, 0.1, 0.25]) {
+        assert!((x - want).abs() < 1e-12, "{apart:?}");
+    }
+}

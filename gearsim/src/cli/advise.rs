@@ -1,0 +1,252 @@
+//! `gearsim advise`: which effects matter to a scene, and which may be left out.
+
+mod table;
+
+use std::path::PathBuf;
+
+use clap::Parser;
+
+use super::failure::Failure;
+use super::simulate::{entry, simulate};
+use super::{Verb, report, terminal};
+use crate::analysis::advise::groups::Groups;
+use crate::analysis::advise::measures::coordinates;
+use crate::analysis::advise::orbit::{Steady, Unknown};
+use crate::analysis::advise::{self, Apart, Bands, Candidate, LIMITS, Measures, Way, expected, short_run};
+use crate::engine::Outcome;
+use crate::generated::MODELS;
+use crate::scene::Scene;
+
+/// Which effects matter to a scene, and which may be left out; checked by runs with and without each
+#[derive(Parser)]
+#[command(
+    name = "advise",
+    after_help = "\
+Tells the scene's dimensionless groups, then estimates how far what it records would move without
+each of its effects: from the settled motion in steady rotation, which needs no run, or from a
+short run where the numbers do not tell. Then runs the scene with and without each, and puts the
+truth beside the estimate, with the time that is saved.
+
+Examples:
+  gearsim advise models/scenes/oh2005/spectrum_600rpm_exact.toml
+  gearsim advise models/scenes/oh2005/spectrum_4500rpm_exact.toml --set parameters.T0=\"50 N*m\""
+)]
+pub(super) struct Advise {
+    /// The scene: a TOML file
+    scene: PathBuf,
+    /// Writes a value over one of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+/// What is said of a candidate.
+pub(super) struct Verdict {
+    candidate: Candidate,
+    /// How far the numbers say that it is.
+    estimate: Estimate,
+    /// How far it is.
+    truth: Result<Apart, String>,
+    /// Processor time of the run without it, over that of the scene.
+    time: f64,
+}
+
+/// How far a candidate is from the scene, without a run of both.
+pub(super) enum Estimate {
+    /// By the settled motion.
+    Settled(Apart),
+    /// By a short run.
+    Short(Apart),
+    /// Steps will turn the motion back, which nothing but the full equations knows.
+    TurnedBack,
+    /// Not at all: why.
+    None(String),
+}
+
+impl Verdict {
+    /// Whether an effect may be left out: by the estimate, and in truth.
+    fn may_go(&self) -> (Option<bool>, Option<bool>) {
+        let within = |apart: &Apart| apart.within(&LIMITS);
+        let estimate = match &self.estimate {
+            Estimate::Settled(apart) | Estimate::Short(apart) => Some(within(apart)),
+            Estimate::TurnedBack => Some(false),
+            Estimate::None(_) => None,
+        };
+        (estimate, self.truth.as_ref().ok().map(within))
+    }
+}
+
+impl Verb for Advise {
+    fn run(self) -> Result<(), Failure> {
+        let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+        let scene = Scene::load(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
+        let base = advise::base(&scene);
+        let advice = of(&base)?;
+        let width = terminal::width();
+        let dropped = scene.effects != base.effects;
+        terminal::say(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
+        Ok(())
+    }
+}
+
+/// What is said of a scene.
+pub(super) struct Advice {
+    /// Its groups, or why there are none.
+    groups: Result<Groups, String>,
+    /// Why the estimates are from short runs, if they are.
+    no_orbit: Option<String>,
+    verdicts: Vec<Verdict>,
+    /// Processor time of the scene [s].
+    seconds: f64,
+    bands: Bands,
+    /// Why its run stopped early, if it did.
+    stopped: Option<String>,
+    reflections: u64,
+    t_end: f64,
+}
+
+#[cfg(test)]
+impl Advice {
+    /// What is left out, and whether it may be: by the estimate, and in truth.
+    pub(super) fn told(&self) -> Vec<(&str, Option<bool>, Option<bool>)> {
+        let told = |v: &'_ Verdict| v.may_go();
+        self.verdicts.iter().map(|v| (v.candidate.without.as_str(), told(v).0, told(v).1)).collect()
+    }
+
+    /// The deviation of the speed without candidate `i`, estimated by the settled motion and in truth.
+    pub(super) fn speeds(&self, i: usize) -> Option<(f64, f64)> {
+        match (&self.verdicts[i].estimate, &self.verdicts[i].truth) {
+            (Estimate::Settled(estimate), Ok(truth)) => Some((estimate.speed, truth.speed)),
+            _ => None,
+        }
+    }
+
+    /// Why there is no settled motion.
+    pub(super) fn no_orbit(&self) -> Option<&str> {
+        self.no_orbit.as_deref()
+    }
+}
+
+/// The advice on a scene with nothing dropped.
+pub(super) fn of(base: &Scene) -> Result<Advice, Failure> {
+    let candidates = advise::candidates(base);
+    if candidates.is_empty() {
+        let what = format!("scene {} has no effects: there is nothing to leave out", base.name);
+        return Err(Failure::Impossible { what, help: "name some in its `effects`".into() });
+    }
+    let (outcome, seconds) = timed(base)?;
+    let system = (entry(base)?.system)(base).map_err(|refusal| refusal.to_string());
+    let groups = system.as_ref().map_err(Clone::clone);
+    let groups = groups.and_then(|system| Groups::of(base, &**system).map_err(|e| e.to_string()));
+    let steady = match &system {
+        Ok(system) => Steady::of(base, &**system),
+        Err(_) => Err(Unknown::Rigid),
+    };
+    let bands = bands(base, &outcome, groups.as_ref().ok());
+    let no_orbit = match (&system, &steady) {
+        (Err(why), _) => Some(why.clone()),
+        (_, Err(why)) => Some(why.to_string()),
+        _ => None,
+    };
+    let context = Context {
+        base,
+        here: Measures::of(&outcome, &bands),
+        mesh: groups.as_ref().map_or(0.0, Groups::mesh),
+        expected: steady.as_ref().ok().and_then(|s| expected(base, s, &bands, None).ok()),
+        steady: steady.ok(),
+        bands: &bands,
+        seconds,
+    };
+    let verdicts = candidates.into_iter().map(|candidate| context.verdict(candidate)).collect::<Result<_, _>>()?;
+    Ok(Advice {
+        groups,
+        no_orbit,
+        verdicts,
+        seconds,
+        stopped: outcome.stopped_by.as_ref().map(ToString::to_string),
+        reflections: outcome.counts.reflections,
+        t_end: base.t_end,
+        bands,
+    })
+}
+
+/// What candidates are held against.
+struct Context<'a> {
+    base: &'a Scene,
+    here: Measures,
+    mesh: f64,
+    expected: Option<advise::expect::Expected>,
+    steady: Option<Steady<'a>>,
+    bands: &'a Bands,
+    seconds: f64,
+}
+
+impl Context<'_> {
+    fn verdict(&self, candidate: Candidate) -> Result<Verdict, Failure> {
+        let estimate = self.estimate(&candidate)?;
+        let (truth, time) = match timed(&candidate.scene) {
+            Ok((outcome, seconds)) => {
+                let there = Measures::of(&outcome, self.bands);
+                (Ok(self.here.apart(&there, &self.units())), seconds / self.seconds)
+            }
+            Err(Failure::Refused { refusal, .. }) => (Err(refusal.to_string()), f64::NAN),
+            Err(other) => return Err(other),
+        };
+        Ok(Verdict { candidate, estimate, truth, time })
+    }
+
+    fn estimate(&self, candidate: &Candidate) -> Result<Estimate, Failure> {
+        if let (Some(steady), Some(here), true) = (&self.steady, &self.expected, candidate.way != Way::Run) {
+            let there = expected(self.base, steady, self.bands, Some(candidate.way));
+            return Ok(match there {
+                _ if here.turned_back => Estimate::TurnedBack,
+                Ok(there) => Estimate::Settled(here.measures.apart(&there.measures, &self.units())),
+                Err(why) => Estimate::None(why.to_string()),
+            });
+        }
+        let short = short_run(self.base, self.mesh);
+        let shortened = |scene: &Scene| Scene { t_end: short, ..scene.clone() };
+        let measures = |scene: &Scene| simulate(&shortened(scene), true).map(|o| Measures::of(&o, self.bands));
+        match (measures(self.base), measures(&candidate.scene)) {
+            (Ok(here), Ok(there)) => {
+                Ok(Estimate::Short(here.apart(&there, &self.units()).over(short, self.base.t_end)))
+            }
+            (Err(Failure::Refused { refusal, .. }), _) | (_, Err(Failure::Refused { refusal, .. })) => {
+                Ok(Estimate::None(refusal.to_string()))
+            }
+            (Err(other), _) | (_, Err(other)) => Err(other),
+        }
+    }
+
+    /// Units of the elastic coordinates.
+    fn units(&self) -> Vec<&'static str> {
+        let model = self.base.model;
+        coordinates(model).0.into_iter().map(|i| model.coordinates[i].unit).collect()
+    }
+}
+
+/// Whole mesh orders up to four times the lowest natural frequency and past the highest, as far as the samples go.
+fn bands(base: &Scene, outcome: &Outcome, groups: Option<&Groups>) -> Bands {
+    let limit = 0.4 * base.output.rate;
+    let natural: Vec<f64> = groups.map_or(vec![], |g| g.modes.iter().map(|m| m.0).filter(|f| *f > 0.0).collect());
+    let low = natural.first().copied().or(outcome.reference_frequency.map(|w| w / std::f64::consts::TAU));
+    let low = low.unwrap_or(limit / 4.0);
+    let high = natural.last().copied().unwrap_or(low);
+    let mesh = groups.map_or(0.0, Groups::mesh);
+    let mesh = if mesh > 0.0 { mesh } else { low };
+    Bands::of(mesh, low, limit.min((4.0 * low).max(1.2 * high)))
+}
+
+/// Runs this short are timed again, and the least counts.
+const QUICK: f64 = 0.2;
+
+/// A run, and its processor time [s].
+fn timed(scene: &Scene) -> Result<(Outcome, f64), Failure> {
+    let outcome = simulate(scene, true)?;
+    let mut seconds = outcome.cpu_seconds;
+    if seconds < QUICK {
+        for _ in 0..2 {
+            seconds = seconds.min(simulate(scene, true)?.cpu_seconds);
+        }
+    }
+    Ok((outcome, seconds))
+}

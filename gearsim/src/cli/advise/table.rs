@@ -1,0 +1,179 @@
+//! The advice as text for the terminal.
+
+use std::fmt::Write;
+
+use super::{Advice, Estimate, Verdict};
+use crate::analysis::advise::groups::Groups;
+use crate::analysis::advise::{Apart, LIMITS};
+use crate::cli::{number, report};
+
+const HEAD: [&str; 6] = ["rms", "peak", "bands", "speed", "energy", "events"];
+
+/// All of it.
+pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
+    let mut text = String::new();
+    if dropped {
+        text += &report::line("taken up", "the terms that its effects drop: they are among the candidates", width);
+    }
+    match &advice.groups {
+        Ok(groups) => text += &numbers(groups, width),
+        Err(why) => text += &report::line("no numbers", why, width),
+    }
+    if let Some(why) = &advice.no_orbit {
+        let says = format!("from short runs, not from the settled motion: {why}");
+        text += &report::line("estimates", &says, width);
+    }
+    text.push('\n');
+    text += &row("", "without", HEAD.map(str::to_string), "time", "");
+    for verdict in &advice.verdicts {
+        text += &both(verdict);
+    }
+    text += &row("", "limits", cells(&LIMITS), "", "");
+    text.push('\n');
+    for line in words(advice) {
+        text += &report::line(line.0, &line.1, width);
+    }
+    text
+}
+
+/// The groups, one a line.
+fn numbers(groups: &Groups, width: usize) -> String {
+    let lowest = groups.modes.iter().map(|mode| mode.0).find(|f| *f > 0.0);
+    let mut text = String::new();
+    for mesh in &groups.meshes {
+        let ratio =
+            lowest.map_or(String::new(), |f| format!(", {} of the lowest mode", number::short(mesh.frequency / f)));
+        let says = format!(
+            "jump strength J = {} ({}), stiffness ratio {}, mesh frequency {} Hz{ratio}",
+            number::short(mesh.strength),
+            strength(mesh.strength),
+            number::short(mesh.ratio),
+            number::short(mesh.frequency),
+        );
+        text += &report::line(&format!("mesh {}", mesh.law), &says, width);
+    }
+    if let (Some(first), Some(last)) = (groups.modes.first(), groups.modes.last()) {
+        let zetas = groups.modes.iter().map(|mode| mode.1);
+        let (low, high) = zetas.fold((f64::INFINITY, 0.0f64), |m, z| (m.0.min(z), m.1.max(z)));
+        let says = match groups.modes.len() {
+            1 => format!("{} Hz, damping factor {}", number::short(first.0), number::short(first.1)),
+            n => format!(
+                "{n}, from {} to {} Hz, damping factors {} to {}",
+                number::short(first.0),
+                number::short(last.0),
+                number::short(low),
+                number::short(high)
+            ),
+        };
+        text += &report::line("modes", &says, width);
+    }
+    if let Some((law, meeting)) = groups.meetings.first() {
+        let says = format!(
+            "harmonic {} of {law} is at {} of mode {}: what is dropped near a resonance counts most",
+            meeting.harmonic,
+            number::short(meeting.ratio),
+            meeting.mode + 1
+        );
+        text += &report::line("near resonance", &says, width);
+    }
+    for (name, gap) in &groups.gaps {
+        text += &report::line(name, &format!("{} of the static deflection", number::short(*gap)), width);
+    }
+    text
+}
+
+fn strength(j: f64) -> &'static str {
+    match j {
+        j if j >= 1.0 => "a step turns the motion back",
+        j if j >= 1e-3 => "of account over many pitches",
+        _ => "small",
+    }
+}
+
+/// The estimate of a candidate and the truth, below one another.
+fn both(verdict: &Verdict) -> String {
+    let (estimated, true_) = verdict.may_go();
+    let says = |goes: Option<bool>| goes.map_or("", |goes| if goes { "may go" } else { "needed" });
+    let time = match verdict.time {
+        x if x.is_finite() => format!("{:+.0} %", 100.0 * (x - 1.0)),
+        _ => "-".into(),
+    };
+    let name = &verdict.candidate.without;
+    let estimate = |what: &str, apart: &Apart| row(name, what, cells(apart), "", says(estimated));
+    let first = match &verdict.estimate {
+        Estimate::Settled(apart) => estimate("estimate", apart),
+        Estimate::Short(apart) => estimate("short run", apart),
+        Estimate::TurnedBack => format!("{name:<30}estimate  {:<62}  needed\n", "  steps turn the motion back"),
+        Estimate::None(why) => format!("{name:<30}no estimate: {why}\n"),
+    };
+    let second = match &verdict.truth {
+        Ok(apart) => row(&format!("  {}", verdict.candidate.how), "truth", cells(apart), &time, says(true_)),
+        Err(why) => format!("  {}: not to be run, {why}\n", verdict.candidate.how),
+    };
+    first + &second
+}
+
+fn cells(apart: &Apart) -> [String; 6] {
+    let mut cells = apart.each().map(percent);
+    cells[2] = number_of_decibels(apart.bands);
+    cells
+}
+
+fn number_of_decibels(x: f64) -> String {
+    if x >= 199.0 { "all".into() } else { format!("{x:.2} dB") }
+}
+
+fn percent(x: f64) -> String {
+    match 100.0 * x {
+        p if !p.is_finite() => "-".into(),
+        p if p >= 1000.0 => ">1000 %".into(),
+        p if p >= 10.0 => format!("{p:.0} %"),
+        p if p >= 0.01 || p == 0.0 => format!("{p:.2} %"),
+        _ => "<0.01 %".into(),
+    }
+}
+
+fn row(name: &str, what: &str, cells: [String; 6], time: &str, says: &str) -> String {
+    let mut line = format!("{name:<30}{what:<10}");
+    for cell in cells {
+        let _ = write!(line, "{cell:>9}");
+    }
+    let _ = write!(line, "{time:>8}  {says}");
+    format!("{}\n", line.trim_end())
+}
+
+/// What it comes to, in words.
+fn words(advice: &Advice) -> Vec<(&'static str, String)> {
+    let mut lines = vec![];
+    let quoted = |goes: bool| {
+        let names = advice.verdicts.iter().filter(|v| v.may_go().1 == Some(goes)).map(|v| v.candidate.without.clone());
+        names.collect::<Vec<_>>().join("; ")
+    };
+    let none = |text: String| if text.is_empty() { "nothing".to_owned() } else { text };
+    lines.push(("may go", none(quoted(true))));
+    lines.push(("needed", none(quoted(false))));
+    let misled = advice.verdicts.iter().filter(|v| matches!(v.may_go(), (Some(a), Some(b)) if a != b));
+    let misled: Vec<_> = misled.map(|v| v.candidate.without.clone()).collect();
+    if !misled.is_empty() {
+        let says = format!("{}: the estimate and the run do not agree; believe the run", misled.join("; "));
+        lines.push(("misjudged", says));
+    }
+    if advice.reflections > 0 {
+        let says =
+            format!("steps turned the motion back {} times: only the full equations know that", advice.reflections);
+        lines.push(("reflections", says));
+    }
+    if let Some(why) = &advice.stopped {
+        lines.push(("stopped early", why.clone()));
+    }
+    let says = format!(
+        "the scene takes {}; rms, peak and bands of the worst elastic coordinate, {} bands of {} Hz; speed, energy and \
+         events at the end of {} s",
+        number::time(advice.seconds),
+        advice.bands.count,
+        number::short(advice.bands.width),
+        number::short(advice.t_end)
+    );
+    lines.push(("measured", says));
+    lines
+}

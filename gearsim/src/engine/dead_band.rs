@@ -1,0 +1,198 @@
+//! Play: a deflection that is felt only beyond a dead band, and the flank that is in contact there.
+//!
+//! At the depth x >= 0 beyond an edge a spring kappa and a damper gamma are in contact. The damper never pulls, nor pushes
+//! more than the spring (as in Modelica.Mechanics.Rotational.Components.ElastoBacklash2):
+//!
+//! | grip | while | force of the contact |
+//! | --- | --- | --- |
+//! | touch | -kappa x <= gamma x' <= kappa x | kappa x + gamma x' |
+//! | hit | gamma x' > kappa x | 2 kappa x |
+//! | loose | gamma x' < -kappa x | 0 |
+//!
+//! Each is a linear cell, and its end the first zero of a linear function of the state. Forces and energies pass from one to
+//! the next without a step, so there is no impulse; and none of them feeds energy in.
+
+use nalgebra::SVector;
+
+use crate::engine::cell::Cell;
+use crate::engine::crossing::Side;
+use crate::engine::equations::Equations;
+use crate::engine::record::State;
+use crate::engine::watch::Watch;
+
+/// Where a dead band stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Regime {
+    /// Within the play.
+    Free,
+    /// In contact beyond an edge.
+    Contact(Side, Grip),
+}
+
+/// What the damper of a contact does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grip {
+    /// It acts.
+    Touch,
+    /// It would push more than the spring, and pushes as much.
+    Hit,
+    /// It would pull more than the spring pushes: there is no force.
+    Loose,
+}
+
+use Grip::{Hit, Loose, Touch};
+use Regime::{Contact, Free};
+
+/// A dead band under way.
+#[derive(Debug, Clone)]
+pub struct DeadBand<const N: usize> {
+    /// Its number in the model.
+    pub index: usize,
+    /// Gradient of its deflection (N).
+    pub normal: SVector<f64, N>,
+    /// Half its width.
+    pub half: f64,
+    /// Where it stands. State: not worked out from the deflection.
+    pub regime: Regime,
+}
+
+/// Law values of a dead band: touch, edge, damp, clip.
+pub const VALUES: usize = 4;
+/// Every regime, by its number.
+pub const REGIMES: [Regime; 7] = [
+    Free,
+    Contact(Side::Upper, Touch),
+    Contact(Side::Lower, Touch),
+    Contact(Side::Upper, Hit),
+    Contact(Side::Lower, Hit),
+    Contact(Side::Upper, Loose),
+    Contact(Side::Lower, Loose),
+];
+
+/// Spring kappa and damper gamma of a contact, in the unit of its deflection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Elastic {
+    /// kappa.
+    pub spring: f64,
+    /// gamma.
+    pub damper: f64,
+}
+
+impl<const N: usize> DeadBand<N> {
+    /// The dead bands of a model that its effects ask for, free of contact.
+    pub fn all(equations: &dyn Equations<N>, count: usize) -> Vec<DeadBand<N>> {
+        let band = |index| {
+            let band = equations.dead_band(index)?;
+            Some(DeadBand { index, normal: band.normal.into(), half: band.half, regime: Free })
+        };
+        (0..count).filter_map(band).collect()
+    }
+
+    /// The number of its regime.
+    pub fn place(&self) -> usize {
+        REGIMES.iter().position(|regime| *regime == self.regime).unwrap_or(0)
+    }
+
+    /// touch, edge, damp, clip in a regime.
+    pub fn values(&self, regime: Regime) -> [f64; VALUES] {
+        let Contact(side, grip) = regime else { return [0.0; VALUES] };
+        let (damp, clip) = match grip {
+            Touch => (1.0, 0.0),
+            Hit => (0.0, 1.0),
+            Loose => (0.0, -1.0),
+        };
+        [1.0, side.sign() * self.half, damp, clip]
+    }
+
+    /// Puts its present values where they belong among the law values `k` of a model with `laws` laws.
+    pub fn write(&self, laws: usize, k: &mut [f64]) {
+        let from = laws + VALUES * self.index;
+        k[from..from + VALUES].copy_from_slice(&self.values(self.regime));
+    }
+
+    /// Depth beyond an edge, negative within the play.
+    pub fn depth(&self, side: Side, state: &State<N>) -> f64 {
+        side.sign() * self.normal.dot(&state.q) - self.half
+    }
+
+    /// Spring and damper of its contact where the law values are `k`: what K and C are more in contact than free, along n.
+    pub fn elastic(&self, equations: &dyn Equations<N>, laws: usize, k: &[f64]) -> Elastic {
+        let with = |contact: bool| {
+            let mut band = self.clone();
+            band.regime = if contact { Contact(Side::Upper, Touch) } else { Free };
+            let mut k = k.to_vec();
+            band.write(laws, &mut k);
+            (equations.stiffness(&k), equations.damping(&k))
+        };
+        let ((k1, c1), (k0, c0)) = (with(true), with(false));
+        let n = self.normal / self.normal.norm_squared();
+        let along = |a: [[f64; N]; N], b: [[f64; N]; N]| {
+            let entry = |i: usize, j: usize| n[i] * n[j] * (a[i][j] - b[i][j]);
+            (0..N).map(|i| (0..N).map(|j| entry(i, j)).sum::<f64>()).sum::<f64>()
+        };
+        Elastic { spring: along(k1, k0), damper: along(c1, c0) }
+    }
+
+    /// The regime that the forces at `state` ask for, by a contact that is or begins at `side`; where they are equal, it
+    /// keeps its grip.
+    pub fn gripped(&self, side: Side, Elastic { spring, damper }: Elastic, state: &State<N>) -> Regime {
+        if damper == 0.0 {
+            return Contact(side, Touch);
+        }
+        let (spring, damper) = (spring * self.depth(side, state), damper * side.sign() * self.normal.dot(&state.q_dot));
+        let grip = match self.regime {
+            Contact(here, grip) if here == side => grip,
+            _ => Touch,
+        };
+        Contact(
+            side,
+            match (damper - spring, damper + spring) {
+                (more, _) if more > 0.0 => Hit,
+                (_, left) if left < 0.0 => Loose,
+                (more, _) if more == 0.0 && grip == Hit => Hit,
+                (_, left) if left == 0.0 && grip == Loose => Loose,
+                _ => Touch,
+            },
+        )
+    }
+
+    /// What can end its present regime in `cell`, and the regime after it. Each watch is >= 0 until then.
+    pub fn exits(&self, cell: &Cell<N>, Elastic { spring, damper }: Elastic) -> Vec<(Regime, Watch<N>)> {
+        // a x + b x' beyond the edge at `side`.
+        let watch = |side: Side, a: f64, b: f64| {
+            let (n, sign) = (self.normal, side.sign());
+            Watch::new(cell, -a * self.half, n * (a * sign), n * (b * sign))
+        };
+        let enter = |side| {
+            let grip = if damper > 0.0 { Hit } else { Touch };
+            (Contact(side, grip), watch(side, -1.0, 0.0))
+        };
+        match self.regime {
+            Free => vec![enter(Side::Upper), enter(Side::Lower)],
+            Contact(side, _) if damper == 0.0 => vec![(Free, watch(side, 1.0, 0.0))],
+            Contact(side, Touch) => vec![
+                (Contact(side, Loose), watch(side, spring, damper)),
+                (Contact(side, Hit), watch(side, spring, -damper)),
+            ],
+            Contact(side, Hit) => vec![(Contact(side, Touch), watch(side, -spring, damper))],
+            Contact(side, Loose) => {
+                vec![(Free, watch(side, 1.0, 0.0)), (Contact(side, Touch), watch(side, -spring, -damper))]
+            }
+        }
+    }
+
+    /// What the clipped damper takes where the deflection moves on by `moved` from `state` [J].
+    pub fn clipped(&self, elastic: Elastic, state: &State<N>, dq: &SVector<f64, N>) -> f64 {
+        let Contact(side, _) = self.regime else { return 0.0 };
+        let clip = self.values(self.regime)[3];
+        let (x, dx) = (self.depth(side, state), side.sign() * self.normal.dot(dq));
+        clip * elastic.spring * dx * (x + 0.5 * dx)
+    }
+
+    /// The power that the clipped damper takes in `state` [W].
+    pub fn clipped_power(&self, elastic: Elastic, state: &State<N>) -> f64 {
+        let Contact(side, _) = self.regime else { return 0.0 };
+        let clip = self.values(self.regime)[3];
+        clip * elastic.spring * self.depth(side, state) * side.sign() * self.normal.dot(&state.q_dot)
+    }
+}

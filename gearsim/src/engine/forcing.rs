@@ -1,0 +1,153 @@
+//! Torques that vary in time: the generalised forces beyond those of the start, sum over p of B_p (T_p(t) - T_p(0)).
+//!
+//! The equations of a scene are those with T_p(0). Where all T_p are constant for a while, cells are as ever, with another
+//! load ([`Forcing::load`]); where one is straight or harmonic, the motion goes on in windows of a power series
+//! ([`window`]). A breakpoint of a course is an event: the next piece is state, as the cell of a stiffness is.
+
+use nalgebra::SVector;
+use xprec::Df64;
+
+use crate::engine::clock::Clock;
+use crate::engine::equations::{Derived, Equations};
+use crate::scene::{Course, Scene};
+
+pub mod linear;
+pub mod window;
+
+use window::TERMS;
+
+/// What varies.
+#[derive(Debug, Clone)]
+pub struct Forcing<const N: usize> {
+    drives: Vec<Drive<N>>,
+    /// Work of each torque beyond that of its value at the start, so far [J].
+    pub work: Vec<f64>,
+}
+
+/// A parameter that varies.
+#[derive(Debug, Clone)]
+struct Drive<const N: usize> {
+    course: Course,
+    /// T_p(0).
+    at_start: f64,
+    /// B_p: generalised forces of a unit (N).
+    load: SVector<f64, N>,
+    /// Power of each torque at a unit, by the speeds (N each).
+    power: Vec<SVector<f64, N>>,
+    /// The piece of its course. State: never computed from the time.
+    piece: usize,
+}
+
+impl<const N: usize> Forcing<N> {
+    /// What varies in a scene of model `D` and moves it; `None` if nothing does.
+    pub fn of<D: Derived<N>>(scene: &Scene) -> Option<Self> {
+        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
+        let varies = scene.model.parameters.iter().map(|p| p.varies);
+        let bare: Vec<f64> =
+            scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
+        let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; mids.len()]);
+        let drive = |(p, course): &(usize, Course)| {
+            // The forces are linear in it: those of a unit less those of nothing.
+            let mut unit = bare.clone();
+            unit[*p] = 1.0;
+            let unit = D::equations(scene.effects.0, &unit, &mids)?;
+            let none = D::equations(scene.effects.0, &bare, &mids)?;
+            let force = |e: &dyn Equations<N>| SVector::from(e.force(&[0.0; N], &[0.0; N], &k, &flat));
+            let load = force(&*unit) - force(&*none);
+            let along = |i: usize, j: usize| {
+                let unit_dq = std::array::from_fn(|k| f64::from(u8::from(k == j)));
+                unit.torque_work(i, &unit_dq) - none.torque_work(i, &unit_dq)
+            };
+            let power = (0..scene.model.torques.len()).map(|i| SVector::from_fn(|j, _| along(i, j))).collect();
+            let (course, piece) = (course.clone(), course.piece(0.0));
+            let at_start = course.at(piece, 0.0);
+            (load.amax() > 0.0).then_some(Drive { course, at_start, load, power, piece })
+        };
+        let drives: Vec<_> = scene.courses.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
+        (!drives.is_empty()).then(|| Forcing { drives, work: vec![0.0; scene.model.torques.len()] })
+    }
+
+    /// When a course next breaks \[s\]; infinite where none does.
+    pub fn next(&self) -> f64 {
+        let next = |d: &Drive<N>| d.course.pieces.get(d.piece + 1).map_or(f64::INFINITY, |piece| piece.begin);
+        self.drives.iter().map(next).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Goes on into the pieces that begin by the time `t` \[s\].
+    pub fn enter(&mut self, t: f64) {
+        for drive in &mut self.drives {
+            while drive.course.pieces.get(drive.piece + 1).is_some_and(|piece| piece.begin <= t) {
+                drive.piece += 1;
+            }
+        }
+    }
+
+    /// Whether all that varies is constant until the next breakpoint.
+    pub fn is_flat(&self) -> bool {
+        self.drives.iter().all(|d| d.course.harmonics.is_empty() && d.course.pieces[d.piece].slope == 0.0)
+    }
+
+    /// The fastest angular frequency of a harmonic \[rad/s\].
+    pub fn fastest(&self) -> f64 {
+        self.drives.iter().flat_map(|d| &d.course.harmonics).map(|h| h.omega).fold(0.0, f64::max)
+    }
+
+    /// T_p(t) - T_p(0) of each.
+    fn changes(&self, t: f64) -> impl Iterator<Item = (&Drive<N>, f64)> {
+        self.drives.iter().map(move |d| (d, d.course.at(d.piece, t) - d.at_start))
+    }
+
+    /// The generalised forces beyond those of the start at the time `t` \[s\] (N).
+    pub fn load(&self, t: f64) -> SVector<f64, N> {
+        self.changes(t).fold(SVector::zeros(), |sum, (d, change)| sum + d.load * change)
+    }
+
+    /// Power of each torque beyond that of its value at the start, at the speeds `q_dot` \[W\].
+    pub fn power(&self, t: f64, q_dot: &SVector<f64, N>) -> Vec<f64> {
+        let mut power = vec![0.0; self.work.len()];
+        for (d, change) in self.changes(t) {
+            power.iter_mut().zip(&d.power).for_each(|(sum, row)| *sum += change * row.dot(q_dot));
+        }
+        power
+    }
+
+    /// [`Forcing::work`] after a further displacement `dq` from the time `t` on, while all is flat.
+    pub fn work_after(&self, t: f64, dq: &SVector<f64, N>) -> Vec<f64> {
+        self.work.iter().zip(self.power(t, dq)).map(|(work, more)| work + more).collect()
+    }
+
+    /// Power series of T_p(t) - T_p(0) about the clock's time, in parts of `width` \[s\].
+    fn series(&self, clock: &Clock, width: f64) -> Vec<[f64; TERMS]> {
+        self.drives.iter().map(|d| d.series(clock, width)).collect()
+    }
+}
+
+/// 2 pi in 32 digits: its rounding, and what that lacks.
+const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
+
+impl<const N: usize> Drive<N> {
+    fn series(&self, clock: &Clock, width: f64) -> [f64; TERMS] {
+        let mut c = [0.0; TERMS];
+        let piece = self.course.pieces[self.piece];
+        c[0] = piece.value - self.at_start + piece.slope * (clock.0 - piece.begin).hi();
+        c[1] = piece.slope * width;
+        for h in &self.course.harmonics {
+            // Whole turns leave no trace: the phase has all its digits at any time.
+            let angle = Df64::from(h.omega) * clock.0;
+            let turns = (angle.hi() / TURN.0).round();
+            let (sin, cos) = ((angle - Df64::from(TURN.0) * turns - TURN.1 * turns) + h.phase).hi().sin_cos();
+            // a cos(phi + z x) = a sum of (i z x)^n/n! times e^(i phi).
+            let z = h.omega * width;
+            let (mut real, mut imaginary) = (h.amplitude * cos, h.amplitude * sin);
+            for (n, c) in c.iter_mut().enumerate() {
+                *c += real;
+                let by = z / (n + 1) as f64;
+                (real, imaginary) = (-imaginary * by, real * by);
+            }
+        }
+        c
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,165 @@
+//! The motion of a linear cell under torques that vary in time, over a window short enough for its power series.
+//!
+//! xi(t_0 + W x) - xi(t_0) = sum c_n xⁿ, 0 <= x <= 1, with the load g_n xⁿ of straight and harmonic torques:
+//!
+//! ```text
+//! c_1 = W xi'    (n+2)(n+1) c_(n+2) = W² (g_n - omega² c_n) - W (n+1) G c_(n+1)
+//! ```
+//!
+//! The motion is an entire function of t, whatever the damping, on resonance and off it, for rigid modes as for elastic
+//! ones. A window lasts no longer than [`SPAN`] divided by the fastest rate of cell and load: then [`TERMS`] terms leave a
+//! remainder of 2²⁸/28! < 1e-21 of the motion, far below its rounding, and lose less than a digit to cancellation. So the first
+//! crossing is found, for certain, as the first root of a polynomial ([`root`](crate::methods::root)).
+
+use nalgebra::SVector;
+
+use super::Forcing;
+use super::linear::Linear;
+use crate::engine::clock::Clock;
+use crate::engine::mode::GAUSS_16;
+
+/// Terms of the series.
+pub const TERMS: usize = 28;
+/// Roundings of a sum over the modes.
+const ROUNDINGS: f64 = 16.0;
+/// Length of a window times the fastest rate in it.
+pub const SPAN: f64 = 2.0;
+
+/// The motion over a window.
+#[derive(Debug, Clone)]
+pub struct Window<'a, const N: usize> {
+    linear: &'a Linear<N>,
+    /// Generalised forces of a unit of each that varies.
+    units: Vec<SVector<f64, N>>,
+    /// Its length W \[s\].
+    pub width: f64,
+    /// c_n, in modes.
+    terms: [SVector<f64, N>; TERMS],
+    /// Series of what varies.
+    loads: Vec<[f64; TERMS]>,
+}
+
+/// What the account gains over a part of a window.
+#[derive(Debug, Clone)]
+pub struct Gains {
+    /// Energy lost to damping \[J\].
+    pub lost: f64,
+    /// Work of each torque beyond that of its value at the start \[J\].
+    pub work: Vec<f64>,
+}
+
+impl<'a, const N: usize> Window<'a, N> {
+    /// From the state (q, q') at the clock's time on, at most for the time `longest` \[s\].
+    pub fn begin(
+        linear: &'a Linear<N>,
+        forcing: &Forcing<N>,
+        clock: &Clock,
+        q: &SVector<f64, N>,
+        q_dot: &SVector<f64, N>,
+        longest: f64,
+    ) -> Self {
+        let width = longest.min(SPAN / linear.rate.max(forcing.fastest()));
+        let loads = forcing.series(clock, width);
+        let push: Vec<SVector<f64, N>> = forcing.drives.iter().map(|d| linear.shapes.tr_mul(&d.load)).collect();
+        let mut terms = [SVector::zeros(); TERMS];
+        terms[1] = linear.momentum * q_dot * width;
+        for n in 0..TERMS - 2 {
+            let own = if n == 0 { linear.load - linear.springs * q } else { -linear.omega2.component_mul(&terms[n]) };
+            let force = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push * load[n]);
+            let drag = match linear.by_itself {
+                true => SVector::from_fn(|i, _| linear.damping[(i, i)] * terms[n + 1][i]),
+                false => linear.damping * terms[n + 1],
+            };
+            let n = (n + 1) as f64;
+            terms[n as usize + 1] = (force * (width * width) - drag * (width * n)) / (n * (n + 1.0));
+        }
+        let units = forcing.drives.iter().map(|d| d.load).collect();
+        Window { linear, units, width, terms, loads }
+    }
+
+    /// The same, `part` times as long.
+    pub fn shorten(&mut self, part: f64) {
+        let mut power = 1.0;
+        self.width *= part;
+        for n in 0..TERMS {
+            self.terms[n] *= power;
+            self.loads.iter_mut().for_each(|load| load[n] *= power);
+            power *= part;
+        }
+    }
+
+    /// Coefficients of on_q.q, less its value at the start, in x. What is left of modes that cancel is zero: a torque that
+    /// does not yet act on a phase at rest must not push it by its rounding.
+    pub fn along(&self, on_q: &SVector<f64, N>) -> [f64; TERMS] {
+        let modal = self.linear.shapes.tr_mul(on_q);
+        std::array::from_fn(|n| {
+            let parts = modal.component_mul(&self.terms[n]);
+            let sum = parts.sum();
+            if sum.abs() <= ROUNDINGS * f64::EPSILON * parts.abs().sum() { 0.0 } else { sum }
+        })
+    }
+
+    /// The same of on_q.q + on_speed.q' + on_load.f; those of n = 0 are not less the start's, and mean nothing.
+    pub fn course(
+        &self,
+        on_q: &SVector<f64, N>,
+        on_speed: &SVector<f64, N>,
+        on_load: &SVector<f64, N>,
+    ) -> [f64; TERMS] {
+        let speed = self.linear.shapes.tr_mul(on_speed);
+        let moved = self.along(on_q);
+        std::array::from_fn(|n| {
+            let rate = if n + 1 < TERMS && self.width > 0.0 {
+                speed.dot(&self.terms[n + 1]) * (n + 1) as f64 / self.width
+            } else {
+                0.0
+            };
+            let load: f64 = self.units.iter().zip(&self.loads).map(|(unit, load)| on_load.dot(unit) * load[n]).sum();
+            moved[n] + rate + load
+        })
+    }
+
+    /// Increments of q and q' at the part `x` of the window.
+    pub fn increments(&self, x: f64) -> (SVector<f64, N>, SVector<f64, N>) {
+        let (mut moved, mut gained) = (SVector::zeros(), SVector::zeros());
+        if self.width == 0.0 {
+            return (moved, gained);
+        }
+        for n in (1..TERMS).rev() {
+            moved = (moved + self.terms[n]) * x;
+            if n > 1 {
+                gained = (gained + self.terms[n] * n as f64) * x;
+            }
+        }
+        (self.linear.shapes * moved, self.linear.shapes * gained / self.width)
+    }
+
+    /// Modal speeds times the width at `x`.
+    fn speed(&self, x: f64) -> SVector<f64, N> {
+        (1..TERMS).rev().fold(SVector::zeros(), |sum, n| sum * x + self.terms[n] * n as f64)
+    }
+
+    /// What the account gains until the part `x`, by integration of the speeds: Gauss-Legendre, exact to rounding over so
+    /// short a time.
+    pub fn gains(&self, forcing: &Forcing<N>, x: f64) -> Gains {
+        let mut lost = 0.0;
+        let mut swept = vec![SVector::<f64, N>::zeros(); self.loads.len()];
+        for (node, weight) in GAUSS_16 {
+            for node in [-node, node] {
+                let at = 0.5 * x * (1.0 + node);
+                let speed = self.speed(at);
+                lost += weight * speed.dot(&(self.linear.damping * speed));
+                for (swept, load) in swept.iter_mut().zip(&self.loads) {
+                    *swept += speed * (weight * load.iter().rev().fold(0.0, |sum, c| sum * at + c));
+                }
+            }
+        }
+        let mut work = vec![0.0; forcing.work.len()];
+        for (drive, swept) in forcing.drives.iter().zip(swept) {
+            let swept = self.linear.shapes * swept * (0.5 * x);
+            work.iter_mut().zip(&drive.power).for_each(|(sum, row)| *sum += row.dot(&swept));
+        }
+        // The speeds are those by x: once for the square, and none for the work.
+        Gains { lost: if self.width > 0.0 { lost * 0.5 * x / self.width } else { 0.0 }, work }
+    }
+}

@@ -1,0 +1,60 @@
+//! Pitches that begin anywhere.
+
+use std::f64::consts::TAU;
+
+use super::*;
+use crate::scene::Step;
+
+fn pitch(origin: f64) -> Pitch {
+    let steps = [(1.0, 2.0), (2.0, 1.0), (3.0, TAU - 3.0)].map(|(value, width)| Step { value, width });
+    Pitch::new(&Stiffness::stepping(steps.to_vec()).beginning(origin), TAU)
+}
+
+/// The level that holds at a phase, from the law's definition.
+fn level(phase: f64, origin: f64) -> f64 {
+    match (phase - origin).rem_euclid(TAU) {
+        x if x < 2.0 => 1.0,
+        x if x < 3.0 => 2.0,
+        _ => 3.0,
+    }
+}
+
+#[test]
+fn a_phase_is_found_wherever_the_pitch_begins() {
+    for i in 0..200 {
+        let origin = -7.0 + 0.0731 * f64::from(i);
+        let pitch = pitch(origin);
+        for j in 0..200 {
+            let phase = -20.0 + 0.2017 * f64::from(j);
+            let (count, rest, cell) = pitch.locate(phase, 1.0);
+            let (lower, upper) = pitch.bounds(cell);
+            assert!(lower <= rest && rest < upper, "{origin} {phase}: {rest} not in {lower} {upper}");
+            assert!((count as f64 * TAU + rest - phase).abs() < 1e-14, "{origin} {phase}");
+            assert_eq!(pitch.level(cell), level(phase, origin), "{origin} {phase}");
+        }
+    }
+}
+
+/// On a boundary the motion decides, across the end of the pitch too, and the way back leads back.
+#[test]
+fn boundaries_lead_to_and_fro() {
+    for origin in [0.0, -1.0, 2.5, TAU, -TAU] {
+        let pitch = pitch(origin);
+        let (first, last) = (pitch.bounds(0).0, pitch.bounds(2).1);
+        assert!(first > -TAU && first <= 0.0 && (last - first - TAU).abs() < 1e-15);
+        assert_eq!(pitch.locate(first, 1.0), (0, first, 0));
+        assert_eq!(pitch.locate(first, -1.0), (-1, last, 2));
+        assert_eq!(pitch.beyond(2, Side::Upper), (0, first, 1));
+        assert_eq!(pitch.beyond(0, Side::Lower), (2, last, -1));
+    }
+}
+
+/// A pitch more or less is the same pitch; a billion of them cost no digits.
+#[test]
+fn whole_pitches_are_nothing() {
+    assert_eq!(pitch(0.0), pitch(TAU));
+    assert_eq!(pitch(0.0), pitch(-3.0 * TAU));
+    let (count, rest, cell) = pitch(-1.0).locate(1e9 * TAU, 1.0);
+    assert_eq!((count, cell), (1_000_000_000, 0));
+    assert!(rest.abs() < 1e-6);
+}

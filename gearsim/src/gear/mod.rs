@@ -1,0 +1,21 @@
+//! Gears by their teeth: the geometry of an involute pair, and the stiffness of its mesh. Pure functions, SI units.
+//!
+//! - `involute`: the involute function and its inverse;
+//! - `pair`: [`Gears`], what a drawing says; [`Contact`], how they touch: path of contact, contact ratio, where pairs enter
+//!   and leave;
+//! - `iso6336`: the stiffness of ISO 6336-1, method B;
+//! - `tooth`, `foundation`, `energy`: the stiffness of one pair of teeth from its strain energy, along the path of contact;
+//! - `law`: a mesh stiffness law out of either.
+
+mod energy;
+mod foundation;
+pub mod involute;
+mod iso6336;
+mod law;
+mod pair;
+mod tooth;
+
+pub use energy::PairOfTeeth;
+pub use iso6336::{Iso6336, LINE_LOADS};
+pub use law::{Course, Source, stiffness};
+pub use pair::{Contact, GearError, Gears, Material};

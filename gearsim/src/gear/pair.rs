@@ -1,0 +1,305 @@
+//! A pair of involute spur gears, and how they touch.
+//!
+//! With the base radii r_b = m z cos(alpha)/2, the working pressure angle alpha_w, the tip radii r_a = m (z/2 + h_a + x) and the
+//! base pitch p_b = pi m cos(alpha), contact runs along the common tangent of the base circles, from the tip of the driven
+//! gear to that of the driving one. From the pitch point it is
+//!
+//! ```text
+//! approach   g_f = sqrt(r_a2² - r_b2²) - r_b2 tan(alpha_w)          of an internal gear: r_b2 tan(alpha_w) - sqrt(r_a2² - r_b2²)
+//! recess     g_a = sqrt(r_a1² - r_b1²) - r_b1 tan(alpha_w)
+//! contact ratio  (g_f + g_a)/p_b
+//! ```
+//!
+//! Without a centre distance the gears mesh without backlash: inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x_1 + x_2)/(z_1 + z_2).
+//! For an internal gear z_2 counts negative, x_2 is positive where the teeth are moved outwards, away from its centre, and
+//! z_2 + z_1 and x_2 + x_1 become z_2 - z_1 and x_2 - x_1. Source: ISO 21771-1:2024; G. Niemann, H. Winter, Maschinenelemente II.
+
+use std::f64::consts::PI;
+
+use super::involute::{inverse, involute};
+
+/// What a drawing says of two gears. The first drives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gears {
+    /// Numbers of teeth.
+    pub teeth: [f64; 2],
+    /// Whether the second is a ring with internal teeth.
+    pub internal: bool,
+    /// Module [m].
+    pub module: f64,
+    /// Pressure angle of the basic rack [rad].
+    pub pressure_angle: f64,
+    /// Addendum [modules], without the profile shift.
+    pub addendum: [f64; 2],
+    /// Dedendum [modules], likewise.
+    pub dedendum: [f64; 2],
+    /// Radius of the fillet of the basic rack [modules].
+    pub fillet: f64,
+    /// Profile shift [modules].
+    pub profile_shift: [f64; 2],
+    /// Distance of the axes [m]; that without backlash, if none is given.
+    pub centre_distance: Option<f64>,
+    /// Width of the mesh [m].
+    pub face_width: f64,
+    /// What they are made of.
+    pub material: [Material; 2],
+    /// Radius of the bore [m], where it is known.
+    pub bore: [Option<f64>; 2],
+}
+
+/// An elastic material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Young's modulus E [Pa].
+    pub young: f64,
+    /// Poisson's ratio nu.
+    pub poisson: f64,
+}
+
+impl Material {
+    /// Steel, as ISO 6336-1 has it.
+    pub const STEEL: Material = Material { young: 206e9, poisson: 0.3 };
+}
+
+/// Why gears cannot mesh, or a method is not for them: a sentence, and what to do.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{what}; {advice}")]
+pub struct GearError {
+    /// What is wrong, with the numbers.
+    pub what: String,
+    /// What to do about it.
+    pub advice: String,
+}
+
+impl GearError {
+    pub(super) fn new(what: impl Into<String>, advice: impl Into<String>) -> GearError {
+        GearError { what: what.into(), advice: advice.into() }
+    }
+}
+
+/// How two gears touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// Reference radii [m].
+    pub reference: [f64; 2],
+    /// Base radii [m].
+    pub base: [f64; 2],
+    /// Tip radii [m].
+    pub tip: [f64; 2],
+    /// Root radii [m].
+    pub root: [f64; 2],
+    /// Working pressure angle [rad].
+    pub angle: f64,
+    /// Distance of the axes [m].
+    pub centre_distance: f64,
+    /// Base pitch [m].
+    pub base_pitch: f64,
+    /// Path of contact before the pitch point [m].
+    pub approach: f64,
+    /// Path of contact after it [m].
+    pub recess: f64,
+}
+
+impl Gears {
+    /// Two standard external gears of steel: addendum 1, dedendum 1.25, fillet 0.38 (ISO 53, profile A).
+    pub fn standard(teeth: [f64; 2], module: f64, pressure_angle: f64, face_width: f64) -> Gears {
+        Gears {
+            teeth,
+            internal: false,
+            module,
+            pressure_angle,
+            addendum: [1.0; 2],
+            dedendum: [1.25; 2],
+            fillet: 0.38,
+            profile_shift: [0.0; 2],
+            centre_distance: None,
+            face_width,
+            material: [Material::STEEL; 2],
+            bore: [None; 2],
+        }
+    }
+
+    /// How they touch.
+    ///
+    /// # Errors
+    /// Where they do not, or not on involutes all the way, or lose contact between two teeth.
+    pub fn contact(&self) -> Result<Contact, GearError> {
+        let ([z1, z2], m, alpha) = (self.teeth, self.module, self.pressure_angle);
+        let sign = if self.internal { -1.0 } else { 1.0 };
+        if self.internal && z2 <= z1 {
+            let what = format!("a ring of {z2} teeth has no room for a gear of {z1}");
+            return Err(GearError::new(what, "the second of the two is the ring: give it more teeth"));
+        }
+        let reference = self.teeth.map(|z| m * z / 2.0);
+        let base = reference.map(|r| r * alpha.cos());
+        let difference = base[1] + sign * base[0];
+        let angle = match self.centre_distance {
+            None => {
+                let shift = self.profile_shift[1] + sign * self.profile_shift[0];
+                let inv = involute(alpha) + 2.0 * alpha.tan() * shift / (z2 + sign * z1);
+                inverse(inv).ok_or_else(|| {
+                    let what = format!("profile shifts of {:?} leave the gears no pressure angle", self.profile_shift);
+                    GearError::new(what, "make their sum larger, of a ring their difference")
+                })?
+            }
+            Some(a) if a > difference => (difference / a).acos(),
+            Some(a) => {
+                let what =
+                    format!("at a distance of {a} m the base circles of the gears, {difference} m apart, overlap");
+                return Err(GearError::new(what, "move the gears apart, or leave the distance out"));
+            }
+        };
+        let centre_distance = self.centre_distance.unwrap_or(difference / angle.cos());
+        let outwards = [1.0, sign];
+        let at = |i: usize, height: f64| reference[i] + m * (self.profile_shift[i] + outwards[i] * height);
+        let tip = [at(0, self.addendum[0]), at(1, self.addendum[1])];
+        let root = [at(0, -self.dedendum[0]), at(1, -self.dedendum[1])];
+        let mut along = [0.0; 2];
+        for i in 0..2 {
+            if tip[i] <= base[i] {
+                let what = format!("the tips of gear {} lie within its base circle, where there is no involute", i + 1);
+                return Err(GearError::new(what, "change its addendum or its profile shift"));
+            }
+            along[i] = (tip[i] * tip[i] - base[i] * base[i]).sqrt();
+        }
+        let tangent = base.map(|r| r * angle.tan());
+        let (approach, recess) = (sign * (along[1] - tangent[1]), along[0] - tangent[0]);
+        let base_pitch = PI * m * alpha.cos();
+        let contact = Contact { reference, base, tip, root, angle, centre_distance, base_pitch, approach, recess };
+        self.check(&contact, tangent)?;
+        Ok(contact)
+    }
+
+    /// Whether contact is on involutes all the way, and one pair takes over from another.
+    fn check(&self, contact: &Contact, tangent: [f64; 2]) -> Result<(), GearError> {
+        let shift = "give it more teeth, a positive profile shift, or the other a smaller addendum";
+        if contact.approach > tangent[0] {
+            let what = "the tips of gear 2 meet gear 1 below its base circle, where there is no involute";
+            return Err(GearError::new(what, format!("{shift}: gear 1")));
+        }
+        if !self.internal && contact.recess > tangent[1] {
+            let what = "the tips of gear 1 meet gear 2 below its base circle, where there is no involute";
+            return Err(GearError::new(what, format!("{shift}: gear 2")));
+        }
+        // A tip and the root that it reaches into.
+        let (a, tip, root) = (contact.centre_distance, contact.tip, contact.root);
+        let overlap = match self.internal {
+            true => (a + tip[0] - root[1]).max(a + root[0] - tip[1]),
+            false => (tip[0] + root[1] - a).max(tip[1] + root[0] - a),
+        };
+        if overlap > 1e-9 * self.module {
+            let what = format!("tips and roots overlap by {:.3} modules", overlap / self.module);
+            return Err(GearError::new(what, "lower the addendum, deepen the dedendum, or move the gears apart"));
+        }
+        let ratio = contact.ratio();
+        if ratio <= 1.0 {
+            let what = format!("the contact ratio is {ratio:.4}: one pair of teeth parts before the next one meets");
+            return Err(GearError::new(what, "raise the addendum, take more teeth, or move the gears together"));
+        }
+        Ok(())
+    }
+}
+
+impl Contact {
+    /// Contact ratio: the mean number of pairs of teeth that touch.
+    pub fn ratio(&self) -> f64 {
+        (self.approach + self.recess) / self.base_pitch
+    }
+
+    /// Pairs that touch while there are fewest, and the part of a pitch over which one more does.
+    pub fn pairs(&self) -> (usize, f64) {
+        let ratio = self.ratio();
+        (ratio.floor() as usize, ratio.fract())
+    }
+
+    /// Radii [m] at which a pair of external teeth touches that is `x` [m] beyond the pitch point.
+    pub fn radii(&self, x: f64) -> [f64; 2] {
+        let tangent = self.base.map(|r| r * self.angle.tan());
+        [(self.base[0], tangent[0] + x), (self.base[1], tangent[1] - x)].map(|(b, t)| b.hypot(t))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    fn standard(z1: f64, z2: f64) -> Gears {
+        Gears::standard([z1, z2], 6.35e-3, 20f64.to_radians(), 7e-3)
+    }
+
+    /// The gears of Oh, Grosh & Barber (2005), computed independently: 1.72491, one pair over 1.728 rad, two over 4.555.
+    #[test]
+    fn the_founding_pair() {
+        let contact = standard(24.0, 96.0).contact().unwrap();
+        assert!((contact.ratio() - 1.724_91).abs() < 5e-6, "{}", contact.ratio());
+        let (pairs, more) = contact.pairs();
+        assert_eq!(pairs, 1);
+        assert!(((1.0 - more) * TAU - 1.728).abs() < 5e-4 && (more * TAU - 4.555).abs() < 5e-4);
+        assert!((contact.reference[0] - 76.2e-3).abs() < 1e-12 && (contact.centre_distance - 0.381).abs() < 1e-12);
+    }
+
+    /// Contact may be told from either gear; where it begins, each touches at the tip of the other.
+    #[test]
+    fn a_pair_is_the_same_from_either_side() {
+        let (one, two) = (standard(24.0, 96.0).contact().unwrap(), standard(96.0, 24.0).contact().unwrap());
+        assert!((one.ratio() - two.ratio()).abs() < 1e-14 && (one.approach - two.recess).abs() < 1e-15);
+        let (begin, end) = (one.radii(-one.approach), one.radii(one.recess));
+        assert!((begin[1] - one.tip[1]).abs() < 1e-15 && (end[0] - one.tip[0]).abs() < 1e-15);
+        let pitch = one.radii(0.0);
+        assert!((pitch[0] - one.reference[0]).abs() < 1e-15 && (pitch[1] - one.reference[1]).abs() < 1e-15);
+    }
+
+    /// Shifts that cancel leave the distance; with their sum the gears move apart and mesh without backlash: the thicknesses
+    /// of both teeth at the working pitch circles make up the pitch.
+    #[test]
+    fn profile_shift() {
+        let shifted = |x: [f64; 2]| Gears { profile_shift: x, ..standard(20.0, 40.0) };
+        let zero = shifted([0.3, -0.3]).contact().unwrap();
+        assert!((zero.angle - 20f64.to_radians()).abs() < 1e-12);
+        let gears = Gears { addendum: [0.95; 2], ..shifted([0.5, 0.2]) };
+        let contact = gears.contact().unwrap();
+        let thickness = |i: usize| {
+            let (z, x, alpha) = (gears.teeth[i], gears.profile_shift[i], gears.pressure_angle);
+            let working = contact.base[i] / contact.angle.cos();
+            let angle = (PI / 2.0 + 2.0 * x * alpha.tan()) / z + involute(alpha) - involute(contact.angle);
+            (2.0 * working * angle, TAU * working / z)
+        };
+        let ((s1, pitch), (s2, same)) = (thickness(0), thickness(1));
+        assert!((pitch - same).abs() < 1e-15 && (s1 + s2 - pitch).abs() < 1e-12, "{s1} {s2} {pitch}");
+        // Told its own distance, it is the same pair.
+        let told = Gears { centre_distance: Some(contact.centre_distance), ..gears }.contact().unwrap();
+        assert!((told.ratio() - contact.ratio()).abs() < 1e-9);
+    }
+
+    /// A ring and its planet: with infinitely many teeth it touches as a rack, from which an external gear is as far on the
+    /// other side.
+    #[test]
+    fn internal_gears() {
+        let ring = |z2: f64| Gears { internal: true, addendum: [1.0, 0.8], ..standard(36.0, z2) };
+        let external = |z2: f64| Gears { addendum: [1.0, 0.8], ..standard(36.0, z2) };
+        let (inside, outside) = (ring(1e7).contact().unwrap().ratio(), external(1e7).contact().unwrap().ratio());
+        assert!((inside - outside).abs() < 1e-4, "{inside} {outside}");
+        let near = ring(99.0).contact().unwrap();
+        assert!(near.ratio() > outside && near.tip[1] < near.reference[1] && near.root[1] > near.reference[1]);
+        assert!((near.centre_distance - 6.35e-3 * 31.5).abs() < 1e-12);
+        assert!(ring(30.0).contact().unwrap_err().what.contains("no room"));
+    }
+
+    #[test]
+    fn gears_that_do_not_mesh_are_refused() {
+        let cases = [
+            (standard(6.0, 96.0), "below its base circle"),
+            (Gears { centre_distance: Some(0.3), ..standard(24.0, 96.0) }, "overlap"),
+            (Gears { centre_distance: Some(0.392), ..standard(24.0, 96.0) }, "the contact ratio is"),
+            (Gears { addendum: [1.1; 2], dedendum: [1.0; 2], ..standard(60.0, 96.0) }, "tips and roots overlap"),
+            (Gears { profile_shift: [-3.0, -3.0], ..standard(24.0, 96.0) }, "no pressure angle"),
+            (Gears { addendum: [-4.0, 1.0], ..standard(24.0, 96.0) }, "within its base circle"),
+        ];
+        for (gears, said) in cases {
+            let error = gears.contact().expect_err(said);
+            assert!(error.what.contains(said), "{error}");
+        }
+    }
+}

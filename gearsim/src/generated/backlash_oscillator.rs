@@ -1,0 +1,188 @@
+//! Equations of motion of `backlash_oscillator`: a rotor on a spring and damper with play.
+//!
+//! Derived from the energies in `models/src/backlash_oscillator.rs` by `cargo xtask derive backlash_oscillator`. Do not edit: change the
+//! energies and derive again.
+//! Source: Modelica Standard Library, Modelica.Mechanics.Rotational.Examples.Backlash
+//!
+//! # Energies
+//!
+//! ```text
+//! T = I*phi_dot^2/2
+//! V = c*touch*over^2/2
+//! D = d*damp*over_dot^2/2 [damping]
+//! Q_phi = 0
+//! ```
+//!
+//! # Deflections
+//!
+//! ```text
+//! over = phi - edge
+//! touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0
+//! damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:
+//!   clip = 1 where it would push more than the spring does, it pushes as much
+//!   clip = -1 where it would pull more than the spring pushes, the contact has no force
+//! ```
+//!
+//! # Equations of motion
+//!
+//! ```text
+//! phi'' = -c*touch*over/I - c*touch*clip*over/I [backlash] - d*damp*over_dot/I [damping]
+//! ```
+//!
+//! # Between two steps
+//!
+//! ```text
+//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! ```
+//!
+//! # LaTeX
+//!
+//! ```latex
+//! T = \frac{I\, \dot{\varphi}^{2}}{2}
+//! V = \frac{c\, \mathrm{touch}\, \mathrm{over}^{2}}{2}
+//! D = \frac{d\, \mathrm{damp}\, \dot{\mathrm{over}}^{2}}{2}\ [\text{damping}]
+//! Q_{\varphi} = 0
+//! \mathrm{over} = \varphi - \mathrm{edge}
+//! \ddot{\varphi} = -\frac{c\, \mathrm{touch}\, \mathrm{over}}{I} - \frac{c\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}}{I}\ [\text{backlash}] - \frac{d\, \mathrm{damp}\, \dot{\mathrm{over}}}{I}\ [\text{damping}]
+//! ```
+//!
+//! # Proved
+//!
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
+//! - V is the same on both sides of the edges of over: no impulse there
+//! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - M is positive definite: every leading minor is a sum of products of positive quantities
+//!
+//! # Operations, all effects present
+//!
+//! | output | sums | products, quotients | functions, roots |
+//! | --- | --- | --- | --- |
+//! | force | 0 | 7 | 0 |
+//! | acceleration | 0 | 10 | 0 |
+
+use gearsim_macros::equations;
+
+equations! {
+    model backlash_oscillator "a rotor on a spring and damper with play";
+    source "Modelica Standard Library, Modelica.Mechanics.Rotational.Examples.Backlash";
+
+    coordinates {
+        phi "rad" start 0.0, "rotation";
+    }
+    parameters {
+        I "kg*m^2" required, open 0.0 to inf, "moment of inertia of the rotor";
+        c "N*m/rad" required, from 0.0 to inf, "stiffness of the contact";
+        b "rad" required with backlash, open 0.0 to inf, "backlash of the contact: it is free within b/2 to either side";
+        d "N*m*s/rad" required with damping, from 0.0 to inf, "damping of the contact";
+    }
+    laws {
+    }
+    motions {
+        speed "rad/s" { phi_dot = 1.0; }, "rotational speed";
+    }
+    effects {
+        backlash "flanks with play: drive and coast flank, and free flight between";
+        damping "a damper beside the spring";
+    }
+    conditions {
+    }
+
+    deflections {
+        over = phi - edge;
+    }
+    dead_bands {
+        over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the contact";
+    }
+    energies {
+        kinetic {
+            _ => I*phi_dot.powi(2)/2.0;
+        }
+        potential {
+            _ => c*touch*over.powi(2)/2.0;
+        }
+        dissipation {
+            damping => d*damp*over_dot.powi(2)/2.0;
+        }
+    }
+    torques {
+    }
+    work {
+        phi {}
+    }
+    mass {
+        phi phi {
+            _ => I;
+        }
+    }
+    mobility {
+        phi phi {
+            _ => 1.0/I;
+        }
+    }
+    force {
+        phi {
+            _ => -c*touch*over;
+            backlash => -c*touch*clip*over;
+            damping => -d*damp*over_dot;
+        }
+    }
+    acceleration {
+        phi {
+            _ => -c*touch*over/I;
+            backlash => -c*touch*clip*over/I;
+            damping => -d*damp*over_dot/I;
+        }
+    }
+    jacobian {
+        phi phi {
+            _ => -c*touch/I;
+            backlash => -c*touch*clip/I;
+        }
+        phi phi_dot {
+            damping => -d*damp/I;
+        }
+    }
+    cell {
+        stiffness {
+            phi phi {
+                _ => c*touch;
+                backlash => c*touch*clip;
+            }
+        }
+        damping {
+            phi phi {
+                damping => d*damp;
+            }
+        }
+        load {
+            phi {
+                _ => c*touch*edge;
+                backlash => c*touch*clip*edge;
+            }
+        }
+    }
+
+    text {
+        "T = I*phi_dot^2/2";
+        "V = c*touch*over^2/2";
+        "D = d*damp*over_dot^2/2 [damping]";
+        "Q_phi = 0";
+        "over = phi - edge";
+        "touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0";
+        "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
+        "  clip = 1 where it would push more than the spring does, it pushes as much";
+        "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
+        "phi'' = -c*touch*over/I - c*touch*clip*over/I [backlash] - d*damp*over_dot/I [damping]";
+        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+    }
+    latex {
+        "T = \\frac{I\\, \\dot{\\varphi}^{2}}{2}";
+        "V = \\frac{c\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}";
+        "D = \\frac{d\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}^{2}}{2}\\ [\\text{damping}]";
+        "Q_{\\varphi} = 0";
+        "\\mathrm{over} = \\varphi - \\mathrm{edge}";
+        "\\ddot{\\varphi} = -\\frac{c\\, \\mathrm{touch}\\, \\mathrm{over}}{I} - \\frac{c\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}}{I}\\ [\\text{backlash}] - \\frac{d\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}}{I}\\ [\\text{damping}]";
+    }
+}

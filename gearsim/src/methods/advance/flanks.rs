@@ -1,0 +1,68 @@
+//! Play under a numerical method: an event where flanks meet or part. In contact the damper is clipped in the right-hand side
+//! ([`Field`](crate::methods::field::Field)), where the force has kinks but no steps, for the control of the step to deal with.
+
+use crate::engine::crossing::Side;
+use crate::engine::dead_band::{Grip, Regime};
+use crate::engine::error::Stop;
+use crate::methods::dense::Dense;
+use crate::methods::root;
+use crate::trajectory::Moment;
+
+use super::{Advance, Met, Recording};
+
+impl<const N: usize> Advance<'_, N> {
+    /// The first edge that a dead band meets in a step, if it is before `first`.
+    pub(super) fn first_edge(&mut self, dense: &Dense<N>, mut first: Option<(f64, Met)>) -> Option<(f64, Met)> {
+        for (i, band) in self.field.bands.iter().enumerate() {
+            let ends = match band.regime {
+                Regime::Free => [Side::Upper, Side::Lower].map(|side| Some((side, Regime::Contact(side, Grip::Touch)))),
+                Regime::Contact(side, _) => [Some((side, Regime::Free)), None],
+            };
+            for (side, beyond) in ends.into_iter().flatten() {
+                let out = if beyond == Regime::Free { 1.0 } else { -1.0 };
+                let (gap, n) = dense.along(-out * band.half, &(band.normal * (out * side.sign())));
+                let found = root::first(&gap[..n], 4.0 * f64::EPSILON * band.half);
+                self.counts.cost.steps += found.steps;
+                self.counts.cost.grazes += found.grazes;
+                if let Some(x) = found.root.filter(|x| first.is_none_or(|first| *x < first.0)) {
+                    first = Some((x, Met::Edge(i, side, beyond)));
+                }
+            }
+        }
+        first
+    }
+
+    /// Lets flanks meet, or part, its left and right limits noted.
+    pub(super) fn pass_edge(
+        &mut self,
+        band: usize,
+        beyond: Regime,
+        recording: &mut Recording<'_, '_, N>,
+    ) -> Result<(), Stop> {
+        let noting = recording.as_ref().is_some_and(|(.., noting)| *noting);
+        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
+            self.note(recorder, Moment::Before);
+        }
+        self.counts.impacts += u64::from(beyond != Regime::Free);
+        self.field.bands[band].regime = beyond;
+        self.field.enter();
+        self.rate = self.field.rate(0.0, &self.y);
+        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
+            self.note(recorder, Moment::After);
+        }
+        self.guard.against_cascades(&self.clock, self.fastest, &self.state(), self.cell())
+    }
+
+    /// Puts dead bands where the step has brought them.
+    pub(super) fn catch_up_with_flanks(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+        for i in 0..self.field.bands.len() {
+            let (band, state) = (&self.field.bands[i], self.state());
+            let beyond = [Side::Upper, Side::Lower].into_iter().find(|side| band.depth(*side, &state) > 0.0);
+            let now = beyond.map_or(Regime::Free, |side| Regime::Contact(side, Grip::Touch));
+            if now != band.regime {
+                self.pass_edge(i, now, recording)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,45 @@
+//! Torques that are not constant: their breakpoints, and their work, by integration of their power along the dense output.
+
+use super::Advance;
+use crate::engine::mode::GAUSS_16;
+use crate::methods::dense::Dense;
+
+impl<const N: usize> Advance<'_, N> {
+    /// Goes on into the next pieces of the courses.
+    pub(super) fn enter_course(&mut self) {
+        if let Some(forcing) = &mut self.field.forcing {
+            let t = forcing.0.next();
+            self.clock.set(t);
+            forcing.0.enter(t);
+        }
+        self.field.begins = self.clock.now();
+        self.rate = self.field.rate(0.0, &self.y);
+    }
+
+    /// The work of each torque, as far as it is not constant, the time `to` after the step of length `h` began \[J\].
+    pub(super) fn work_after(&self, dense: &Dense<N>, h: f64, to: f64) -> Vec<f64> {
+        let mut work = self.work.clone();
+        if work.is_empty() || h <= 0.0 {
+            return work;
+        }
+        for (node, weight) in GAUSS_16 {
+            for node in [-node, node] {
+                let at = 0.5 * to * (1.0 + node);
+                let speeds = dense.at(at / h).v;
+                let varying = self.field.forcing.as_ref().map(|f| f.0.power(self.field.begins + at, &speeds));
+                for (i, work) in work.iter_mut().enumerate() {
+                    let power = self.field.equations.torque_power(i, &speeds.into());
+                    *work += 0.5 * to * weight * (power + varying.as_ref().map_or(0.0, |varying| varying[i]));
+                }
+            }
+        }
+        work
+    }
+
+    /// Adds the work of a step.
+    pub(super) fn work_on(&mut self, dense: &Dense<N>, h: f64, to: f64) {
+        if !self.work.is_empty() {
+            self.work = self.work_after(dense, h, to);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! A mesh stiffness law by the teeth of its gears.
+//!
+//! Its unit says what the law is, and the author need not think about it: one pitch of the phase is one base pitch p_b on the
+//! line of action, and a law
+//! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh`, and so most models);
+//! - in N·m is that of Oh, Grosh & Barber, V = k phi², where the gears turn by N1 theta1 - N2 theta2 = 2 phi against each other,
+//!   hence delta = 2 h phi with h = r_b1/N1 = m cos(alpha)/2, and k = 2 kt h² (`gear_pair`).
+//!
+//! Laws in other units take no teeth.
+
+use super::document::{Entry, Node, Place, Value};
+use super::error::Report;
+use super::{Stiffness, field, keys, measure};
+use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Source};
+use crate::model::Law;
+
+/// Keys of a law that is stated by its teeth.
+pub(super) const KEYS: [&str; 16] = [
+    "teeth",
+    "module",
+    "face_width",
+    "pressure_angle",
+    "addendum",
+    "dedendum",
+    "fillet",
+    "profile_shift",
+    "centre_distance",
+    "internal",
+    "young",
+    "poisson",
+    "bore",
+    "method",
+    "course",
+    "line_load",
+];
+
+const METHODS: [&str; 2] = ["iso6336", "energy"];
+const COURSES: [&str; 2] = ["levels", "curves"];
+/// Teeth and other numbers that a gear may have.
+const MOST_TEETH: f64 = 10_000.0;
+/// What they must, the least and the greatest.
+const POSITIVE: (&str, f64, f64) = ("must be positive", f64::MIN_POSITIVE, f64::INFINITY);
+
+/// Reads a law by its teeth.
+pub(super) struct Teeth<'a> {
+    pub(super) law: &'a Law,
+    /// The table of the law.
+    pub(super) entries: &'a [Entry],
+    pub(super) place: &'a Place,
+}
+
+impl Teeth<'_> {
+    /// Whether the law is stated so.
+    pub(super) fn given(&self) -> bool {
+        self.entries.iter().any(|entry| KEYS.contains(&entry.key.as_str()))
+    }
+
+    /// The law.
+    pub(super) fn read(&self, report: &mut Report) -> Option<Stiffness> {
+        let scale = self.scale(report);
+        let (gears, source) = (self.gears(report), self.source(report));
+        let course = match self.get("course") {
+            None => Some(Course::Levels),
+            Some(node) => field::choice(&self.path("course"), node, "course", &COURSES, report)
+                .map(|i| if i == 0 { Course::Levels } else { Course::Curves }),
+        };
+        let (gears, scale) = (gears?, scale?);
+        let per = scale(&gears);
+        gear::stiffness(&gears, source?, course?, self.law.period, per).map_err(|e| self.refused(e, report)).ok()
+    }
+
+    /// What a stiffness in N/m is multiplied by.
+    fn scale(&self, report: &mut Report) -> Option<fn(&Gears) -> f64> {
+        match self.law.unit {
+            "N/m" => Some(|_| 1.0),
+            "N*m" => Some(|gears| 2.0 * (gears.module * gears.pressure_angle.cos() / 2.0).powi(2)),
+            other => {
+                let message = format!("`laws.{}` is measured in {other}, which no teeth give", self.law.name);
+                let help =
+                    "teeth give laws in N/m, along the line of action, and in N*m, as of a gear_pair; give steps";
+                report.add(self.place, message, "not by its teeth", help);
+                None
+            }
+        }
+    }
+
+    fn gears(&self, report: &mut Report) -> Option<Gears> {
+        let lines = [
+            ("teeth", "teeth = [24, 96]"),
+            ("module", "module = \"... mm\""),
+            ("face_width", "face_width = \"... mm\""),
+        ];
+        let lacking = lines.iter().filter(|(key, _)| self.get(key).is_none());
+        let lacking: Vec<_> = lacking.map(|(key, line)| (*key, line.to_string())).collect();
+        keys::missing(&lacking, &format!("[laws.{}]", self.law.name), self.place, report);
+        let internal =
+            self.get("internal").map_or(Some(false), |node| field::flag(&self.path("internal"), node, report));
+        let teeth = self.teeth(report);
+        let one = |key: &str, unit: &str, range: (&str, f64, f64), default: Option<f64>, report: &mut Report| {
+            self.get(key).map_or(default, |node| within(&self.path(key), node, unit, range, report))
+        };
+        let module = one("module", "m", POSITIVE, None, report);
+        let face_width = one("face_width", "m", POSITIVE, None, report);
+        let angles = ("must lie between 5 and 45 deg", 5f64.to_radians(), 45f64.to_radians());
+        let pressure_angle = one("pressure_angle", "rad", angles, Some(20f64.to_radians()), report);
+        let rounds = ("must lie between 0 and 1, in modules", 0.0, 1.0);
+        let fillet = one("fillet", "1", rounds, Some(0.38), report);
+        let centre_distance =
+            self.get("centre_distance").map(|node| within(&self.path("centre_distance"), node, "m", POSITIVE, report));
+        let heights = ("must lie between 0 and 5, in modules", 0.0, 5.0);
+        let addendum = self.both("addendum", "1", heights, 1.0, report);
+        let dedendum = self.both("dedendum", "1", heights, 1.25, report);
+        let shift = self.both("profile_shift", "1", ("must lie between -5 and 5, in modules", -5.0, 5.0), 0.0, report);
+        let young = self.both("young", "Pa", POSITIVE, Material::STEEL.young, report);
+        let poisson =
+            self.both("poisson", "1", ("must lie between 0 and 0.5", 0.0, 0.5), Material::STEEL.poisson, report);
+        let bore = self.get("bore").map(|_| self.both("bore", "m", POSITIVE, 0.0, report));
+        let (young, poisson) = (young?, poisson?);
+        Some(Gears {
+            teeth: teeth?,
+            internal: internal?,
+            module: module?,
+            pressure_angle: pressure_angle?,
+            addendum: addendum?,
+            dedendum: dedendum?,
+            fillet: fillet?,
+            profile_shift: shift?,
+            centre_distance: centre_distance.map_or(Some(None), |read| read.map(Some))?,
+            face_width: face_width?,
+            material: [0, 1].map(|i| Material { young: young[i], poisson: poisson[i] }),
+            bore: bore.map_or(Some([None; 2]), |read| read.map(|both| both.map(|diameter| Some(diameter / 2.0))))?,
+        })
+    }
+
+    fn teeth(&self, report: &mut Report) -> Option<[f64; 2]> {
+        let (node, path) = (self.get("teeth")?, self.path("teeth"));
+        let items = field::array(&path, node, "[24, 96]", report)?;
+        let range = ("must be a whole number from 4 to 10000", 4.0, MOST_TEETH);
+        let read = |i: usize, report: &mut Report| {
+            let (path, node) = (format!("{path}.{i}"), items.get(i)?);
+            let z = within(&path, node, "1", range, report)?;
+            if z.fract() != 0.0 {
+                measure::out_of_range(&path, node, range.0, "it is a number of teeth", report);
+                return None;
+            }
+            Some(z)
+        };
+        if items.len() != 2 {
+            let message = format!("`{path}` has {} numbers", items.len());
+            report.add(
+                &node.place,
+                message,
+                "not two gears",
+                "give the teeth of both, the driving gear first: [24, 96]",
+            );
+            return None;
+        }
+        let (a, b) = (read(0, report), read(1, report));
+        Some([a?, b?])
+    }
+
+    fn source(&self, report: &mut Report) -> Option<Source> {
+        let method = match self.get("method") {
+            None => Some(0),
+            Some(node) => field::choice(&self.path("method"), node, "method", &METHODS, report),
+        };
+        let Some(node) = self.get("line_load") else {
+            return method.map(|i| if i == 0 { Source::Iso6336(None) } else { Source::Energy });
+        };
+        let load = within(&self.path("line_load"), node, "N/m", POSITIVE, report);
+        if method? == 1 {
+            let help = format!("leave it out: it is what ISO 6336-1 asks for below {} N/mm", LINE_LOADS[0] / 1e3);
+            let message = format!("`{}` means nothing to the method \"energy\"", self.path("line_load"));
+            report.add(&node.place, message, "out of place", help);
+            return None;
+        }
+        Some(Source::Iso6336(Some(load?)))
+    }
+
+    /// A number for both gears, or two.
+    fn both(
+        &self,
+        key: &str,
+        unit: &str,
+        range: (&str, f64, f64),
+        default: f64,
+        report: &mut Report,
+    ) -> Option<[f64; 2]> {
+        let Some(node) = self.get(key) else { return Some([default; 2]) };
+        let path = self.path(key);
+        let Value::Array(items) = &node.value else {
+            return within(&path, node, unit, range, report).map(|x| [x; 2]);
+        };
+        if items.len() != 2 {
+            let message = format!("`{path}` has {} numbers", items.len());
+            report.add(&node.place, message, "not two gears", "give one for both gears, or two: [first, second]");
+            return None;
+        }
+        let read = |i: usize, report: &mut Report| within(&format!("{path}.{i}"), &items[i], unit, range, report);
+        let (a, b) = (read(0, report), read(1, report));
+        Some([a?, b?])
+    }
+
+    fn get(&self, key: &str) -> Option<&Node> {
+        keys::get(self.entries, key)
+    }
+
+    fn path(&self, key: &str) -> String {
+        format!("laws.{}.{key}", self.law.name)
+    }
+
+    /// Reports gears that do not mesh, or not so.
+    fn refused(&self, error: GearError, report: &mut Report) {
+        let at = self.get("teeth").map_or(self.place, |node| &node.place);
+        report.add(at, format!("`laws.{}`: {}", self.law.name, error.what), "these gears", error.advice);
+    }
+}
+
+/// A quantity within a range, both ends included.
+fn within(
+    path: &str,
+    node: &Node,
+    unit: &str,
+    (must, low, high): (&str, f64, f64),
+    report: &mut Report,
+) -> Option<f64> {
+    let x = measure::quantity(path, node, unit, report)?;
+    if !(low..=high).contains(&x) {
+        measure::out_of_range(path, node, must, "gears have no such number", report);
+        return None;
+    }
+    Some(x)
+}

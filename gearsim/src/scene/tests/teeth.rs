@@ -1,0 +1,116 @@
+//! Laws by their teeth, and their phases.
+
+use std::f64::consts::TAU;
+
+use super::fixture::{SCENE, parse};
+use crate::gear::{Gears, Iso6336};
+use crate::scene::Stiffness;
+
+const TEETH: &str = r#"teeth = [24, 96]
+module = "6.35 mm"
+face_width = "7 mm""#;
+
+fn with(law: &str, overrides: &[&str]) -> Result<Stiffness, String> {
+    let begin = SCENE.find("steps = [").unwrap();
+    let end = SCENE.find("[start]").unwrap();
+    let text = format!("{}{law}\n\n{}", &SCENE[..begin], &SCENE[end..]);
+    parse(&text, overrides).map(|scene| scene.laws[0].clone()).map_err(|e| e.render(160, false))
+}
+
+/// The paper's gears: its widths; k = 2 kt h², with the base radius of one tooth, h = m cos(alpha)/2.
+#[test]
+fn a_gear_pair_by_its_teeth() {
+    let law = with(TEETH, &[]).unwrap();
+    let [one, two] = law.steps[..] else { panic!("{law:?}") };
+    assert!((one.width - 1.728).abs() < 1e-3 && (one.width + two.width - TAU).abs() < 1e-14);
+    let h = 6.35e-3 * 20f64.to_radians().cos() / 2.0;
+    let gears = Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3);
+    let kt = Iso6336::of(&gears, None).unwrap().single * 7e-3;
+    assert!((one.value / (2.0 * kt * h * h) - 1.0).abs() < 1e-14, "{}", one.value);
+    assert!((two.value / one.value - 1.75).abs() < 1e-14);
+    // The paper's 1.43 kN m are those of a face width of 5.8 mm, in a gear set for which its inertias say about 7.
+    assert!((one.value - 1724.0).abs() < 2.0, "{}", one.value);
+}
+
+/// Every key means what it says: the law is that of the gears.
+#[test]
+fn every_key_is_read() {
+    let keys = r#"
+pressure_angle = "25 deg"
+addendum = [0.9, 1.0]
+dedendum = 1.2
+fillet = 0.3
+profile_shift = [0.2, 0.1]
+young = "103 GPa"
+poisson = [0.25, 0.3]
+line_load = "50 N/mm"
+"#;
+    let law = with(&format!("{TEETH}{keys}"), &[]).unwrap();
+    let mut gears = Gears::standard([24.0, 96.0], 6.35e-3, 25f64.to_radians(), 7e-3);
+    gears.addendum = [0.9, 1.0];
+    gears.dedendum = [1.2; 2];
+    gears.profile_shift = [0.2, 0.1];
+    gears.material.iter_mut().for_each(|material| material.young = 103e9);
+    let kt = Iso6336::of(&gears, Some(50e3)).unwrap().single * 7e-3;
+    let h = 6.35e-3 * 25f64.to_radians().cos() / 2.0;
+    assert!((law.steps[0].value / (2.0 * kt * h * h) - 1.0).abs() < 1e-14);
+    let energy = with(&format!("{TEETH}{keys}"), &["laws.k.line_load=1 N/mm", "laws.k.method=\"energy\""]);
+    assert!(energy.unwrap_err().contains("means nothing to the method"));
+    let curves =
+        with(&format!("{TEETH}\nmethod = \"energy\"\ncourse = \"curves\"\nbore = [\"60 mm\", \"200 mm\"]"), &[])
+            .unwrap();
+    assert!(!curves.steps_only() && curves.steps.len() == 8);
+    let ramped = with(&format!("{TEETH}\nramp = \"0.01 rad\""), &[]).unwrap();
+    assert!(!ramped.steps_only() && ramped.origin == with(TEETH, &[]).unwrap().origin);
+}
+
+#[test]
+fn mistakes_of_teeth_are_named() {
+    let cases = [
+        ("laws.k.teeth=[24]", "has 1 numbers"),
+        ("laws.k.teeth=[24.5, 96]", "must be a whole number"),
+        ("laws.k.teeth=[6, 96]", "below its base circle"),
+        ("laws.k.module=6.35", "give a unit"),
+        ("laws.k.module=0 mm", "must be positive"),
+        ("laws.k.pressure_angle=60 deg", "between 5 and 45 deg"),
+        ("laws.k.profile_shift=[0, 0.2]", "smaller profile shift"),
+        ("laws.k.addendum=[1, 2, 3]", "not two gears"),
+        ("laws.k.method=\"iso\"", "there is no method `iso`"),
+        ("laws.k.course=\"curves\"", "no course between the steps"),
+        ("laws.k.internal=1", "true or false"),
+        ("laws.k.steps=[{ value = \"1 N*m\" }]", "has both steps and teeth"),
+        ("laws.k.modul=1 mm", "did you mean `module`"),
+        ("laws.k.phase=1 m", "is an angle, but"),
+        ("laws.k.phase=[1]", "must be a phase"),
+        ("laws.k.phase={ at = \"1 rad\" }", "is of a sun or of a ring"),
+        ("laws.k.phase={ sun = 27 }", "lacks `at`"),
+        ("laws.k.phase={ sun = 27.5, at = 0 }", "must be a whole number"),
+        ("laws.k.phase={ sun = 27, planet = 36, at = 0 }", "goes with `ring`"),
+    ];
+    for (change, said) in cases {
+        let shown = with(TEETH, &[change]).expect_err(change);
+        assert!(shown.contains(said), "{change}: {shown}");
+    }
+    let lacking = with("teeth = [24, 96]", &[]).unwrap_err();
+    assert!(lacking.contains("lacks `module` and `face_width`"), "{lacking}");
+}
+
+/// k(s) = k0(s + phase): the first level begins that much earlier.
+#[test]
+fn phases() {
+    let origin =
+        |phase: &str| with(&format!("steps = [{{ value = \"1 N*m\" }}]\nphase = {phase}"), &[]).unwrap().origin;
+    assert_eq!(origin("0.25"), -0.25 * TAU);
+    assert_eq!(origin("\"25 %\""), -0.25 * TAU);
+    assert_eq!(origin("3"), 0.0);
+    assert!((origin("\"90 deg\"") + 0.25 * TAU).abs() < 1e-15);
+    // Planets that fit: sun and ring say the same, and a third of a pitch is one, to the last bit.
+    let third = origin("{ ring = 98, at = \"120 deg\" }");
+    assert_eq!(third, -(2.0 / 3.0) * TAU);
+    let of_sun: f64 = origin("{ sun = 28, at = \"120 deg\" }");
+    assert!(((third - of_sun).rem_euclid(TAU)).min(TAU - (third - of_sun).rem_euclid(TAU)) < 1e-14, "{third} {of_sun}");
+    assert_eq!(origin("{ ring = 99, at = \"120 deg\" }"), 0.0);
+    // Between the meshes of one planet: half a pitch if it has an even number of teeth.
+    assert_eq!(origin("{ ring = 99, at = 0, planet = 36 }").abs(), 0.5 * TAU);
+    assert_eq!(origin("{ ring = 99, at = 0, planet = 35 }"), 0.0);
+}

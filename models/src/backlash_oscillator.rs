@@ -1,0 +1,22 @@
+//! A rotor against the ground, through a spring and damper with play.
+
+use gearsim_derive::{Model, Range, Start, half};
+
+use crate::components::{play, rotor};
+
+/// The rotation phi of the rotor. Without `backlash` the spring is always felt.
+pub fn backlash_oscillator(m: &mut Model) {
+    m.title("a rotor on a spring and damper with play");
+    m.source("Modelica Standard Library, Modelica.Mechanics.Rotational.Examples.Backlash");
+
+    let phi = m.coordinate("phi", "rad", Start::At(0.0), "rotation");
+    rotor(m, "", "rotor", phi);
+    let c = m.parameter("c", "N*m/rad", None, Range::NotNegative, "stiffness of the contact");
+    let gap = play(m, "", "contact", "rad", phi);
+    m.potential(half(c * gap.touch * gap.over.sq()));
+    m.effect("damping", "a damper beside the spring", |m| {
+        let d = m.parameter("d", "N*m*s/rad", None, Range::NotNegative, "damping of the contact");
+        m.dissipation(half(d * gap.damp * gap.over.dot().sq()));
+    });
+    m.motion("speed", "rad/s", &[(phi, 1.into())], "rotational speed");
+}

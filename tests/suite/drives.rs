@@ -1,0 +1,141 @@
+//! What drives and loads a train: the scenes of `models/scenes/drives`, held to balances that need no simulation.
+
+mod common;
+
+use common::{run, scene};
+use gearsim::engine::Outcome;
+use gearsim::scene::Scene;
+
+fn named(scene: &Scene, name: &str) -> f64 {
+    scene.parameter(name).unwrap_or_else(|| panic!("no {name}"))
+}
+
+/// Mean speed of the motor over the last part of a run [rad/s]; its coordinates are theta, s, psi_m, psi_l.
+fn motor_speed(scene: &Scene, outcome: &Outcome, part: f64) -> f64 {
+    let t = &outcome.trajectory;
+    let (n1, h) = (named(scene, "N1"), named(scene, "r1") / named(scene, "N1"));
+    let angle = |row: usize| (t.q[0][row] + 0.5 * t.q[1][row] / h) / n1 + t.q[2][row];
+    let last = t.len() - 1;
+    let first = t.t.iter().position(|x| *x >= t.t[last] * (1.0 - part)).expect("there are rows");
+    (angle(last) - angle(first)) / (t.t[last] - t.t[first])
+}
+
+/// T + V - W + D over the largest of its parts.
+fn unaccounted(outcome: &Outcome) -> f64 {
+    let t = &outcome.trajectory;
+    let peak = |column: &[f64]| column.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let scale = [&t.kinetic, &t.strain, &t.work, &t.dissipated].map(|c| peak(c)).into_iter().fold(0.0, f64::max);
+    peak(&t.residual) / scale
+}
+
+/// The speed at which the formula of Kloss and the fan, seen through the gears, are in balance; bisection, by hand.
+fn working_point(scene: &Scene) -> f64 {
+    let of = |name| named(scene, name);
+    let ratio = of("N1") / of("N2");
+    let damping = of("alpha_M") * (of("I_m") + of("I1") + (of("I2") + of("I_l")) * ratio * ratio);
+    let excess = |omega: f64| {
+        let slip = 1.0 - omega / of("ns_motor");
+        let motor = 2.0 * of("Tb_motor") / (slip / of("sb_motor") + of("sb_motor") / slip);
+        let fan = of("cf_load") * (ratio * omega).powi(2);
+        motor - ratio * fan - damping * omega
+    };
+    let (mut low, mut high) = (0.9 * of("ns_motor"), of("ns_motor") * (1.0 - 1e-12));
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn a_motor_brings_a_fan_to_their_working_point() {
+    let scene = scene("drives/fan_run_up", &[]);
+    let outcome = run(&scene);
+    assert_eq!(outcome.solver.method, "dop853");
+    for said in ["in the torque `induction`", "in the torque `fan`"] {
+        assert!(outcome.solver.why.contains(said), "{}", outcome.solver.why);
+    }
+    let (found, expected) = (motor_speed(&scene, &outcome, 0.2), working_point(&scene));
+    assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+    assert!(unaccounted(&outcome) < 1e-6, "{:e}", unaccounted(&outcome));
+    // What the motor gives, the fan and damping take, but for what the train has stored.
+    let t = &outcome.trajectory;
+    let torque = |name: &str| t.model.torques.iter().position(|torque| torque.name == name).expect("it is there");
+    let last = t.len() - 1;
+    assert!(t.torque_work[torque("induction")][last] > 0.0 && t.torque_work[torque("fan")][last] < 0.0);
+}
+
+/// The droop is torque over gain.
+#[test]
+fn a_governor_droops_by_torque_over_gain() {
+    let scene = scene("drives/governor", &["output.rate=\"50 kHz\"".into()]);
+    let outcome = run(&scene);
+    assert_eq!(outcome.solver.method, "exact");
+    let ratio = named(&scene, "N1") / named(&scene, "N2");
+    let droop = 100.0 * ratio / named(&scene, "c_motor");
+    let (found, expected) = (motor_speed(&scene, &outcome, 0.1), named(&scene, "n_motor") - droop);
+    assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
+    assert!(unaccounted(&outcome) < 1e-11, "{:e}", unaccounted(&outcome));
+}
+
+/// A governor whose set point rises is exact too, though its damping couples the modes: against DOP853.
+#[test]
+fn a_set_point_may_vary() {
+    let set: Vec<String> = [
+        "parameters.n_motor={ramp={from=\"600 rpm\", to=\"700 rpm\", start=\"10 ms\", duration=\"20 ms\"}, \
+         harmonics=[{amplitude=\"5 rpm\", frequency=\"150 Hz\"}]}",
+        "run.t_end=\"50 ms\"",
+        "output.events=false",
+    ]
+    .map(String::from)
+    .into();
+    let exact = run(&scene("drives/governor", &set));
+    assert_eq!(exact.solver.method, "exact");
+    assert!(unaccounted(&exact) < 1e-12, "{:e}", unaccounted(&exact));
+    let by = [set, vec!["run.method=dop853".into(), "run.tolerance=1e-12".into()]].concat();
+    let steps = run(&scene("drives/governor", &by));
+    assert_eq!(steps.counts.cell_changes, exact.counts.cell_changes);
+    for (a, b) in steps.trajectory.q_dot.iter().zip(&exact.trajectory.q_dot) {
+        let size = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let off = a.iter().zip(b).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+        assert!(off < 1e-6 * size, "{off:e} of {size:e}");
+    }
+}
+
+/// Ramps, levels and harmonics: exact, with every joule accounted for.
+#[test]
+fn courses_are_exact_and_accounted_for() {
+    for name in ["drives/start_up", "drives/torque_ripple"] {
+        let outcome = run(&scene(name, &[]));
+        assert_eq!(outcome.solver.method, "exact");
+        assert!(outcome.solver.why.contains("f that varies in time with `T_motor`"), "{}", outcome.solver.why);
+        assert!(unaccounted(&outcome) < 1e-11, "{name}: {:e}", unaccounted(&outcome));
+    }
+}
+
+/// A DC motor is the governor whose gain is stall torque over no-load speed: the same motion, to the last bit.
+#[test]
+fn a_dc_motor_is_a_governor() {
+    let set = |more: &[&str]| more.iter().map(|s| s.to_string()).collect::<Vec<_>>();
+    let end = ["run.t_end=\"20 ms\""];
+    let governor = run(&scene(
+        "drives/governor",
+        &set(&[&end[..], &["parameters.n_motor=\"80 rad/s\"", "parameters.c_motor=\"8 N*m*s/rad\""]].concat()),
+    ));
+    let dc = run(&scene(
+        "drives/governor",
+        &set(&[
+            &end[..],
+            &[
+                "effects=[\"stiffness_step\", \"torques\", \"dc_motor\"]",
+                "parameters.n0_motor=\"80 rad/s\"",
+                "parameters.Ts_motor=\"640 N*m\"",
+            ],
+        ]
+        .concat()),
+    ));
+    let off = |a: &[Vec<f64>], b: &[Vec<f64>]| {
+        a.iter().flatten().zip(b.iter().flatten()).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()))
+    };
+    assert!(off(&governor.trajectory.q, &dc.trajectory.q) < 1e-11);
+}

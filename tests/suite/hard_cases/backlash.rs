@@ -1,0 +1,413 @@
+//! Row 11: backlash. Both flanks, contact lost in the instant of a stiffness switch, a damper that would pull.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
+
+use gearsim::engine::Refusal;
+use gearsim::engine::dead_band::{Grip, Regime};
+use gearsim::engine::outcome::equations;
+use gearsim::engine::simulate::Simulation;
+use gearsim::generated::gear_pair;
+use gearsim::scene::{Effects, Precision, Scene, solver::Method};
+use gearsim::trajectory::{Moment, Trajectory};
+
+use crate::case::{Case, NONE, WRONG, count, largest};
+use crate::common;
+use crate::models::residual;
+use crate::noise::Noise;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "11",
+        name: "a rotor thrown between two flanks, undamped, 1000 times across",
+        proves: "contact for pi/w, flight for b/v: where and how fast after 1000 crossings, in closed form",
+        tolerance: 1e-11,
+        unit: "of b, of v",
+        reason: "2000 events, each a few roundings of its time",
+        measure: thrown,
+    },
+    Case {
+        row: "11",
+        name: "the backlash example of the Modelica Standard Library",
+        proves: "states at 0.02, 0.03, 0.05 s; times where the torque is clipped and where edges are met, as published",
+        tolerance: 1e-5,
+        unit: "of 90 deg, of 66 rad/s, of 0.05 s",
+        reason: "the published result is an integration by steps, and off by this much; the next but three holds ours to 1e-7",
+        measure: published,
+    },
+    Case {
+        row: "11",
+        name: "contact lost in the instant of a stiffness switch",
+        proves: "the damper would pull the softer spring back: the force is zero at once, the flight ballistic",
+        tolerance: 1e-12,
+        unit: "of the motion's sizes",
+        reason: "roundings of a few closed forms",
+        measure: let_go,
+    },
+    Case {
+        row: "11",
+        name: "held at a step, which is none once the flanks part",
+        proves: "theta rests until the deflection is zero; from there on both fly under the torque, in closed form",
+        tolerance: 1e-12,
+        unit: "of the motion's sizes",
+        reason: "roundings of closed forms",
+        measure: held,
+    },
+    Case {
+        row: "11",
+        name: "gear pairs that rattle: flanks, steps, damping, at random",
+        proves: "the force of a contact never pulls, its damper never pushes more than its spring, at any event",
+        tolerance: 1e-12,
+        unit: "of the forces' sizes",
+        reason: "roundings of the depth, which is small beside the play",
+        measure: pulls,
+    },
+    Case {
+        row: "11",
+        name: "gear pairs that rattle: the energy account",
+        proves: "no joule unaccounted for, clipped dampers and reflections included",
+        tolerance: 1e-12,
+        unit: "of the energy at the start",
+        reason: "some 1000 events, each a few roundings",
+        measure: accounted,
+    },
+    Case {
+        row: "11",
+        name: "against min and max in a right-hand side, integrated by small steps",
+        proves: "another algorithm, without events, comes to the same motion on both flanks",
+        tolerance: 1e-7,
+        unit: "of b, of v",
+        reason: "the step of the integration, which does not know where the force has its kinks",
+        measure: integrated,
+    },
+    Case {
+        row: "11",
+        name: "gear pairs that rattle, at constant stiffness, and their mirror images",
+        proves: "drive and coast flank are treated alike: the same numbers",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: NONE,
+        measure: mirrored,
+    },
+    Case {
+        row: "11",
+        name: "gear pairs that rattle, by dop853",
+        proves: "steps that find the edges on their dense output, and clip dampers as they go: the same flanks, the same end",
+        tolerance: 1e-8,
+        unit: "of the motion's sizes",
+        reason: "the tolerance of the steps, 1e-13, and what impacts and the switching make of it",
+        measure: by_steps,
+    },
+    Case {
+        row: "11",
+        name: "play with what does not follow it",
+        proves: "compensated precision, play without a size: refused by name before the run",
+        tolerance: 0.0,
+        unit: "not refused",
+        reason: NONE,
+        measure: refused,
+    },
+];
+
+fn oscillator(overrides: &[&str]) -> Scene {
+    common::scene("backlash_oscillator", &overrides.iter().map(|s| s.to_string()).collect::<Vec<_>>())
+}
+
+fn thrown(_: &mut String) -> f64 {
+    // From the drive edge outwards: contact, flight, contact, flight make a round.
+    let (v, half, w) = (7.0, FRAC_PI_8, (20e3f64 / 5.0).sqrt());
+    let round = 2.0 * (PI / w + 2.0 * half / v);
+    let t_end = format!("run.t_end={:?} s", 500.0 * round + 0.25 * half / v);
+    let start = [format!("start.phi={half:?} rad"), format!("start.speed={v:?} rad/s"), t_end];
+    let mut overrides = vec![r#"effects=["backlash"]"#, "output.rate=\"1 Hz\""];
+    overrides.extend(start.iter().map(String::as_str));
+    let outcome = common::run(&oscillator(&overrides));
+    if outcome.counts.impacts != 1000 {
+        return f64::INFINITY;
+    }
+    // 500 rounds, and a little into the contact that begins another.
+    let after = 0.25 * half / v;
+    let run = &outcome.trajectory;
+    let (phi, speed) = (run.q[0][run.len() - 1], run.q_dot[0][run.len() - 1]);
+    let expected = [half + v / w * (w * after).sin(), v * (w * after).cos()];
+    largest([(phi - expected[0]).abs() / (2.0 * half), (speed - expected[1]).abs() / v])
+}
+
+/// Sizes of phi, of its speed, and of the time.
+const SIZES: [f64; 3] = [FRAC_PI_2, 66.0, 0.05];
+
+fn published(_: &mut String) -> f64 {
+    let states =
+        [(0.02, 0.798241640, -64.4100489), (0.03, 0.138452743, -66.1964950), (0.05, -1.078364326, -42.5653991)];
+    let at = |t: f64| {
+        let run = common::run(&oscillator(&[&format!("run.t_end={t:?} s"), "output.rate=\"10 Hz\""])).trajectory;
+        (run.q[0][run.len() - 1], run.q_dot[0][run.len() - 1])
+    };
+    let states = states.into_iter().flat_map(|(t, phi, speed)| {
+        let ours = at(t);
+        [(ours.0 - phi) / SIZES[0], (ours.1 - speed) / SIZES[1]]
+    });
+    let run = common::run(&oscillator(&["run.t_end=0.04 s"])).trajectory;
+    let met: Vec<f64> = before(&run).map(|i| run.t[i]).collect();
+    let times = [0.0236592180, 0.0261592175, 0.0380238663];
+    let times = times.iter().zip(&met).map(|(printed, ours)| (ours - printed) / SIZES[2]);
+    largest(states.chain(times).map(f64::abs))
+}
+
+/// Rows of the left limits at events.
+fn before(run: &Trajectory) -> impl Iterator<Item = usize> + '_ {
+    (0..run.len()).filter(|&i| run.moment[i] == Moment::Before)
+}
+
+/// M1, M2 and C of the gear pair of the paper.
+fn constants(zeta: f64) -> (f64, f64, f64) {
+    let (a, b) = (24f64.powi(2) / 2890e-6, 96f64.powi(2) / 740200e-6);
+    let m2 = (a + b) / 2.0;
+    ((a - b) / 2.0, m2, 2.0 * zeta * ((1430.0 + 2780.0) / 2.0 / m2).sqrt())
+}
+
+fn let_go(_: &mut String) -> f64 {
+    let (zeta, half, t0) = (0.1, 0.01, 5.0);
+    let (_, m2, c) = constants(zeta);
+    // Just before the end of the stiffer cell, so deep and so fast that k x + C v is positive in it, negative beyond.
+    let x = 1e-3;
+    let v = -0.75 * 2780.0 * x / c;
+    let scene = common::scene(
+        "backlash",
+        &[
+            format!("parameters.zeta={zeta:?}"),
+            format!("parameters.T0={t0:?} N*m"),
+            format!("parameters.b={:?} rad", 2.0 * half),
+            format!("start.theta={:?} rad", 2.0 * PI - 1e-9),
+            format!("start.phi={:?} rad", half + x),
+            format!("start.phi_dot={v:?} rad/s"),
+            "run.t_end=1 ms".into(),
+        ],
+    );
+    let run = common::run(&scene).trajectory;
+    let events: Vec<usize> = before(&run).collect();
+    let (switch, edge) = (events[0] + 1, events[1]);
+    let force = |i: usize, k: f64| k * (run.q[1][i] - half) + c * run.q_dot[1][i];
+    if !(force(switch - 1, 2780.0) > 0.0 && force(switch, 1430.0) < 0.0) {
+        return f64::INFINITY;
+    }
+    // A flight under the torque alone, to the edge: phi'' = M2 T0.
+    let (x, v, t) = (run.q[1][switch] - half, run.q_dot[1][switch], run.t[edge] - run.t[switch]);
+    let (phi, speed) = (x + v * t + 0.5 * m2 * t0 * t * t, v + m2 * t0 * t);
+    largest([(run.q[1][edge] - half).abs() / half, phi.abs() / x, (run.q_dot[1][edge] - speed).abs() / v.abs()])
+}
+
+fn held(_: &mut String) -> f64 {
+    let (t0, half) = (-10.0, 0.02);
+    let (m1, m2, _) = constants(0.0);
+    let inertia: f64 = 2890e-6 / 576.0 + 740200e-6 / 9216.0;
+    // With theta held, phi swings about T0/k1 beyond the edge from there, 3 |T0|/k1 away: to the edge.
+    let (rest, w) = (10.0 / 1430.0, (2.0 * 1430.0 / inertia).sqrt());
+    let (met, speed) = ((1.0f64 / 3.0).acos() / w, -3.0 * rest * w * (1.0f64 - 1.0 / 9.0).sqrt());
+    let after = 1e-4;
+    let scene = common::scene(
+        "backlash",
+        &[
+            r#"effects=["stiffness_step", "backlash", "torques"]"#.into(),
+            format!("parameters.T0={t0:?} N*m"),
+            format!("parameters.b={:?} rad", 2.0 * half),
+            "start.speed=0 rpm".into(),
+            format!("start.phi={:?} rad", half + 2.0 * rest),
+            format!("run.t_end={:?} s", met + after),
+        ],
+    );
+    let outcome = common::run(&scene);
+    let run = &outcome.trajectory;
+    let last = run.len() - 1;
+    let expected = [
+        (run.q[0][last], 0.5 * m1 * t0 * after * after, half),
+        (run.q[1][last], half + speed * after + 0.5 * m2 * t0 * after * after, half),
+        (run.q_dot[0][last], m1 * t0 * after, speed.abs()),
+        (run.q_dot[1][last], speed + m2 * t0 * after, speed.abs()),
+    ];
+    if outcome.counts.holds != 1 || residual(&outcome) > 1e-14 {
+        return f64::INFINITY;
+    }
+    largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
+}
+
+/// A gear pair that rattles: light load, little damping, strong kicks.
+fn rattling(noise: &mut Noise) -> Scene {
+    let play = noise.power(-3.0, -1.5);
+    common::scene(
+        "backlash",
+        &[
+            format!("parameters.zeta={:?}", 0.2 * noise.unit()),
+            format!("parameters.T0={:?} N*m", noise.power(-1.0, 2.0)),
+            format!("parameters.b={play:?} rad"),
+            format!("start.theta={:?} rad", noise.unit()),
+            format!("start.phi={:?} rad", play * noise.even()),
+            format!("start.phi_dot={:?} rad/s", noise.power(0.0, 2.0)),
+            format!("start.speed={:?} rad/s", noise.power(0.5, 2.5)),
+            "run.t_end=20 ms".into(),
+            "output.rate=\"1 kHz\"".into(),
+        ],
+    )
+}
+
+fn pulls(note: &mut String) -> f64 {
+    let mut noise = Noise::new(1101);
+    let (mut events, mut regimes) = (0, std::collections::HashSet::new());
+    let worst = (0..60).map(|_| {
+        let scene = rattling(&mut noise);
+        let zeta = scene.parameter("zeta").expect("a parameter");
+        let equations = equations::<gear_pair::GearPair, 2>(&scene).expect("effects that go together");
+        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("a system");
+        let (_, _, c) = constants(zeta);
+        let c = c * (scene.laws[0].mid() / ((1430.0 + 2780.0) / 2.0)).sqrt();
+        let mut worst = 0.0f64;
+        let mut over = false;
+        while !over {
+            over = simulation.step(&mut None, &mut 0).expect("a run");
+            events += 1;
+            let (k, band) = (simulation.levels(), &simulation.bands[0]);
+            regimes.insert(format!("{:?}", band.regime));
+            let Regime::Contact(side, grip) = band.regime else { continue };
+            let x = band.depth(side, &simulation.state);
+            let (spring, damper) = (k[0] * x, c * side.sign() * simulation.state.q_dot[1]);
+            // The forces of the contact by its definition, and by the law values that the engine goes by.
+            let force = spring + damper.clamp(-spring.abs(), spring.abs());
+            let ours = k[0] * x * (1.0 + k[4]) + k[3] * damper;
+            let size = spring.abs() + damper.abs() + k[0] * band.half;
+            let wrong = match grip {
+                Grip::Touch => damper - spring,
+                Grip::Hit => spring - damper,
+                Grip::Loose => spring + damper,
+            };
+            worst = largest([worst, -ours / size, wrong / size, (ours - force).abs() / size]);
+        }
+        worst
+    });
+    let worst = largest(worst);
+    *note = format!("60 scenes, {events} events");
+    if regimes.len() == 7 { worst } else { f64::INFINITY }
+}
+
+fn accounted(note: &mut String) -> f64 {
+    let mut noise = Noise::new(1102);
+    let outcomes: Vec<_> = (0..60).map(|_| common::run(&rattling(&mut noise))).collect();
+    let total = |of: fn(&gearsim::engine::simulate::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
+    let (impacts, reflections, holds) = (total(|c| c.impacts), total(|c| c.reflections), total(|c| c.holds));
+    *note = format!("60 scenes, {impacts} impacts, {reflections} reflections, {holds} holds");
+    largest(outcomes.iter().map(residual))
+}
+
+fn integrated(_: &mut String) -> f64 {
+    let (zeta, half, t0, k, t_end) = (0.05, 0.005, 2.0, 2105.0, 4e-3);
+    let scene = common::scene(
+        "backlash",
+        &[
+            r#"effects=["backlash", "damping", "torques"]"#.into(),
+            format!("parameters.zeta={zeta:?}"),
+            format!("parameters.T0={t0:?} N*m"),
+            format!("parameters.b={:?} rad", 2.0 * half),
+            "start.phi_dot=-150 rad/s".into(),
+            format!("run.t_end={t_end:?} s"),
+        ],
+    );
+    let outcome = common::run(&scene);
+    let run = &outcome.trajectory;
+    if outcome.counts.impacts < 6 {
+        return f64::INFINITY;
+    }
+    let (_, m2, c) = constants(zeta);
+    let rate = |[phi, v]: [f64; 2]| {
+        let x = phi.abs() - half;
+        let force = if x > 0.0 { k * x + (c * v * phi.signum()).clamp(-k * x, k * x) } else { 0.0 };
+        [v, m2 * (t0 - force * phi.signum())]
+    };
+    let steps = 4_000_000;
+    let h = t_end / f64::from(steps);
+    let mut y = [run.q[1][0], run.q_dot[1][0]];
+    for _ in 0..steps {
+        let go = |y: [f64; 2], k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
+        let k1 = rate(y);
+        let k2 = rate(go(y, k1, h / 2.0));
+        let k3 = rate(go(y, k2, h / 2.0));
+        let k4 = rate(go(y, k3, h));
+        y = [0, 1].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    let last = run.len() - 1;
+    largest([(run.q[1][last] - y[0]).abs() / (2.0 * half), (run.q_dot[1][last] - y[1]).abs() / 150.0])
+}
+
+fn mirrored(note: &mut String) -> f64 {
+    let mut noise = Noise::new(1103);
+    let mut rows = 0;
+    let wrong = (0..30).map(|_| {
+        let mut scene = rattling(&mut noise);
+        scene.effects = Effects::from_names(["backlash", "damping", "torques"], scene.model).expect("effects");
+        let mut mirror = scene.clone();
+        let t0 = scene.model.parameters.iter().position(|p| p.name == "T0").expect("a parameter");
+        mirror.parameters[t0] = -scene.parameters[t0];
+        mirror.start.motions[0] = -scene.start.motions[0];
+        for q in &mut mirror.start.q {
+            if let gearsim::model::Start::At(x) = q {
+                *x = -*x;
+            }
+        }
+        mirror.start.q_dot.iter_mut().flatten().for_each(|v| *v = -*v);
+        let [a, b] = [&scene, &mirror].map(common::run);
+        let counts = a.counts.impacts != b.counts.impacts;
+        let (a, b) = (&a.trajectory, &b.trajectory);
+        rows += a.len();
+        let differ = |a: &[f64], b: &[f64]| count(a.iter().zip(b).map(|(a, b)| a != b));
+        let negated = |x: &[f64]| x.iter().map(|x| -x).collect::<Vec<_>>();
+        differ(&a.t, &b.t)
+            + differ(&a.q[1], &negated(&b.q[1]))
+            + differ(&a.q_dot[1], &negated(&b.q_dot[1]))
+            + f64::from(u8::from(counts || a.len() != b.len()))
+    });
+    let wrong = wrong.sum();
+    *note = format!("30 scenes, {rows} rows");
+    wrong
+}
+
+fn by_steps(note: &mut String) -> f64 {
+    let mut noise = Noise::new(1104);
+    let mut impacts = 0;
+    let worst = (0..20).map(|_| {
+        let mut scene = rattling(&mut noise);
+        scene.t_end = 4e-3;
+        let exact = common::run(&scene);
+        scene.solver.method = Some(Method::Dop853);
+        scene.solver.tolerance = 1e-13;
+        let steps = common::run(&scene);
+        impacts += exact.counts.impacts;
+        if (exact.counts.impacts, exact.counts.reflections) != (steps.counts.impacts, steps.counts.reflections) {
+            return f64::INFINITY;
+        }
+        let end = |run: &Trajectory, i: usize| (run.q[i][run.len() - 1], run.q_dot[i][run.len() - 1]);
+        let size = |x: &[f64]| largest(x.iter().map(|x| x.abs()));
+        let (a, b) = (&exact.trajectory, &steps.trajectory);
+        let errors = [0, 1].map(|i| {
+            let ((q, v), (r, w)) = (end(a, i), end(b, i));
+            largest([(q - r).abs() / size(&a.q[i]), (v - w).abs() / size(&a.q_dot[i])])
+        });
+        largest(errors.into_iter().chain([residual(&steps)]))
+    });
+    let worst = largest(worst);
+    *note = format!("20 scenes, {impacts} impacts");
+    worst
+}
+
+fn refused(_: &mut String) -> f64 {
+    let with = |change: fn(&mut Scene)| {
+        let mut scene = common::scene("backlash", &[]);
+        change(&mut scene);
+        (common::model("gear_pair").run)(&scene, &mut |_| {}).err()
+    };
+    let compensated = with(|scene| scene.solver.precision = Precision::Compensated);
+    let without = |line: &str| {
+        let path = common::root().join("models/scenes/backlash.toml");
+        let text = std::fs::read_to_string(&path).expect("a scene");
+        let text: String = text.lines().filter(|l| !l.starts_with(line)).map(|l| format!("{l}\n")).collect();
+        let errors = Scene::parse("case", "case.toml", &text, &[], &common::models()).err();
+        errors.map(|errors| errors.render(100, false)).unwrap_or_default()
+    };
+    count([compensated != Some(Refusal::CompensatedCells), !without("b =").contains("`b`")])
+}

@@ -1,0 +1,51 @@
+//! `cargo xtask gallery`: run the example scenes, and keep a plot of each in models/scenes/plots.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, bail};
+
+/// Scenes, by their paths under models/scenes, and the plot that shows each best.
+const SCENES: [(&str, &str); 12] = [
+    ("backlash", "motion"),
+    ("backlash_oscillator", "motion"),
+    ("drives/fan_run_up", "motion"),
+    ("drives/governor", "motion"),
+    ("drives/start_up", "motion"),
+    ("drives/torque_ripple", "motion"),
+    ("gear_pair_bearings", "motion"),
+    ("gear_pair_shafts", "spectrum"),
+    ("geared_branches", "motion"),
+    ("idler", "motion"),
+    ("two_stage", "motion"),
+    ("chain_5", "motion"),
+];
+
+/// Run the example scenes; put a plot of each into models/scenes/plots.
+#[derive(clap::Args)]
+pub struct Gallery {}
+
+impl Gallery {
+    /// Runs them one after another, in a folder of their own.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
+        let (scenes, plots) = (root.join("models/scenes"), root.join("models/scenes/plots"));
+        fs::create_dir_all(&plots).with_context(|| format!("cannot make the folder {}", plots.display()))?;
+        for (scene, plot) in SCENES {
+            let out = root.join("out/gallery").join(scene);
+            let mut run = Command::new(env!("CARGO"));
+            run.args(["run", "--quiet", "--release", "--", "run"]).arg(scenes.join(scene).with_extension("toml"));
+            run.arg("--set").arg(format!("output.plots=[\"{plot}\"]")).arg("--out").arg(&out);
+            let status = run.current_dir(root).status().context("cannot start cargo")?;
+            if !status.success() {
+                bail!("{scene} did not run; its message is above");
+            }
+            let (from, to) = (out.join(plot), plots.join(scene.replace('/', "_")));
+            let (from, to) = (from.with_extension("png"), to.with_extension("png"));
+            fs::copy(&from, &to).with_context(|| format!("cannot copy {} to {}", from.display(), to.display()))?;
+        }
+        println!("{}", plots.display());
+        Ok(())
+    }
+}
