@@ -11,9 +11,13 @@
 //! enter at the ends of stretches: dz' = L M⁻¹n (v+ - v)/G from the jump rule, at the motion found before, until it stays the
 //! same. The rolling speed is kept; what the motion takes from it, the loss to damping a period, is told.
 
+mod leg;
+mod look;
+
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, DMatrix, DVector};
+use leg::Leg;
+use nalgebra::{DMatrix, DVector};
 
 use crate::analysis::floquet::{Aperiodic, Stretch, stretches};
 use crate::analysis::steady::{self, Course};
@@ -51,8 +55,6 @@ const MOST_STRETCHES: usize = 240;
 const INSTANTS: f64 = 480.0;
 const OF_A_CYCLE: f64 = 40.0;
 const MOST_INSTANTS: f64 = 50_000.0;
-/// Lines of the spectrum, at most.
-const LINES: usize = 200;
 /// Times that impulses are worked out from the motion that they make.
 const ROUNDS: usize = 12;
 /// What may be left at the end of the run of the vibration of its start.
@@ -100,18 +102,6 @@ pub struct Orbit {
     pub steps: usize,
     /// Largest 2 G dV/v² of a step: beyond 1, it turns the motion back.
     pub strength: f64,
-}
-
-/// A stretch, ready to be walked.
-struct Leg {
-    /// Of one substep.
-    propagator: DMatrix<f64>,
-    substeps: usize,
-    step: f64,
-    /// z_s.
-    rest: DVector<f64>,
-    /// Impulses at its end: by each phase that steps, its coordinate, speed, and the step of K.
-    steps: Vec<(usize, f64, DMatrix<f64>)>,
 }
 
 impl<'a> Steady<'a> {
@@ -176,26 +166,29 @@ impl<'a> Steady<'a> {
         let legs = self.legs(factor)?;
         let size = 2 * self.shapes.ncols();
         let mut kicks: Vec<DVector<f64>> = legs.iter().map(|_| DVector::zeros(size)).collect();
-        let mut start = self.fixed_point(&legs, &kicks)?;
+        let to_return = (DMatrix::identity(size, size) - leg::period(&legs)).lu();
+        let settled = |kicks: &[DVector<f64>]| {
+            let a = legs.iter().zip(kicks).fold(DVector::zeros(size), |y, (leg, kick)| leg.cross(&y) + kick);
+            to_return.solve(&a).ok_or(Unknown::Unsettled)
+        };
+        let mut start = settled(&kicks)?;
         let mut strength = 0.0;
         let rounds = if jumps { ROUNDS } else { 0 };
         for _ in 0..rounds {
-            let mut y = start.clone();
+            let mut y = start;
             strength = 0.0f64;
             for (leg, kick) in legs.iter().zip(&mut kicks) {
-                for _ in 0..leg.substeps {
-                    y = leg.walk(&y);
-                }
+                y = leg.cross(&y);
                 let (impulse, here) = self.impulse(leg, &y)?;
                 strength = strength.max(here);
                 // The mean with the one before: where they are strong, they would overshoot each other.
                 *kick = (&*kick + impulse) * 0.5;
                 y += &*kick;
             }
+            start = settled(&kicks)?;
             if strength >= 1.0 {
                 break;
             }
-            start = self.fixed_point(&legs, &kicks)?;
         }
         self.look(&legs, &kicks, start, self.period / factor, strength)
     }
@@ -224,8 +217,8 @@ impl<'a> Steady<'a> {
                     None => steps.push((phase, speed, dk)),
                 }
             }
-            let propagator = self.reduced(&self.system.propagator(&here.levels, step)?);
-            Ok(Leg { propagator, substeps, step, rest: self.rest(&here.levels)?, steps })
+            let over = |time: f64| Ok::<_, Unknown>(self.reduced(&self.system.propagator(&here.levels, time)?));
+            Ok(Leg { whole: over(time)?, part: over(step)?, substeps, step, rest: self.rest(&here.levels)?, steps })
         };
         (0..count).map(leg).collect()
     }
@@ -248,31 +241,9 @@ impl<'a> Steady<'a> {
         reduced
     }
 
-    /// y -> A y + a over a period.
-    fn period_map(legs: &[Leg], kicks: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DVector<f64>) {
-        let (mut a, mut b) = (DMatrix::identity(size, size), DVector::zeros(size));
-        for (leg, kick) in legs.iter().zip(kicks) {
-            for _ in 0..leg.substeps {
-                a = &leg.propagator * a;
-                b = leg.walk(&b);
-            }
-            b += kick;
-        }
-        (a, b)
-    }
-
-    fn fixed_point(&self, legs: &[Leg], kicks: &[DVector<f64>]) -> Result<DVector<f64>, Unknown> {
-        let size = 2 * self.shapes.ncols();
-        let (a, b) = Self::period_map(legs, kicks, size);
-        (DMatrix::identity(size, size) - a).lu().solve(&b).ok_or(Unknown::Unsettled)
-    }
-
     /// What a disturbance grows by in a period, at most.
     fn growth(&self) -> Result<f64, Unknown> {
-        let legs = self.legs(1.0)?;
-        let size = 2 * self.shapes.ncols();
-        let kicks: Vec<_> = legs.iter().map(|_| DVector::zeros(size)).collect();
-        let (a, _) = Self::period_map(&legs, &kicks, size);
+        let a = leg::period(&self.legs(1.0)?);
         Ok(a.complex_eigenvalues().iter().fold(0.0f64, |m, z| m.max(z.norm())))
     }
 
@@ -299,72 +270,5 @@ impl<'a> Steady<'a> {
             speeds += part;
         }
         Ok((change, strength))
-    }
-
-    /// Walks the period and notes what there is to see.
-    fn look(
-        &self,
-        legs: &[Leg],
-        kicks: &[DVector<f64>],
-        start: DVector<f64>,
-        period: f64,
-        strength: f64,
-    ) -> Result<Orbit, Unknown> {
-        let (n, m) = self.shapes.shape();
-        let c = self.system.matrices(&self.stretches[0].levels)?.damping;
-        let mut points: Vec<(f64, f64, DVector<f64>)> = vec![];
-        let (mut y, mut t, mut lost) = (start, 0.0, 0.0);
-        let power = |y: &DVector<f64>| {
-            let v = &self.shapes * y.rows(m, m);
-            v.dot(&(&c * &v))
-        };
-        for (leg, kick) in legs.iter().zip(kicks) {
-            for _ in 0..leg.substeps {
-                let next = leg.walk(&y);
-                lost += 0.5 * leg.step * (power(&y) + power(&next));
-                // The trapezoid rule, piece by piece.
-                points.push((t, leg.step / 2.0, &self.shapes * y.rows(0, m)));
-                t += leg.step;
-                points.push((t, leg.step / 2.0, &self.shapes * next.rows(0, m)));
-                y = next;
-            }
-            y += kick;
-        }
-        let mean = |i: usize| points.iter().map(|(_, w, q)| w * q[i]).sum::<f64>() / period;
-        let means: Vec<f64> = (0..n).map(mean).collect();
-        let square = |i: usize| points.iter().map(|(_, w, q)| w * (q[i] - means[i]).powi(2)).sum::<f64>() / period;
-        let mut lines = vec![Vec::with_capacity(LINES); n];
-        for order in 1..=LINES {
-            let turn = TAU * order as f64 / period;
-            let mut sums = vec![Complex::from(0.0); n];
-            for (t, w, q) in &points {
-                let turned = Complex::from_polar(*w, -turn * t);
-                sums.iter_mut().enumerate().for_each(|(i, sum)| *sum += turned * (q[i] - means[i]));
-            }
-            lines.iter_mut().zip(sums).for_each(|(line, sum)| line.push(2.0 * (sum / period).norm_sqr()));
-        }
-        Ok(Orbit {
-            period,
-            square: (0..n).map(square).collect(),
-            peak: (0..n).map(|i| points.iter().fold(0.0f64, |m, p| m.max(p.2[i].abs()))).collect(),
-            lines,
-            mean: means,
-            lost,
-            steps: legs.iter().filter(|leg| !leg.steps.is_empty()).count(),
-            strength,
-        })
-    }
-}
-
-impl Leg {
-    fn walk(&self, y: &DVector<f64>) -> DVector<f64> {
-        let m = self.rest.len();
-        let mut from = y.clone();
-        let mut place = from.rows_mut(0, m);
-        place -= &self.rest;
-        let mut to = &self.propagator * from;
-        let mut place = to.rows_mut(0, m);
-        place += &self.rest;
-        to
     }
 }
