@@ -143,11 +143,9 @@ pub fn write<const N: usize>(laws: &[Law<N>], bands: &[DeadBand<N>], k: &mut [f6
 }
 
 /// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.
-pub fn levels<const N: usize>(laws: &[Law<N>], mut index: usize, rest: &[f64]) -> Vec<f64> {
-    let level = |law: &Law<N>| {
-        let place = index % law.pitch.cells();
-        index /= law.pitch.cells();
-        law.pitch.level(place)
-    };
-    laws.iter().map(level).chain(rest.iter().copied()).collect()
+pub fn levels<const N: usize>(laws: &[Law<N>], index: usize, rest: &[f64]) -> Vec<f64> {
+    let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
+    stand(&mut laws, &mut [], index);
+    write(&laws, &[], &mut k);
+    k
 }

@@ -43,6 +43,17 @@ pub enum Grip {
 use Grip::{Hit, Loose, Touch};
 use Regime::{Contact, Free};
 
+impl Grip {
+    /// The force of a clipped damper, in units of the spring's.
+    fn clip(self) -> f64 {
+        match self {
+            Touch => 0.0,
+            Hit => 1.0,
+            Loose => -1.0,
+        }
+    }
+}
+
 /// A dead band under way.
 #[derive(Debug, Clone)]
 pub struct DeadBand<const N: usize> {
@@ -93,21 +104,17 @@ impl<const N: usize> DeadBand<N> {
         REGIMES.iter().position(|regime| *regime == self.regime).unwrap_or(0)
     }
 
-    /// touch, edge, damp, clip in a regime.
-    pub fn values(&self, regime: Regime) -> [f64; VALUES] {
-        let Contact(side, grip) = regime else { return [0.0; VALUES] };
-        let (damp, clip) = match grip {
-            Touch => (1.0, 0.0),
-            Hit => (0.0, 1.0),
-            Loose => (0.0, -1.0),
-        };
-        [1.0, side.sign() * self.half, damp, clip]
+    /// touch, edge, damp, clip in its regime.
+    pub fn values(&self) -> [f64; VALUES] {
+        let Contact(side, grip) = self.regime else { return [0.0; VALUES] };
+        let damp = if grip == Touch { 1.0 } else { 0.0 };
+        [1.0, side.sign() * self.half, damp, grip.clip()]
     }
 
     /// Puts its present values where they belong among the law values `k` of a model with `laws` laws.
     pub fn write(&self, laws: usize, k: &mut [f64]) {
         let from = laws + VALUES * self.index;
-        k[from..from + VALUES].copy_from_slice(&self.values(self.regime));
+        k[from..from + VALUES].copy_from_slice(&self.values());
     }
 
     /// Depth beyond an edge, negative within the play.
@@ -133,17 +140,13 @@ impl<const N: usize> DeadBand<N> {
         Elastic { spring: along(k1, k0), damper: along(c1, c0) }
     }
 
-    /// The regime that the forces at `state` ask for, by a contact that is or begins at `side`; where they are equal, it
-    /// keeps its grip.
-    pub fn gripped(&self, side: Side, Elastic { spring, damper }: Elastic, state: &State<N>) -> Regime {
+    /// Its regime with the grip that the forces at `state` ask for; where they are equal, it keeps its grip.
+    pub fn gripped(&self, Elastic { spring, damper }: Elastic, state: &State<N>) -> Regime {
+        let Contact(side, grip) = self.regime else { return Free };
         if damper == 0.0 {
             return Contact(side, Touch);
         }
         let (spring, damper) = (spring * self.depth(side, state), damper * side.sign() * self.normal.dot(&state.q_dot));
-        let grip = match self.regime {
-            Contact(here, grip) if here == side => grip,
-            _ => Touch,
-        };
         Contact(
             side,
             match (damper - spring, damper + spring) {
@@ -183,16 +186,14 @@ impl<const N: usize> DeadBand<N> {
 
     /// What the clipped damper takes where the deflection moves on by `moved` from `state` [J].
     pub fn clipped(&self, elastic: Elastic, state: &State<N>, dq: &SVector<f64, N>) -> f64 {
-        let Contact(side, _) = self.regime else { return 0.0 };
-        let clip = self.values(self.regime)[3];
+        let Contact(side, grip) = self.regime else { return 0.0 };
         let (x, dx) = (self.depth(side, state), side.sign() * self.normal.dot(dq));
-        clip * elastic.spring * dx * (x + 0.5 * dx)
+        grip.clip() * elastic.spring * dx * (x + 0.5 * dx)
     }
 
     /// The power that the clipped damper takes in `state` [W].
     pub fn clipped_power(&self, elastic: Elastic, state: &State<N>) -> f64 {
-        let Contact(side, _) = self.regime else { return 0.0 };
-        let clip = self.values(self.regime)[3];
-        clip * elastic.spring * self.depth(side, state) * side.sign() * self.normal.dot(&state.q_dot)
+        let Contact(side, grip) = self.regime else { return 0.0 };
+        grip.clip() * elastic.spring * self.depth(side, state) * side.sign() * self.normal.dot(&state.q_dot)
     }
 }

@@ -549,10 +549,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             return Ok(());
         }
         let here = self.cells.here();
-        let gripped = |(band, banded): (&DeadBand<N>, &Banded<N>)| match band.regime {
-            Regime::Free => Regime::Free,
-            Regime::Contact(side, _) => band.gripped(side, banded.elastic, &self.state),
-        };
+        let gripped = |(band, banded): (&DeadBand<N>, &Banded<N>)| band.gripped(banded.elastic, &self.state);
         let regimes: Vec<Regime> = self.bands.iter().zip(&here.bands).map(gripped).collect();
         if self.bands.iter().zip(&regimes).all(|(band, regime)| band.regime == *regime) {
             return Ok(());

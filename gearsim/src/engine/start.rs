@@ -63,9 +63,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
     }
     cells::write(&laws, &bands, &mut k);
     for band in &mut bands {
-        if let Regime::Contact(side, _) = band.regime {
-            band.regime = band.gripped(side, band.elastic(equations, laws.len(), &k), &state);
-        }
+        band.regime = band.gripped(band.elastic(equations, laws.len(), &k), &state);
     }
     Ok((state, laws, bands))
 }

@@ -8,6 +8,7 @@ mod events;
 mod flanks;
 mod work;
 
+use crate::engine::cells;
 use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
 use crate::engine::dead_band::Regime;
@@ -311,6 +312,21 @@ impl<'a, const N: usize> Advance<'a, N> {
         recorder.row(self.clock.now(), moment, &state, self.field.levels(0.0, &y), (y.lost, 0.0));
     }
 
+    /// An event, its left and right limits noted.
+    fn event(&mut self, recording: &mut Recording<'_, '_, N>, act: impl FnOnce(&mut Self)) -> Result<(), Stop> {
+        let noting = recording.as_ref().is_some_and(|(.., noting)| *noting);
+        let mut recorder = recording.as_mut().filter(|_| noting);
+        if let Some((recorder, ..)) = &mut recorder {
+            self.note(recorder, Moment::Before);
+        }
+        act(self);
+        if let Some((recorder, ..)) = &mut recorder {
+            self.note(recorder, Moment::After);
+        }
+        self.demand_numbers()?;
+        self.guard.against_cascades(&self.clock, self.fastest, &self.state(), self.cell())
+    }
+
     fn demand_numbers(&self) -> Result<(), Stop> {
         if self.y.is_finite() && self.rate.is_finite() {
             return Ok(());
@@ -334,7 +350,7 @@ impl<'a, const N: usize> Advance<'a, N> {
     }
 
     fn cell(&self) -> usize {
-        self.field.laws.iter().rev().fold(0, |index, law| index * law.pitch.cells() + law.cell)
+        cells::index(&self.field.laws, &self.field.bands)
     }
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.

@@ -2,7 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::engine::dead_band::{DeadBand, Elastic, Regime};
+use crate::engine::cells;
+use crate::engine::dead_band::{DeadBand, Elastic};
 use crate::engine::equations::Equations;
 use crate::engine::forcing::Forcing;
 use crate::engine::law::Law;
@@ -67,9 +68,7 @@ impl<'a, const N: usize> Field<'a, N> {
 
     /// Takes note that laws and dead bands have gone on into other cells.
     pub fn enter(&mut self) {
-        for (k, law) in self.k.iter_mut().zip(&self.laws) {
-            *k = law.level();
-        }
+        cells::write(&self.laws, &self.bands, &mut self.k);
         self.stretch();
     }
 
@@ -124,9 +123,7 @@ impl<'a, const N: usize> Field<'a, N> {
         }
         let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
         for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
-            if let Regime::Contact(side, _) = band.regime {
-                band.regime = band.gripped(side, *elastic, &state);
-            }
+            band.regime = band.gripped(*elastic, &state);
             band.write(self.laws.len(), &mut self.k);
         }
     }

@@ -173,6 +173,23 @@ fn an_independent_integration_agrees() {
     }
 }
 
+/// Flanks that part and meet under a torque that swings through zero. (The samples are compared: only the exact engine notes
+/// where a damper is clipped.)
+#[test]
+fn play_goes_with_torques_that_vary() {
+    let swing = "parameters.T0={mean=\"2 N*m\", harmonics=[{amplitude=\"9 N*m\", frequency=\"300 Hz\"}]}";
+    let play = "effects=[\"stiffness_step\", \"torques\", \"damping\", \"backlash\"]";
+    let keys = [&ALL[1..3], &[play, "parameters.b=\"0.02 rad\"", swing, "output.events=false"]].concat();
+    let exact = run(&keys);
+    assert!(exact.counts.impacts > 4 && exact.counts.cell_changes > 4, "{:?}", exact.counts);
+    assert!(residual(&exact) < 1e-13, "{:e}", residual(&exact));
+    let steps = run(&[&keys[..], &["run.method=dop853", "run.tolerance=1e-12"]].concat());
+    assert_eq!(steps.counts.cell_changes, exact.counts.cell_changes);
+    assert_eq!(steps.counts.impacts, exact.counts.impacts);
+    let off = crate::methods::tests::difference(&steps.trajectory, &exact.trajectory);
+    assert!(off < 1e-8 && residual(&steps) < 1e-9, "{off:e} {:e}", residual(&steps));
+}
+
 /// Levels: cells are the ordinary ones between breakpoints; one of them falls on a sample, one on an event's neighbourhood.
 #[test]
 fn levels_are_constant_torques_one_after_another() {

@@ -1,14 +1,13 @@
 //! Where the steps of a run meet boundaries, and what happens there.
 
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::Regime;
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
 use crate::engine::guard;
 use crate::engine::jump::Passage;
 use crate::engine::law;
-use crate::trajectory::Moment;
 
+use super::flanks::to_edge;
 use super::{Advance, Events, Met, Recording};
 use crate::methods::dense::Dense;
 use crate::methods::field::Field;
@@ -48,11 +47,8 @@ impl<const N: usize> Advance<'_, N> {
                 (side.sign() * (law.boundary(side) - y.q[law.phase]), -side.sign() * y.v[law.phase])
             }
             Met::Edge(band, side, beyond) => {
-                let band = &self.field.bands[band];
-                let out = if beyond == Regime::Free { 1.0 } else { -1.0 };
-                let (depth, rate) =
-                    (band.normal.dot(&y.q) * side.sign() - band.half, band.normal.dot(&y.v) * side.sign());
-                (out * depth, out * rate)
+                let (constant, slopes) = to_edge(&self.field.bands[band], side, beyond);
+                (constant + slopes.dot(&y.q), slopes.dot(&y.v))
             }
         }
     }
@@ -96,7 +92,7 @@ impl<const N: usize> Advance<'_, N> {
         interpolated(&mut self.field)
     }
 
-    /// An event, its left and right limits noted.
+    /// A boundary is passed, or turns the motion back.
     pub(super) fn pass(&mut self, law: usize, side: Side, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
         let mut state = self.state();
         if self.settings.events == Events::Located {
@@ -105,16 +101,8 @@ impl<const N: usize> Advance<'_, N> {
         self.set(state);
         // A kink is a boundary of a curve, and no event to people.
         let kink = !self.field.laws[law].pitch.steps_only() && self.field.laws[law].step(side) == 0.0;
-        let noting = matches!(recording, Some((_, _, true))) && !kink;
-        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
-            self.note(recorder, Moment::Before);
-        }
-        self.jump(law, side, kink);
-        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
-            self.note(recorder, Moment::After);
-        }
-        self.demand_numbers()?;
-        self.guard.against_cascades(&self.clock, self.fastest, &self.state(), self.cell())
+        let noting = if kink { &mut None } else { recording };
+        self.event(noting, |run| run.jump(law, side, kink))
     }
 
     /// Passes a boundary, or is turned back by it.

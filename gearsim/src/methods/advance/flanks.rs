@@ -1,12 +1,13 @@
 //! Play under a numerical method: an event where flanks meet or part. In contact the damper is clipped in the right-hand side
 //! ([`Field`](crate::methods::field::Field)), where the force has kinks but no steps, for the control of the step to deal with.
 
+use nalgebra::SVector;
+
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::{Grip, Regime};
+use crate::engine::dead_band::{DeadBand, Grip, Regime};
 use crate::engine::error::Stop;
 use crate::methods::dense::Dense;
 use crate::methods::root;
-use crate::trajectory::Moment;
 
 use super::{Advance, Met, Recording};
 
@@ -19,8 +20,8 @@ impl<const N: usize> Advance<'_, N> {
                 Regime::Contact(side, _) => [Some((side, Regime::Free)), None],
             };
             for (side, beyond) in ends.into_iter().flatten() {
-                let out = if beyond == Regime::Free { 1.0 } else { -1.0 };
-                let (gap, n) = dense.along(-out * band.half, &(band.normal * (out * side.sign())));
+                let (constant, slopes) = to_edge(band, side, beyond);
+                let (gap, n) = dense.along(constant, &slopes);
                 let found = root::first(&gap[..n], 4.0 * f64::EPSILON * band.half);
                 self.counts.cost.steps += found.steps;
                 self.counts.cost.grazes += found.grazes;
@@ -32,25 +33,19 @@ impl<const N: usize> Advance<'_, N> {
         first
     }
 
-    /// Lets flanks meet, or part, its left and right limits noted.
+    /// Lets flanks meet, or part.
     pub(super) fn pass_edge(
         &mut self,
         band: usize,
         beyond: Regime,
         recording: &mut Recording<'_, '_, N>,
     ) -> Result<(), Stop> {
-        let noting = recording.as_ref().is_some_and(|(.., noting)| *noting);
-        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
-            self.note(recorder, Moment::Before);
-        }
-        self.counts.impacts += u64::from(beyond != Regime::Free);
-        self.field.bands[band].regime = beyond;
-        self.field.enter();
-        self.rate = self.field.rate(0.0, &self.y);
-        if let Some((recorder, ..)) = recording.as_mut().filter(|_| noting) {
-            self.note(recorder, Moment::After);
-        }
-        self.guard.against_cascades(&self.clock, self.fastest, &self.state(), self.cell())
+        self.event(recording, |run| {
+            run.counts.impacts += u64::from(beyond != Regime::Free);
+            run.field.bands[band].regime = beyond;
+            run.field.enter();
+            run.rate = run.field.rate(0.0, &run.y);
+        })
     }
 
     /// Puts dead bands where the step has brought them.
@@ -65,4 +60,10 @@ impl<const N: usize> Advance<'_, N> {
         }
         Ok(())
     }
+}
+
+/// What is left to the edge at a side where a band goes over into the regime `beyond`: constant + slopes.q, positive before it.
+pub(super) fn to_edge<const N: usize>(band: &DeadBand<N>, side: Side, beyond: Regime) -> (f64, SVector<f64, N>) {
+    let out = if beyond == Regime::Free { 1.0 } else { -1.0 };
+    (-out * band.half, band.normal * (out * side.sign()))
 }
