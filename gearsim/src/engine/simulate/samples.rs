@@ -1,0 +1,58 @@
+//! What is written down of a run.
+
+use nalgebra::SVector;
+
+use crate::engine::cell::Flight;
+use crate::engine::cells::Prepared;
+use crate::engine::record::{Recorder, State};
+use crate::trajectory::Moment;
+
+use super::Simulation;
+
+impl<const N: usize> Simulation<'_, N> {
+    pub(super) fn samples(
+        &self,
+        here: &Prepared<N>,
+        flight: &Flight<'_, N>,
+        t: f64,
+        rate: f64,
+        next: &mut u64,
+        recorder: &mut Recorder<'_, N>,
+    ) {
+        // A sample a rounding before the event that ends the flight is not noted after it.
+        let mut end = self.clock;
+        end.advance(t);
+        loop {
+            let at = *next as f64 / rate;
+            let tau = self.clock.until(at);
+            // The end of the run is noted by itself; a sample at a boundary belongs to the cell it ends.
+            if tau > t || at >= self.t_end {
+                return;
+            }
+            let point = flight.at(tau.max(0.0));
+            let (dq, dv) = flight.increments(&point);
+            let state = State { q: self.state.q + dq, q_dot: self.state.q_dot + dv, turns: self.state.turns };
+            let dissipated = flight.dissipated(&point) + self.clipped(here, &self.state, &dq);
+            if let Some(forcing) = &self.forcing {
+                recorder.beyond = forcing.work_after(&self.clock, &dq);
+            }
+            let lost = (self.dissipated + dissipated, self.ignored);
+            recorder.row(at.min(end.now()), Moment::Sample, &state, &self.k, lost);
+            *next += 1;
+        }
+    }
+
+    /// Adds a row of how it stands.
+    pub fn note(&self, recorder: &mut Recorder<'_, N>, moment: Moment) {
+        if let Some(forcing) = &self.forcing {
+            recorder.beyond.clone_from(forcing.work());
+        }
+        recorder.row(self.clock.now(), moment, &self.state, &self.k, (self.dissipated, self.ignored));
+    }
+
+    /// What the clipped dampers of dead bands take where the coordinates move on by `dq` from `state` [J].
+    #[inline]
+    pub(super) fn clipped(&self, here: &Prepared<N>, state: &State<N>, dq: &SVector<f64, N>) -> f64 {
+        self.bands.iter().zip(&here.bands).map(|(band, banded)| band.clipped(banded.elastic, state, dq)).sum()
+    }
+}
