@@ -7,6 +7,7 @@
 use divan::{Bencher, black_box};
 use gearsim::engine::equations::Derived;
 use gearsim::engine::simulate::Simulation;
+use gearsim::ensemble;
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
@@ -40,6 +41,20 @@ fn engine(bencher: Bencher, extra: &[&str]) {
 #[divan::bench]
 fn engine_damped(bencher: Bencher) {
     engine(bencher, &[]);
+}
+
+/// As what records nothing runs it.
+#[divan::bench]
+fn engine_unwatched(bencher: Bencher) {
+    let scene = scene(&[]);
+    let mids = [scene.laws[0].mid()];
+    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
+    bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
+        let mut simulation = [Simulation::new(scene.model, &*equations, &scene).expect("the scene is sound")];
+        ensemble::run(&mut simulation).pop().expect("there is one").expect("the run ends");
+        assert!(simulation[0].counts.cell_changes.abs_diff(CHANGES) < 40, "{}", simulation[0].counts.cell_changes);
+        simulation[0].state
+    });
 }
 
 #[divan::bench]

@@ -33,6 +33,7 @@ pub const PATHS: &[Path] = &[
     path("cell_4500rpm", "the same by the engine, guarantee and account included", Some("cell_by_hand"), || {
         cells("spectrum_4500rpm_exact", &[])
     }),
+    path("cell_unwatched", "the same, where nothing is recorded", Some("cell_by_hand"), unwatched),
     path("cell_undamped", "the same without damping", None, || {
         cells("spectrum_4500rpm_exact", &["effects=[\"stiffness_step\", \"torques\"]"])
     }),
@@ -98,6 +99,14 @@ fn by_hand() -> Job {
     let pair = oh2005::GearPair::paper(0.05, 10.0);
     let start = pair.start(4500.0);
     Box::new(move || pair.solve_fast(start.theta, start.theta_dot, start.phi, start.phi_dot, 0.3).cell_changes)
+}
+
+fn unwatched() -> Job {
+    let mut simulation = [simulation(&scene("spectrum_4500rpm_exact", &[]))];
+    Box::new(move || {
+        assert!(ensemble::run(&mut simulation).iter().all(Result::is_ok));
+        simulation[0].counts.cell_changes
+    })
 }
 
 fn lanes() -> Job {

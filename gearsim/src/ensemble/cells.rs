@@ -1,56 +1,57 @@
-//! The cells of eight scenes side by side: what the propagation of a lane needs, gathered by the cell that each lane is in.
+//! The cells of scenes side by side: what the propagation of a lane needs, gathered by the cell that each lane is in.
 
 use crate::engine::cell::Cell;
 use crate::engine::crossing::Side;
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
-use crate::ensemble::pack::{LANES, Mask, Pack};
+use crate::ensemble::pack::{Mask, Pack};
 
-/// One mode of eight cells.
+/// One mode of as many cells.
 #[derive(Debug, Clone, Copy)]
-pub struct Modes {
+pub struct Modes<const L: usize> {
     /// Half the damping, sigma [1/s].
-    pub sigma: Pack,
+    pub sigma: Pack<L>,
     /// omega² [1/s²].
-    pub omega2: Pack,
+    pub omega2: Pack<L>,
     /// 1/omega² [s²], 0 for a rigid mode.
-    pub per_omega2: Pack,
+    pub per_omega2: Pack<L>,
     /// w, the damped angular frequency [1/s].
-    pub w: Pack,
+    pub w: Pack<L>,
     /// 1/w [s], 0 for a rigid mode.
-    pub per_w: Pack,
+    pub per_w: Pack<L>,
     /// 1/omega [s]: bound on S1.
-    pub gain: Pack,
+    pub gain: Pack<L>,
     /// Coefficients of dt², ..., dt⁶ in S1(dt).
-    pub series: [Pack; 5],
+    pub series: [Pack<L>; 5],
     /// n.X: its part in the phase.
-    pub part: Pack,
+    pub part: Pack<L>,
 }
 
-/// A cell of eight scenes.
+/// A cell of several scenes. Aligned as its vectors are.
 #[derive(Debug, Clone, Copy)]
-pub struct Cells<const N: usize> {
+#[repr(align(64))]
+pub struct Cells<const N: usize, const L: usize> {
     /// Its modes.
-    pub modes: [Modes; N],
+    pub modes: [Modes<L>; N],
     /// X (N x N).
-    pub shapes: [[Pack; N]; N],
+    pub shapes: [[Pack<L>; N]; N],
     /// XᵀM (N x N).
-    pub momentum: [[Pack; N]; N],
+    pub momentum: [[Pack<L>; N]; N],
     /// XᵀK (N x N).
-    pub springs: [[Pack; N]; N],
+    pub springs: [[Pack<L>; N]; N],
     /// Xᵀf (N).
-    pub load: [Pack; N],
+    pub load: [Pack<L>; N],
     /// Bound on the rates of its modes [1/s].
-    pub rate: Pack,
+    pub rate: Pack<L>,
     /// Lower and upper boundary.
-    pub bounds: [Pack; 2],
+    pub bounds: [Pack<L>; 2],
     /// The phase on entering the cell beyond each.
-    pub entered: [Pack; 2],
+    pub entered: [Pack<L>; 2],
     /// The stiffness matrix beyond each less that of the cell, halved (N x N): dV = q.D q.
-    pub step: [[[Pack; N]; N]; 2],
+    pub step: [[[Pack<L>; N]; N]; 2],
 }
 
-impl<const N: usize> Cells<N> {
+impl<const N: usize, const L: usize> Cells<N, L> {
     /// With zeros in every lane.
     pub fn empty() -> Self {
         let zero = Pack::all(0.0);
@@ -82,7 +83,7 @@ impl<const N: usize> Cells<N> {
         let (law, cells) = (&simulation.laws[0], simulation.cells());
         let prepared = &cells.all().expect("a plain simulation has few cells")[place];
         let cell: &Cell<N> = &prepared.cell;
-        let matrix = |to: &mut [[Pack; N]; N], of: &dyn Fn(usize, usize) -> f64| {
+        let matrix = |to: &mut [[Pack<L>; N]; N], of: &dyn Fn(usize, usize) -> f64| {
             (0..N).for_each(|i| (0..N).for_each(|j| to[i][j].0[lane] = of(i, j)));
         };
         matrix(&mut self.shapes, &|i, j| cell.shapes[(i, j)]);
@@ -110,7 +111,7 @@ impl<const N: usize> Cells<N> {
 
     /// The lanes of `tables`, each from the cell that it is in.
     #[inline(always)]
-    pub fn gather(tables: &[Cells<N>], at: &[usize; LANES]) -> Cells<N> {
+    pub fn gather(tables: &[Cells<N, L>], at: &[usize; L]) -> Cells<N, L> {
         let mut gathered = tables[0];
         for (place, table) in tables.iter().enumerate().skip(1) {
             let here = Mask::of(|lane| at[lane] == place);
@@ -121,7 +122,7 @@ impl<const N: usize> Cells<N> {
 
     /// Every number of this with its like of the other.
     #[inline(always)]
-    fn each(&mut self, other: &Self, mut f: impl FnMut(&mut Pack, &Pack)) {
+    fn each(&mut self, other: &Self, mut f: impl FnMut(&mut Pack<L>, &Pack<L>)) {
         for i in 0..N {
             let (m, o) = (&mut self.modes[i], &other.modes[i]);
             f(&mut m.sigma, &o.sigma);
@@ -148,7 +149,7 @@ impl<const N: usize> Cells<N> {
     }
 }
 
-impl Modes {
+impl<const L: usize> Modes<L> {
     fn fill(&mut self, lane: usize, mode: &Mode, part: f64) {
         let w = mode.damped_frequency();
         let inverse = |x: f64| if x > 0.0 { 1.0 / x } else { 0.0 };

@@ -1,35 +1,35 @@
-//! The motion in a cell, eight lanes at once: [`crate::engine::cell::Flight`] without its cases. A lane that would need
+//! The motion in a cell, all lanes at once: [`crate::engine::cell::Flight`] without its cases. A lane that would need
 //! one is left to the scalar engine.
 
 use crate::ensemble::cells::{Cells, Modes};
 use crate::ensemble::elementary::{exp_m1, sin_cos};
-use crate::ensemble::pack::{LANES, Mask, Pack};
+use crate::ensemble::pack::{Mask, Pack};
 
 /// The motion from a given state on.
-pub struct Flight<'a, const N: usize> {
-    cells: &'a Cells<N>,
+pub struct Flight<'a, const N: usize, const L: usize> {
+    cells: &'a Cells<N, L>,
     /// Modal speeds at the start.
-    pub speed: [Pack; N],
+    pub speed: [Pack<L>; N],
     /// Modal forces at the start.
-    force: [Pack; N],
+    force: [Pack<L>; N],
 }
 
 /// What one mode answers, and how far it has moved.
 #[derive(Clone, Copy)]
-pub struct Point {
-    s1: Pack,
-    s2: Pack,
-    decay: Pack,
+pub struct Point<const L: usize> {
+    s1: Pack<L>,
+    s2: Pack<L>,
+    decay: Pack<L>,
     /// xi(t) - xi(0).
-    pub moved: Pack,
+    pub moved: Pack<L>,
     /// xi'(t) - xi'(0).
-    pub gained: Pack,
+    pub gained: Pack<L>,
 }
 
-impl Point {
+impl<const L: usize> Point<L> {
     /// This where `mask` says so, the other elsewhere.
     #[inline(always)]
-    pub fn or(self, mask: Mask, other: &Point) -> Point {
+    pub fn or(self, mask: Mask<L>, other: &Point<L>) -> Point<L> {
         Point {
             s1: self.s1.or(mask, other.s1),
             s2: self.s2.or(mask, other.s2),
@@ -40,15 +40,15 @@ impl Point {
     }
 
     /// Not moved.
-    pub const STILL: Point = {
-        let zero = Pack([0.0; LANES]);
+    pub const STILL: Point<L> = {
+        let zero = Pack([0.0; L]);
         Point { s1: zero, s2: zero, decay: zero, moved: zero, gained: zero }
     };
 }
 
-impl<'a, const N: usize> Flight<'a, N> {
+impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
     #[inline(always)]
-    pub fn new(cells: &'a Cells<N>, q: &[Pack; N], q_dot: &[Pack; N]) -> Self {
+    pub fn new(cells: &'a Cells<N, L>, q: &[Pack<L>; N], q_dot: &[Pack<L>; N]) -> Self {
         let (mut speed, mut force) = ([Pack::all(0.0); N], cells.load);
         for i in 0..N {
             for j in 0..N {
@@ -61,13 +61,13 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// Acceleration of mode `i` at the start.
     #[inline(always)]
-    pub fn acceleration(&self, i: usize) -> Pack {
+    pub fn acceleration(&self, i: usize) -> Pack<L> {
         self.force[i] - 2.0 * self.cells.modes[i].sigma * self.speed[i]
     }
 
     /// Every mode after the time `t`. Loops, not `array::from_fn`: what is not inlined is compiled for any processor.
     #[inline(always)]
-    pub fn all_at(&self, rigid: &[bool; N], t: Pack) -> [Point; N] {
+    pub fn all_at(&self, rigid: &[bool; N], t: Pack<L>) -> [Point<L>; N] {
         let mut points = [Point::STILL; N];
         for i in 0..N {
             points[i] = self.at(i, rigid[i], t);
@@ -77,7 +77,7 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// Every mode a short time `dt` on from where it was at the time `t`, by the series of S1(dt), S2(dt).
     #[inline(always)]
-    pub fn all_shifted(&self, rigid: &[bool; N], from: &[Point; N], t: Pack, dt: Pack) -> [Point; N] {
+    pub fn all_shifted(&self, rigid: &[bool; N], from: &[Point<L>; N], t: Pack<L>, dt: Pack<L>) -> [Point<L>; N] {
         let mut points = [Point::STILL; N];
         for i in 0..N {
             points[i] = self.shifted(i, rigid[i], &from[i], t, dt);
@@ -87,7 +87,7 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// Mode `i` after the time `t`; rigid where `rigid`.
     #[inline(always)]
-    fn at(&self, i: usize, rigid: bool, t: Pack) -> Point {
+    fn at(&self, i: usize, rigid: bool, t: Pack<L>) -> Point<L> {
         let Modes { sigma, w, per_w, per_omega2, .. } = self.cells.modes[i];
         if rigid {
             return self.point(i, t, 0.5 * t * t, Pack::all(0.0));
@@ -100,7 +100,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     }
 
     #[inline(always)]
-    fn shifted(&self, i: usize, rigid: bool, at: &Point, t: Pack, dt: Pack) -> Point {
+    fn shifted(&self, i: usize, rigid: bool, at: &Point<L>, t: Pack<L>, dt: Pack<L>) -> Point<L> {
         if rigid {
             return self.at(i, true, t + dt);
         }
@@ -121,7 +121,7 @@ impl<'a, const N: usize> Flight<'a, N> {
     }
 
     #[inline(always)]
-    fn point(&self, i: usize, s1: Pack, s2: Pack, decay: Pack) -> Point {
+    fn point(&self, i: usize, s1: Pack<L>, s2: Pack<L>, decay: Pack<L>) -> Point<L> {
         let (v, f, mode) = (self.speed[i], self.force[i], &self.cells.modes[i]);
         let gained = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * v * s2;
         Point { s1, s2, decay, moved: v * s1 + f * s2, gained }
@@ -129,9 +129,9 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// Speed, acceleration, jerk and snap of mode `i` at a point.
     #[inline(always)]
-    pub fn derivatives(&self, i: usize, point: &Point) -> [Pack; 4] {
+    pub fn derivatives(&self, i: usize, point: &Point<L>) -> [Pack<L>; 4] {
         let Modes { sigma, omega2, .. } = self.cells.modes[i];
-        let next = |y: Pack, y_dot: Pack| -(2.0 * sigma * y_dot) - omega2 * y;
+        let next = |y: Pack<L>, y_dot: Pack<L>| -(2.0 * sigma * y_dot) - omega2 * y;
         let v = self.speed[i] + point.gained;
         let a = self.force[i] - omega2 * point.moved - 2.0 * sigma * v;
         let jerk = next(v, a);
@@ -140,7 +140,7 @@ impl<'a, const N: usize> Flight<'a, N> {
 
     /// Energy lost to damping in mode `i` until a point [J], as [`crate::engine::mode::Mode::lost`] has it.
     #[inline(always)]
-    pub fn dissipated(&self, i: usize, point: &Point) -> Pack {
+    pub fn dissipated(&self, i: usize, point: &Point<L>) -> Pack<L> {
         let Modes { sigma, omega2, per_omega2, w, per_w, .. } = self.cells.modes[i];
         let v = self.speed[i];
         let b = (self.acceleration(i) + sigma * v) * per_w;

@@ -7,9 +7,9 @@ use crate::engine::simulate::Simulation;
 use crate::ensemble::cells::Cells;
 use crate::ensemble::kind::Kind;
 use crate::ensemble::lanes::Lanes;
-use crate::ensemble::pack::{LANES, Pack};
+use crate::ensemble::pack::Pack;
 
-impl<const N: usize> Lanes<N> {
+impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Empty lanes for simulations of one kind.
     pub fn new(kind: Kind<N>) -> Self {
         let zero = Pack::all(0.0);
@@ -25,9 +25,9 @@ impl<const N: usize> Lanes<N> {
             clock: [zero; 2],
             end: zero,
             dissipated: zero,
-            at: [0; LANES],
-            turns: [0; LANES],
-            changes: [0; LANES],
+            at: [0; L],
+            turns: [0; L],
+            changes: [0; L],
             lateness: vec![zero; places],
         }
     }

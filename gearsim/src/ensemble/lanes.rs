@@ -1,4 +1,4 @@
-//! Eight simulations under way: one cell change of all of them at once.
+//! L simulations under way: one cell change of all of them at once.
 //!
 //! A lane passes a step where its phase is monotone for certain, Newton's method converges, the step lies before the end of
 //! the run, and the energy suffices. What is not so plain is left as it was, for the scalar engine.
@@ -7,55 +7,55 @@ use crate::engine::mode::NEAR;
 use crate::ensemble::cells::Cells;
 use crate::ensemble::elementary::LARGEST_ANGLE;
 use crate::ensemble::flight::{Flight, Point};
-use crate::ensemble::pack::{LANES, Mask, Pack};
+use crate::ensemble::pack::{Mask, Pack};
 
-/// The state of eight simulations, in arrays.
-pub struct Lanes<const N: usize> {
+/// The state of L simulations, in arrays.
+pub struct Lanes<const N: usize, const L: usize> {
     /// The cells, by their place in the pitch.
-    pub tables: Vec<Cells<N>>,
+    pub tables: Vec<Cells<N, L>>,
     /// Which modes are rigid, in every lane.
     pub rigid: [bool; N],
     /// Coordinate that is the phase.
     pub phase: usize,
     /// G and M⁻¹n / G (N) of the steps; no impulse where G is zero.
-    pub compliance: Pack,
-    pub direction: [Pack; N],
+    pub compliance: Pack<L>,
+    pub direction: [Pack<L>; N],
 
-    pub q: [Pack; N],
-    pub q_dot: [Pack; N],
+    pub q: [Pack<L>; N],
+    pub q_dot: [Pack<L>; N],
     /// Time from the start of the lane, as a sum of two numbers [s], and where the lane ends.
-    pub clock: [Pack; 2],
-    pub end: Pack,
-    pub dissipated: Pack,
+    pub clock: [Pack<L>; 2],
+    pub end: Pack<L>,
+    pub dissipated: Pack<L>,
     /// The cell of each lane.
-    pub at: [usize; LANES],
+    pub at: [usize; L],
     /// Whole pitches since the start of the lane, and cell changes.
-    pub turns: [i64; LANES],
-    pub changes: [u64; LANES],
+    pub turns: [i64; L],
+    pub changes: [u64; L],
     /// How much longer each cell took than its steady part alone, when last passed.
-    pub lateness: Vec<Pack>,
+    pub lateness: Vec<Pack<L>>,
 }
 
 /// Where the phase of each lane goes.
-struct Way {
+struct Way<const L: usize> {
     /// Whether it is sure to get there.
-    monotone: Mask,
+    monotone: Mask<L>,
     /// Whether that is upwards.
-    up: Mask,
+    up: Mask<L>,
     /// 1 upwards, -1 downwards.
-    sign: Pack,
-    boundary: Pack,
+    sign: Pack<L>,
+    boundary: Pack<L>,
     /// Distance to it.
-    gap: Pack,
+    gap: Pack<L>,
     /// Time to it at the steady part of the speed [s].
-    steady: Pack,
+    steady: Pack<L>,
 }
 
 /// A state that may come to be.
-struct Ahead<const N: usize> {
-    q: [Pack; N],
-    q_dot: [Pack; N],
-    dissipated: Pack,
+struct Ahead<const N: usize, const L: usize> {
+    q: [Pack<L>; N],
+    q_dot: [Pack<L>; N],
+    dissipated: Pack<L>,
 }
 
 /// Below this product of rate and time the closed forms cancel digits: such short flights are for the scalar engine.
@@ -63,12 +63,12 @@ const SHORT: f64 = 0.5;
 /// Evaluations of the motion beyond which a lane is left to the scalar engine.
 const MOST: usize = 3;
 
-impl<const N: usize> Lanes<N> {
+impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Passes one step in those of the `active` lanes that can; tells which have.
     #[inline(always)]
-    pub fn pass(&mut self, active: Mask) -> Mask {
-        let first = (0..LANES).find(|lane| active.says(*lane)).map_or(0, |lane| self.at[lane]);
-        let together = (0..LANES).all(|lane| !active.says(lane) || self.at[lane] == first);
+    pub fn pass(&mut self, active: Mask<L>) -> Mask<L> {
+        let first = (0..L).find(|lane| active.says(*lane)).map_or(0, |lane| self.at[lane]);
+        let together = (0..L).all(|lane| !active.says(lane) || self.at[lane] == first);
         let gathered;
         let cells = if together {
             &self.tables[first]
@@ -99,7 +99,7 @@ impl<const N: usize> Lanes<N> {
     /// Which boundary the phase goes to, and whether it is sure to: the steady part of its speed outweighs all that the
     /// oscillations can do.
     #[inline(always)]
-    fn way(&self, cells: &Cells<N>, flight: &Flight<'_, N>) -> Way {
+    fn way(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Way<L> {
         let (mut drift, mut wobble, mut rolls) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
         for i in 0..N {
             let (c, v, a) = (cells.modes[i].part, flight.speed[i], flight.acceleration(i));
@@ -123,12 +123,12 @@ impl<const N: usize> Lanes<N> {
     #[inline(always)]
     fn locate(
         &self,
-        cells: &Cells<N>,
-        flight: &Flight<'_, N>,
-        way: &Way,
-        lateness: Pack,
-        sure: Mask,
-    ) -> (Mask, Pack, [Point; N]) {
+        cells: &Cells<N, L>,
+        flight: &Flight<'_, N, L>,
+        way: &Way<L>,
+        lateness: Pack<L>,
+        sure: Mask<L>,
+    ) -> (Mask<L>, Pack<L>, [Point<L>; N]) {
         let mut t = (way.steady + lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
         let mut near = flight.all_at(&self.rigid, t);
         let (mut points, mut taken, mut done) = (near, t, Mask::of(|_| false));
@@ -168,12 +168,12 @@ impl<const N: usize> Lanes<N> {
     #[inline(always)]
     fn jump(
         &self,
-        cells: &Cells<N>,
-        flight: &Flight<'_, N>,
-        way: &Way,
-        points: &[Point; N],
-        sure: Mask,
-    ) -> (Mask, Ahead<N>) {
+        cells: &Cells<N, L>,
+        flight: &Flight<'_, N, L>,
+        way: &Way<L>,
+        points: &[Point<L>; N],
+        sure: Mask<L>,
+    ) -> (Mask<L>, Ahead<N, L>) {
         let Ahead { mut q, mut q_dot, mut dissipated } =
             Ahead { q: self.q, q_dot: self.q_dot, dissipated: self.dissipated };
         for j in 0..N {
@@ -206,7 +206,13 @@ impl<const N: usize> Lanes<N> {
 
     /// The phase's way, in the direction of its boundary, and its derivatives.
     #[inline(always)]
-    fn signal(&self, cells: &Cells<N>, flight: &Flight<'_, N>, points: &[Point; N], sign: Pack) -> [Pack; 5] {
+    fn signal(
+        &self,
+        cells: &Cells<N, L>,
+        flight: &Flight<'_, N, L>,
+        points: &[Point<L>; N],
+        sign: Pack<L>,
+    ) -> [Pack<L>; 5] {
         let mut sum = [Pack::all(0.0); 5];
         for i in 0..N {
             let c = sign * cells.modes[i].part;
@@ -220,7 +226,7 @@ impl<const N: usize> Lanes<N> {
 
     /// Knuth's two-sum.
     #[inline(always)]
-    fn advance(&mut self, t: Pack, sure: Mask) {
+    fn advance(&mut self, t: Pack<L>, sure: Mask<L>) {
         let [high, low] = self.clock;
         let dt = t + low;
         let sum = high + dt;
@@ -230,7 +236,7 @@ impl<const N: usize> Lanes<N> {
     }
 
     #[inline(always)]
-    fn lateness(&self, together: bool, first: usize) -> Pack {
+    fn lateness(&self, together: bool, first: usize) -> Pack<L> {
         if together {
             return self.lateness[first];
         }
@@ -238,22 +244,22 @@ impl<const N: usize> Lanes<N> {
     }
 
     #[inline(always)]
-    fn remember(&mut self, lateness: Pack, sure: Mask, together: bool, first: usize) {
+    fn remember(&mut self, lateness: Pack<L>, sure: Mask<L>, together: bool, first: usize) {
         if together {
             let kept = &mut self.lateness[first];
             *kept = lateness.or(sure, *kept);
             return;
         }
-        for lane in (0..LANES).filter(|lane| sure.says(*lane)) {
+        for lane in (0..L).filter(|lane| sure.says(*lane)) {
             self.lateness[self.at[lane]].0[lane] = lateness.0[lane];
         }
     }
 
     /// Goes on into the cells beyond.
     #[inline(always)]
-    fn enter(&mut self, up: Mask, sure: Mask) {
+    fn enter(&mut self, up: Mask<L>, sure: Mask<L>) {
         let last = self.tables.len() - 1;
-        for lane in 0..LANES {
+        for lane in 0..L {
             if !sure.says(lane) {
                 continue;
             }

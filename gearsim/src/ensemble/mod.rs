@@ -30,8 +30,10 @@ use crate::engine::simulate::Simulation;
 use crate::model::Model;
 use kind::Kind;
 use lanes::Lanes;
-use pack::{LANES, Mask};
+use pack::Mask;
 
+/// Simulations side by side on a processor core: what its vectors hold.
+const LANES: usize = 8;
 /// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
 const LARGEST: usize = 8;
 
@@ -55,7 +57,9 @@ pub fn run<const N: usize>(simulations: &mut [Simulation<'_, N>]) -> Vec<Result<
             done.push(*kind);
             let members: Vec<usize> = (0..kinds.len()).filter(|i| kinds[*i] == *kind).collect();
             match kind {
-                Some(kind) => ensemble.side_by_side(*kind, &members),
+                // One by itself goes the same way, to the same bits, without seven empty lanes.
+                Some(kind) if members.len() == 1 => ensemble.side_by_side::<1>(*kind, &members),
+                Some(kind) => ensemble.side_by_side::<LANES>(*kind, &members),
                 None => members.into_iter().for_each(|which| while !ensemble.step(which) {}),
             }
         }
@@ -71,14 +75,14 @@ struct Ensemble<'s, 'a, const N: usize> {
 
 impl<const N: usize> Ensemble<'_, '_, N> {
     /// Runs the `members` of one kind in lanes.
-    fn side_by_side(&mut self, kind: Kind<N>, members: &[usize]) {
-        let mut lanes = Lanes::new(kind);
+    fn side_by_side<const L: usize>(&mut self, kind: Kind<N>, members: &[usize]) {
+        let mut lanes = Lanes::<N, L>::new(kind);
         let mut members = members.iter().copied();
-        let mut held = [None; LANES];
+        let mut held = [None; L];
         let mut waiting = Mask::of(|_| true);
         let mut left = waiting;
         loop {
-            for lane in (0..LANES).filter(|lane| left.says(*lane)) {
+            for lane in (0..L).filter(|lane| left.says(*lane)) {
                 if let Some(which) = held[lane].take() {
                     lanes.unload(lane, &mut self.simulations[which]);
                     if !self.step(which) && self.ready(which) {
@@ -133,22 +137,22 @@ impl<const N: usize> Ensemble<'_, '_, N> {
 
 /// Goes on in all lanes until one of the `active` cannot. Lanes that are `waiting` join when the others begin a pitch, too, so
 /// that all are in one cell.
-struct Advance<'l, const N: usize> {
-    lanes: &'l mut Lanes<N>,
-    active: Mask,
-    waiting: Mask,
+struct Advance<'l, const N: usize, const L: usize> {
+    lanes: &'l mut Lanes<N, L>,
+    active: Mask<L>,
+    waiting: Mask<L>,
 }
 
-impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
+impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
     /// Lanes that could not go on, and those that still wait.
-    type Output = (Mask, Mask);
+    type Output = (Mask<L>, Mask<L>);
 
     #[inline(always)]
-    fn call(self) -> (Mask, Mask) {
+    fn call(self) -> (Mask<L>, Mask<L>) {
         let Advance { lanes, mut active, mut waiting } = self;
         let mut waited = 0;
         loop {
-            let leader = (0..LANES).find(|lane| active.says(*lane));
+            let leader = (0..L).find(|lane| active.says(*lane));
             if leader.is_none_or(|leader| lanes.at[leader] == 0) || waited >= lanes.tables.len() {
                 active = active.with(waiting);
                 waiting = waiting.without(waiting);

@@ -1,27 +1,21 @@
-//! Eight numbers side by side. Plain loops over arrays: compiled for the processor at hand, each is one or two
-//! instructions.
+//! Numbers side by side. Plain loops over arrays: compiled for the processor at hand, each is one or two instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Lanes of a pack.
-pub const LANES: usize = 8;
-
-/// A number for each lane.
+/// A number for each of L lanes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(64))]
-pub struct Pack(pub [f64; LANES]);
+pub struct Pack<const L: usize>(pub [f64; L]);
 
 /// A yes or no for each lane: all bits, or none, as processors have it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(64))]
-pub struct Mask([u64; LANES]);
+pub struct Mask<const L: usize>([u64; L]);
 
-impl Mask {
+impl<const L: usize> Mask<L> {
     /// From a yes or no for each lane.
     #[inline(always)]
-    pub fn of(lanes: impl Fn(usize) -> bool) -> Mask {
-        let mut result = [0; LANES];
-        for i in 0..LANES {
+    pub fn of(lanes: impl Fn(usize) -> bool) -> Self {
+        let mut result = [0; L];
+        for i in 0..L {
             result[i] = 0_u64.wrapping_sub(u64::from(lanes(i)));
         }
         Mask(result)
@@ -35,9 +29,9 @@ impl Mask {
 
     /// Lanes for which both hold.
     #[inline(always)]
-    pub fn and(self, other: Mask) -> Mask {
-        let mut result = [0; LANES];
-        for i in 0..LANES {
+    pub fn and(self, other: Self) -> Self {
+        let mut result = [0; L];
+        for i in 0..L {
             result[i] = self.0[i] & other.0[i];
         }
         Mask(result)
@@ -45,9 +39,9 @@ impl Mask {
 
     /// Lanes for which one or both hold.
     #[inline(always)]
-    pub fn with(self, other: Mask) -> Mask {
-        let mut result = [0; LANES];
-        for i in 0..LANES {
+    pub fn with(self, other: Self) -> Self {
+        let mut result = [0; L];
+        for i in 0..L {
             result[i] = self.0[i] | other.0[i];
         }
         Mask(result)
@@ -55,9 +49,9 @@ impl Mask {
 
     /// Lanes of these that are not among the `others`.
     #[inline(always)]
-    pub fn without(self, others: Mask) -> Mask {
-        let mut result = [0; LANES];
-        for i in 0..LANES {
+    pub fn without(self, others: Self) -> Self {
+        let mut result = [0; L];
+        for i in 0..L {
             result[i] = self.0[i] & !others.0[i];
         }
         Mask(result)
@@ -65,33 +59,33 @@ impl Mask {
 
     /// Whether every lane of `other` is one of these.
     #[inline(always)]
-    pub fn covers(self, other: Mask) -> bool {
+    pub fn covers(self, other: Self) -> bool {
         let mut lacking = 0;
-        for i in 0..LANES {
+        for i in 0..L {
             lacking |= other.without(self).0[i];
         }
         lacking == 0
     }
 }
 
-impl Pack {
+impl<const L: usize> Pack<L> {
     /// The same number in every lane.
     #[inline(always)]
-    pub fn all(x: f64) -> Pack {
-        Pack([x; LANES])
+    pub fn all(x: f64) -> Self {
+        Pack([x; L])
     }
 
     /// `f` of every lane.
     #[inline(always)]
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Pack {
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         self.zip(self, |x, _| f(x))
     }
 
     /// `f` of every lane of two packs.
     #[inline(always)]
-    pub fn zip(self, other: Pack, f: impl Fn(f64, f64) -> f64) -> Pack {
-        let mut result = [0.0; LANES];
-        for i in 0..LANES {
+    pub fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut result = [0.0; L];
+        for i in 0..L {
             result[i] = f(self.0[i], other.0[i]);
         }
         Pack(result)
@@ -99,27 +93,27 @@ impl Pack {
 
     /// Square roots.
     #[inline(always)]
-    pub fn sqrt(self) -> Pack {
+    pub fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
 
     /// Magnitudes.
     #[inline(always)]
-    pub fn abs(self) -> Pack {
+    pub fn abs(self) -> Self {
         self.map(f64::abs)
     }
 
     /// Whether `test` holds, lane by lane.
     #[inline(always)]
-    pub fn compare(self, other: Pack, test: impl Fn(f64, f64) -> bool) -> Mask {
+    pub fn compare(self, other: Self, test: impl Fn(f64, f64) -> bool) -> Mask<L> {
         Mask::of(|i| test(self.0[i], other.0[i]))
     }
 
     /// This where `mask` says so, the other elsewhere.
     #[inline(always)]
-    pub fn or(self, mask: Mask, other: Pack) -> Pack {
-        let mut result = [0.0; LANES];
-        for i in 0..LANES {
+    pub fn or(self, mask: Mask<L>, other: Self) -> Self {
+        let mut result = [0.0; L];
+        for i in 0..L {
             let bits = (self.0[i].to_bits() & mask.0[i]) | (other.0[i].to_bits() & !mask.0[i]);
             result[i] = f64::from_bits(bits);
         }
@@ -129,24 +123,24 @@ impl Pack {
 
 macro_rules! operator {
     ($name:ident, $function:ident, $operator:tt) => {
-        impl $name for Pack {
-            type Output = Pack;
+        impl<const L: usize> $name for Pack<L> {
+            type Output = Pack<L>;
             #[inline(always)]
-            fn $function(self, other: Pack) -> Pack {
+            fn $function(self, other: Pack<L>) -> Pack<L> {
                 self.zip(other, |a, b| a $operator b)
             }
         }
-        impl $name<f64> for Pack {
-            type Output = Pack;
+        impl<const L: usize> $name<f64> for Pack<L> {
+            type Output = Pack<L>;
             #[inline(always)]
-            fn $function(self, other: f64) -> Pack {
+            fn $function(self, other: f64) -> Pack<L> {
                 self.map(|a| a $operator other)
             }
         }
-        impl $name<Pack> for f64 {
-            type Output = Pack;
+        impl<const L: usize> $name<Pack<L>> for f64 {
+            type Output = Pack<L>;
             #[inline(always)]
-            fn $function(self, other: Pack) -> Pack {
+            fn $function(self, other: Pack<L>) -> Pack<L> {
                 other.map(|b| self $operator b)
             }
         }
@@ -158,10 +152,10 @@ operator!(Sub, sub, -);
 operator!(Mul, mul, *);
 operator!(Div, div, /);
 
-impl Neg for Pack {
-    type Output = Pack;
+impl<const L: usize> Neg for Pack<L> {
+    type Output = Pack<L>;
     #[inline(always)]
-    fn neg(self) -> Pack {
+    fn neg(self) -> Self {
         self.map(|x| -x)
     }
 }
