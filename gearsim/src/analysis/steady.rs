@@ -3,17 +3,17 @@
 
 use crate::engine::equations::Switching;
 use crate::engine::system::System;
-use crate::model::Start;
-use crate::scene::Scene;
+use crate::model::{Law, Start};
+use crate::scene::{Scene, Stiffness};
 
-/// A stiffness in steady rotation.
+/// A stiffness, or a transmission error, in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     /// Name of its law.
     pub name: &'static str,
-    /// Levels over one pitch, each with the phase at which it ends; the last ends at `period`.
+    /// Levels until it repeats itself, each with the phase at which it ends; the last ends at `period`.
     pub levels: Vec<(f64, f64)>,
-    /// One pitch [unit of the phase].
+    /// After which it repeats itself: one pitch, of an error maybe several [unit of the phase].
     pub period: f64,
     /// Phase at t = 0, from the beginning of the first level on.
     pub start: f64,
@@ -24,7 +24,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// Pitches a second [Hz].
+    /// Repetitions a second, mostly pitches [Hz].
     pub fn frequency(&self) -> f64 {
         self.speed.abs() / self.period
     }
@@ -53,18 +53,19 @@ pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
     speeds
 }
 
-/// The stiffnesses of a scene in steady rotation, in the order of the model's laws.
+/// The laws of a scene in steady rotation, in the order of the model's.
 pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
     let speeds = speeds(scene, system);
-    let course = |(i, law): (usize, &'static crate::model::Law)| {
+    let course = |(i, (law, given)): (usize, (&'static Law, &Stiffness))| {
+        let length = law.period * f64::from(given.pitches);
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
         let begin = match scene.start.q[phase] {
             Start::At(x) => x,
             Start::Static => 0.0,
         };
-        let steps = system.switching(i) != Switching::Never && scene.laws[i].steps.len() > 1;
+        let steps = system.switching(i) != Switching::Never && given.steps.len() > 1;
         let mut end = 0.0;
-        let mut levels: Vec<(f64, f64)> = scene.laws[i]
+        let mut levels: Vec<(f64, f64)> = given
             .steps
             .iter()
             .map(|step| {
@@ -73,18 +74,18 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             })
             .collect();
         if !steps {
-            levels = vec![(scene.laws[i].mid(), law.period)];
+            levels = vec![(given.mid(), length)];
         } else if let Some(last) = levels.last_mut() {
-            last.1 = law.period;
+            last.1 = length;
         }
         Course {
             name: law.name,
             levels,
-            period: law.period,
-            start: (begin - scene.laws[i].origin).rem_euclid(law.period),
+            period: length,
+            start: (begin - given.origin).rem_euclid(length),
             speed: speeds[phase],
             steps,
         }
     };
-    scene.model.laws.iter().enumerate().map(course).collect()
+    scene.present().enumerate().map(course).collect()
 }

@@ -75,9 +75,9 @@ impl<'a, const N: usize> Field<'a, N> {
 
     /// The contacts of the dead bands with the present stiffnesses.
     fn stretch(&mut self) {
-        let (equations, laws, k) = (self.equations, self.laws.len(), &self.k);
+        let (equations, k) = (self.equations, &self.k);
         self.elastic.clear();
-        self.elastic.extend(self.bands.iter().map(|band| band.elastic(equations, laws, k)));
+        self.elastic.extend(self.bands.iter().map(|band| band.elastic(equations, k)));
     }
 
     /// The law values where they were last evaluated.
@@ -127,7 +127,7 @@ impl<'a, const N: usize> Field<'a, N> {
             if let Regime::Contact(side, _) = band.regime {
                 band.regime = band.gripped(side, *elastic, &state);
             }
-            band.write(self.laws.len(), &mut self.k);
+            band.write(&mut self.k);
         }
     }
 
