@@ -102,13 +102,15 @@ impl<'a> Reader<'a> {
         let allowed: Vec<_> =
             ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind.iter().copied()).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
-        let pitches = errors::pitches(self.law, entries, report)?;
+        // What is wrong with the pitches keeps nothing else from being told.
+        let said = errors::pitches(self.law, entries, report);
+        let pitches = said.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
             Some(node) if offset::wrong_type(&format!("{table}.phase"), node, report) => None,
             Some(node) => offset::read(self.law, self.phase, pitches, node, report),
         };
-        let law = self.course(entries, node, pitches, report)?.over(pitches);
+        let law = self.course(entries, node, pitches, report)?.over(said?);
         let begins = law.origin - phase?;
         Some(law.beginning(begins))
     }
