@@ -6,14 +6,14 @@ use crate::engine::system::System;
 use crate::model::{Law, Start};
 use crate::scene::{Scene, Stiffness};
 
-/// A stiffness, or a transmission error, in steady rotation.
+/// A stiffness in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     /// Name of its law.
     pub name: &'static str,
-    /// Levels until it repeats itself, each with the phase at which it ends; the last ends at `period`.
+    /// Levels over one pitch, each with the phase at which it ends; the last ends at `period`.
     pub levels: Vec<(f64, f64)>,
-    /// After which it repeats itself: one pitch, of an error maybe several [unit of the phase].
+    /// One pitch [unit of the phase].
     pub period: f64,
     /// Phase at t = 0, from the beginning of the first level on.
     pub start: f64,
@@ -24,7 +24,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// Repetitions a second, mostly pitches [Hz].
+    /// Pitches a second [Hz].
     pub fn frequency(&self) -> f64 {
         self.speed.abs() / self.period
     }
@@ -53,11 +53,11 @@ pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
     speeds
 }
 
-/// The laws of a scene in steady rotation, in the order of the model's.
+/// The stiffnesses of a scene in steady rotation, in the order of the model's laws. Transmission errors are none: a small
+/// disturbance does not feel them.
 pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
     let speeds = speeds(scene, system);
     let course = |(i, (law, given)): (usize, (&'static Law, &Stiffness))| {
-        let length = law.period * f64::from(given.pitches);
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
         let begin = match scene.start.q[phase] {
             Start::At(x) => x,
@@ -74,18 +74,18 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             })
             .collect();
         if !steps {
-            levels = vec![(given.mid(), length)];
+            levels = vec![(given.mid(), law.period)];
         } else if let Some(last) = levels.last_mut() {
-            last.1 = length;
+            last.1 = law.period;
         }
         Course {
             name: law.name,
             levels,
-            period: length,
-            start: (begin - given.origin).rem_euclid(length),
+            period: law.period,
+            start: (begin - given.origin).rem_euclid(law.period),
             speed: speeds[phase],
             steps,
         }
     };
-    scene.present().enumerate().map(course).collect()
+    scene.stiffnesses().enumerate().map(course).collect()
 }

@@ -146,6 +146,11 @@ impl Scene {
         let laws = self.model.laws.iter().zip(&self.laws);
         laws.take_while(move |(law, _)| law.with.is_none_or(|effect| names.contains(&effect)))
     }
+
+    /// Those of them that are stiffnesses.
+    pub fn stiffnesses(&self) -> impl Iterator<Item = (&'static Law, &Stiffness)> {
+        self.present().filter(|(law, _)| law.with.is_none())
+    }
 }
 
 /// A set of effects: bit `i` is `model.effects[i]`.

@@ -41,11 +41,11 @@ impl Groups {
     pub fn of(scene: &Scene, system: &dyn System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system);
-        let mids: Vec<f64> = scene.present().map(|(_, law)| law.mid()).collect();
+        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
         let cell = modes::of(system, &mids)?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
         let mut meshes = vec![];
-        for (i, course) in courses.iter().enumerate().filter(|(i, c)| c.steps && model.laws[*i].with.is_none()) {
+        for (i, course) in courses.iter().enumerate().filter(|(_, c)| c.steps) {
             let values = course.levels.iter().map(|level| level.0);
             let (low, high) = values.fold((f64::INFINITY, 0.0f64), |m, k| (m.0.min(k), m.1.max(k)));
             let phase = coordinate(model.laws[i].phase);
