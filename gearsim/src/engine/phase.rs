@@ -34,14 +34,13 @@ struct Span {
 impl Pitch {
     /// The pitch of a law with the given period.
     pub fn new(law: &Stiffness, period: f64) -> Self {
-        let length = period * f64::from(law.pitches);
-        let within = law.origin.rem_euclid(length);
-        let origin = if within == 0.0 || within >= length { 0.0 } else { within - length };
+        let length = Df64::from(period) * f64::from(law.pitches);
+        let origin = Df64::from(law.origin) - length * (law.origin / length.hi()).ceil();
         let mut ends = vec![Df64::from(0.0)];
         for step in &law.steps[..law.steps.len() - 1] {
             ends.push(ends[ends.len() - 1] + step.width);
         }
-        ends.push(Df64::from(period) * f64::from(law.pitches));
+        ends.push(length);
         let span = |ends: &[Df64]| {
             let [lower, upper] = [ends[0] + origin, ends[1] + origin];
             let before = (lower.hi() / period).trunc();
