@@ -128,6 +128,9 @@ impl<'a> Reader<'a> {
         }
         let teeth = Teeth { law: self.law, entries, place: &node.place };
         if teeth.given() {
+            if self.law.with.is_some() {
+                return None; // no keys of an error, which has been told
+            }
             return smooth.ramped(teeth.read(report)?, report);
         }
         let Some(steps) = keys::get(entries, "steps") else {
