@@ -22,7 +22,7 @@ fn end(outcome: &Outcome) -> [f64; 4] {
 fn errors_of_teeth_move_as_by_hand() {
     let pair = Pair { k: [1430.0, 2780.0], width: 1.73, errors: &ERRORS, t0: 10.0 };
     let mut total = [0, 0];
-    for (rpm, start, cell, t_end) in [(300.0, 0.3, 0, 0.06), (40.0, 1.0, 0, 0.12), (-200.0, 2.5, 1, 0.06)] {
+    for (rpm, start, cell, t_end) in [(300.0, 0.3, 0, 0.06), (20.0, 1.0, 0, 0.3), (-200.0, 2.5, 1, 0.06)] {
         let set = [
             format!("start={{theta=\"{start:?} rad\", phi=\"0.004 rad\", speed=\"{rpm:?} rpm\"}}"),
             format!("run.t_end=\"{t_end:?} s\""),
@@ -42,7 +42,7 @@ fn errors_of_teeth_move_as_by_hand() {
         }
         assert!(unaccounted(&outcome) < 1e-13, "{rpm} rpm: {:e}", unaccounted(&outcome));
     }
-    assert!(total[0] > 25 && total[1] > 2, "{total:?}");
+    assert!(total[0] > 20 && total[1] > 2, "{total:?}");
 }
 
 /// At every event v+² = v² - M2 dV with dV by hand, of k and e together; what V gains, T loses.
