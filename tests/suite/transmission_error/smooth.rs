@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::{mobilities, run, unaccounted};
+use crate::{common, mobilities, run, unaccounted};
 
 /// Constant stiffness: a law of one level [N m].
 const K: f64 = 2780.0;
@@ -138,4 +138,34 @@ fn ramps_converge_to_the_steps() {
     let slope = (wide / narrow).log2() / 4.0;
     println!("{wide:.2e} to {narrow:.2e}, slope {slope:.3}");
     assert!((slope - 1.0).abs() < 0.05, "{wide} {narrow}: slope {slope}");
+}
+
+/// The scene of a run-up: the mesh swings most where its error comes at the frequency of the softer mode of pinion and bearing,
+/// K = [[kb + k, k], [k, k]], M = diag(m, I/r²), the wheel at rest beside it.
+#[test]
+fn a_run_up_meets_its_resonance() {
+    let (k, kb, m, i) = (120e6, 100e6, 1.0, 2890e-6 / 71.6e-3f64.powi(2));
+    let (trace, det) = ((kb + k) / m + k / i, kb * k / (m * i));
+    let expected = ((trace - (trace * trace - 4.0 * det).sqrt()) / 2.0f64).sqrt() / TAU;
+    let outcome = common::run(&common::scene("transmission_error", &[]));
+    let t = &outcome.trajectory;
+    let windows = t.t.len() / 200;
+    let swing = |w: usize| {
+        let rows = &t.q[1][200 * w..200 * (w + 1)];
+        let mean = rows.iter().sum::<f64>() / 200.0;
+        (rows.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / 200.0).sqrt()
+    };
+    let speed = |w: usize| t.q_dot[0][200 * w..200 * (w + 1)].iter().sum::<f64>() / 200.0;
+    // From the second half of the resonance of the double frequency on.
+    let late = (0..windows).filter(|w| speed(*w) / TAU > 0.7 * expected);
+    let most = late.max_by(|a, b| swing(*a).total_cmp(&swing(*b))).expect("it runs up");
+    let (found, last) = (speed(most) / TAU, windows - 1);
+    println!(
+        "swings most at {found:.0} Hz, {expected:.0} Hz by hand; {:.1e} m, {:.1e} m at the end",
+        swing(most),
+        swing(last)
+    );
+    // A run-up meets it late, by some of the width of the resonance.
+    assert!((found / expected - 1.0).abs() < 0.06, "{found} for {expected}");
+    assert!(swing(most) > 4.0 * swing(last) && speed(last) / TAU > 1.5 * expected);
 }

@@ -22,7 +22,15 @@ fn end(outcome: &Outcome) -> [f64; 4] {
 fn errors_of_teeth_move_as_by_hand() {
     let pair = Pair { k: [1430.0, 2780.0], width: 1.73, errors: &ERRORS, t0: 10.0 };
     let mut total = [0, 0];
-    for (rpm, start, cell, t_end) in [(300.0, 0.3, 0, 0.06), (20.0, 1.0, 0, 0.3), (-200.0, 2.5, 1, 0.06)] {
+    let cases = [
+        (300.0, 0.3, 0, 0.06),
+        (-200.0, 2.5, 1, 0.06),
+        (20.0, 1.0, 0, 0.1),
+        (15.0, 1.2, 0, 0.1),
+        (-20.0, 3.0, 1, 0.1),
+        (25.0, 1.4, 0, 0.1),
+    ];
+    for (rpm, start, cell, t_end) in cases {
         let set = [
             format!("start={{theta=\"{start:?} rad\", phi=\"0.004 rad\", speed=\"{rpm:?} rpm\"}}"),
             format!("run.t_end=\"{t_end:?} s\""),
