@@ -71,7 +71,10 @@ impl Derivation<'_> {
             e.replace(marker.to_pattern()).with(expr::number(0).to_pattern())
         });
         let gone = self.model.dead_bands.iter().filter(|band| absent.contains(&band.effect.as_str()));
-        gone.flat_map(|band| band.symbols()).fold(without, |e, (kind, name)| {
+        let symbols = gone.flat_map(|band| band.symbols());
+        let zero =
+            self.model.laws.iter().filter(|law| law.with.as_deref().is_some_and(|effect| absent.contains(&effect)));
+        symbols.chain(zero.map(|law| (law.kind(), law.name.clone()))).fold(without, |e, (kind, name)| {
             let neutral = expr::number(i64::from(matches!(kind, Kind::Touch | Kind::Damp)));
             e.replace(Atom::var(expr::symbol(kind, &name)).to_pattern()).with(neutral.to_pattern())
         })

@@ -47,6 +47,8 @@ pub enum Kind {
     Coordinate,
     /// The edge of a dead band that is in contact.
     Edge,
+    /// Present value of a transmission error.
+    Error,
     /// Rate of a deflection.
     Rate,
     /// Generalised speed.
@@ -55,7 +57,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 17] = [
+const KINDS: [(Kind, &str); 18] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -70,6 +72,7 @@ const KINDS: [(Kind, &str); 17] = [
     (Kind::Deflection, "deflection"),
     (Kind::Coordinate, "coordinate"),
     (Kind::Edge, "edge"),
+    (Kind::Error, "error"),
     (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
     (Kind::Free, "free"),

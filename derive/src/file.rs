@@ -49,7 +49,10 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     }
     section("Equations of motion", "text", &texts.motion);
     if !texts.jump.is_empty() {
-        section("At a step of a stiffness", "text", &texts.jump);
+        let errors = m.laws.iter().any(|law| law.with.is_some());
+        let title =
+            if errors { "At a step of a stiffness or a transmission error" } else { "At a step of a stiffness" };
+        section(title, "text", &texts.jump);
     }
     section("Between two steps", "text", &texts.cell);
     section("LaTeX", "latex", &texts.latex);
@@ -319,11 +322,12 @@ impl Block {
             b.line(
                 2,
                 &format!(
-                    "{} {:?} phase {phase} period {:?}{}, {:?};",
+                    "{} {:?} phase {phase} period {:?}{}{}, {:?};",
                     law.name,
                     law.unit,
                     law.period,
                     if d.rolling(law) { " rolling" } else { "" },
+                    law.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}")),
                     law.doc
                 ),
             );

@@ -1,6 +1,6 @@
 //! Jump rules: what the speeds do where a law steps by dk at its surface s(q) = const.
 //!
-//! With n = grad s, G = n.M⁻¹n, v = n.q' and dV = V(k + dk) - V(k) at the same q:
+//! With n = grad s, G = n.M⁻¹n, v = n.q' and dV = V(k + dk) - V(k) at the same q (of a transmission error, V(e + de) - V(e)):
 //! v+² = v² - 2 G dV, q'+ = q' + (M⁻¹n/G)(v+ - v) where that is >= 0, else v+ = -v (reflection, the cell stays).
 
 use symbolica::atom::{Atom, AtomCore};
@@ -30,8 +30,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
         .map(|(l, law)| {
             let phase = law.phase.atom();
             let normal: Vec<Atom> = s.q.iter().map(|q| phase.derivative(*q).expand()).collect();
-            let k = Atom::var(s.law[l]);
-            let beyond = motion.potential.replace(k.to_pattern()).with((&k + Atom::var(s.slope[l])).to_pattern());
+            let beyond = s.stepped(&motion.potential, l);
             let (compliance, direction) = match &motion.mobility {
                 Some(w) => {
                     let (g, d) = response(w, &normal);

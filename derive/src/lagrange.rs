@@ -15,19 +15,23 @@ pub(crate) struct Symbols {
     pub q: Vec<Symbol>,
     pub v: Vec<Symbol>,
     pub law: Vec<Symbol>,
+    /// The marker of the effect without which a law is zero; 1 for a stiffness.
+    pub gate: Vec<Atom>,
     pub slope: Vec<Symbol>,
     pub curvature: Vec<Symbol>,
     pub deflections: Vec<Linear>,
 }
 
-/// A named deflection delta = sum slope_i q_i, and its rate.
+/// A named deflection delta = sum slope_i q_i + rest, and the rate of its sum.
 pub(crate) struct Linear {
     pub symbol: Symbol,
     pub rate_symbol: Symbol,
     /// Its slopes along the coordinates, those that are not zero.
     pub slopes: Vec<(usize, Atom)>,
-    /// What it is where the coordinates are zero: 0, or less the edge of a dead band.
+    /// What it is where the coordinates are zero: 0, less the edge of a dead band, less transmission errors.
     pub rest: Atom,
+    /// Its slopes along the laws, those that are not zero.
+    by_law: Vec<(usize, Atom)>,
     /// The clipping of the damper of a dead band, marked with its effect.
     pub clip: Option<Atom>,
 }
@@ -46,6 +50,10 @@ impl Linear {
     fn along(&self, i: usize) -> Option<&Atom> {
         self.slopes.iter().find(|s| s.0 == i).map(|s| &s.1)
     }
+
+    fn along_law(&self, l: usize) -> Option<&Atom> {
+        self.by_law.iter().find(|s| s.0 == l).map(|s| &s.1)
+    }
 }
 
 impl Symbols {
@@ -53,15 +61,21 @@ impl Symbols {
         let laws =
             |kind, prefix: &str| model.laws.iter().map(|l| symbol(kind, &format!("{prefix}{}", l.name))).collect();
         let q: Vec<Symbol> = model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect();
+        let law: Vec<Symbol> = model.laws.iter().map(|l| symbol(l.kind(), &l.name)).collect();
+        let gate =
+            |with: &Option<String>| with.as_ref().map_or(number(1), |effect| Atom::var(symbol(Kind::Marker, effect)));
         let linear = |d: &Deflection| {
             let band: Option<&DeadBand> = model.dead_bands.iter().find(|band| band.over == d.name);
             let value = d.value.atom();
             let slopes = q.iter().map(|q| value.derivative(*q).expand()).enumerate();
+            let by_law = law.iter().map(|law| value.derivative(*law).expand()).enumerate();
+            let at_rest = |e: Atom, q: &Symbol| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern());
             Linear {
                 symbol: symbol(Kind::Deflection, &d.name),
                 rate_symbol: symbol(Kind::Rate, &speed_name(&d.name)),
                 slopes: slopes.filter(|s| !s.1.is_zero()).collect(),
-                rest: band.map_or(number(0), |band| -Atom::var(symbol(Kind::Edge, &band.edge))),
+                rest: q.iter().fold(value.clone(), at_rest).expand(),
+                by_law: by_law.filter(|s| !s.1.is_zero()).collect(),
                 clip: band.map(|band| {
                     Atom::var(symbol(Kind::Marker, &band.effect)) * Atom::var(symbol(Kind::Clip, &band.clip))
                 }),
@@ -69,9 +83,10 @@ impl Symbols {
         };
         Symbols {
             deflections: model.deflections.iter().map(linear).collect(),
-            q: model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name)).collect(),
+            q: q.clone(),
             v: model.speeds().iter().map(|s| symbol(Kind::Speed, s)).collect(),
-            law: laws(Kind::Law, ""),
+            law: law.clone(),
+            gate: model.laws.iter().map(|l| gate(&l.with)).collect(),
             slope: laws(Kind::Slope, "d"),
             curvature: laws(Kind::Curvature, "dd"),
         }
@@ -81,6 +96,25 @@ impl Symbols {
     pub fn by_coordinate(&self, e: &Atom, i: usize) -> Atom {
         let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.symbol)));
         through.fold(e.derivative(self.q[i]), |sum, part| sum + part)
+    }
+
+    /// de/dk of law `l`, through the deflections too.
+    pub fn by_law(&self, e: &Atom, l: usize) -> Atom {
+        let through = self.deflections.iter().filter_map(|d| Some(d.along_law(l)? * e.derivative(d.symbol)));
+        through.fold(e.derivative(self.law[l]), |sum, part| sum + part)
+    }
+
+    /// What becomes of an expression where law `l` steps by its slope's symbol, through the deflections too.
+    pub fn stepped(&self, e: &Atom, l: usize) -> Atom {
+        let step = Atom::var(self.slope[l]);
+        let shift = |e: Atom, symbol: Symbol, by: Atom| {
+            let symbol = Atom::var(symbol);
+            e.replace(symbol.to_pattern()).with((&symbol + by).to_pattern())
+        };
+        self.deflections.iter().fold(shift(e.clone(), self.law[l], step.clone()), |e, d| match d.along_law(l) {
+            Some(slope) => shift(e, d.symbol, slope * &step),
+            None => e,
+        })
     }
 
     /// What clipping the dampers of dead bands adds to the restoring force dV/dq_i.
@@ -124,10 +158,9 @@ pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &
     for (l, law) in model.laws.iter().enumerate() {
         let through = law.phase.atom().derivative(s.q[i]);
         if !through.is_zero() {
-            let marker = Atom::var(symbol(Kind::Marker, marker));
+            let marker = Atom::var(symbol(Kind::Marker, marker)) * &s.gate[l];
             g += marker
-                * (e.derivative(s.law[l]) * Atom::var(s.slope[l])
-                    + e.derivative(s.slope[l]) * Atom::var(s.curvature[l]))
+                * (s.by_law(e, l) * Atom::var(s.slope[l]) + e.derivative(s.slope[l]) * Atom::var(s.curvature[l]))
                 * through;
         }
     }

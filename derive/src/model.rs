@@ -1,6 +1,6 @@
 //! A model in the making: coordinates, parameters, laws, effects and the energies T, V, D, Q.
 
-use crate::expr::{Expr, Kind, speed_name};
+use crate::expr::{Expr, Kind, speed_name, symbols};
 
 /// Where a coordinate starts unless a scene says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +44,16 @@ pub(crate) struct Law {
     pub unit: String,
     pub phase: Expr,
     pub period: f64,
+    /// A transmission error: without this effect it is zero. `None`: a stiffness.
+    pub with: Option<String>,
     pub doc: String,
+}
+
+impl Law {
+    /// What its value is in expressions.
+    pub fn kind(&self) -> Kind {
+        if self.with.is_some() { Kind::Error } else { Kind::Law }
+    }
 }
 
 pub(crate) struct Deflection {
@@ -160,9 +169,9 @@ impl Model {
         Expr::var(Kind::Constant, name)
     }
 
-    /// A name for what a spring feels: linear in the coordinates, and zero where they are. V may be written in it and D in
-    /// its `.dot()`; the equations then are, too, instead of being multiplied out. What is a coordinate keeps
-    /// that name.
+    /// A name for what a spring feels: linear in the coordinates, and zero where they are, less transmission errors. V may
+    /// be written in it and D in its `.dot()`, in which an error has no part; the equations then are, too, instead of being
+    /// multiplied out. What is a coordinate keeps that name.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
         let value = value.expand();
         if self.coordinates.iter().any(|c| value.atom() == Expr::var(Kind::Coordinate, &c.name).atom()) {
@@ -185,6 +194,9 @@ impl Model {
         let (over, touch, edge) = (named("over"), named("touch"), named("edge"));
         let (damp, clip) = (named("damp"), named("clip"));
         let value = delta.expand() - Expr::var(Kind::Edge, &edge);
+        if symbols(&value.atom()).iter().any(|symbol| symbol.0 == Kind::Error) {
+            self.exclude(TRANSMISSION_ERROR, &[effect]); // the edges of a dead band stand still
+        }
         self.deflections.push(Deflection { name: over.clone(), value });
         let play = Play {
             over: Expr::var(Kind::Deflection, &over),
@@ -210,14 +222,40 @@ impl Model {
     /// A mesh stiffness: periodic with one tooth pitch of `phase`, its steps given by the scene. Declares the effects
     /// `stiffness_step` (with the jump terms), `rigid_kinematics` (without them) and `frozen_phase`.
     pub fn mesh_stiffness(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshStiffness {
-        if self.laws.is_empty() {
-            self.effects.extend(mesh_effects());
-        }
-        self.laws.push(Law { name: name.into(), unit: unit.into(), phase, period, doc: doc.into() });
+        self.declare_mesh_effects();
+        // Laws with effects come last: scenes without the effects have the laws before them, by the same numbers.
+        let place = self.laws.iter().take_while(|law| law.with.is_none()).count();
+        let law = Law { name: name.into(), unit: unit.into(), phase, period, with: None, doc: doc.into() };
+        self.laws.insert(place, law);
         MeshStiffness {
             value: Expr::var(Kind::Law, name),
             slope: Expr::var(Kind::Slope, &format!("d{name}")),
             mid: Expr::var(Kind::Mid, &mid_name(name)),
+        }
+    }
+
+    /// A transmission error: what unloaded flanks are beyond their ideal places [unit of the deflection], periodic with
+    /// one tooth pitch of `phase` or, as the scene may say, with several; its course given by the scene. It is to be taken
+    /// from the deflection that a mesh feels, V = k (delta - e)^2/2, and is zero for scenes without the effect
+    /// `transmission_error`, which this declares. It steps or goes on as a stiffness does, by the same rules.
+    ///
+    /// Dampers feel the rate of delta, not that of e, which a step would make infinite.
+    pub fn transmission_error(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshError {
+        self.declare_mesh_effects();
+        let effect = TRANSMISSION_ERROR.to_string();
+        if !self.effects.iter().any(|e| e.name == effect) {
+            let doc = "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+            let requires = vec![STIFFNESS_STEP.to_string()];
+            self.effects.push(Effect { name: effect.clone(), requires, excludes: vec![], doc: doc.into() });
+        }
+        let law = Law { name: name.into(), unit: unit.into(), phase, period, with: Some(effect), doc: doc.into() };
+        self.laws.push(law);
+        MeshError { value: Expr::var(Kind::Error, name) }
+    }
+
+    fn declare_mesh_effects(&mut self) {
+        if !self.effects.iter().any(|e| e.name == STIFFNESS_STEP) {
+            self.effects.extend(mesh_effects());
         }
     }
 
@@ -321,6 +359,13 @@ pub struct MeshStiffness {
     pub mid: Expr,
 }
 
+/// A transmission error in expressions.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshError {
+    /// Its present value, to be taken from a deflection.
+    pub value: Expr,
+}
+
 /// A dead band in expressions.
 #[derive(Clone, Copy, Debug)]
 pub struct Play {
@@ -343,6 +388,11 @@ pub(crate) fn mobility_name(i: usize, j: usize) -> String {
     format!("W{}_{}", i.min(j), i.max(j))
 }
 
+/// Effect without which laws are constant.
+const STIFFNESS_STEP: &str = "stiffness_step";
+/// Effect without which transmission errors are zero.
+const TRANSMISSION_ERROR: &str = "transmission_error";
+
 /// Marker of the terms with a law's slope: in force where the stiffness steps with the motion itself.
 pub(crate) const JUMP_TERMS: &str = "jump_terms";
 /// Marker of what depends on the phase at all: in force unless the phase is frozen. Implied by [`JUMP_TERMS`].
@@ -360,7 +410,7 @@ fn mesh_effects() -> [Effect; 3] {
     };
     [
         effect(
-            "stiffness_step",
+            STIFFNESS_STEP,
             &[],
             &[],
             "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; \
@@ -368,13 +418,13 @@ fn mesh_effects() -> [Effect; 3] {
         ),
         effect(
             "rigid_kinematics",
-            &["stiffness_step"],
+            &[STIFFNESS_STEP],
             &["frozen_phase"],
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved",
         ),
         effect(
             "frozen_phase",
-            &["stiffness_step"],
+            &[STIFFNESS_STEP],
             &["rigid_kinematics"],
             "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations",
         ),

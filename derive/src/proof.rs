@@ -120,7 +120,7 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
         rate += d.rate(&s.v) * (motion.potential.derivative(d.symbol) + motion.dissipation.derivative(d.rate_symbol));
     }
     for (l, law) in model.laws.iter().enumerate() {
-        rate += motion.potential.derivative(s.law[l]) * Atom::var(s.slope[l]) * law.phase.dot().atom();
+        rate += &s.gate[l] * s.by_law(&motion.potential, l) * Atom::var(s.slope[l]) * law.phase.dot().atom();
     }
     rate.expand()
 }

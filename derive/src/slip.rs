@@ -43,7 +43,7 @@ pub enum Slip {
     )]
     NotLinear { model: String, torque: String, displacement: String },
     #[error(
-        "{model}: the deflection `{deflection}` must be linear in the coordinates, and zero where they are; {value} is not"
+        "{model}: the deflection `{deflection}` must be linear in the coordinates, and zero where they are but for transmission errors; {value} is not"
     )]
     NotADeflection { model: String, deflection: String, value: String },
     #[error("{model}: the phase of `{law}` must be one of the coordinates, not {phase}")]

@@ -4,8 +4,8 @@ use symbolica::atom::{Atom, AtomCore};
 
 use crate::derivation::Derivation;
 use crate::expr::{Kind, number, speed_name};
-use crate::markers::{Group, as_written, grouped};
-use crate::model::DeadBand;
+use crate::markers::{self, Group, as_written, grouped};
+use crate::model::{DeadBand, Law};
 use crate::print::{Style, latex_name, print, symbol_text};
 use crate::tree::Tree;
 
@@ -79,6 +79,7 @@ pub(crate) fn write(d: &Derivation) -> Texts {
         t.deflections.push(format!("{} = {}", d.name, print(&value, Style::Plain)));
         t.latex.push(format!("{} = {}", latex_name(&d.name), print(&value, Style::Latex)));
     }
+    t.deflections.extend(m.laws.iter().filter_map(error_text));
     t.deflections.extend(m.dead_bands.iter().flat_map(band_text));
     for (i, c) in m.coordinates.iter().enumerate() {
         let left = |j: usize, style| match style {
@@ -109,6 +110,15 @@ pub(crate) fn write(d: &Derivation) -> Texts {
         Err(culprits) => t.cell.extend(culprits.iter().map(|c| format!("nonlinear: {c}"))),
     }
     t
+}
+
+/// What a transmission error is where its effect is not.
+fn error_text(law: &Law) -> Option<String> {
+    let without = law.with.as_ref()?.replace('_', " ");
+    Some(format!(
+        "{} = 0 without {without}; the rates are those of the coordinates, without that of {}",
+        law.name, law.name
+    ))
 }
 
 /// What the symbols of a dead band are in each of its cells.
@@ -146,12 +156,13 @@ fn jumps(d: &Derivation, t: &mut Texts) {
         let speed = speed_name(&phase);
         let step = format!("\\Delta {}", latex_name(&law.name));
         t.jump.push(format!("at a step {slope} of {} in {phase}, where energy allows:", law.name));
-        t.jump.push(format!("{speed}+^2 = {speed}-^2 - {}", sum(&grouped(&lost, &order), Style::Plain)));
+        let whole = |text: String| if markers::terms(&lost).len() > 1 { format!("({text})") } else { text };
+        t.jump.push(format!("{speed}+^2 = {speed}-^2 - {}", whole(sum(&grouped(&lost, &order), Style::Plain))));
         let tex = |a: &Atom| {
             sum(&grouped(a, &order), Style::Latex).replace(&symbol_text(Kind::Slope, &slope, Style::Latex), &step)
         };
         let dot = |name: &str, side: char| format!("\\dot{{{}}}_{side}", latex_name(name));
-        t.latex.push(format!("{}^2 = {}^2 - {}", dot(&phase, '+'), dot(&phase, '-'), tex(&lost)));
+        t.latex.push(format!("{}^2 = {}^2 - {}", dot(&phase, '+'), dot(&phase, '-'), whole(tex(&lost))));
         for (c, part) in d.model.coordinates.iter().zip(direction) {
             if c.name == phase || part.is_zero() {
                 continue;
@@ -170,6 +181,7 @@ fn jumps(d: &Derivation, t: &mut Texts) {
                 dot(&phase, '-')
             ));
         }
-        t.jump.push(format!("else {speed}+ = -{speed}-: reflected, and the stiffness stays"));
+        let stays = if law.with.is_some() { &law.name } else { "the stiffness" };
+        t.jump.push(format!("else {speed}+ = -{speed}-: reflected, and {stays} stays"));
     }
 }

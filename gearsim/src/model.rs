@@ -16,7 +16,7 @@ pub struct Model {
     pub coordinates: &'static [Coordinate],
     /// Parameters, in the order of every parameter vector.
     pub parameters: &'static [Parameter],
-    /// Mesh stiffness laws that a scene fills in.
+    /// Laws that a scene fills in: mesh stiffnesses, and behind them transmission errors.
     pub laws: &'static [Law],
     /// Rigid motions by which a scene may state its start: `speed = "300 rpm"`.
     pub motions: &'static [Motion],
@@ -107,7 +107,8 @@ impl std::fmt::Display for Range {
     }
 }
 
-/// A mesh stiffness that depends on the mesh phase, periodic with one tooth pitch.
+/// A mesh stiffness or a transmission error, which depends on the mesh phase, periodic with one tooth pitch; an error also
+/// with several.
 #[derive(Debug, Clone, Copy)]
 pub struct Law {
     /// Name, e.g. `k`.
@@ -120,6 +121,9 @@ pub struct Law {
     pub period: f64,
     /// Whether whole pitches of the phase change nothing else: then they are counted off, and cost no digits.
     pub rolling: bool,
+    /// Of a transmission error, which may have any sign, the effect without which it is zero; `None` for a stiffness, which is
+    /// never negative.
+    pub with: Option<&'static str>,
     /// What it is.
     pub doc: &'static str,
 }
@@ -138,10 +142,11 @@ pub struct DeadBand {
 }
 
 impl Model {
-    /// Law values with every dead band in contact at its drive flank and without play: those of the laws, then four of each
-    /// band (touch, edge, damp, clip).
+    /// Law values with every dead band in contact at its drive flank and without play: those of the laws, 0 for those that
+    /// `laws` leaves out, then four of each band (touch, edge, damp, clip).
     pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
-        laws.into_iter().chain(self.dead_bands.iter().flat_map(|_| [1.0, 0.0, 1.0, 0.0])).collect()
+        let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
+        laws.chain(self.dead_bands.iter().flat_map(|_| [1.0, 0.0, 1.0, 0.0])).collect()
     }
 }
 

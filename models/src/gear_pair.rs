@@ -28,7 +28,14 @@ pub fn gear_pair(m: &mut Model) {
     m.kinetic(half(I2 * (q2.dot() / N2).sq()));
 
     let k = m.mesh_stiffness("k", "N*m", theta, TAU, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action");
-    let gap = play(m, "", "mesh, in phi", "rad", phi);
+    let e = m.transmission_error(
+        "e",
+        "rad",
+        theta,
+        TAU,
+        "transmission error in phi, et N1/(2 r1) with et along the line of action",
+    );
+    let gap = play(m, "", "mesh, in phi", "rad", phi - e.value);
     m.potential(k.value * gap.touch * gap.over.sq());
 
     let _M1 = m.constant("M1", 2 * m.inverse_mass(theta, phi));

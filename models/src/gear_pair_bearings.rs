@@ -2,7 +2,9 @@
 
 use gearsim_derive::{Model, Range, Start};
 
-use crate::components::{Direction, Gear, bearing, damping, drive, external, load, mesh_with_play, pair, planar_rotor};
+use crate::components::{
+    Direction, Gear, bearing, damping, drive, external, load, mesh_with_play, pair, planar_rotor, transmission_error,
+};
 
 /// The line of centres is x, from the driving gear to the driven. The driving gear turns counterclockwise.
 pub fn gear_pair_bearings(m: &mut Model) {
@@ -28,7 +30,8 @@ pub fn gear_pair_bearings(m: &mut Model) {
     // Rolling is no deflection: of the rotations, the mesh feels s alone. Its line of action is at -alpha.
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
     let line = alpha.mirrored();
-    mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line));
+    let e = transmission_error(m, "12", "mesh", gears.theta);
+    mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line) - e.value);
     drive(m, "motor", "driving gear", gears.theta1);
     load(m, "load", "driven gear", gears.theta2);
     damping(m);

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, Start};
 
-use crate::components::{damping, drive, load, mesh, rotor};
+use crate::components::{damping, drive, load, mesh, rotor, transmission_error};
 
 /// The rotation of the idler in teeth, which is the phase of both meshes, and the deflections of the two.
 #[allow(non_snake_case)] // the field's symbols
@@ -23,8 +23,10 @@ pub fn idler(m: &mut Model) {
     rotor(m, "1", "driving gear", theta1);
     rotor(m, "2", "idler", theta / N2);
     rotor(m, "3", "driven gear", theta3);
-    mesh(m, "12", "mesh of gears 1 and 2", theta, delta1);
-    mesh(m, "23", "mesh of gears 2 and 3", theta, delta2);
+    let e1 = transmission_error(m, "12", "mesh of gears 1 and 2", theta);
+    let e2 = transmission_error(m, "23", "mesh of gears 2 and 3", theta);
+    mesh(m, "12", "mesh of gears 1 and 2", theta, delta1 - e1.value);
+    mesh(m, "23", "mesh of gears 2 and 3", theta, delta2 - e2.value);
     drive(m, "motor", "driving gear", theta1);
     load(m, "load", "driven gear", theta3);
     damping(m);

@@ -9,7 +9,7 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, `.dot()` for the time derivative. Numbers are integers: a half
 //!      is `half(...)`, any other quantity a parameter with a default.
 //!    - [`components`] add bodies and what is between them, with their parameters: `rotor`, `planar_rotor`, `shaft`,
-//!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
+//!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
 //!      `dc_motor`, `induction_motor`, `fan`, and last `damping`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
 //!      small and elastic (a twist, a deflection), and one phase for each mesh that rolls on.
 //!    - For what no component says: `m.parameter(name, unit, default, range, doc)` and the energies themselves,
@@ -18,6 +18,8 @@
 //!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate; its levels are the
 //!      scene's, which may state one in N/m by its teeth: along the line of action, V = k delta^2/2. This is the only way to be piecewise: the jump rule is derived from it. An `if`, `abs` or `max` on
 //!      symbols is refused, since its derivative would lose energy without a word.
+//!    - `m.transmission_error(name, unit, phase, pitch, doc)`, or the component of that name: what the scene's flanks are beyond their
+//!      ideal places, to be taken from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
 //!    - `m.dead_band(part, unit, delta, half, effect, doc)`, or the component `play`: what is felt only beyond its play. V is
 //!      written in what comes back.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect;

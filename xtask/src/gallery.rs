@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// Scenes, by their paths under models/scenes, and the plot that shows each best.
-const SCENES: [(&str, &str); 12] = [
+const SCENES: [(&str, &str); 14] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "motion"),
@@ -18,6 +18,8 @@ const SCENES: [(&str, &str); 12] = [
     ("gear_pair_shafts", "spectrum"),
     ("geared_branches", "motion"),
     ("idler", "motion"),
+    ("pitch_errors", "motion"),
+    ("transmission_error", "motion"),
     ("two_stage", "motion"),
     ("chain_5", "motion"),
 ];

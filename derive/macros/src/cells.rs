@@ -5,15 +5,15 @@ use quote::quote;
 use syn::{Expr, Index, Lit};
 
 use crate::cold::Cold;
-use crate::dead_bands;
 use crate::effects;
+use crate::gated;
 use crate::model::*;
 use crate::sums::{Ask, position};
 
 /// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of the kind `r`.
 pub fn cells(m: &Model, r: &TokenStream) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
-    let bands = dead_bands::of_effects(m, Ask::Running);
+    let bands = gated::of_effects(m, Ask::Running);
     let square = |name, entries| {
         let returns = quote!([[#r; #n]; #n]);
         Cold { name, takes: quote!(), given: quote!(), returns, body: matrix(m, entries) }

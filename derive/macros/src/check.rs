@@ -42,8 +42,10 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     };
     m.coordinates.iter().for_each(|c| claim("coordinate", &c.name, vec![speed(&c.name)]));
     m.parameters.iter().for_each(|p| claim("parameter", &p.name, vec![]));
-    for name in m.laws.iter().map(|l| &l.name) {
-        claim("law", name, vec![format!("d{name}"), format!("dd{name}"), format!("{name}_mid")]);
+    for law in &m.laws {
+        let name = &law.name;
+        let mid = law.with.is_none().then(|| format!("{name}_mid"));
+        claim("law", name, [format!("d{name}"), format!("dd{name}")].into_iter().chain(mid).collect());
     }
     m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
     m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
@@ -97,6 +99,14 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         errors.push(Error::new(m.name.span(), "no coordinates"));
     }
 
+    // A scene has the first so many laws: those without an effect, or all.
+    let effects: Vec<_> = m.laws.iter().map(|l| l.with.as_ref()).collect();
+    for (pair, l) in effects.windows(2).zip(m.laws.iter().skip(1)) {
+        if pair[0].is_some() && pair[0] != pair[1] {
+            let message = format!("law `{}`: laws with an effect come last, all with the same one", l.name);
+            errors.push(Error::new(l.name.span(), message));
+        }
+    }
     for l in &m.laws {
         known("a coordinate", &l.phase, &q, errors);
         if effects::has(m, effects::STIFFNESS_STEP) && !m.jumps.iter().any(|j| j.law == l.name) {

@@ -5,9 +5,9 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Ident, Index};
 
-use crate::dead_bands;
 use crate::effects::{self, has};
 use crate::functions::deflections;
+use crate::gated;
 use crate::jumps::jumps;
 use crate::model::*;
 use crate::scope::speed;
@@ -60,8 +60,13 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let torques = m.torques.iter().map(|t| block(&t.work, Ask::Running));
     let work = body(&work(m), Ask::Running);
     let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
-    let bands = dead_bands::of_effects(m, Ask::Running);
-    let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v);
+    let bands = gated::of_effects(m, Ask::Running);
+    let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)*);
+    // Without accelerations in the file, its entries are those of the forces.
+    let jacobian = match m.acceleration {
+        Some(_) => quote!(#jacobian v),
+        None => quote!(#jacobian equations::accelerated(&self.mass(effects), &v)),
+    };
     let motions = m.motions.iter().map(|x| motion(m, x));
     let mut all = vec![
         cold("kinetic", q_dot.clone(), quote!(q_dot), number(), kinetic),
@@ -162,7 +167,11 @@ fn switching(m: &Model) -> TokenStream {
     let step = format_ident!("{}", effects::STIFFNESS_STEP.to_uppercase());
     let by_time = otherwise(effects::FROZEN_PHASE, quote!(ByTime));
     let without = otherwise(effects::RIGID_KINEMATICS, quote!(WithoutJump));
+    // A law whose effect is not there is zero.
+    let gated =
+        m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), effects::constant(law.with.as_ref()?))));
+    let (gated, there): (Vec<_>, Vec<_>) = gated.unzip();
     quote! {
-        if !#step { equations::Switching::Never } else #by_time #without { equations::Switching::WithJump }
+        if !#step #(|| law == #gated && !#there)* { equations::Switching::Never } else #by_time #without { equations::Switching::WithJump }
     }
 }

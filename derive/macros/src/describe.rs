@@ -13,9 +13,11 @@ pub fn describe(m: &Model) -> TokenStream {
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
     let coordinates = m.coordinates.iter().map(coordinate);
     let parameters = m.parameters.iter().map(|p| parameter(p, varies(m, &p.name)));
-    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, doc }| {
-        let (name, phase) = (name.to_string(), phase.to_string());
-        quote!(model::Law { name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, doc: #doc })
+    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, with, doc }| {
+        let (name, phase, with) = (name.to_string(), phase.to_string(), option(with));
+        quote!(model::Law {
+            name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, with: #with, doc: #doc
+        })
     });
     let motions = m.motions.iter().map(|Motion { name, unit, doc, .. }| {
         let name = name.to_string();
@@ -78,10 +80,7 @@ fn parameter(p: &Parameter, varies: bool) -> TokenStream {
         Some(x) => quote!(Some(#x)),
         None => quote!(None),
     };
-    let with = match p.with.as_ref().map(Ident::to_string) {
-        Some(effect) => quote!(Some(#effect)),
-        None => quote!(None),
-    };
+    let with = option(&p.with);
     quote! {
         model::Parameter {
             name: #name,
@@ -104,6 +103,13 @@ fn parameter(p: &Parameter, varies: bool) -> TokenStream {
 fn number(x: f64) -> TokenStream {
     let (minus, size) = (x.is_sign_negative().then(|| quote!(-)), x.abs());
     if size.is_infinite() { quote!(#minus f64::INFINITY) } else { quote!(#minus #size) }
+}
+
+fn option(effect: &Option<Ident>) -> TokenStream {
+    match effect.as_ref().map(Ident::to_string) {
+        Some(effect) => quote!(Some(#effect)),
+        None => quote!(None),
+    }
 }
 
 fn strings(names: &[Ident]) -> TokenStream {

@@ -6,10 +6,10 @@ use syn::{Ident, Index};
 
 use crate::cells::{any_number, matrices};
 use crate::cold::cold;
-use crate::dead_bands;
 use crate::describe::describe;
 use crate::effects;
 use crate::functions::functions;
+use crate::gated;
 use crate::model::*;
 
 /// Everything that a generated file holds.
@@ -29,10 +29,10 @@ pub fn emit(m: &Model) -> TokenStream {
     let deflections = (!m.deflections.is_empty()).then(|| {
         let count = Index::from(m.deflections.len());
         let (values, rates) = (m.deflections.iter().map(|d| &d.value), m.rates.iter().map(|d| &d.value));
-        let edges = dead_bands::edges(m);
+        let offsets = gated::offsets(m);
         quote! {
             #[inline]
-            fn deflections(&self, q: &[f64; #n], #(#edges: f64),*) -> [f64; #count] { [#(#values),*] }
+            fn deflections(&self, q: &[f64; #n], #(#offsets: f64),*) -> [f64; #count] { [#(#values),*] }
             #[inline]
             fn rates(&self, q_dot: &[f64; #n]) -> [f64; #count] { [#(#rates),*] }
         }
@@ -94,7 +94,7 @@ fn with(m: &Model) -> TokenStream {
         let (name, i) = (&p.name, Index::from(i));
         quote!(let #name = parameters[#i];)
     });
-    let mids = m.laws.iter().enumerate().map(|(i, law)| {
+    let mids = m.stiffnesses().enumerate().map(|(i, law)| {
         let (name, i) = (law.mid(), Index::from(i));
         quote!(let #name = mids[#i];)
     });

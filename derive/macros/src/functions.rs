@@ -8,6 +8,7 @@ use syn::Index;
 use crate::cells::cells;
 use crate::cold::Cold;
 use crate::dead_bands;
+use crate::gated;
 use crate::jumps::step;
 use crate::model::*;
 use crate::share::{Function, LARGE, Place};
@@ -18,7 +19,7 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
     let n = Index::from(m.coordinates.len());
     let (vector, no_vector) = (quote!([f64; #n]), quote!([0.0; #n]));
     let (d, d_dot) = deflections(m);
-    let bands = || [dead_bands::of_effects(m, Ask::Compiled), dead_bands::of_values(m)];
+    let bands = || [gated::of_effects(m, Ask::Compiled), gated::of_values(m)];
     let mut shared = vec![];
 
     let dissipation = if m.dissipation.len() <= LARGE {
@@ -79,8 +80,8 @@ pub fn deflections(m: &Model) -> (TokenStream, TokenStream) {
     match m.deflections.is_empty() {
         true => (quote!(), quote!()),
         false => {
-            let edges = dead_bands::edges(m);
-            (quote!(let d = self.deflections(q, #(#edges),*);), quote!(let d_dot = self.rates(q_dot);))
+            let offsets = gated::offsets(m);
+            (quote!(let d = self.deflections(q, #(#offsets),*);), quote!(let d_dot = self.rates(q_dot);))
         }
     }
 }

@@ -49,11 +49,17 @@ impl Parse for Law {
         let phase = input.parse()?;
         word(input, "period")?;
         let period = number(input)?;
-        let rolling = input.peek(Ident);
+        let rolling = peek_word(input, "rolling");
         if rolling {
             word(input, "rolling")?;
         }
-        Ok(Self { name, unit, phase, period, rolling, doc: doc(input)? })
+        let with = if input.peek(Ident) {
+            word(input, "with")?;
+            Some(input.parse()?)
+        } else {
+            None
+        };
+        Ok(Self { name, unit, phase, period, rolling, with, doc: doc(input)? })
     }
 }
 

@@ -5,8 +5,8 @@ use quote::quote;
 use syn::Index;
 
 use crate::cold::Cold;
-use crate::dead_bands;
 use crate::functions::deflections;
+use crate::gated;
 use crate::model::{Jump, Law, Model};
 use crate::sums::{Ask, block, position, vector};
 
@@ -35,7 +35,7 @@ pub fn jumps(m: &Model) -> [Cold; 3] {
 pub fn step(m: &Model) -> TokenStream {
     let otherwise = quote!(equations::no_such("jump", law));
     let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| block(sum, Ask::Compiled)));
-    let (bands, (d, _)) = (dead_bands::of_effects(m, Ask::Compiled), deflections(m));
+    let (bands, (d, _)) = (gated::of_effects(m, Ask::Compiled), deflections(m));
     quote!(#bands #d #step)
 }
 

@@ -24,6 +24,7 @@
 //! }
 //! laws {                              // gives k, its slopes dk and ddk along the phase, and k_mid = (max + min)/2
 //!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing
+// e "m" phase x period 1.0 with transmission_error, "error"; // an offset of deflections: 0 without the effect; these come last
 //! }
 //! motions {                           // speeds of the motion of unit size; others are zero
 //!     speed "m/s" { x_dot = 1.0; }, "speed of the mass";
@@ -59,7 +60,7 @@
 //! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without it M is inverted numerically
 //! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
 //! acceleration { .. }                 // rows as in `force`; without it M⁻¹F is computed
-//! jacobian {                          // of the acceleration, by coordinates and by speeds; others are zero
+//! jacobian {                          // of the acceleration (of the force, if there is none), by coordinates and by speeds; others are zero
 //!     x x { _ => -k/m; jump_terms => -2.0*dk*x/m - ddk*x.powi(2)/(2.0*m); }
 //!     x x_dot { damping => -C/m; }
 //! }
@@ -92,7 +93,7 @@
 //! | --- | --- |
 //! | tokens to structs | `parse`, `items`, `tokens` to `model` |
 //! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | structs to code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `dead_bands`, `sums` |
+//! | structs to code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `sums` |
 
 mod cells;
 mod check;
@@ -103,6 +104,7 @@ mod effects;
 mod emit;
 mod expand;
 mod functions;
+mod gated;
 mod items;
 mod jumps;
 mod model;

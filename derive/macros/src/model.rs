@@ -65,7 +65,7 @@ pub struct Parameter {
     pub doc: LitStr,
 }
 
-/// `k "N*m" phase theta period 6.28 rolling, "doc";`
+/// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with transmission_error, "doc";`
 pub struct Law {
     pub name: Ident,
     pub unit: LitStr,
@@ -73,6 +73,8 @@ pub struct Law {
     pub period: f64,
     /// Whether whole pitches of the phase change nothing: it may be counted off.
     pub rolling: bool,
+    /// `with EFFECT`: an offset of deflections, of any sign, which is zero without the effect.
+    pub with: Option<Ident>,
     pub doc: LitStr,
 }
 
@@ -173,9 +175,14 @@ impl Law {
 }
 
 impl Model {
+    /// The laws that are no transmission errors; they come first, and have mid values.
+    pub fn stiffnesses(&self) -> impl Iterator<Item = &Law> {
+        self.laws.iter().filter(|law| law.with.is_none())
+    }
+
     /// The numbers that equations are written in: parameters, mid values of laws, constants.
     pub fn numbers(&self) -> impl Iterator<Item = Ident> {
-        let mids = self.laws.iter().map(Law::mid);
+        let mids = self.stiffnesses().map(Law::mid);
         let parameters = self.parameters.iter().map(|p| p.name.clone());
         parameters.chain(mids).chain(self.constants.iter().map(|c| c.name.clone()))
     }

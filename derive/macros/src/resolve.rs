@@ -14,20 +14,20 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         constants.declare(&c.name);
     }
 
-    // Linear: of speeds they give the rates, in which an edge has no part.
+    // Linear: of speeds they give the rates, in which edges and transmission errors have no part.
     m.rates = m.deflections.iter().map(|d| Assignment { name: d.name.clone(), value: d.value.clone() }).collect();
-    let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").edges(m, quote!(0.0));
+    let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").offsets(m, quote!(0.0));
     m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
-    let deflections = Scope::of(m, "deflections").coordinates(m, "q").dead_bands(m);
+    let deflections = Scope::of(m, "deflections").coordinates(m, "q").gated(m);
     m.deflections.iter_mut().for_each(|d| deflections.expression(&mut d.value, errors));
     let half = Scope::of(m, "dead_bands");
     m.dead_bands.iter_mut().for_each(|band| half.expression(&mut band.half, errors));
 
     let kinetic = Scope::of(m, "kinetic").speeds(m);
     kinetic.sum(&mut m.kinetic, errors);
-    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0).dead_bands(m);
+    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0).gated(m);
     potential.sum(&mut m.potential, errors);
-    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).dead_bands(m);
+    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).gated(m);
     dissipation.sum(&mut m.dissipation, errors);
 
     // The work of a constant torque is its displacement's: the coordinates stand for their changes.
@@ -46,25 +46,25 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     entries(m.mobility.iter_mut().flatten(), &mobility, errors);
     let moving = |block: &str, order| {
         let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m);
-        scope.laws(m, order).dead_bands(m)
+        scope.laws(m, order).gated(m)
     };
     let (force, acceleration, jacobian) = (moving("force", 1), moving("acceleration", 1), moving("jacobian", 2));
     rows(m.force.iter_mut().flatten(), &force, errors);
     rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
     entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
 
-    let stiffness = Scope::of(m, "cell stiffness").laws(m, 0).dead_bands(m);
+    let stiffness = Scope::of(m, "cell stiffness").laws(m, 0).gated(m);
     entries(&mut m.stiffness, &stiffness, errors);
-    let damping = Scope::of(m, "cell damping").dead_bands(m);
+    let damping = Scope::of(m, "cell damping").gated(m);
     entries(&mut m.damping, &damping, errors);
-    let load = Scope::of(m, "cell load").laws(m, 0).dead_bands(m);
+    let load = Scope::of(m, "cell load").laws(m, 0).gated(m);
     rows(&mut m.load, &load, errors);
 
     let impulse = Scope::of(m, "the impulse of a jump");
     let steps: Vec<_> = m
         .jumps
         .iter()
-        .map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).dead_bands(m).step(&j.law))
+        .map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).laws(m, 0).gated(m).step(&j.law))
         .collect();
     for (j, step) in m.jumps.iter_mut().zip(steps) {
         rows(j.normal.iter_mut().flatten(), &impulse, errors);

@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{BinOp, Error, Expr, Ident, Lit, UnOp, parse_quote};
 
+use crate::gated;
 use crate::model::{Model, Sum};
 
 /// Methods of f64 that are smooth, with the number of their arguments.
@@ -48,7 +49,7 @@ impl Scope {
     pub fn of_constants(model: &Model) -> Self {
         let mut scope = Self { block: "constants".to_string(), names: BTreeMap::new(), conditions: vec![] };
         model.parameters.iter().for_each(|p| scope.declare(&p.name));
-        model.laws.iter().for_each(|l| scope.declare(&l.mid()));
+        model.stiffnesses().for_each(|l| scope.declare(&l.mid()));
         scope
     }
 
@@ -90,16 +91,16 @@ impl Scope {
         self
     }
 
-    /// The constants of the cells of dead bands: plain variables that [`crate::dead_bands`] sets.
-    pub fn dead_bands(mut self, model: &Model) -> Self {
-        model.dead_bands.iter().flat_map(|band| &band.symbols).for_each(|name| self.declare(name));
+    /// The constants of cells that are there with an effect: plain variables that [`gated`] sets.
+    pub fn gated(mut self, model: &Model) -> Self {
+        gated::names(model).for_each(|name| self.declare(name));
         self
     }
 
-    /// The edges of dead bands, as `value`.
-    pub fn edges(mut self, model: &Model, value: TokenStream) -> Self {
-        for band in &model.dead_bands {
-            self.names.insert(band.symbols[1].to_string(), value.clone());
+    /// Edges of dead bands and transmission errors, as `value`.
+    pub fn offsets(mut self, model: &Model, value: TokenStream) -> Self {
+        for name in gated::offsets(model) {
+            self.names.insert(name.to_string(), value.clone());
         }
         self
     }

@@ -49,7 +49,7 @@ fn mid_values_and_deflections() {
     let sample = sample.replacen("deflections {", "deflections { delta = phi - theta;", 1);
     let code = expand(tokens(&sample)).to_string();
     assert!(!code.contains("compile_error"), "{code}");
-    for said in ["self . k_mid * d [0] . powi (2)", "let d = self . deflections (q , edge)", "[q [1] - q [0] ,"] {
+    for said in ["self . k_mid * d [0] . powi (2)", "let d = self . deflections (q , e , edge)", "[q [1] - q [0] ,"] {
         assert!(code.contains(said), "{said} is not there: {code}");
     }
 }
@@ -66,7 +66,7 @@ fn unknown_identifier() {
         "k*touch*over.powi(2)",
         "k*touch*psi.powi(2)",
         "psi",
-        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, b, clip, damp, edge, k, k_mid, over, phi, theta, touch, zeta",
+        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, b, clip, damp, e, edge, k, k_mid, over, phi, theta, touch, zeta",
     );
 }
 
@@ -83,7 +83,7 @@ fn unknown_condition() {
         "{ damping => C*damp",
         "{ dumping => C*damp",
         "dumping",
-        "there are: stiffness_step, rigid_kinematics, frozen_phase, backlash, damping, torques, jump_terms",
+        "there are: stiffness_step, rigid_kinematics, frozen_phase, transmission_error, backlash, damping, torques, jump_terms",
     );
 }
 
@@ -121,7 +121,9 @@ fn missing_mobility_row() {
 
 #[test]
 fn missing_force_row() {
-    refused("theta { jump_terms => -dk*touch*over.powi(2); }", "", "theta", "force: no row for the coordinate `theta`");
+    let row =
+        "theta { transmission_error_and_jump_terms => 2.0*k*de*touch*over; jump_terms => -dk*touch*over.powi(2); }";
+    refused(row, "", "theta", "force: no row for the coordinate `theta`");
 }
 
 #[test]
@@ -190,4 +192,30 @@ fn documented_grammar() {
     let mut model = syn::parse_str::<Model>(&text).unwrap();
     check(&mut model).unwrap();
     syn::parse2::<syn::File>(crate::emit::emit(&model)).unwrap();
+}
+
+/// Scenes have the laws up to those of an effect, by the same numbers.
+#[test]
+fn laws_with_an_effect_come_last() {
+    let swapped = r#"e "rad" phase theta period 1.0 with transmission_error, "error"; k "N*m""#;
+    let errors = errors(r#"laws { k "N*m""#, &format!("laws {{ {swapped}"));
+    assert!(
+        errors.iter().any(|(place, text)| place == "k" && text.contains("laws with an effect come last")),
+        "{errors:?}"
+    );
+    refused("rolling with transmission_error", "rolling with errors", "errors", "no effect is called `errors`");
+    // An error has no mid value.
+    refused("k_mid/M2", "e_mid/M2", "e_mid", "`e_mid` is unknown in constants");
+}
+
+/// A law of an effect is zero without it, as the code is compiled, and never switches.
+#[test]
+fn transmission_errors_are_gated() {
+    let code = expand(tokens(&sample())).to_string();
+    for said in [
+        "let e = if Self :: TRANSMISSION_ERROR { k [1] } else { 0f64 . into () }",
+        "if ! STIFFNESS_STEP || law == 1 && ! TRANSMISSION_ERROR { equations :: Switching :: Never }",
+    ] {
+        assert!(code.contains(said), "{said} is not there");
+    }
 }

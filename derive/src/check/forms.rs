@@ -47,7 +47,8 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
 }
 
 /// The displacement that a torque works through must be linear, or its work over a change of the coordinates would
-/// depend on where they were; a deflection linear and zero with the coordinates, or its rate would not be the same sum.
+/// depend on where they were; a deflection linear and zero with the coordinates, less edges and transmission errors, or its
+/// rate would not be the same sum.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
     let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Coordinate);
     let slopes = |e: &Atom| -> Vec<(Atom, Atom)> {
@@ -62,14 +63,23 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         }
     }
     for d in &model.deflections {
-        // The edge of a dead band is no part of the sum of coordinates.
-        let value = model.dead_bands.iter().fold(d.value.atom(), |value, band| {
-            let edge = Atom::var(symbol(Kind::Edge, &band.edge));
-            value.replace(edge.to_pattern()).with(number(0).to_pattern())
-        });
+        // Edges of dead bands and transmission errors are no part of the sum of coordinates; their slopes are constant.
+        let edges = model.dead_bands.iter().map(|band| (Kind::Edge, &band.edge));
+        let errors = model.laws.iter().filter(|law| law.with.is_some()).map(|law| (law.kind(), &law.name));
+        let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
+        let value = offsets
+            .iter()
+            .fold(d.value.atom(), |value, offset| value.replace(offset.to_pattern()).with(number(0).to_pattern()));
+        let offset = (d.value.atom() - &value).expand();
+        let scaled =
+            offsets.iter().fold(offset.clone(), |e, o| e.replace(o.to_pattern()).with((o * number(2)).to_pattern()));
         let rest = slopes(&value).into_iter().fold(value.clone(), |rest, (q, slope)| rest - slope * q);
-        if slopes(&value).iter().any(|(_, slope)| moves(slope)) || !is_zero(&rest) {
-            let (deflection, value) = (d.name.clone(), print(&Tree::new(&value), Style::Plain));
+        if slopes(&value).iter().any(|(_, slope)| moves(slope))
+            || !is_zero(&rest)
+            || moves(&offset)
+            || !is_zero(&(scaled - offset * number(2)))
+        {
+            let (deflection, value) = (d.name.clone(), print(&Tree::new(&d.value.atom()), Style::Plain));
             return Err(Slip::NotADeflection { model: model.name.clone(), deflection, value });
         }
     }

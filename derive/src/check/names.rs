@@ -22,6 +22,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Parameter => "a parameter",
         Kind::Constant => "a constant",
         Kind::Law => "a law",
+        Kind::Error => "a transmission error",
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",
@@ -65,8 +66,10 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
         }
     }
     for law in &model.laws {
-        declare(&law.name, known(Law), false)?;
-        declare(&mid_name(&law.name), known(Mid), true)?;
+        declare(&law.name, known(law.kind()), false)?;
+        if law.with.is_none() {
+            declare(&mid_name(&law.name), known(Mid), true)?;
+        }
         declare(&format!("d{}", law.name), known(Slope), true)?;
         declare(&format!("dd{}", law.name), known(Curvature), true)?;
     }

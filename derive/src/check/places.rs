@@ -13,7 +13,7 @@ use crate::slip::Slip;
 use Kind::*;
 
 /// What energies are written in.
-const USABLE: [Kind; 10] = [Constant, Parameter, Mid, Law, Touch, Damp, Deflection, Coordinate, Rate, Speed];
+const USABLE: [Kind; 11] = [Constant, Parameter, Mid, Law, Error, Touch, Damp, Deflection, Coordinate, Rate, Speed];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -48,8 +48,8 @@ impl Places<'_> {
 
     fn deflections(&self) -> Result<(), Slip> {
         self.model.deflections.iter().try_for_each(|d| {
-            let why = "a deflection depends on coordinates";
-            let allowed = [Constant, Parameter, Coordinate, Edge];
+            let why = "a deflection depends on coordinates and transmission errors";
+            let allowed = [Constant, Parameter, Coordinate, Edge, Error];
             self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
         })?;
         self.model.dead_bands.iter().try_for_each(|band| {
@@ -68,7 +68,8 @@ impl Places<'_> {
                    depends on them";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
         let positions = [Constant, Parameter, Mid, Law, Touch, Deflection, Coordinate];
-        each(&self.model.potential, "the potential energy", &positions, "V depends on positions, never on speeds")?;
+        let why = "V depends on positions, never on speeds, and on transmission errors by way of deflections, m.deflection(...)";
+        each(&self.model.potential, "the potential energy", &positions, why)?;
         let why = "D depends on speeds, not on the mesh, and not on positions until the engine has damping that \
                    depends on them";
         let rates = [Constant, Parameter, Mid, Damp, Rate, Speed];

@@ -3,8 +3,8 @@
 
 use crate::engine::equations::Switching;
 use crate::engine::system::System;
-use crate::model::Start;
-use crate::scene::Scene;
+use crate::model::{Law, Start};
+use crate::scene::{Scene, Stiffness};
 
 /// A stiffness in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,18 +53,19 @@ pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
     speeds
 }
 
-/// The stiffnesses of a scene in steady rotation, in the order of the model's laws.
+/// The stiffnesses of a scene in steady rotation, in the order of the model's laws. Transmission errors are none: a small
+/// disturbance does not feel them.
 pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
     let speeds = speeds(scene, system);
-    let course = |(i, law): (usize, &'static crate::model::Law)| {
+    let course = |(i, (law, given)): (usize, (&'static Law, &Stiffness))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
         let begin = match scene.start.q[phase] {
             Start::At(x) => x,
             Start::Static => 0.0,
         };
-        let steps = system.switching(i) != Switching::Never && scene.laws[i].steps.len() > 1;
+        let steps = system.switching(i) != Switching::Never && given.steps.len() > 1;
         let mut end = 0.0;
-        let mut levels: Vec<(f64, f64)> = scene.laws[i]
+        let mut levels: Vec<(f64, f64)> = given
             .steps
             .iter()
             .map(|step| {
@@ -73,7 +74,7 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             })
             .collect();
         if !steps {
-            levels = vec![(scene.laws[i].mid(), law.period)];
+            levels = vec![(given.mid(), law.period)];
         } else if let Some(last) = levels.last_mut() {
             last.1 = law.period;
         }
@@ -81,10 +82,10 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             name: law.name,
             levels,
             period: law.period,
-            start: (begin - scene.laws[i].origin).rem_euclid(law.period),
+            start: (begin - given.origin).rem_euclid(law.period),
             speed: speeds[phase],
             steps,
         }
     };
-    scene.model.laws.iter().enumerate().map(course).collect()
+    scene.stiffnesses().enumerate().map(course).collect()
 }

@@ -126,7 +126,7 @@ impl Verb for Modes {
 impl Modes {
     /// The value of each law in the cell that is told in full.
     fn levels(&self, scene: &Scene, courses: &[Course]) -> Result<Vec<f64>, Failure> {
-        let Some(cell) = &self.cell else { return Ok(scene.laws.iter().map(|law| law.mid()).collect()) };
+        let Some(cell) = &self.cell else { return Ok(scene.stiffnesses().map(|(_, law)| law.mid()).collect()) };
         let wrong = |what: String| Failure::Impossible {
             what,
             help: "--cell takes one number a law, in the order of the model, e.g. --cell 0 or --cell 0,1".into(),
@@ -160,7 +160,7 @@ impl Modes {
             scene: &scene.name,
             model: scene.model.name,
             coordinates: scene.model.coordinates.iter().map(|c| c.name).collect(),
-            laws: scene.model.laws.iter().map(|l| l.name).collect(),
+            laws: scene.stiffnesses().map(|(law, _)| law.name).collect(),
             chosen: cell(chosen),
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),

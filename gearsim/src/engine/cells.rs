@@ -1,4 +1,4 @@
-//! The modes of every cell: every combination of the levels of the stiffnesses and the regimes of the dead bands, worked
+//! The modes of every cell: every combination of the levels of the laws and the regimes of the dead bands, worked
 //! out once, where there are many not before it is met.
 
 use std::collections::HashMap;
@@ -110,7 +110,7 @@ impl<const N: usize> Prepared<N> {
     pub fn new(cell: Cell<N>, equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
         let banded = |band: &DeadBand<N>| {
-            let elastic = band.elastic(equations, laws.len(), k);
+            let elastic = band.elastic(equations, k);
             Banded { elastic, exits: band.exits(&cell, elastic) }
         };
         let bands = bands.iter().map(banded).collect();
@@ -139,7 +139,7 @@ fn stand<const N: usize>(laws: &mut [Law<N>], bands: &mut [DeadBand<N>], mut ind
 /// Writes the present values of laws and dead bands to where they belong in `k`.
 pub fn write<const N: usize>(laws: &[Law<N>], bands: &[DeadBand<N>], k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
-    bands.iter().for_each(|band| band.write(laws.len(), k));
+    bands.iter().for_each(|band| band.write(k));
 }
 
 /// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.

@@ -29,6 +29,9 @@ pub const SHORT: f64 = 1e-3;
 /// A reaction pulls if it is below zero by this part of the forces that make it up.
 pub const RELEASE: f64 = 1e-9;
 
+/// Relative difference that is rounding.
+const SAME: f64 = 1e-10;
+
 /// What ends a hold of one law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
@@ -136,11 +139,11 @@ impl<const N: usize> Contact<N> {
             state.q_dot -= SVector::from_fn(|i, _| change[i]);
             let ignored = 0.5 * speeds.dot(&impulses);
 
-            let barriers = held.iter().filter_map(|&(law, side)| {
-                let watch = barrier(equations, (laws, k), &cell, law, side, state)?;
-                Some(Ends { law, ending: Ending::Slip, watch, on_load: SVector::zeros() })
+            let slips = held.iter().flat_map(|&(law, side)| {
+                let watches = barriers(equations, (laws, k), &cell, law, side, state).into_iter();
+                watches.map(move |watch| Ends { law, ending: Ending::Slip, watch, on_load: SVector::zeros() })
             });
-            let watches = reactions.into_iter().chain(barriers).collect();
+            let watches = reactions.into_iter().chain(slips).collect();
             let left = Prepared::new(cell, equations, (laws, bands, k));
             let contact = Contact { laws: held, left, linear, further: *further, watches };
             return Ok((Some(contact), ignored));
@@ -203,36 +206,48 @@ pub fn is_void<const N: usize>(
     (law, side): (usize, Side),
     state: &State<N>,
 ) -> bool {
-    equations.stiffness(k) == equations.stiffness(&beyond((laws, k), law, side, state))
+    let beyond = law::beyond((laws, k), law, side, state);
+    equations.stiffness(k) == equations.stiffness(&beyond) && equations.load(k) == equations.load(&beyond)
 }
 
-/// The law values beyond a step.
-fn beyond<const N: usize>((laws, k): (&[Law<N>], &[f64]), law: usize, side: Side, state: &State<N>) -> Vec<f64> {
-    let mut beyond = k.to_vec();
-    law::met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
-    beyond
-}
-
-/// The deflection whose zero makes the step of a law vanish: dV = c (d.q - e)², with e the edge of a dead band if it has
-/// one. `None` where the law strains more than one deflection: they do not vanish together.
-fn barrier<const N: usize>(
+/// What vanishes with the step of a law: of dV = q.dK q/2 - df.q + h
+/// - that of a transmission error, dK = 0: it is linear;
+/// - that of the stiffness of one deflection x = d.q, c x²/2 - g x + h with dK = c d dᵀ and df = g d, each of its zeros; of a
+///   mere stiffness it is c (x - e)²/2.
+///
+/// Nothing where the law strains more than one deflection: they do not vanish together.
+fn barriers<const N: usize>(
     equations: &dyn Equations<N>,
     (laws, k): (&[Law<N>], &[f64]),
     cell: &Cell<N>,
     law: usize,
     side: Side,
     state: &State<N>,
-) -> Option<Watch<N>> {
-    let beyond = beyond((laws, k), law, side, state);
+) -> Vec<Watch<N>> {
+    let beyond = law::beyond((laws, k), law, side, state);
     let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
     let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
-    let step = DMatrix::from_fn(N, N, |i, j| there[i][j] - here[i][j]);
-    let row = (0..N).max_by(|&a, &b| step[(a, a)].abs().total_cmp(&step[(b, b)].abs()))?;
-    let d = step.row(row).transpose() / step[(row, row)];
-    let one = &d * d.transpose() * step[(row, row)];
-    let rank_one = (&step - one).amax() <= 1e-10 * step.amax();
-    // The step of the load is c e d.
-    let edge = (load_there[row] - load_here[row]) / step[(row, row)];
-    let d = SVector::from_fn(|i, _| d[i]);
-    rank_one.then(|| Watch::new(cell, -edge, d, SVector::zeros()))
+    let stiffness = DMatrix::from_fn(N, N, |i, j| there[i][j] - here[i][j]);
+    let load = SVector::<f64, N>::from_fn(|i, _| load_there[i] - load_here[i]);
+    let h = equations.potential(&[0.0; N], &beyond) - equations.potential(&[0.0; N], k);
+    if stiffness.amax() == 0.0 {
+        return vec![Watch::new(cell, h, -load, SVector::zeros())];
+    }
+    let diagonal = stiffness.diagonal();
+    let row = diagonal.iamax();
+    let c = diagonal[row];
+    let d = SVector::<f64, N>::from_fn(|i, _| stiffness[(i, row)] / c);
+    let g = load[row];
+    let one = DMatrix::from_fn(N, N, |i, j| c * d[i] * d[j]);
+    let of_one = (&stiffness - one).amax() <= SAME * stiffness.amax() && (load - d * g).amax() <= SAME * load.amax();
+    if !of_one {
+        return vec![];
+    }
+    let (middle, square) = (g / c, (g / c).powi(2) - 2.0 * h / c);
+    let at = |x: f64| Watch::new(cell, -x, d, SVector::zeros());
+    match square.abs() <= SAME * middle.powi(2) {
+        true => vec![at(middle)],
+        false if square < 0.0 => vec![],
+        false => vec![at(middle - square.sqrt()), at(middle + square.sqrt())],
+    }
 }

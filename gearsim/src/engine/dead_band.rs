@@ -19,6 +19,7 @@ use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
 use crate::engine::record::State;
 use crate::engine::watch::Watch;
+use crate::model::Model;
 
 /// Where a dead band stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,8 +58,8 @@ impl Grip {
 /// A dead band under way.
 #[derive(Debug, Clone)]
 pub struct DeadBand<const N: usize> {
-    /// Its number in the model.
-    pub index: usize,
+    /// Where its law values begin.
+    at: usize,
     /// Gradient of its deflection (N).
     pub normal: SVector<f64, N>,
     /// Half its width.
@@ -91,12 +92,12 @@ pub struct Elastic {
 
 impl<const N: usize> DeadBand<N> {
     /// The dead bands of a model that its effects ask for, free of contact.
-    pub fn all(equations: &dyn Equations<N>, count: usize) -> Vec<DeadBand<N>> {
-        let band = |index| {
-            let band = equations.dead_band(index)?;
-            Some(DeadBand { index, normal: band.normal.into(), half: band.half, regime: Free })
+    pub fn all(equations: &dyn Equations<N>, model: &Model) -> Vec<DeadBand<N>> {
+        let band = |i| {
+            let (band, at) = (equations.dead_band(i)?, model.laws.len() + VALUES * i);
+            Some(DeadBand { at, normal: band.normal.into(), half: band.half, regime: Free })
         };
-        (0..count).filter_map(band).collect()
+        (0..model.dead_bands.len()).filter_map(band).collect()
     }
 
     /// The number of its regime.
@@ -111,10 +112,9 @@ impl<const N: usize> DeadBand<N> {
         [1.0, side.sign() * self.half, damp, grip.clip()]
     }
 
-    /// Puts its present values where they belong among the law values `k` of a model with `laws` laws.
-    pub fn write(&self, laws: usize, k: &mut [f64]) {
-        let from = laws + VALUES * self.index;
-        k[from..from + VALUES].copy_from_slice(&self.values());
+    /// Puts its present values where they belong among the law values `k`.
+    pub fn write(&self, k: &mut [f64]) {
+        k[self.at..self.at + VALUES].copy_from_slice(&self.values());
     }
 
     /// Depth beyond an edge, negative within the play.
@@ -123,12 +123,12 @@ impl<const N: usize> DeadBand<N> {
     }
 
     /// Spring and damper of its contact where the law values are `k`: what K and C are more in contact than free, along n.
-    pub fn elastic(&self, equations: &dyn Equations<N>, laws: usize, k: &[f64]) -> Elastic {
+    pub fn elastic(&self, equations: &dyn Equations<N>, k: &[f64]) -> Elastic {
         let with = |contact: bool| {
             let mut band = self.clone();
             band.regime = if contact { Contact(Side::Upper, Touch) } else { Free };
             let mut k = k.to_vec();
-            band.write(laws, &mut k);
+            band.write(&mut k);
             (equations.stiffness(&k), equations.damping(&k))
         };
         let ((k1, c1), (k0, c0)) = (with(true), with(false));

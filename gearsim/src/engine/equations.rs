@@ -1,6 +1,6 @@
 //! The equations of a model, as the engine sees them. Written by the `equations!` macro, never by hand.
 //!
-//! A model with N coordinates and L stiffness laws, for one chosen set of effects: T = q'ᵀM q'/2, V(q; k), D(q'), Q.
+//! A model with N coordinates and L laws (stiffnesses, transmission errors), for one chosen set of effects: T = q'ᵀM q'/2, V(q; k), D(q'), Q.
 //! What the set of effects lacks is absent from the code behind these functions, not switched off in it.
 
 use nalgebra::{SMatrix, SVector};
@@ -106,7 +106,7 @@ pub trait Derived<const N: usize>: Sync {
     const MODEL: Model;
 
     /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), parameter values
-    /// [SI, order of `MODEL.parameters`] and the mid value (max + min)/2 of each law; `None` where the effects
+    /// [SI, order of `MODEL.parameters`] and the mid value (max + min)/2 of each stiffness; `None` where the effects
     /// contradict one another.
     fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations<N>>>;
 
@@ -127,6 +127,19 @@ pub struct Matrices<const N: usize, R> {
     pub stiffness: [[R; N]; N],
     /// f (N).
     pub load: [R; N],
+}
+
+/// Derivatives of accelerations (as [`Equations::jacobian`]) from those of the forces: M⁻¹ times each.
+///
+/// # Panics
+/// Where M is not positive definite, which no kinetic energy allows.
+pub fn accelerated<const N: usize>(mass: &[[f64; N]; N], of_force: &[[[f64; N]; N]; 2]) -> [[[f64; N]; N]; 2] {
+    let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j]);
+    let cholesky = m.cholesky().expect("the mass matrix is positive definite");
+    of_force.map(|by| {
+        let by = cholesky.solve(&SMatrix::<f64, N, N>::from_fn(|i, j| by[i][j]));
+        std::array::from_fn(|i| std::array::from_fn(|j| by[(i, j)]))
+    })
 }
 
 /// M⁻¹f, for equations too large to be solved symbolically.

@@ -10,7 +10,9 @@ pub enum Refusal {
         "the equations are not linear between two steps ({terms}), so there is no exact solution: name another method in [run], or none"
     )]
     Nonlinear { terms: String },
-    #[error("precision = \"compensated\" is offered up to a thousand cells, and not with play: leave it out")]
+    #[error(
+        "precision = \"compensated\" is offered up to a thousand cells, and not with play or a transmission error: leave it out"
+    )]
     CompensatedCells,
     #[error(
         "the mass matrix is not positive definite with these numbers: an inertia is zero, negative, or lost beside another by rounding"

@@ -6,6 +6,7 @@ use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Stop;
+use crate::engine::jump::Passage;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
 
@@ -59,10 +60,14 @@ pub fn order_matters<const N: usize>(
     law: usize,
     side: Side,
 ) -> bool {
-    let pass = |(l, side): (usize, Side), speeds: &mut SVector<f64, N>| {
+    let pass = |(l, side): (usize, Side), (speeds, k): &mut (SVector<f64, N>, Vec<f64>)| {
         // The second step is met only if the first leaves the phase on its way to it.
-        if side.sign() * laws[l].surface.normal.dot(speeds) > 0.0 {
-            laws[l].surface.pass(speeds, side, law::barrier(equations, (laws, k), l, side, state));
+        if side.sign() * laws[l].surface.normal.dot(speeds) <= 0.0 {
+            return;
+        }
+        let dv = law::barrier(equations, (laws, k), l, side, state);
+        if laws[l].surface.pass(speeds, side, dv) == Passage::Transmitted {
+            *k = law::beyond((laws, k), l, side, state);
         }
     };
     let others = (0..laws.len()).filter_map(|i| {
@@ -71,12 +76,12 @@ pub fn order_matters<const N: usize>(
         (laws[i].phase != laws[law].phase && laws[i].is_at(side, state, 4.0 * laws[i].rounding())).then_some((i, side))
     });
     let differs = |other| {
-        let (mut there, mut back) = (state.q_dot, state.q_dot);
+        let (mut there, mut back) = ((state.q_dot, k.to_vec()), (state.q_dot, k.to_vec()));
         pass((law, side), &mut there);
         pass(other, &mut there);
         pass(other, &mut back);
         pass((law, side), &mut back);
-        (there - back).amax() > ORDER * there.amax()
+        (there.0 - back.0).amax() > ORDER * there.0.amax()
     };
     laws[law].switching == Switching::WithJump && others.into_iter().any(differs)
 }

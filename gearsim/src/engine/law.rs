@@ -1,4 +1,4 @@
-//! One stepping stiffness under way: its steps, how they switch, and where it stands between them.
+//! One stepping law under way, a stiffness or a transmission error: its steps, how they switch, and where it stands between them.
 
 use xprec::Df64;
 
@@ -10,7 +10,7 @@ use crate::engine::phase::Pitch;
 use crate::engine::record::State;
 use crate::scene::Scene;
 
-/// A stepping stiffness: what it is, and where it stands.
+/// A stepping law: what it is, and where it stands.
 #[derive(Debug, Clone)]
 pub struct Law<const N: usize> {
     /// How it switches with the effects in force.
@@ -21,6 +21,8 @@ pub struct Law<const N: usize> {
     pub surface: Surface<N>,
     /// Coordinate that is its phase.
     pub phase: usize,
+    /// Whether it is a transmission error.
+    pub is_error: bool,
     /// Whether it counts off the whole turns of that coordinate; one law a coordinate does.
     turns: bool,
     /// Length of a turn of the coordinate, 0 where none are counted.
@@ -46,7 +48,7 @@ struct Frozen {
 }
 
 impl<const N: usize> Law<N> {
-    /// The laws of a model as the scene starts them; `state`'s rolling coordinates are left with their remainders.
+    /// The laws that a scene has, as it starts them; `state`'s rolling coordinates are left with their remainders.
     ///
     /// # Errors
     /// Where a phase is so far off that its place in the pitch is lost, or an inertia beyond numbers.
@@ -54,11 +56,11 @@ impl<const N: usize> Law<N> {
         let model = scene.model;
         let absolute = state.q;
         let mut laws: Vec<Law<N>> = vec![];
-        for (i, law) in model.laws.iter().enumerate() {
+        for (i, (law, given)) in scene.present().enumerate() {
             let switching = equations.switching(i);
             let pitch = match switching {
-                Switching::Never => Pitch::constant(scene.laws[i].mid(), law.period),
-                _ => Pitch::new(&scene.laws[i], law.period),
+                Switching::Never => Pitch::constant(given.mid(), law.period),
+                _ => Pitch::new(given, law.period),
             };
             let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
             let speed = state.q_dot[phase];
@@ -81,12 +83,13 @@ impl<const N: usize> Law<N> {
             // Laws on one coordinate may begin their pitches at different places of it.
             let counted = if turn > 0.0 { state.turns[phase] } else { 0 };
             let ahead = if frozen.is_some() { 0 } else { pitches - counted };
-            laws.push(Law { switching, pitch, surface, phase, turns, turn, frozen, cell, ahead });
+            let is_error = law.with.is_some();
+            laws.push(Law { switching, pitch, surface, phase, is_error, turns, turn, frozen, cell, ahead });
         }
         Ok(laws)
     }
 
-    /// The stiffness now, where it is constant in its cells; else its mean in this one.
+    /// Its value now, where it is constant in its cells; else its mean in this one.
     pub fn level(&self) -> f64 {
         self.pitch.level(self.cell)
     }
@@ -106,7 +109,7 @@ impl<const N: usize> Law<N> {
         self.turn
     }
 
-    /// The step of the stiffness beyond a side of the present cell.
+    /// The step of its value beyond a side of the present cell.
     #[inline]
     pub fn step(&self, side: Side) -> f64 {
         self.pitch.step(self.cell, side)
@@ -223,5 +226,23 @@ pub fn barrier<const N: usize>(
     side: Side,
     state: &State<N>,
 ) -> f64 {
-    met(laws, law, side, state).map(|i| equations.step(i, &state.q.data.0[0], k, laws[i].step(side))).sum()
+    let q = &state.q.data.0[0];
+    if let [only] = laws {
+        return equations.step(law, q, k, only.step(side));
+    }
+    // One after the other: a stiffness and a transmission error that step together are more than each by itself.
+    let (mut k, mut dv) = (k.to_vec(), 0.0);
+    for i in met(laws, law, side, state) {
+        let step = laws[i].step(side);
+        dv += equations.step(i, q, &k, step);
+        k[i] += step;
+    }
+    dv
+}
+
+/// The law values beyond that boundary.
+pub fn beyond<const N: usize>((laws, k): (&[Law<N>], &[f64]), law: usize, side: Side, state: &State<N>) -> Vec<f64> {
+    let mut beyond = k.to_vec();
+    met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
+    beyond
 }

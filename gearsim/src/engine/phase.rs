@@ -1,52 +1,83 @@
-//! Where a stiffness law stands in its pitch: the cell is state, not computed from the angle, and the angle is kept as
+//! Where a law stands in its pitch: the cell is state, not computed from the angle, and the angle is kept as
 //! a count of pitches and a remainder, so that a billion revolutions cost no digits.
+
+use xprec::Df64;
 
 use crate::engine::crossing::Side;
 use crate::scene::{Curve, Stiffness};
 
-/// One law's pitch: boundaries and levels.
+/// One law's pitch, or pitches: boundaries and levels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pitch {
-    /// Boundaries b_0 < b_1 < ... < b_m = b_0 + period, with -period < b_0 <= 0.
-    boundaries: Vec<f64>,
-    /// Length of the pitch.
+    /// What each cell spans; the first begins within one repetition before zero.
+    spans: Vec<Span>,
+    /// Length of one pitch.
     period: f64,
-    /// Level between b_i and b_{i+1}.
+    /// Pitches after which it repeats itself.
+    pitches: i64,
+    /// Level in each cell.
     levels: Vec<f64>,
-    /// What it follows from b_i on; empty where it is constant.
+    /// What it follows in each cell; empty where it is constant.
     curves: Vec<Curve>,
 }
 
+/// What a cell spans, counted from a whole number of pitches on: its boundaries have the digits of one pitch, however many
+/// lie before it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Span {
+    lower: f64,
+    upper: f64,
+    /// Pitches before it; 0 throughout, where it repeats itself once a pitch.
+    before: i64,
+}
+
 impl Pitch {
-    /// The pitch of a stiffness with the given period.
-    pub fn new(stiffness: &Stiffness, period: f64) -> Self {
-        let within = stiffness.origin.rem_euclid(period);
-        let origin = if within == 0.0 || within >= period { 0.0 } else { within - period };
-        let mut boundaries = vec![origin];
-        let mut end = 0.0;
-        for step in &stiffness.steps[..stiffness.steps.len() - 1] {
-            end += step.width;
-            boundaries.push(origin + end);
+    /// The pitch of a law with the given period.
+    pub fn new(law: &Stiffness, period: f64) -> Self {
+        let length = Df64::from(period) * f64::from(law.pitches);
+        let origin = Df64::from(law.origin) - length * (law.origin / length.hi()).ceil();
+        let mut ends = vec![Df64::from(0.0)];
+        for step in &law.steps[..law.steps.len() - 1] {
+            ends.push(ends[ends.len() - 1] + step.width);
         }
-        boundaries.push(origin + period);
-        let levels = stiffness.steps.iter().map(|s| s.value).collect();
-        Pitch { boundaries, period, levels, curves: stiffness.curves.clone() }
+        ends.push(length);
+        let span = |ends: &[Df64]| {
+            let [lower, upper] = [ends[0] + origin, ends[1] + origin];
+            let before = (lower.hi() / period).trunc();
+            let base = Df64::from(before) * period;
+            Span { lower: (lower - base).hi(), upper: (upper - base).hi(), before: before as i64 }
+        };
+        Pitch {
+            spans: ends.windows(2).map(span).collect(),
+            period,
+            pitches: law.pitches.into(),
+            levels: law.steps.iter().map(|s| s.value).collect(),
+            curves: law.curves.clone(),
+        }
     }
 
     /// One level throughout: for a law that does not step.
     pub fn constant(value: f64, period: f64) -> Self {
-        Pitch { boundaries: vec![0.0, period], period, levels: vec![value], curves: vec![] }
+        let span = Span { lower: 0.0, upper: period, before: 0 };
+        Pitch { spans: vec![span], period, pitches: 1, levels: vec![value], curves: vec![] }
     }
 
-    /// Length of the pitch.
+    /// Length of one pitch.
     #[inline]
     pub fn period(&self) -> f64 {
         self.period
     }
 
-    /// The first boundary and the last.
-    fn ends(&self) -> (f64, f64) {
-        (self.boundaries[0], self.boundaries[self.levels.len()])
+    /// Length after which it repeats itself.
+    fn length(&self) -> f64 {
+        self.period * self.pitches as f64
+    }
+
+    /// Lower and upper boundary of a cell, from the beginning of the first pitch on.
+    fn whole(&self, cell: usize) -> (f64, f64) {
+        let Span { lower, upper, before } = self.spans[cell];
+        let base = before as f64 * self.period;
+        (base + lower, base + upper)
     }
 
     /// Number of cells.
@@ -55,7 +86,7 @@ impl Pitch {
         self.levels.len()
     }
 
-    /// Stiffness in a cell.
+    /// Value in a cell.
     #[inline]
     pub fn level(&self, cell: usize) -> f64 {
         self.levels[cell]
@@ -95,53 +126,66 @@ impl Pitch {
         let other = if side == Side::Upper { Side::Lower } else { Side::Upper };
         let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, other));
         // Curves that meet do so to rounding, of their values and of the boundaries.
-        let places = 16.0 * f64::EPSILON * self.period() * (slope.abs() + beyond.abs());
+        let places = 16.0 * f64::EPSILON * self.length() * (slope.abs() + beyond.abs());
         let rounding = places + 1e-12 * here.abs().max(there.abs());
         if (there - here).abs() <= rounding { 0.0 } else { there - here }
     }
 
-    /// Lower and upper boundary of a cell.
+    /// Lower and upper boundary of a cell, from its whole number of pitches on.
     #[inline]
     pub fn bounds(&self, cell: usize) -> (f64, f64) {
-        (self.boundaries[cell], self.boundaries[cell + 1])
+        (self.spans[cell].lower, self.spans[cell].upper)
     }
 
     /// Pitch count, remainder and cell of an absolute phase that moves on at `speed`. On a boundary the motion
     /// decides: the cell is the one it moves into, the upper one at rest.
     pub fn locate(&self, phase: f64, speed: f64) -> (i64, f64, usize) {
-        let (period, (first, last)) = (self.period, self.ends());
+        let (length, first, last) = (self.length(), self.whole(0).0, self.whole(self.cells() - 1).1);
         // The quotient alone would round up just below a pitch, where the remainder does not.
-        let mut rest = phase.rem_euclid(period);
-        let mut count = ((phase - rest) / period).round() as i64;
-        if rest >= period {
+        let mut rest = phase.rem_euclid(length);
+        let mut count = ((phase - rest) / length).round() as i64;
+        if rest >= length {
             (count, rest) = (count + 1, 0.0);
         }
         if rest >= last {
-            (count, rest) = (count + 1, (rest - period).max(first));
+            (count, rest) = (count + 1, (rest - length).max(first));
         }
         // What the number does not tell from a boundary is on it.
         let resolution = 2.0 * f64::EPSILON * phase.abs();
-        if let Some(boundary) = self.boundaries.iter().find(|&&b| (rest - b).abs() <= resolution) {
-            (count, rest) = if *boundary == last { (count + 1, first) } else { (count, *boundary) };
+        let boundaries = (0..self.cells()).map(|cell| self.whole(cell).0).chain([last]);
+        if let Some(boundary) = boundaries.into_iter().find(|&b| (rest - b).abs() <= resolution) {
+            (count, rest) = if boundary == last { (count + 1, first) } else { (count, boundary) };
         }
-        let mut cell = self.boundaries[1..].iter().position(|&b| rest < b).unwrap_or(self.cells() - 1);
-        if rest == self.boundaries[cell] && speed < 0.0 {
+        let mut cell = (0..self.cells()).position(|cell| rest < self.whole(cell).1).unwrap_or(self.cells() - 1);
+        let (on_boundary, back) = (rest == self.whole(cell).0, speed < 0.0);
+        if on_boundary && back {
             if cell == 0 {
-                (count, rest, cell) = (count - 1, last, self.cells());
+                (count, cell) = (count - 1, self.cells());
             }
             cell -= 1;
         }
-        (count, rest, cell)
+        let Span { lower, upper, before } = self.spans[cell];
+        let rest = match (on_boundary, back) {
+            (true, false) => lower,
+            (true, true) => upper,
+            _ => rest - before as f64 * self.period,
+        };
+        (count * self.pitches + before, rest, cell)
     }
 
-    /// The neighbour of `cell` beyond a side: its index, the remainder on entering it, and the change of the count.
+    /// The neighbour of `cell` beyond a side: its index, the remainder on entering it, and the change of the count of pitches.
     #[inline]
     pub fn beyond(&self, cell: usize, side: Side) -> (usize, f64, i64) {
+        let here = self.spans[cell].before;
         match side {
-            Side::Upper if cell + 1 == self.cells() => (0, self.ends().0, 1),
-            Side::Upper => (cell + 1, self.boundaries[cell + 1], 0),
-            Side::Lower if cell == 0 => (self.cells() - 1, self.ends().1, -1),
-            Side::Lower => (cell - 1, self.boundaries[cell], 0),
+            Side::Upper => {
+                let (next, round) = if cell + 1 == self.cells() { (0, self.pitches) } else { (cell + 1, 0) };
+                (next, self.spans[next].lower, self.spans[next].before - here + round)
+            }
+            Side::Lower => {
+                let (next, round) = if cell == 0 { (self.cells() - 1, self.pitches) } else { (cell - 1, 0) };
+                (next, self.spans[next].upper, self.spans[next].before - here - round)
+            }
         }
     }
 }

@@ -158,7 +158,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     /// # Errors
     /// Those of [`Compensated::new`].
     pub fn compensate(&mut self, matrices: &dyn Fn(&[Df64]) -> Matrices<N, Df64>) -> Result<(), Refusal> {
-        if !self.bands.is_empty() {
+        if !self.bands.is_empty() || self.laws.iter().any(|law| law.is_error) {
             return Err(Refusal::CompensatedCells);
         }
         let stand = (&self.laws[..], &self.k[self.laws.len()..]);

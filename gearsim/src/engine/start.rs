@@ -38,12 +38,12 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
     let laws = Law::begin(equations, scene, &mut state)?;
 
     let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i] == Start::Static).collect();
-    let mut bands = DeadBand::all(equations, scene.model.dead_bands.len());
+    let mut bands = DeadBand::all(equations, scene.model);
     let mut k = scene.model.in_contact(laws.iter().map(|law| law.course(state.q[law.phase], 0.0)[0]));
     let linear = scene.effects.nonlinear(scene.model).is_empty();
     if !free.is_empty() {
         on_flanks(&mut bands, |bands| {
-            bands.iter().for_each(|band| band.write(laws.len(), &mut k));
+            bands.iter().for_each(|band| band.write(&mut k));
             if !linear {
                 rest(equations, scene, &free, &mut state.q, &k)?;
                 return Ok(state);
@@ -63,7 +63,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
     }
     cells::write(&laws, &bands, &mut k);
     for band in &mut bands {
-        band.regime = band.gripped(band.elastic(equations, laws.len(), &k), &state);
+        band.regime = band.gripped(band.elastic(equations, &k), &state);
     }
     Ok((state, laws, bands))
 }

@@ -37,10 +37,15 @@ const LANES: usize = 8;
 /// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
 const LARGEST: usize = 8;
 
-/// Whether simulations of a model can be in lanes. A plain event is one of a single law ([`Simulation::is_plain`]): for models with
+/// Whether simulations of a model can be in lanes. A plain event is one of a single stiffness law ([`Simulation::is_plain`]): for models with
 /// none or several no lanes are compiled.
 pub const fn suits(model: &Model) -> bool {
-    model.coordinates.len() <= LARGEST && model.laws.len() == 1
+    let one = match model.laws {
+        [] => false,
+        [_] => true,
+        [_, next, ..] => next.with.is_some(),
+    };
+    model.coordinates.len() <= LARGEST && one
 }
 
 /// Runs simulations to their ends, unrecorded.

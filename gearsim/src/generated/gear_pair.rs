@@ -25,7 +25,8 @@
 //! # Deflections
 //!
 //! ```text
-//! over = phi - edge
+//! over = phi - edge - e
+//! e = 0 without transmission error; the rates are those of the coordinates, without that of e
 //! touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0
 //! damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:
 //!   clip = 1 where it would push more than the spring does, it pushes as much
@@ -35,17 +36,21 @@
 //! # Equations of motion
 //!
 //! ```text
-//! theta'' = -M1*k*touch*over - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]
-//! phi'' = -M2*k*touch*over - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]
+//! theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]
+//! phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]
 //! ```
 //!
-//! # At a step of a stiffness
+//! # At a step of a stiffness or a transmission error
 //!
 //! ```text
 //! at a step dk of k in theta, where energy allows:
 //! theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2
 //! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
 //! else theta_dot+ = -theta_dot-: reflected, and the stiffness stays
+//! at a step de of e in theta, where energy allows:
+//! theta_dot+^2 = theta_dot-^2 - (M2*k*de^2*touch - 2*M2*k*de*touch*over)
+//! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
+//! else theta_dot+ = -theta_dot-: reflected, and e stays
 //! ```
 //!
 //! # Between two steps
@@ -65,10 +70,12 @@
 //! M_{1} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} - \frac{N_{2}^{2}}{I_{2}})
 //! M_{2} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} + \frac{N_{2}^{2}}{I_{2}})
 //! C = 2\, \zeta\, \sqrt{\frac{\bar{k}}{M_{2}}}
-//! \mathrm{over} = \varphi - \mathrm{edge}
-//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
-//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \mathrm{over} = \varphi - \mathrm{edge} - e
+//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} + M_{2}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} + M_{1}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
 //! \dot{\theta}_+^2 = \dot{\theta}_-^2 - M_{2}\, \Delta k\, \mathrm{touch}\, \mathrm{over}^{2}
+//! \dot{\varphi}_+ - \dot{\varphi}_- = \frac{M_{1}}{M_{2}} \left(\dot{\theta}_+ - \dot{\theta}_-\right)
+//! \dot{\theta}_+^2 = \dot{\theta}_-^2 - (M_{2}\, k\, \Delta e^{2}\, \mathrm{touch} - 2\, M_{2}\, k\, \Delta e\, \mathrm{touch}\, \mathrm{over})
 //! \dot{\varphi}_+ - \dot{\varphi}_- = \frac{M_{1}}{M_{2}} \left(\dot{\theta}_+ - \dot{\theta}_-\right)
 //! ```
 //!
@@ -77,20 +84,22 @@
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - at a step of e: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - V is the same on both sides of the edges of over: no impulse there
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
-//! - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot
+//! - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot - 2*k*de*touch*over*theta_dot
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 2 | 15 | 1 |
-//! | force | 0 | 14 | 0 |
-//! | acceleration | 0 | 32 | 0 |
+//! | force | 0 | 18 | 0 |
+//! | acceleration | 0 | 40 | 0 |
 //! | energy step of k | 0 | 3 | 0 |
+//! | energy step of e | 1 | 7 | 0 |
 
 use gearsim_macros::equations;
 
@@ -113,6 +122,7 @@ equations! {
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
+        e "rad" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error in phi, et N1/(2 r1) with et along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -121,6 +131,7 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        transmission_error requires(stiffness_step) excludes(backlash) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash "flanks with play: drive and coast flank, and free flight between";
         damping "Rayleigh damping of the relative motion, with the damping factor zeta";
         torques "constant driving and load torque in balance";
@@ -128,6 +139,9 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
+        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
         backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
     }
 
@@ -137,7 +151,7 @@ equations! {
         C = 2.0*zeta*(k_mid/M2).sqrt();
     }
     deflections {
-        over = phi - edge;
+        over = phi - edge - e;
     }
     dead_bands {
         over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the mesh, in phi";
@@ -191,6 +205,7 @@ equations! {
     }
     force {
         theta {
+            transmission_error_and_jump_terms => 2.0*k*de*touch*over;
             jump_terms => -dk*touch*over.powi(2);
         }
         phi {
@@ -203,6 +218,7 @@ equations! {
     acceleration {
         theta {
             _ => -M1*k*touch*over;
+            transmission_error_and_jump_terms => M2*k*de*touch*over;
             backlash => -M1*k*touch*clip*over;
             damping => -C*M1*damp*over_dot;
             torques => M1*T0;
@@ -210,6 +226,7 @@ equations! {
         }
         phi {
             _ => -M2*k*touch*over;
+            transmission_error_and_jump_terms => M1*k*de*touch*over;
             backlash => -M2*k*touch*clip*over;
             damping => -C*M2*damp*over_dot;
             torques => M2*T0;
@@ -218,12 +235,16 @@ equations! {
     }
     jacobian {
         theta theta {
+            transmission_error_and_backlash_and_moving_phase => M1*k*de*touch*clip;
+            transmission_error_and_jump_terms => M2*k*dde*touch*over - M2*k*de.powi(2)*touch + 2.0*M2*de*dk*touch*over;
+            transmission_error_and_moving_phase => M1*k*de*touch;
             backlash_and_moving_phase => -M1*dk*touch*clip*over;
             jump_terms => -M2*ddk*touch*over.powi(2)/2.0;
             moving_phase => -M1*dk*touch*over;
         }
         theta phi {
             _ => -M1*k*touch;
+            transmission_error_and_jump_terms => M2*k*de*touch;
             backlash => -M1*k*touch*clip;
             jump_terms => -M2*dk*touch*over;
         }
@@ -231,12 +252,16 @@ equations! {
             damping => -C*M1*damp;
         }
         phi theta {
+            transmission_error_and_backlash_and_moving_phase => M2*k*de*touch*clip;
+            transmission_error_and_jump_terms => M1*k*dde*touch*over - M1*k*de.powi(2)*touch + 2.0*M1*de*dk*touch*over;
+            transmission_error_and_moving_phase => M2*k*de*touch;
             backlash_and_moving_phase => -M2*dk*touch*clip*over;
             jump_terms => -M1*ddk*touch*over.powi(2)/2.0;
             moving_phase => -M2*dk*touch*over;
         }
         phi phi {
             _ => -M2*k*touch;
+            transmission_error_and_jump_terms => M1*k*de*touch;
             backlash => -M2*k*touch*clip;
             jump_terms => -M1*dk*touch*over;
         }
@@ -258,8 +283,8 @@ equations! {
         }
         load {
             phi {
-                _ => 2.0*k*touch*edge;
-                backlash => 2.0*k*touch*clip*edge;
+                _ => 2.0*(k*touch*edge + k*touch*e);
+                backlash => 2.0*(k*touch*clip*edge + k*touch*clip*e);
                 torques => 2.0*T0;
             }
         }
@@ -285,6 +310,27 @@ equations! {
             _ => dk*touch*over.powi(2);
         }
     }
+    jump e {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        compliance {
+            _ => M2/2.0;
+        }
+        direction {
+            theta {
+                _ => 1.0;
+            }
+            phi {
+                _ => M1/M2;
+            }
+        }
+        step {
+            _ => k*de.powi(2)*touch - 2.0*k*de*touch*over;
+        }
+    }
 
     text {
         "T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2";
@@ -295,17 +341,22 @@ equations! {
         "M1 = (N1^2/I1 - N2^2/I2)/2";
         "M2 = (N1^2/I1 + N2^2/I2)/2";
         "C = 2*zeta*sqrt(k_mid/M2)";
-        "over = phi - edge";
+        "over = phi - edge - e";
+        "e = 0 without transmission error; the rates are those of the coordinates, without that of e";
         "touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0";
         "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
         "  clip = 1 where it would push more than the spring does, it pushes as much";
         "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
-        "theta'' = -M1*k*touch*over - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]";
-        "phi'' = -M2*k*touch*over - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]";
+        "theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]";
+        "phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]";
         "at a step dk of k in theta, where energy allows:";
         "theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
         "else theta_dot+ = -theta_dot-: reflected, and the stiffness stays";
+        "at a step de of e in theta, where energy allows:";
+        "theta_dot+^2 = theta_dot-^2 - (M2*k*de^2*touch - 2*M2*k*de*touch*over)";
+        "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
+        "else theta_dot+ = -theta_dot-: reflected, and e stays";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
@@ -317,10 +368,12 @@ equations! {
         "M_{1} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} - \\frac{N_{2}^{2}}{I_{2}})";
         "M_{2} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} + \\frac{N_{2}^{2}}{I_{2}})";
         "C = 2\\, \\zeta\\, \\sqrt{\\frac{\\bar{k}}{M_{2}}}";
-        "\\mathrm{over} = \\varphi - \\mathrm{edge}";
-        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
-        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\mathrm{over} = \\varphi - \\mathrm{edge} - e";
+        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{2}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{1}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
         "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - M_{2}\\, \\Delta k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
+        "\\dot{\\varphi}_+ - \\dot{\\varphi}_- = \\frac{M_{1}}{M_{2}} \\left(\\dot{\\theta}_+ - \\dot{\\theta}_-\\right)";
+        "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - (M_{2}\\, k\\, \\Delta e^{2}\\, \\mathrm{touch} - 2\\, M_{2}\\, k\\, \\Delta e\\, \\mathrm{touch}\\, \\mathrm{over})";
         "\\dot{\\varphi}_+ - \\dot{\\varphi}_- = \\frac{M_{1}}{M_{2}} \\left(\\dot{\\theta}_+ - \\dot{\\theta}_-\\right)";
     }
 }

@@ -29,7 +29,8 @@
 //! # Deflections
 //!
 //! ```text
-//! over12 = s - edge12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2
+//! over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2
+//! e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12
 //! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
 //! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
 //!   clip12 = 1 where it would push more than the spring does, it pushes as much
@@ -39,7 +40,7 @@
 //! # Equations of motion
 //!
 //! ```text
-//! (I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]
+//! (I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]
 //! ((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]
 //! (m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]
 //! (m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]
@@ -47,10 +48,11 @@
 //! (m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]
 //! ```
 //!
-//! # At a step of a stiffness
+//! # At a step of a stiffness or a transmission error
 //!
 //! ```text
 //! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)
+//! at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2*touch12/2 - k12*de12*touch12*over12)
 //! ```
 //!
 //! # Between two steps
@@ -74,8 +76,8 @@
 //! h = \frac{r_{1}}{N_{1}}
 //! \mathrm{cos}_{a} = \cos\left(\alpha\right)
 //! \mathrm{sin}_{a} = \sin\left(\alpha\right)
-//! \mathrm{over}_{12} = s - \mathrm{edge}_{12} + \mathrm{cos}_{a}\, y_{1} - \mathrm{cos}_{a}\, y_{2} + \mathrm{sin}_{a}\, x_{1} - \mathrm{sin}_{a}\, x_{2}
-//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{s} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2}}{2}\ [\text{jump terms}]
+//! \mathrm{over}_{12} = s - \mathrm{edge}_{12} - e_{12} + \mathrm{cos}_{a}\, y_{1} - \mathrm{cos}_{a}\, y_{2} + \mathrm{sin}_{a}\, x_{1} - \mathrm{sin}_{a}\, x_{2}
+//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{s} = k_{12}\, e_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}\ [\text{transmission error, jump terms}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2}}{2}\ [\text{jump terms}]
 //! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}})) \ddot{s} = -k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}}\ [\text{damping}]
 //! (m_{1}) \ddot{x_{1}} = -\mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, x_{1} - \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{x_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}\ [\text{damping}]
 //! (m_{1}) \ddot{y_{1}} = -\mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, y_{1} - \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{y_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}\ [\text{damping}]
@@ -90,15 +92,16 @@
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
-//! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2
+//! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 - k12*de12*touch12*over12*theta_dot
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 0 | 1 | 2 |
-//! | force | 21 | 130 | 0 |
+//! | force | 21 | 133 | 0 |
 //! | energy step of k12 | 0 | 4 | 0 |
+//! | energy step of e12 | 1 | 7 | 0 |
 
 use gearsim_macros::equations;
 
@@ -133,6 +136,7 @@ equations! {
     }
     laws {
         k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh along the line of action";
+        e12 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -141,6 +145,7 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        transmission_error requires(stiffness_step) excludes(backlash) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash "flanks with play: drive and coast flank, and free flight between";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -148,6 +153,9 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
+        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
         backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
     }
 
@@ -157,7 +165,7 @@ equations! {
         sin_a = alpha.sin();
     }
     deflections {
-        over12 = s - edge12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+        over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
     }
     dead_bands {
         over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh";
@@ -218,6 +226,7 @@ equations! {
     }
     force {
         theta {
+            transmission_error_and_jump_terms => k12*de12*touch12*over12;
             torques => T_motor/N1 - T_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2) - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
@@ -251,21 +260,27 @@ equations! {
     }
     jacobian {
         theta theta {
+            transmission_error_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
+            transmission_error_and_jump_terms => k12*de12*touch12;
             jump_terms => -dk12*touch12*over12;
         }
         theta x1 {
+            transmission_error_and_jump_terms => sin_a*k12*de12*touch12;
             jump_terms => -sin_a*dk12*touch12*over12;
         }
         theta y1 {
+            transmission_error_and_jump_terms => cos_a*k12*de12*touch12;
             jump_terms => -cos_a*dk12*touch12*over12;
         }
         theta x2 {
+            transmission_error_and_jump_terms => -sin_a*k12*de12*touch12;
             jump_terms => sin_a*dk12*touch12*over12;
         }
         theta y2 {
+            transmission_error_and_jump_terms => -cos_a*k12*de12*touch12;
             jump_terms => cos_a*dk12*touch12*over12;
         }
         theta theta_dot {
@@ -275,6 +290,8 @@ equations! {
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
+            transmission_error_and_backlash_and_moving_phase => k12*de12*touch12*clip12;
+            transmission_error_and_moving_phase => k12*de12*touch12;
             backlash_and_moving_phase => -dk12*touch12*clip12*over12;
             moving_phase => -dk12*touch12*over12;
         }
@@ -317,6 +334,8 @@ equations! {
             damping => cos_a*beta_K*k12_mid*damp12;
         }
         x1 theta {
+            transmission_error_and_backlash_and_moving_phase => sin_a*k12*de12*touch12*clip12;
+            transmission_error_and_moving_phase => sin_a*k12*de12*touch12;
             backlash_and_moving_phase => -sin_a*dk12*touch12*clip12*over12;
             moving_phase => -sin_a*dk12*touch12*over12;
         }
@@ -356,6 +375,8 @@ equations! {
             damping => cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y1 theta {
+            transmission_error_and_backlash_and_moving_phase => cos_a*k12*de12*touch12*clip12;
+            transmission_error_and_moving_phase => cos_a*k12*de12*touch12;
             backlash_and_moving_phase => -cos_a*dk12*touch12*clip12*over12;
             moving_phase => -cos_a*dk12*touch12*over12;
         }
@@ -395,6 +416,8 @@ equations! {
             damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
         x2 theta {
+            transmission_error_and_backlash_and_moving_phase => -sin_a*k12*de12*touch12*clip12;
+            transmission_error_and_moving_phase => -sin_a*k12*de12*touch12;
             backlash_and_moving_phase => sin_a*dk12*touch12*clip12*over12;
             moving_phase => sin_a*dk12*touch12*over12;
         }
@@ -434,6 +457,8 @@ equations! {
             damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
         }
         y2 theta {
+            transmission_error_and_backlash_and_moving_phase => -cos_a*k12*de12*touch12*clip12;
+            transmission_error_and_moving_phase => -cos_a*k12*de12*touch12;
             backlash_and_moving_phase => cos_a*dk12*touch12*clip12*over12;
             moving_phase => cos_a*dk12*touch12*over12;
         }
@@ -594,25 +619,25 @@ equations! {
                 torques => T_motor/N1 - T_load/N2;
             }
             s {
-                _ => k12*touch12*edge12;
-                backlash => k12*touch12*clip12*edge12;
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash => k12*touch12*clip12*edge12 + k12*touch12*clip12*e12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             }
             x1 {
-                _ => sin_a*k12*touch12*edge12;
-                backlash => sin_a*k12*touch12*clip12*edge12;
+                _ => sin_a*k12*touch12*edge12 + sin_a*k12*touch12*e12;
+                backlash => sin_a*k12*touch12*clip12*edge12 + sin_a*k12*touch12*clip12*e12;
             }
             y1 {
-                _ => cos_a*k12*touch12*edge12;
-                backlash => cos_a*k12*touch12*clip12*edge12;
+                _ => cos_a*k12*touch12*edge12 + cos_a*k12*touch12*e12;
+                backlash => cos_a*k12*touch12*clip12*edge12 + cos_a*k12*touch12*clip12*e12;
             }
             x2 {
-                _ => -sin_a*k12*touch12*edge12;
-                backlash => -sin_a*k12*touch12*clip12*edge12;
+                _ => -sin_a*k12*touch12*edge12 - sin_a*k12*touch12*e12;
+                backlash => -sin_a*k12*touch12*clip12*edge12 - sin_a*k12*touch12*clip12*e12;
             }
             y2 {
-                _ => -cos_a*k12*touch12*edge12;
-                backlash => -cos_a*k12*touch12*clip12*edge12;
+                _ => -cos_a*k12*touch12*edge12 - cos_a*k12*touch12*e12;
+                backlash => -cos_a*k12*touch12*clip12*edge12 - cos_a*k12*touch12*clip12*e12;
             }
         }
     }
@@ -624,6 +649,16 @@ equations! {
         }
         step {
             _ => dk12*touch12*over12.powi(2)/2.0;
+        }
+    }
+    jump e12 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12;
         }
     }
 
@@ -640,18 +675,20 @@ equations! {
         "h = r1/N1";
         "cos_a = cos(alpha)";
         "sin_a = sin(alpha)";
-        "over12 = s - edge12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2";
+        "over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2";
+        "e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12";
         "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
         "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
         "  clip12 = 1 where it would push more than the spring does, it pushes as much";
         "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
-        "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
+        "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
         "((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]";
         "(m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]";
         "(m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]";
         "(m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]";
         "(m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]";
         "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)";
+        "at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2*touch12/2 - k12*de12*touch12*over12)";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
@@ -667,8 +704,8 @@ equations! {
         "h = \\frac{r_{1}}{N_{1}}";
         "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
         "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
-        "\\mathrm{over}_{12} = s - \\mathrm{edge}_{12} + \\mathrm{cos}_{a}\\, y_{1} - \\mathrm{cos}_{a}\\, y_{2} + \\mathrm{sin}_{a}\\, x_{1} - \\mathrm{sin}_{a}\\, x_{2}";
-        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{s} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\mathrm{over}_{12} = s - \\mathrm{edge}_{12} - e_{12} + \\mathrm{cos}_{a}\\, y_{1} - \\mathrm{cos}_{a}\\, y_{2} + \\mathrm{sin}_{a}\\, x_{1} - \\mathrm{sin}_{a}\\, x_{2}";
+        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{s} = k_{12}\\, e_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}\\ [\\text{transmission error, jump terms}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2}}{2}\\ [\\text{jump terms}]";
         "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}})) \\ddot{s} = -k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}]";
         "(m_{1}) \\ddot{x_{1}} = -\\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, x_{1} - \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}\\ [\\text{damping}]";
         "(m_{1}) \\ddot{y_{1}} = -\\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, y_{1} - \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}\\ [\\text{damping}]";

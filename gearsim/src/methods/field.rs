@@ -74,9 +74,9 @@ impl<'a, const N: usize> Field<'a, N> {
 
     /// The contacts of the dead bands with the present stiffnesses.
     fn stretch(&mut self) {
-        let (equations, laws, k) = (self.equations, self.laws.len(), &self.k);
+        let (equations, k) = (self.equations, &self.k);
         self.elastic.clear();
-        self.elastic.extend(self.bands.iter().map(|band| band.elastic(equations, laws, k)));
+        self.elastic.extend(self.bands.iter().map(|band| band.elastic(equations, k)));
     }
 
     /// The law values where they were last evaluated.
@@ -124,7 +124,7 @@ impl<'a, const N: usize> Field<'a, N> {
         let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
         for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
             band.regime = band.gripped(*elastic, &state);
-            band.write(self.laws.len(), &mut self.k);
+            band.write(&mut self.k);
         }
     }
 

@@ -25,7 +25,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         (
             effects,
             parameters::read(entries, model, effects, &mut absent, report),
-            laws::read(entries, model, &mut absent, report),
+            laws::read(entries, model, effects, &mut absent, report),
             start::read(entries, model, report),
         )
     });

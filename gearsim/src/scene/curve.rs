@@ -80,13 +80,18 @@ impl Curve {
 impl Stiffness {
     /// The stiffness that is constant between its steps.
     pub fn stepping(steps: Vec<Step>) -> Self {
-        Stiffness { steps, curves: vec![], origin: 0.0 }
+        Stiffness { steps, curves: vec![], origin: 0.0, pitches: 1 }
     }
 
     /// The stiffness that follows a curve in each cell, of a width each.
     pub fn curved(cells: Vec<(Curve, f64)>) -> Self {
         let steps = cells.iter().map(|(curve, width)| Step { value: curve.mean(*width), width: *width }).collect();
-        Stiffness { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0 }
+        Stiffness { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0, pitches: 1 }
+    }
+
+    /// The same, said to go over a number of pitches.
+    pub fn over(self, pitches: u32) -> Self {
+        Stiffness { pitches, ..self }
     }
 
     /// The same, its first level beginning at the phase `origin`, or whole pitches from it.
@@ -125,7 +130,7 @@ impl Stiffness {
                 true => add(step.value, step.value + before * (next - step.value), before * ramp),
             }
         }
-        Some(Stiffness::curved(cells).beginning(self.origin))
+        Some(Stiffness::curved(cells).beginning(self.origin).over(self.pitches))
     }
 
     /// The periodic cubic spline through `points` (place, value), at increasing places within one pitch of `period`: twice

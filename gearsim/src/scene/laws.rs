@@ -1,4 +1,4 @@
-//! Mesh stiffness laws: the levels of one pitch.
+//! Mesh stiffnesses and transmission errors: their levels over one pitch, of errors also over several.
 
 use xprec::Df64;
 
@@ -6,7 +6,7 @@ use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
-use super::{Step, Stiffness, field, keys, measure, offset};
+use super::{Effects, Step, Stiffness, errors, field, keys, measure, offset};
 use crate::model::{Law, Model};
 
 /// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
@@ -25,23 +25,27 @@ impl Stiffness {
         (Df64::from(high) + low) * 0.5
     }
 
-    /// Average over one pitch [unit of the law].
+    /// Average over its pitches [unit of the law].
     pub fn mean(&self) -> f64 {
         let width: f64 = self.steps.iter().map(|step| step.width).sum();
         self.steps.iter().map(|step| step.value * step.width).sum::<f64>() / width
     }
 }
 
-/// Reads `[laws]`, in the order of the model; what to add goes to `absent` if the table is not there.
+/// Reads `[laws]`, in the order of the model; what to add goes to `absent` if the table is not there. A law of an effect that
+/// is not among `effects` may be left out.
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
+    effects: Option<Effects>,
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
 ) -> Option<Vec<Stiffness>> {
+    let names = effects.map_or(vec![], |effects| effects.names(model));
+    let idle = |law: &Law| law.with.is_some_and(|effect| !names.contains(&effect));
     let readers = model.laws.iter().map(|law| Reader::new(law, model));
     let Some(node) = keys::get(entries, "laws") else {
-        let examples: Vec<_> = readers.map(|reader| reader.table()).collect();
+        let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table()).collect();
         if !examples.is_empty() {
             absent.push(("[laws]", examples.join("\n")));
         }
@@ -55,6 +59,9 @@ pub(super) fn read(
     for reader in readers {
         match keys::get(entries, reader.law.name) {
             Some(node) => laws.push(reader.law(node, report)),
+            None if idle(reader.law) => {
+                laws.push(Some(Stiffness::stepping(vec![Step { value: 0.0, width: reader.law.period }])));
+            }
             None => lacking.push((reader.law.name, reader.table())),
         }
     }
@@ -91,27 +98,39 @@ impl<'a> Reader<'a> {
     fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
-        let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(teeth::KEYS).collect();
+        let of_kind = if self.law.with.is_some() { &errors::KEYS[..] } else { &teeth::KEYS[..] };
+        let allowed: Vec<_> =
+            ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind.iter().copied()).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
+        // What is wrong with the pitches keeps nothing else from being told.
+        let said = errors::pitches(self.law, entries, report);
+        let pitches = said.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
             Some(node) if offset::wrong_type(&format!("{table}.phase"), node, report) => None,
-            Some(node) => offset::read(self.law, self.phase, node, report),
+            Some(node) => offset::read(self.law, self.phase, pitches, node, report),
         };
-        let law = self.course(entries, node, report)?;
+        let law = self.course(entries, node, pitches, report)?.over(said?);
         let begins = law.origin - phase?;
         Some(law.beginning(begins))
     }
 
-    /// The law without its phase.
-    fn course(&self, entries: &[Entry], node: &Node, report: &mut Report) -> Option<Stiffness> {
+    /// The law without its phase, over a number of pitches.
+    fn course(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Stiffness> {
         let table = format!("laws.{}", self.law.name);
-        let smooth = Smooth { law: self.law, phase: self.phase, entries, place: &node.place };
+        let length = self.law.period * f64::from(pitches);
+        let smooth = Smooth { law: self.law, phase: self.phase, length, entries, place: &node.place };
         if let Some(read) = smooth.instead_of_steps(report) {
             return read;
         }
+        if let Some(node) = keys::get(entries, errors::OF_TEETH) {
+            return smooth.ramped(errors::of_teeth(self.law, node, report)?, report);
+        }
         let teeth = Teeth { law: self.law, entries, place: &node.place };
         if teeth.given() {
+            if self.law.with.is_some() {
+                return None; // no keys of an error, which has been told
+            }
             return smooth.ramped(teeth.read(report)?, report);
         }
         let Some(steps) = keys::get(entries, "steps") else {
@@ -119,11 +138,11 @@ impl<'a> Reader<'a> {
             keys::missing(&[("steps", line)], &format!("[{table}]"), &node.place, report);
             return None;
         };
-        let stepping = self.stepping(steps, report)?;
+        let stepping = self.stepping(steps, length, report)?;
         smooth.ramped(stepping, report)
     }
 
-    fn stepping(&self, steps: &Node, report: &mut Report) -> Option<Stiffness> {
+    fn stepping(&self, steps: &Node, length: f64, report: &mut Report) -> Option<Stiffness> {
         let items = field::array(&self.path, steps, &self.steps(), report)?;
         let Some((last, before)) = items.split_last() else {
             let help = format!("write for example {}", self.steps());
@@ -134,7 +153,7 @@ impl<'a> Reader<'a> {
             (before.iter().enumerate()).map(|(i, step)| self.step(i, step, false, report)).collect();
         levels.push(self.step(before.len(), last, true, report));
         let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
-        self.fill(&levels, last, report)
+        self.fill(&levels, length, last, report)
     }
 
     /// A level and its width, which only the last step may leave out.
@@ -156,7 +175,7 @@ impl<'a> Reader<'a> {
         let value = value.and_then(|node| {
             let path = format!("{path}.value");
             let x = measure::quantity(&path, node, self.law.unit, report)?;
-            if x < 0.0 {
+            if x < 0.0 && self.law.with.is_none() {
                 let what = "a mesh pushes back or, at 0, does nothing";
                 measure::out_of_range(&path, node, "must not be negative", what, report);
             }
@@ -178,12 +197,12 @@ impl<'a> Reader<'a> {
     }
 
     /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
-    fn fill(&self, levels: &[(f64, Option<f64>)], last: &Node, report: &mut Report) -> Option<Stiffness> {
-        let pitch = self.law.period;
+    fn fill(&self, levels: &[(f64, Option<f64>)], pitch: f64, last: &Node, report: &mut Report) -> Option<Stiffness> {
+        let one = if pitch == self.law.period { "one pitch is" } else { "the pitches are" };
         let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
         let rest = pitch - given;
         let open = levels.iter().any(|(_, width)| width.is_none());
-        let sum = format!("add up to {} {unit}, one pitch is {} {unit}", short(given), short(pitch), unit = self.phase);
+        let sum = format!("add up to {} {unit}, {one} {} {unit}", short(given), short(pitch), unit = self.phase);
         if open && rest <= 0.0 {
             let message = format!("`{}` leaves nothing of the pitch to its last step", self.path);
             let help = format!("the widths before it {sum}\nmake them narrower");

@@ -21,6 +21,8 @@ pub fn unit_of(key: &str, model: &Model) -> Option<String> {
         ["parameters", _, "ramp", "start" | "duration"] => "s",
         ["parameters", _, "steps", _, "until"] | ["parameters", _, "table", _, "at"] => "s",
         ["laws", name, "steps", _, "value"] => law(name)?.unit,
+        ["laws", name, "mean"] | ["laws", name, "harmonics", _, "amplitude"] => law(name)?.unit,
+        ["laws", name, "pitch_errors", _] => law(name)?.unit,
         ["laws", name, "steps", _, "width"] => coordinate(law(name)?.phase)?,
         ["laws", _, "module" | "face_width" | "centre_distance" | "bore"] => "m",
         ["laws", _, "pressure_angle"] => "rad",

@@ -43,6 +43,10 @@
 //! # phase = 0.25                              # in pitches, or "90 deg"; of planets by teeth and place:
 //! # phase = { sun = 27, at = "120 deg" }      # or { ring = 99, at = "120 deg", planet = 36 }
 //!
+//! # [laws.e]                                  # a transmission error, with the effect of that name: all but teeth as above, of
+//! # pitch_errors = ["0 um", "3 um", "-2 um"]  # any sign; or the pitch errors of the teeth, a step each, one a pitch
+//! # pitches = 24                              # default 1: steps, series or table go over so many pitches
+//!
 //! [start]
 //! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
 //! phi_dot = "1 rad/s"                         # its speed; default: what the motions give it
@@ -70,6 +74,7 @@ pub mod dimension;
 pub(crate) mod document;
 mod effects;
 pub(crate) mod error;
+mod errors;
 mod field;
 mod keys;
 mod laws;
@@ -99,7 +104,7 @@ pub use measured::{time, unit_of};
 pub use solver::{Precision, Solver};
 pub use template::Template;
 
-use crate::model::{Model, Start};
+use crate::model::{Law, Model, Start};
 
 /// Plots that a scene may ask for.
 pub const PLOTS: &[&str] = &["energy", "motion", "spectrum"];
@@ -119,7 +124,7 @@ pub struct Scene {
     pub parameters: Vec<f64>,
     /// Parameters that vary in time, by their numbers, and how.
     pub courses: Vec<(usize, Course)>,
-    /// Mesh stiffnesses, in the order of `model.laws`.
+    /// Mesh stiffnesses and transmission errors, in the order of `model.laws`; 0 for those that the scene does not have.
     pub laws: Vec<Stiffness>,
     /// State at t = 0.
     pub start: Beginning,
@@ -133,11 +138,26 @@ pub struct Scene {
     pub hash: String,
 }
 
+impl Scene {
+    /// The laws that the scene has, each with what it says of it: those of the model, without the transmission errors if its
+    /// effects have none.
+    pub fn present(&self) -> impl Iterator<Item = (&'static Law, &Stiffness)> {
+        let names = self.effects.names(self.model);
+        let laws = self.model.laws.iter().zip(&self.laws);
+        laws.take_while(move |(law, _)| law.with.is_none_or(|effect| names.contains(&effect)))
+    }
+
+    /// Those of them that are stiffnesses.
+    pub fn stiffnesses(&self) -> impl Iterator<Item = (&'static Law, &Stiffness)> {
+        self.present().filter(|(law, _)| law.with.is_none())
+    }
+}
+
 /// A set of effects: bit `i` is `model.effects[i]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects(pub u32);
 
-/// A stiffness over one pitch: constant between its steps, or smooth between its kinks.
+/// A law, a stiffness or a transmission error, over one pitch: constant between its steps, or smooth between its kinks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stiffness {
     /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.
@@ -146,14 +166,16 @@ pub struct Stiffness {
     pub curves: Vec<Curve>,
     /// Phase at which the first level begins, once a pitch [unit of the phase].
     pub origin: f64,
+    /// Pitches after which it repeats itself: 1, of a transmission error also more, over which the levels then go.
+    pub pitches: u32,
 }
 
 /// One level of a [`Stiffness`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
-    /// Stiffness [unit of the law].
+    /// Value [unit of the law].
     pub value: f64,
-    /// Phase over which it holds [unit of the phase]; the widths of a pitch add up to the period.
+    /// Phase over which it holds [unit of the phase]; the widths add up to the pitch, or the pitches.
     pub width: f64,
 }
 

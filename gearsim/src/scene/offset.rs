@@ -27,8 +27,8 @@ use crate::model::Law;
 const PARTS: i32 = 360;
 const NEAR: f64 = 1e-11;
 
-/// Reads `phase`, in the unit of the law's phase; within one pitch.
-pub(super) fn read(law: &Law, unit: &str, node: &Node, report: &mut Report) -> Option<f64> {
+/// Reads `phase`, in the unit of the law's phase; within the `pitches` after which the law repeats itself.
+pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mut Report) -> Option<f64> {
     let path = format!("laws.{}.phase", law.name);
     if let Value::Table(entries) = &node.value {
         return Some(of_planet(&path, entries, node, report)? * law.period);
@@ -42,8 +42,8 @@ pub(super) fn read(law: &Law, unit: &str, node: &Node, report: &mut Report) -> O
         _ => false,
     };
     match bare {
-        true => Some(measure::quantity(&path, node, "1", report)?.fract() * law.period),
-        false => Some(measure::quantity(&path, node, unit, report)? % law.period),
+        true => Some(measure::quantity(&path, node, "1", report)? % f64::from(pitches) * law.period),
+        false => Some(measure::quantity(&path, node, unit, report)? % (law.period * f64::from(pitches))),
     }
 }
 

@@ -1,8 +1,8 @@
-//! Smooth mesh stiffness laws: ramps in place of steps, a Fourier series, or a spline through a table.
+//! Smooth laws: ramps in place of steps, a Fourier series, or a spline through a table.
 
 use super::document::{Entry, Node, Place};
 use super::error::Report;
-use super::{Curve, Stiffness, field, keys, measure};
+use super::{Curve, Stiffness, errors, field, keys, measure};
 use crate::model::Law;
 
 /// Keys of a law that make it smooth.
@@ -18,6 +18,8 @@ pub(super) struct Smooth<'a> {
     pub(super) law: &'a Law,
     /// Unit of the phase.
     pub(super) phase: &'static str,
+    /// Its pitch, or pitches [unit of the phase].
+    pub(super) length: f64,
     /// The table of the law.
     pub(super) entries: &'a [Entry],
     pub(super) place: &'a Place,
@@ -29,12 +31,16 @@ impl Smooth<'_> {
         let get = |key| keys::get(self.entries, key);
         let series = get("harmonics").or(get("mean"));
         let (steps, table) = (get("steps"), get("table"));
-        let forms = [("steps", steps), ("harmonics", series), ("table", table), ("teeth", get("teeth"))];
+        let (teeth, errors) = (get("teeth"), get(errors::OF_TEETH));
+        let forms =
+            [("steps", steps), ("harmonics", series), ("table", table), ("teeth", teeth), (errors::OF_TEETH, errors)];
         let mut given = forms.iter().filter_map(|(name, node)| Some((*name, (*node)?)));
         let (first, second) = (given.next(), given.next());
         if let (Some((a, _)), Some((b, node))) = (first, second) {
             let message = format!("`laws.{}` has both {a} and {b}", self.law.name);
-            report.add(&node.place, message, "one too many", "a law is one of steps, a series, a table, or teeth");
+            let teeth = if self.law.with.is_some() { errors::OF_TEETH } else { "teeth" };
+            let help = format!("a law is one of steps, a series, a table, or {teeth}");
+            report.add(&node.place, message, "one too many", help);
             return Some(None);
         }
         let curved = series.is_some() || table.is_some();
@@ -76,17 +82,21 @@ impl Smooth<'_> {
         let (mean, harmonics) = (keys::get(self.entries, "mean"), keys::get(self.entries, "harmonics"));
         let example = format!("[{{ order = 1, amplitude = \"... {unit}\", phase = \"0 rad\" }}]");
         let lines = [
-            ("mean", mean.is_none(), format!("mean = \"... {unit}\"")),
+            // The mean of an error is mostly of no interest.
+            ("mean", mean.is_none() && self.law.with.is_none(), format!("mean = \"... {unit}\"")),
             ("harmonics", harmonics.is_none(), format!("harmonics = {example}")),
         ];
         let lacking: Vec<_> = lines.into_iter().filter(|line| line.1).map(|(key, _, line)| (key, line)).collect();
         keys::missing(&lacking, &format!("[laws.{name}]"), self.place, report);
-        let mean = measure::quantity(&format!("laws.{name}.mean"), mean?, unit, report);
+        let mean = match mean {
+            Some(node) => measure::quantity(&format!("laws.{name}.mean"), node, unit, report),
+            None => self.law.with.map(|_| 0.0),
+        };
         let path = format!("laws.{name}.harmonics");
         let items = field::array(&path, harmonics?, &example, report)?;
         let each = items.iter().enumerate().map(|(i, node)| self.harmonic(&format!("{path}.{i}"), node, report));
         let harmonics: Vec<_> = each.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
-        let period = self.law.period;
+        let period = self.length;
         Some(Stiffness::curved(vec![(Curve::Fourier { mean: mean?, harmonics, period }, period)]))
     }
 
@@ -135,17 +145,16 @@ impl Smooth<'_> {
                 wrong = true;
                 continue;
             };
-            let inside = (0.0..self.law.period).contains(&point.0);
+            let inside = (0.0..self.length).contains(&point.0);
             if !inside || points.last().is_some_and(|last| last.0 >= point.0) {
                 let message = format!("`{path}.{i}` is out of order");
-                let help =
-                    format!("points go from 0 up to below one pitch, {:.6} {phase}, which repeats", self.law.period);
+                let help = format!("points go from 0 up to below one pitch, {:.6} {phase}, which repeats", self.length);
                 report.add(&item.place, message, "misplaced", help);
                 wrong = true;
             }
             points.push(point);
         }
-        if wrong { None } else { Stiffness::spline(&points, self.law.period) }
+        if wrong { None } else { Stiffness::spline(&points, self.length) }
     }
 
     fn point(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64)> {
@@ -161,10 +170,10 @@ impl Smooth<'_> {
         Some((at?, value?))
     }
 
-    /// The stiffness, unless it pulls somewhere.
+    /// The law, unless it is a stiffness that pulls somewhere.
     fn pushing(&self, stiffness: Stiffness, report: &mut Report) -> Option<Stiffness> {
         let least = stiffness.extremes().0;
-        if least >= 0.0 {
+        if least >= 0.0 || self.law.with.is_some() {
             return Some(stiffness);
         }
         let message = format!("`laws.{}` falls to {least:.4e} {}", self.law.name, self.law.unit);

@@ -1,5 +1,6 @@
 //! Tests of scene files: what they mean, and what is said of mistakes in them.
 
+mod errors;
 mod fixture;
 mod mistakes;
 mod quantities;

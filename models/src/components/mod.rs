@@ -26,7 +26,7 @@ pub use drive::{drive, load};
 pub use fan::fan;
 pub use gear::{Direction, Gear, external, internal};
 pub use governor::{dc_motor, governor};
-pub use mesh::{mesh, mesh_with_play};
+pub use mesh::{mesh, mesh_with_play, transmission_error};
 pub use motor::induction_motor;
 pub use pair::{Pair, pair};
 pub use planets::{Stage, stage};

@@ -68,6 +68,18 @@ const SLIPS: &[Row] = &[
         let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
         m.potential(k.slope * o.x.pow(3));
     }),
+    ("a transmission error in V, not by way of a deflection", "`e`", |m, o| {
+        let e = m.transmission_error("e", "m", o.x, 1.0, "");
+        m.potential(o.s * (o.x - e.value).sq());
+    }),
+    ("a transmission error squared in a deflection", "the deflection `delta`", |m, o| {
+        let e = m.transmission_error("e", "m", o.x, 1.0, "");
+        m.deflection("delta", o.x - e.value.sq());
+    }),
+    ("a stiffness in a deflection", "`k`", |m, o| {
+        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        m.deflection("delta", o.x - k.value);
+    }),
     ("a torque that depends on the position", "the torque `wind`", |m, o| m.torque("wind", o.s * o.x, o.x, "")),
     ("a constant that moves", "the constant `F`", |m, o| {
         m.constant("F", o.s * o.x);

@@ -9,8 +9,8 @@ pub const POINTS: usize = 10_000;
 pub const STIFFNESS_STEP: u32 = 1;
 pub const RIGID_KINEMATICS: u32 = 2;
 pub const FROZEN_PHASE: u32 = 4;
-pub const DAMPING: u32 = 16;
-pub const TORQUES: u32 = 32;
+pub const DAMPING: u32 = 32;
+pub const TORQUES: u32 = 64;
 
 /// A gear pair and a state of it; `pair` has damping and torque, whatever the effects.
 #[derive(Debug, Clone, Copy)]

@@ -264,15 +264,15 @@ fn pulls(note: &mut String) -> f64 {
         while !over {
             over = simulation.step(&mut None, &mut 0).expect("a run");
             events += 1;
-            let (k, band) = (simulation.levels(), &simulation.bands[0]);
+            let ([k, .., damp, clip], band) = (simulation.levels(), &simulation.bands[0]) else { unreachable!() };
             regimes.insert(format!("{:?}", band.regime));
             let Regime::Contact(side, grip) = band.regime else { continue };
             let x = band.depth(side, &simulation.state);
-            let (spring, damper) = (k[0] * x, c * side.sign() * simulation.state.q_dot[1]);
+            let (spring, damper) = (k * x, c * side.sign() * simulation.state.q_dot[1]);
             // The forces of the contact by its definition, and by the law values that the engine goes by.
             let force = spring + damper.clamp(-spring.abs(), spring.abs());
-            let ours = k[0] * x * (1.0 + k[4]) + k[3] * damper;
-            let size = spring.abs() + damper.abs() + k[0] * band.half;
+            let ours = k * x * (1.0 + clip) + damp * damper;
+            let size = spring.abs() + damper.abs() + k * band.half;
             let wrong = match grip {
                 Grip::Touch => damper - spring,
                 Grip::Hit => spring - damper,

@@ -22,6 +22,7 @@ mod contact;
 mod coupled;
 mod damping;
 mod digits;
+mod displaced;
 mod ends;
 mod extremes;
 mod graze;
@@ -53,6 +54,7 @@ const GROUPS: &[&[Case]] = &[
     jump::CASES,
     trapped::CASES,
     contact::CASES,
+    displaced::CASES,
     ends::CASES,
     together::CASES,
     splits::CASES,

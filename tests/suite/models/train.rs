@@ -23,7 +23,7 @@ pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N>
     assert!(numbers.iter().all(|n| known(n.0)), "{}: a number of no use in {numbers:?}", model.name);
     let parameters: Vec<f64> =
         model.parameters.iter().map(|p| number(p.name, p.default.or(p.with.map(|_| f64::NAN)))).collect();
-    let k = model.in_contact(model.laws.iter().map(|l| number(l.name, None)));
+    let k = model.in_contact(model.laws.iter().map(|l| number(l.name, l.with.map(|_| 0.0))));
     let equations = D::equations(0, &parameters, &k).expect("no effect contradicts");
     Train { model, equations, k }
 }

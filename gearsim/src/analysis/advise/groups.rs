@@ -41,7 +41,7 @@ impl Groups {
     pub fn of(scene: &Scene, system: &dyn System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system);
-        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
+        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
         let cell = modes::of(system, &mids)?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
         let mut meshes = vec![];

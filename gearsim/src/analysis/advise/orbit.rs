@@ -47,6 +47,8 @@ pub enum Unknown {
     Unbalanced,
     #[error("the stiffness follows curves between its steps")]
     Curved,
+    #[error("a transmission error moves the flanks")]
+    Displaced,
 }
 
 /// Cells of a period, at most.
@@ -110,8 +112,11 @@ impl<'a> Steady<'a> {
     /// # Errors
     /// Where its numbers do not make a settled motion that this finds.
     pub fn of(scene: &Scene, system: &'a dyn System) -> Result<Steady<'a>, Unknown> {
-        if scene.laws.iter().any(|law| !law.steps_only()) {
+        if scene.present().any(|(_, law)| !law.steps_only()) {
             return Err(Unknown::Curved);
+        }
+        if scene.present().any(|(law, _)| law.with.is_some()) {
+            return Err(Unknown::Displaced);
         }
         let courses = steady::courses(scene, system);
         let (period, stretches) = stretches(&courses)?;
@@ -149,7 +154,7 @@ impl<'a> Steady<'a> {
             natural: (low, high),
             statics: DVector::zeros(speeds.len()),
         };
-        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
+        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
         steady.statics = &steady.shapes * steady.rest(&mids)?;
         let growth = steady.growth()?;
         if growth.powf(scene.t_end / steady.period) > SETTLED {

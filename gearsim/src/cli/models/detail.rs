@@ -19,7 +19,7 @@ pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     };
     add("Coordinates ([start]; their speeds end in _dot)", coordinates(model));
     add("Parameters ([parameters])", model.parameters.iter().map(parameter).collect());
-    add("Stiffnesses ([laws.NAME])", laws(model));
+    add("Laws ([laws.NAME]): stiffnesses, transmission errors", laws(model));
     add("Motions ([start]: gives every speed at once)", motions(model));
     add("Effects (effects = [...])", effects(model));
     let torques = model.torques.iter().map(|t| (vec![t.name.into()], t.doc.into()));
@@ -60,7 +60,8 @@ fn parameter(p: &Parameter) -> Row {
 
 fn laws(model: &Model) -> Vec<Row> {
     let row = |l: &crate::model::Law| {
-        let period = format!("steps in {}, one pitch is {:.6}", l.phase, l.period);
+        let with = l.with.map_or(String::new(), |effect| format!(", required with {effect}"));
+        let period = format!("steps in {}, one pitch is {:.6}{with}", l.phase, l.period);
         (vec![l.name.into(), unit(l.unit), period], l.doc.into())
     };
     model.laws.iter().map(row).collect()

@@ -1,14 +1,19 @@
 //! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
 
 use crate::engine::equations::{Derived, Equations, Switching, compliance, direction, mobility, solve};
+use nalgebra::SVector;
+
 use crate::generated::gear_pair::GearPair;
+use crate::generated::idler::Idler;
 use crate::model::{Range, Start};
+use crate::scene::Effects;
 
 const STIFFNESS_STEP: u32 = 1;
 const RIGID_KINEMATICS: u32 = 2;
 const FROZEN_PHASE: u32 = 4;
-const DAMPING: u32 = 16;
-const TORQUES: u32 = 32;
+const TRANSMISSION_ERROR: u32 = 8;
+const DAMPING: u32 = 32;
+const TORQUES: u32 = 64;
 
 /// N1, N2, I1, I2, zeta, T0, b, and the mid value of k.
 const NUMBERS: [f64; 7] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN];
@@ -89,6 +94,58 @@ fn jacobian() {
     assert_eq!([by_v[0][0], by_v[1][0]], [0.0, 0.0]);
 }
 
+/// Larger models are not inverted symbolically: the forces' derivatives then go through M⁻¹.
+#[test]
+fn jacobian_of_a_larger_model() {
+    let model = Idler::MODEL;
+    let effects = ["stiffness_step", "transmission_error", "damping", "torques"];
+    let effects = Effects::from_names(effects, &model).unwrap();
+    let parameters: Vec<f64> = (0..model.parameters.len()).map(|i| 1.3 + 0.7 * i as f64).collect();
+    let e = Idler::equations(effects.0, &parameters, &[2.0, 3.0]).unwrap();
+    let (q, v) = ([0.3, 0.2, -0.4], [1.1, -0.6, 0.8]);
+    // Laws of the phase q[0], cubic about where it is.
+    let courses = [[2.1, 0.7, -0.9], [3.3, -0.4, 0.5], [0.05, 0.3, -0.2], [-0.07, 0.2, 0.6]];
+    let law = |order: usize, s: f64| courses.map(|c| [c[0] + c[1] * s + c[2] * s * s / 2.0, c[1] + c[2] * s][order]);
+    let at = |q: [f64; 3], v: [f64; 3]| {
+        let s = q[0] - 0.3;
+        SVector::from(e.acceleration(&q, &v, &law(0, s), &law(1, s)))
+    };
+    let found = e.jacobian(&q, &v, &law(0, 0.0), &law(1, 0.0), &courses.map(|c| c[2]));
+    let h = 1e-5;
+    for j in 0..3 {
+        let moved = |x: [f64; 3], by: f64| std::array::from_fn(|i| if i == j { x[i] + by } else { x[i] });
+        let by_q = (at(moved(q, h), v) - at(moved(q, -h), v)) / (2.0 * h);
+        let by_v = (at(q, moved(v, h)) - at(q, moved(v, -h))) / (2.0 * h);
+        for (found, expected) in found.iter().zip([by_q, by_v]) {
+            let largest = expected.amax().max(1e-3);
+            for i in 0..3 {
+                assert!((found[i][j] - expected[i]).abs() < 1e-8 * largest, "{i} {j}: {found:?} is not {expected}");
+            }
+        }
+    }
+}
+
+/// The transmission error moves the spring: V = k (phi - e)², its force and its step by hand, and nothing without the effect.
+#[test]
+fn transmission_error() {
+    let (k, e, de) = (K[0], 1.7e-4, 0.02);
+    let over = Q[1] - e;
+    let with = gear_pair(STIFFNESS_STEP | TRANSMISSION_ERROR);
+    let (m1, m2, _) = constants();
+    close(&[with.potential(&Q, &[k, e])], &[k * over * over]);
+    close(&with.load(&[k, e]), &[0.0, 2.0 * k * e]);
+    let (spring, jump) = (2.0 * k * over, -DK[0] * over * over + 2.0 * k * over * de);
+    let expected = [m2 / 2.0 * jump - m1 / 2.0 * spring, m1 / 2.0 * jump - m2 / 2.0 * spring];
+    close(&with.acceleration(&Q, &V, &[k, e], &[DK[0], de]), &expected);
+    let step = 3e-4;
+    close(&[with.step(1, &Q, &[k, e], step)], &[k * ((over - step).powi(2) - over * over)]);
+    close(&[with.step(0, &Q, &[k, e], 1e3)], &[1e3 * over * over]);
+    let without = gear_pair(STIFFNESS_STEP);
+    close(&[without.potential(&Q, &[k, e])], &[k * Q[1] * Q[1]]);
+    close(&without.load(&[k, e]), &[0.0, 0.0]);
+    assert_eq!([with.switching(1), without.switching(1)], [Switching::WithJump, Switching::Never]);
+}
+
 #[test]
 fn cell_and_jump() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
@@ -133,7 +190,7 @@ fn absent_terms_are_absent() {
 #[test]
 fn sets_of_effects() {
     let exists = |effects| GearPair::equations(effects, &NUMBERS, &[MID]).is_some();
-    assert_eq!((0..128).filter(|&effects| exists(effects)).count(), 32);
+    assert_eq!((0..256).filter(|&effects| exists(effects)).count(), 44);
     assert!(!exists(RIGID_KINEMATICS) && !exists(FROZEN_PHASE | DAMPING));
     assert!(!exists(STIFFNESS_STEP | RIGID_KINEMATICS | FROZEN_PHASE));
     let switching = |effects| gear_pair(effects).switching(0);

@@ -58,3 +58,31 @@ fn whole_pitches_are_nothing() {
     assert_eq!((count, cell), (1_000_000_000, 0));
     assert!(rest.abs() < 1e-6);
 }
+
+/// Over several pitches boundaries have the digits of one, and a way round leads back to where it began.
+#[test]
+fn several_pitches() {
+    let steps: Vec<_> = (0..24).map(|i| Step { value: f64::from(i), width: TAU }).collect();
+    let pitch = Pitch::new(&Stiffness::stepping(steps).beginning(-1.3).over(24), TAU);
+    for (teeth, tooth) in [(0.0, 0), (5.0, 5), (23.0, 23), (24.0, 0), (-1.0, 23), (-25.0, 23)] {
+        let (count, rest, cell) = pitch.locate(teeth * TAU, 1.0);
+        assert_eq!(cell, tooth);
+        assert!((count as f64 * TAU + rest - teeth * TAU).abs() < 1e-13, "{teeth}: {count} {rest}");
+    }
+    for side in [Side::Upper, Side::Lower] {
+        let (mut cell, mut count) = (7, 0);
+        for _ in 0..24 {
+            let (next, entered, turn) = pitch.beyond(cell, side);
+            // A boundary is the same from both sides, in the digits of a pitch.
+            let left = if side == Side::Upper { pitch.bounds(cell).1 } else { pitch.bounds(cell).0 };
+            assert!((turn as f64 * TAU + entered - left).abs() < 2e-15, "{cell}: {left} {entered}");
+            (cell, count) = (next, count + turn);
+        }
+        assert_eq!((cell, count), (7, if side == Side::Upper { 24 } else { -24 }));
+    }
+    for cell in 0..24 {
+        let (lower, upper) = pitch.bounds(cell);
+        let at = if cell == 0 { -1.3 } else { TAU - 1.3 };
+        assert!(((lower - at) / TAU).fract().abs() < 1e-15 && (upper - lower - TAU).abs() < 2e-15, "{lower} {upper}");
+    }
+}

@@ -23,6 +23,8 @@ const fn effect(name: &'static str, requires: &'static [&'static str], excludes:
     Effect { name, doc: "", requires, excludes }
 }
 
+const ERROR: Option<&str> = Some("transmission_error");
+
 pub static GEAR_PAIR: Model = Model {
     name: "gear_pair",
     title: "Two spur gears on rigid shafts",
@@ -42,7 +44,18 @@ pub static GEAR_PAIR: Model = Model {
     dead_bands: &[],
     nonlinear: "",
     nonlinear_with: &[],
-    laws: &[Law { rolling: true, name: "k", unit: "N*m", phase: "theta", period: TAU, doc: "mesh stiffness" }],
+    laws: &[
+        Law { rolling: true, name: "k", unit: "N*m", phase: "theta", period: TAU, with: None, doc: "mesh stiffness" },
+        Law {
+            rolling: true,
+            name: "e",
+            unit: "rad",
+            phase: "theta",
+            period: TAU,
+            with: ERROR,
+            doc: "transmission error",
+        },
+    ],
     motions: &[Motion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
     effects: &[
         effect("stiffness_step", &[], &[]),
@@ -50,6 +63,7 @@ pub static GEAR_PAIR: Model = Model {
         effect("frozen_phase", &["stiffness_step"], &["rigid_kinematics"]),
         effect("damping", &[], &[]),
         effect("torques", &[], &[]),
+        effect("transmission_error", &["stiffness_step"], &[]),
     ],
     torques: &[Torque { name: "drive", doc: "" }, Torque { name: "load", doc: "" }],
     equations: "",

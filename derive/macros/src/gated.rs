@@ -1,0 +1,64 @@
+//! Constants of a cell that are there with an effect: those of dead bands, and transmission errors. Code has them as variables.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::{Ident, Index};
+
+use crate::model::{Law, Model};
+use crate::sums::Ask;
+
+/// touch, edge, damp, clip where a dead band is not there.
+const NEUTRAL: [f64; 4] = [1.0, 0.0, 1.0, 0.0];
+
+/// A constant: its name, its effect, its place in `k`, and what it is without the effect.
+struct Gated<'a> {
+    name: &'a Ident,
+    effect: &'a Ident,
+    place: Index,
+    neutral: f64,
+}
+
+/// `let touch = ..;` for each: from `k` where its effect is there, else what it then is.
+pub fn of_effects(m: &Model, ask: Ask) -> TokenStream {
+    let lets = all(m).map(|Gated { name, effect, place, neutral }| {
+        let (there, neutral) = (ask.tell(effect), Literal::f64_suffixed(neutral));
+        quote!(let #name = if #there { k[#place] } else { #neutral.into() };)
+    });
+    quote!(#(#lets)*)
+}
+
+/// The same where the effects are not known: `k` holds what they are then, too.
+pub fn of_values(m: &Model) -> TokenStream {
+    let lets = all(m).map(|Gated { name, place, .. }| quote!(let #name = k[#place];));
+    quote!(#(#lets)*)
+}
+
+/// The names of all.
+pub fn names(m: &Model) -> impl Iterator<Item = &Ident> {
+    all(m).map(|gated| gated.name)
+}
+
+/// The names of those that move deflections: to be handed to `deflections`.
+pub fn offsets(m: &Model) -> impl Iterator<Item = &Ident> {
+    errors(m).map(|(_, law)| &law.name).chain(m.dead_bands.iter().map(|band| &band.symbols[1]))
+}
+
+fn errors(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
+    m.laws.iter().enumerate().filter(|(_, law)| law.with.is_some())
+}
+
+fn all(m: &Model) -> impl Iterator<Item = Gated<'_>> {
+    let errors = errors(m).filter_map(|(i, law)| {
+        Some(Gated { name: &law.name, effect: law.with.as_ref()?, place: Index::from(i), neutral: 0.0 })
+    });
+    let bands = m.dead_bands.iter().enumerate().flat_map(move |(b, band)| {
+        let first = m.laws.len() + 4 * b;
+        band.symbols.iter().zip(NEUTRAL).enumerate().map(move |(s, (name, neutral))| Gated {
+            name,
+            effect: &band.effect,
+            place: Index::from(first + s),
+            neutral,
+        })
+    });
+    errors.chain(bands)
+}

@@ -1,0 +1,55 @@
+//! What of a transmission error is not as of a stiffness: the pitches it goes over, and the errors of single teeth.
+
+use super::document::{Entry, Node, Value};
+use super::error::Report;
+use super::{Step, Stiffness, field, keys, measure};
+use crate::model::Law;
+
+/// Key of the errors of the teeth: a level a pitch.
+pub(super) const OF_TEETH: &str = "pitch_errors";
+/// Keys that only transmission errors have.
+pub(super) const KEYS: [&str; 2] = ["pitches", OF_TEETH];
+
+/// Most pitches after which an error repeats itself.
+const MOST: f64 = 10_000.0;
+
+/// Pitches after which the law repeats itself: those said, else a pitch a tooth error, else one.
+pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Option<u32> {
+    let get = |key| keys::get(entries, key).filter(|_| law.with.is_some());
+    match (get("pitches"), get(OF_TEETH)) {
+        (Some(node), Some(_)) => {
+            let message = format!("`laws.{0}` has both pitches and {OF_TEETH}", law.name);
+            report.add(&node.place, message, "one too many", format!("leave it out: {OF_TEETH} has one error a pitch"));
+            None
+        }
+        (Some(node), None) => {
+            let path = format!("laws.{}.pitches", law.name);
+            let count = measure::quantity(&path, node, "1", report)?;
+            if count.fract() != 0.0 || !(1.0..=MOST).contains(&count) {
+                let must = format!("must be a whole number from 1 to {MOST}");
+                let what = "the error repeats itself after so many pitches, such as the teeth of a gear";
+                measure::out_of_range(&path, node, &must, what, report);
+                return None;
+            }
+            Some(count as u32)
+        }
+        (None, Some(Node { value: Value::Array(errors), .. })) => Some(errors.len().clamp(1, MOST as usize) as u32),
+        (None, _) => Some(1),
+    }
+}
+
+/// The law of the teeth's errors, one a pitch.
+pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Stiffness> {
+    let path = format!("laws.{}.{OF_TEETH}", law.name);
+    let example = format!("[\"0 {0}\", \"... {0}\"]", law.unit);
+    let items = field::array(&path, node, &example, report)?;
+    if items.is_empty() || items.len() > MOST as usize {
+        let help = format!("write one error a tooth, up to {MOST}, for example {example}");
+        report.add(&node.place, format!("`{path}` has {} errors", items.len()), "too few or too many", help);
+        return None;
+    }
+    let error = |(i, node)| measure::quantity(&format!("{path}.{i}"), node, law.unit, report);
+    let levels: Vec<_> = items.iter().enumerate().map(error).collect();
+    let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
+    Some(Stiffness::stepping(levels.into_iter().map(|value| Step { value, width: law.period }).collect()))
+}

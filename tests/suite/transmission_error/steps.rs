@@ -1,0 +1,138 @@
+//! Errors of teeth, a step a pitch.
+
+use gearsim::engine::{Outcome, Refusal};
+use gearsim::scene::Scene;
+use gearsim::trajectory::Moment;
+
+use crate::by_hand::Pair;
+use crate::{common, mobilities, run, unaccounted};
+
+const ERRORS: [f64; 3] = [0.0, 1.5e-3, -1e-3];
+const OF_TEETH: &str = r#"laws.e={pitch_errors=["0 rad", "1.5e-3 rad", "-1e-3 rad"]}"#;
+
+fn end(outcome: &Outcome) -> [f64; 4] {
+    let t = &outcome.trajectory;
+    let last = t.len() - 1;
+    [t.q[0][last], t.q[1][last], t.q_dot[0][last], t.q_dot[1][last]]
+}
+
+/// Slow enough for reflections, both ways round, over more pitches than the errors have, with the steps of k where those of e
+/// are: the same events as by hand, the same end.
+#[test]
+fn errors_of_teeth_move_as_by_hand() {
+    let pair = Pair { k: [1430.0, 2780.0], width: 1.73, errors: &ERRORS, t0: 10.0 };
+    let mut total = [0, 0];
+    let cases = [
+        (300.0, 0.3, 0, 0.06),
+        (-200.0, 2.5, 1, 0.06),
+        (20.0, 1.0, 0, 0.1),
+        (15.0, 1.2, 0, 0.1),
+        (-20.0, 3.0, 1, 0.1),
+        (25.0, 1.4, 0, 0.1),
+    ];
+    for (rpm, start, cell, t_end) in cases {
+        let set = [
+            format!("start={{theta=\"{start:?} rad\", phi=\"0.004 rad\", speed=\"{rpm:?} rpm\"}}"),
+            format!("run.t_end=\"{t_end:?} s\""),
+            "output.rate=\"1 kHz\"".into(),
+        ];
+        let outcome = run(&[&[OF_TEETH], &set.each_ref().map(String::as_str)[..]].concat());
+        let theta_dot = rpm / 30.0 * std::f64::consts::PI * 24.0;
+        let (expected, [passed, refused]) = pair.run([start, 0.004, theta_dot, 0.0], cell, t_end);
+        let found = end(&outcome);
+        println!("{rpm} rpm: {passed} passed, {refused} refused; {found:?}, by hand {expected:?}");
+        assert_eq!((outcome.counts.cell_changes, outcome.counts.reflections), (passed, refused), "{rpm} rpm");
+        (total[0], total[1]) = (total[0] + passed, total[1] + refused);
+        // Bisected times are right to 1e-16 s, theirs errors grow from event to event.
+        let sizes = [1.0, 1e-2, theta_dot, 100.0];
+        for ((found, expected), size) in found.iter().zip(expected).zip(sizes) {
+            assert!((found - expected).abs() < 1e-8 * f64::abs(size), "{rpm} rpm: {found} for {expected}");
+        }
+        assert!(unaccounted(&outcome) < 1e-13, "{rpm} rpm: {:e}", unaccounted(&outcome));
+    }
+    assert!(total[0] > 20 && total[1] > 2, "{total:?}");
+}
+
+/// At every event v+² = v² - M2 dV with dV by hand, of k and e together; what V gains, T loses.
+#[test]
+fn every_step_keeps_the_energy() {
+    let (m1, m2) = mobilities();
+    // Steps of e apart from those of k, too.
+    let apart = r#"laws.e={pitches=3, steps=[{value="1e-3 rad", width="4 rad"}, {value="-1e-3 rad", width="9 rad"}, {value=0}]}"#;
+    for law in [OF_TEETH, apart] {
+        let outcome = run(&[law, "start.speed=\"50 rpm\"", "run.t_end=\"0.4 s\""]);
+        let t = &outcome.trajectory;
+        let (mut passed, mut refused) = (0, 0);
+        for i in (0..t.len()).filter(|&i| t.moment[i] == Moment::Before) {
+            let (v, after) = (t.q_dot[0][i], t.q_dot[0][i + 1]);
+            let (dv, dt) = (t.strain[i + 1] - t.strain[i], t.kinetic[i + 1] - t.kinetic[i]);
+            let scale = t.kinetic[i] + t.strain[i];
+            assert!((dv + dt).abs() < 1e-14 * scale, "{dv} {dt} of {scale}");
+            assert!((after * after - v * v + m2 * dv).abs() < 1e-12 * v * v, "{v} {after}");
+            let other = t.q_dot[1][i + 1] - t.q_dot[1][i];
+            assert!((other - m1 / m2 * (after - v)).abs() < 1e-12 * v.abs());
+            if dv == 0.0 && after == -v { refused += 1 } else { passed += 1 }
+        }
+        println!("{passed} passed, {refused} refused, {:.1e} unaccounted for", unaccounted(&outcome));
+        assert_eq!((passed, refused), (outcome.counts.cell_changes, outcome.counts.reflections));
+        assert!(passed > 10 && unaccounted(&outcome) < 1e-13);
+    }
+}
+
+/// Exact cells against steps by dop853, which have their events and jumps in common only.
+#[test]
+fn exact_cells_agree_with_steps() {
+    let cases: [(&str, &[&str]); 2] =
+        [("pitch_errors", &["run.t_end=\"0.1 s\""]), ("oh2005/energy_300rpm", &[OF_TEETH, "run.t_end=\"0.05 s\""])];
+    for (name, set) in cases {
+        let scene = |more: &[&str]| {
+            let mut all: Vec<String> = set.iter().chain(more).map(|s| s.to_string()).collect();
+            if name != "pitch_errors" {
+                all.push(r#"effects=["stiffness_step", "transmission_error", "damping", "torques"]"#.into());
+            }
+            common::run(&common::scene(name, &all))
+        };
+        let (exact, steps) = (scene(&[]), scene(&["run.method=dop853", "run.tolerance=1e-13"]));
+        assert_eq!((exact.solver.method, steps.solver.method), ("exact", "dop853"));
+        assert_eq!(exact.counts.cell_changes, steps.counts.cell_changes);
+        let column = |outcome: &Outcome, i: usize| outcome.trajectory.q[i].clone();
+        for i in 0..exact.trajectory.q.len() {
+            let (a, b) = (column(&exact, i), column(&steps, i));
+            let size = a.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            let apart = a.iter().zip(&b).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            println!("{name}, coordinate {i}: {:.1e} of its size", apart / size);
+            assert!(a.len() == b.len() && apart < 1e-8 * size, "{name}, coordinate {i}: {apart} of {size}");
+        }
+    }
+}
+
+/// An error of one level moves phi by as much, and nothing else; errors alike are one.
+#[test]
+fn an_error_that_does_not_change_is_an_offset() {
+    let of = |law: &str| run(&[law, "start.speed=\"200 rpm\"", "run.t_end=\"50 ms\"", "output.events=false"]);
+    let none = of(r#"laws.e={steps=[{value=0}]}"#);
+    for law in
+        [r#"laws.e={steps=[{value="2e-3 rad"}]}"#, r#"laws.e={pitch_errors=["2e-3 rad", "2e-3 rad", "2e-3 rad"]}"#]
+    {
+        let moved = of(law);
+        let (a, b) = (&none.trajectory, &moved.trajectory);
+        assert_eq!(a.len(), b.len());
+        for i in 0..a.len() {
+            assert!((b.q[1][i] - a.q[1][i] - 2e-3).abs() < 1e-11, "{law}: {} {}", a.q[1][i], b.q[1][i]);
+            assert!((b.q_dot[0][i] - a.q_dot[0][i]).abs() < 1e-9 * a.q_dot[0][0], "{law}");
+        }
+    }
+}
+
+/// Play and twice the digits do not go with it: refused before the run.
+#[test]
+fn what_does_not_follow_it_is_refused() {
+    let effects = |more: &str| format!("effects=[\"stiffness_step\", \"transmission_error\"{more}]");
+    let set = [effects(""), OF_TEETH.into(), "run.precision=\"compensated\"".into()];
+    let refused = (common::model("gear_pair").run)(&common::scene("oh2005/energy_300rpm", &set), &mut |_| {});
+    assert_eq!(refused.err(), Some(Refusal::CompensatedCells));
+    let path = common::root().join("models/scenes/backlash.toml");
+    let errors = Scene::load(&path, &[effects(", \"backlash\""), OF_TEETH.into()], &common::models());
+    let text = errors.expect_err("a contradiction").render(100, false);
+    assert!(text.contains("effects `transmission_error` and `backlash` contradict each other"), "{text}");
+}
