@@ -10,7 +10,8 @@
 //!      is `half(...)`, any other quantity a parameter with a default.
 //!    - [`components`] add bodies and what is between them, with their parameters: `rotor`, `planar_rotor`, `shaft`,
 //!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
-//!      `dc_motor`, `induction_motor`, `fan`, and last `damping`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
+//!      `dc_motor`, `induction_motor`, `fan`, and last `damping`. Each names its parameters by its part: `rotor(m, "1", ...)`
+//!      declares `I1`, `rotor(m, "t", ...)` `I_t`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
 //!      small and elastic (a twist, a deflection), and one phase for each mesh that rolls on.
 //!    - For what no component says: `m.parameter(name, unit, default, range, doc)` and the energies themselves,
 //!      `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called as often
@@ -41,6 +42,7 @@
 //! [`idler`](idler::idler) is a complete example made of components, [`gear_pair`](gear_pair::gear_pair) one of bare energies.
 
 pub mod backlash_oscillator;
+pub mod belt_drive;
 pub mod chain;
 pub mod components;
 pub mod gear_pair;
@@ -67,6 +69,7 @@ pub const MODELS: &[Entry] = &[
     ("geared_branches", geared_branches::geared_branches),
     ("two_stage", two_stage::two_stage),
     ("idler", idler::idler),
+    ("belt_drive", belt_drive::belt_drive),
     ("planetary_3", |m| planetary::planetary(m, 3)),
     ("planetary_4", |m| planetary::planetary(m, 4)),
     ("planetary_5", |m| planetary::planetary(m, 5)),

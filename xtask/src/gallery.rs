@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// Scenes, by their paths under models/scenes, and the plot that shows each best.
-const SCENES: [(&str, &str); 14] = [
+const SCENES: [(&str, &str); 15] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "motion"),
@@ -21,6 +21,7 @@ const SCENES: [(&str, &str); 14] = [
     ("pitch_errors", "motion"),
     ("transmission_error", "motion"),
     ("two_stage", "motion"),
+    ("belt_drive", "motion"),
     ("chain_5", "motion"),
 ];
 

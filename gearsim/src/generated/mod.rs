@@ -5,6 +5,8 @@ use crate::engine::Entry;
 #[rustfmt::skip]
 pub mod backlash_oscillator;
 #[rustfmt::skip]
+pub mod belt_drive;
+#[rustfmt::skip]
 pub mod chain_2;
 #[rustfmt::skip]
 pub mod chain_32;
@@ -47,6 +49,7 @@ pub static MODELS: &[Entry] = &[
     Entry::new::<geared_branches::GearedBranches, 4>(),
     Entry::new::<two_stage::TwoStage, 6>(),
     Entry::new::<idler::Idler, 3>(),
+    Entry::new::<belt_drive::BeltDrive, 3>(),
     Entry::new::<planetary_3::Planetary3, 6>(),
     Entry::new::<planetary_4::Planetary4, 7>(),
     Entry::new::<planetary_5::Planetary5, 8>(),

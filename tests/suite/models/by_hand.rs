@@ -69,6 +69,7 @@ pub const TESTS: &[(&str, fn())] = &[
     ("geared_branches", geared_branches_by_hand),
     ("two_stage", two_stage_by_hand),
     ("idler", idler_by_hand),
+    ("belt_drive", belt_drive_by_hand),
     ("planetaries_of_3_4_and_5", planetaries),
     ("planar_planetaries_of_3_4_and_5", planar_planetaries),
     ("wind_turbine", wind_turbine_by_hand),
@@ -254,6 +255,35 @@ fn idler_by_hand() {
     compare::<idler::Idler, 3>(&numbers, &by_hand, |q| {
         let theta2 = q("theta") / p("N2");
         vec![(r[1] * theta2 + q("delta1")) / r[0], theta2, (r[1] * theta2 - q("delta2")) / r[2]]
+    });
+}
+
+fn belt_drive_by_hand() {
+    let numbers = with(
+        &[
+            ("r1", 0.9),
+            ("r2", 0.4),
+            ("a", 1.3),
+            ("I1", 0.4),
+            ("I2", 0.8),
+            ("I_t", 0.3),
+            ("k_p", 5.7),
+            ("k_s", 4.9),
+            ("k_t", 1.9),
+        ],
+        &[("T_crank", 0.0), ("T_load", 0.0)],
+    );
+    let p = of(&numbers);
+    let by_hand = ByHand {
+        inertia: ["I1", "I2", "I_t"].map(&p).to_vec(),
+        springs: vec![
+            (p("k_p"), vec![(0, p("r1")), (1, -p("r2"))]),
+            (p("k_s"), vec![(0, -p("r1")), (1, p("r2")), (2, p("a"))]),
+            (p("k_t"), vec![(2, 1.0)]),
+        ],
+    };
+    compare::<belt_drive::BeltDrive, 3>(&numbers, &by_hand, |q| {
+        vec![q("theta"), (p("r1") * q("theta") - q("s")) / p("r2"), q("psi")]
     });
 }
 
