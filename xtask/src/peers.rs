@@ -51,6 +51,8 @@ impl Peers {
         main.arg("main.py").arg(&scenes).arg(&table).args(self.quick.then_some("--quick")).current_dir(&peers);
         main.env("PEERS_OWN", own).env("PEERS_RUST", place.join("rust/release/gearsim-peers"));
         main.env("CARGO", env!("CARGO")).env("PYTHONPYCACHEPREFIX", place.join("pycache"));
+        // Compiling Python's sources at every start would count as a peer's time.
+        main.env_remove("PYTHONDONTWRITEBYTECODE");
         // One thread each: processor times add up over threads.
         main.envs([("OMP_NUM_THREADS", "1"), ("OPENBLAS_NUM_THREADS", "1")]);
         run(&mut main, "running the peers")?;

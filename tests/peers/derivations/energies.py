@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+WORDS = r" (where|without|in contact) "
 GENERATED = Path(__file__).parents[3] / "gearsim/src/generated"
 
 
@@ -31,8 +32,23 @@ def section(text, title):
     """The plain lines of a section of a derived file, by what stands before =."""
     found = re.search(rf"^//! # {title}\n//!\n//! ```text\n(.*?)//! ```", text, re.S | re.M)
     lines = found[1].splitlines() if found else []
-    pairs = (line.removeprefix("//! ").split(" = ", 1) for line in lines if " = " in line)
+    lines = (line.removeprefix("//! ") for line in lines)
+    pairs = (line.split(" = ", 1) for line in lines if " = " in line and line[0] != " ")
     return {name: re.sub(r" \[[a-z, ]*\]", "", value).replace("^", "**") for name, value in pairs}
+
+
+def plain(text, title):
+    """The same without play and transmission errors, which other tools do not know: what is told of them in words among the
+    deflections has the number that its line begins with."""
+    told = {name: value for name, value in section(text, "Deflections").items() if re.search(WORDS, value)}
+    absent = {name: re.match(r"\d+", value)[0] for name, value in told.items()}
+    absent |= {f"d{name}": "0" for name in told}
+    absent |= {name: "0" for value in told.values() for name in [*re.findall(r"with (\w+) = 0", value), "clip"]}
+
+    def put(value):
+        return re.sub(r"\b(" + "|".join(absent) + r")\b", lambda found: absent[found[0]], value) if absent else value
+
+    return {name: put(value) for name, value in section(text, title).items() if not re.search(WORDS, value)}
 
 
 def read(model):
@@ -41,7 +57,7 @@ def read(model):
     if not path.exists():
         return None
     text = path.read_text()
-    given, deflections = section(text, "Energies"), section(text, "Deflections")
+    given, deflections = plain(text, "Energies"), plain(text, "Deflections")
     q = [name.removeprefix("Q_") for name in given if name.startswith("Q_")]
     for name, value in deflections.items():
         rate = re.sub(r"\b(" + "|".join(q) + r")\b", r"\1_dot", value)

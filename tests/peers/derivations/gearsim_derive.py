@@ -12,7 +12,7 @@ import subprocess
 
 import sympy as sp
 
-from .energies import GENERATED, names, section
+from .energies import GENERATED, names, plain
 from .operations import counted
 
 METHODS = ["gearsim"]
@@ -36,7 +36,7 @@ def run(model):
         best = took if best is None else min(best, took)
     yield {"took": best}
     text = (GENERATED / f"{model}.rs").read_text()
-    equations, deflections = section(text, "Equations of motion"), section(text, "Deflections")
+    equations, deflections = plain(text, "Equations of motion"), plain(text, "Deflections")
     texts = [*equations.values(), *deflections.values()]
     known = {name: sp.Symbol(name) for name in names(*texts)}
     parsed = [sp.parse_expr(text, local_dict=known) for text in texts]
