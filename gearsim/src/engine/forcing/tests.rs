@@ -190,6 +190,57 @@ fn play_goes_with_torques_that_vary() {
     assert!(off < 1e-8 && residual(&steps) < 1e-9, "{off:e} {:e}", residual(&steps));
 }
 
+/// At rest, flanks just touching at a boundary of the stiffness, under a torque that begins from nothing: what is pushed
+/// through a shaft moves with the fifth power of time, far below the rounding of the forces that balance.
+#[test]
+fn a_train_at_rest_with_play_starts_up() {
+    let text = r#"
+model = "gear_pair_shafts"
+effects = ["stiffness_step", "damping", "torques", "backlash"]
+[parameters]
+N1 = 24
+N2 = 96
+r1 = "71.6 mm"
+I1 = "2890 kg*mm^2"
+I2 = "740200 kg*mm^2"
+I_m = "0.02 kg*m^2"
+I_l = "1.5 kg*m^2"
+k_m = "20 kN*m/rad"
+k_l = "200 kN*m/rad"
+alpha_M = "5 1/s"
+b12 = "0.1 mm"
+T_motor = { ramp = { from = "0 N*m", to = "240 N*m", duration = "50 ms" } }
+T_load = "0 N*m"
+[laws.k12]
+steps = [{ value = "80.3 MN/m", width = "1.73 rad" }, { value = "156 MN/m" }]
+[start]
+theta = "0.5 rad"
+[run]
+t_end = "60 ms"
+[output]
+rate = "5 kHz"
+events = false
+"#;
+    let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
+    let run = |overrides: &[String]| {
+        let scene = Scene::parse("start", "start", text, overrides, &models);
+        let scene = scene.unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+        let outcome = (entry(&scene).run)(&scene, &mut |_| {}).unwrap();
+        assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
+        outcome
+    };
+    for start in ["0.5 rad", "0 rad"] {
+        let exact = run(&[format!("start.theta={start}")]);
+        assert!(exact.counts.cell_changes > 4 && residual(&exact) < 1e-12, "{:?} {:e}", exact.counts, residual(&exact));
+    }
+    // By steps only where no rounding of the phase at rest decides in which cell it begins.
+    let exact = run(&[]);
+    let steps = run(&["run.method=dop853".into(), "run.tolerance=1e-12".into()]);
+    assert_eq!(steps.counts.cell_changes, exact.counts.cell_changes);
+    let off = crate::methods::tests::difference(&steps.trajectory, &exact.trajectory);
+    assert!(off < 1e-6, "{off:e}");
+}
+
 /// Levels: cells are the ordinary ones between breakpoints; one of them falls on a sample, one on an event's neighbourhood.
 #[test]
 fn levels_are_constant_torques_one_after_another() {

@@ -20,8 +20,8 @@ use crate::engine::mode::GAUSS_16;
 
 /// Terms of the series.
 pub const TERMS: usize = 28;
-/// Roundings of a sum over the modes.
-const ROUNDINGS: f64 = 16.0;
+/// Roundings of a sum over the modes: of the sum, and of the shapes, which are known to some hundred of them.
+const ROUNDINGS: f64 = 1024.0;
 /// Length of a window times the fastest rate in it.
 pub const SPAN: f64 = 2.0;
 
@@ -65,7 +65,17 @@ impl<'a, const N: usize> Window<'a, N> {
         terms[1] = linear.momentum * q_dot * width;
         for n in 0..TERMS - 2 {
             let own = if n == 0 { linear.load - linear.springs * q } else { -linear.omega2.component_mul(&terms[n]) };
-            let force = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push * load[n]);
+            let mut force = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push * load[n]);
+            if n == 0 {
+                // Forces that balance leave none: their rounding must not part flanks that just touch.
+                let own = linear.load.abs() + linear.springs.abs() * q.abs();
+                let sizes = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push.abs() * load[n].abs());
+                force.zip_apply(&sizes, |force, size| {
+                    if force.abs() <= ROUNDINGS * f64::EPSILON * size {
+                        *force = 0.0;
+                    }
+                });
+            }
             let drag = match linear.by_itself {
                 true => SVector::from_fn(|i, _| linear.damping[(i, i)] * terms[n + 1][i]),
                 false => linear.damping * terms[n + 1],
