@@ -38,10 +38,32 @@ fn omega() -> f64 {
     (M[1] * K).sqrt()
 }
 
+/// The same gears on shafts, between a motor and a load; what is to be set: torques, damping, start and end.
+const TRAIN: &str = r#"
+model = "gear_pair_shafts"
+effects = ["stiffness_step", "damping", "torques"]
+[parameters]
+N1 = 24
+N2 = 96
+r1 = "71.6 mm"
+I1 = "2890 kg*mm^2"
+I2 = "740200 kg*mm^2"
+I_m = "0.02 kg*m^2"
+I_l = "1.5 kg*m^2"
+k_m = "20 kN*m/rad"
+k_l = "200 kN*m/rad"
+[laws.k12]
+steps = [{ value = "80.3 MN/m", width = "1.73 rad" }, { value = "156 MN/m" }]
+"#;
+
 fn scene(overrides: &[&str]) -> Scene {
+    parse(SCENE, overrides)
+}
+
+fn parse(text: &str, overrides: &[&str]) -> Scene {
     let overrides: Vec<_> = overrides.iter().map(|text| text.to_string()).collect();
     let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
-    Scene::parse("test", "test", SCENE, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::parse("test", "test", text, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
 fn entry(scene: &Scene) -> &'static Entry {
@@ -49,7 +71,11 @@ fn entry(scene: &Scene) -> &'static Entry {
 }
 
 fn run(overrides: &[&str]) -> Outcome {
-    let scene = scene(overrides);
+    run_of(SCENE, overrides)
+}
+
+fn run_of(text: &str, overrides: &[&str]) -> Outcome {
+    let scene = parse(text, overrides);
     let outcome = (entry(&scene).run)(&scene, &mut |_| {}).unwrap();
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
@@ -194,48 +220,26 @@ fn play_goes_with_torques_that_vary() {
 /// through a shaft moves with the fifth power of time, far below the rounding of the forces that balance.
 #[test]
 fn a_train_at_rest_with_play_starts_up() {
-    let text = r#"
-model = "gear_pair_shafts"
-effects = ["stiffness_step", "damping", "torques", "backlash"]
-[parameters]
-N1 = 24
-N2 = 96
-r1 = "71.6 mm"
-I1 = "2890 kg*mm^2"
-I2 = "740200 kg*mm^2"
-I_m = "0.02 kg*m^2"
-I_l = "1.5 kg*m^2"
-k_m = "20 kN*m/rad"
-k_l = "200 kN*m/rad"
-alpha_M = "5 1/s"
-b12 = "0.1 mm"
-T_motor = { ramp = { from = "0 N*m", to = "240 N*m", duration = "50 ms" } }
-T_load = "0 N*m"
-[laws.k12]
-steps = [{ value = "80.3 MN/m", width = "1.73 rad" }, { value = "156 MN/m" }]
-[start]
-theta = "0.5 rad"
-[run]
-t_end = "60 ms"
-[output]
-rate = "5 kHz"
-events = false
-"#;
-    let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
-    let run = |overrides: &[String]| {
-        let scene = Scene::parse("start", "start", text, overrides, &models);
-        let scene = scene.unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-        let outcome = (entry(&scene).run)(&scene, &mut |_| {}).unwrap();
-        assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
-        outcome
+    let run = |overrides: &[&str]| {
+        let rest = [
+            "effects=[\"stiffness_step\", \"damping\", \"torques\", \"backlash\"]",
+            "parameters.b12=0.1 mm",
+            "parameters.alpha_M=5 1/s",
+            "parameters.T_motor={ramp={from=\"0 N*m\", to=\"240 N*m\", duration=\"50 ms\"}}",
+            "parameters.T_load=0 N*m",
+            "start.theta=0.5 rad",
+            "run.t_end=60 ms",
+            "output={rate=\"5 kHz\", events=false}",
+        ];
+        run_of(TRAIN, &[&rest[..], overrides].concat())
     };
     for start in ["0.5 rad", "0 rad"] {
-        let exact = run(&[format!("start.theta={start}")]);
+        let exact = run(&[&format!("start.theta={start}")]);
         assert!(exact.counts.cell_changes > 4 && residual(&exact) < 1e-12, "{:?} {:e}", exact.counts, residual(&exact));
     }
     // By steps only where no rounding of the phase at rest decides in which cell it begins.
     let exact = run(&[]);
-    let steps = run(&["run.method=dop853".into(), "run.tolerance=1e-12".into()]);
+    let steps = run(&["run.method=dop853", "run.tolerance=1e-12"]);
     assert_eq!(steps.counts.cell_changes, exact.counts.cell_changes);
     let off = crate::methods::tests::difference(&steps.trajectory, &exact.trajectory);
     assert!(off < 1e-6, "{off:e}");
@@ -350,35 +354,17 @@ fn other_ways_refuse_or_stand_aside() {
 /// torque rises, and lets it go on.
 #[test]
 fn a_ramp_frees_what_is_held() {
-    let text = r#"
-model = "gear_pair_shafts"
-effects = ["stiffness_step", "damping", "torques"]
-[parameters]
-N1 = 24
-N2 = 96
-r1 = "71.6 mm"
-I1 = "2890 kg*mm^2"
-I2 = "740200 kg*mm^2"
-I_m = "0.02 kg*m^2"
-I_l = "1.5 kg*m^2"
-k_m = "20 kN*m/rad"
-k_l = "200 kN*m/rad"
-alpha_M = "3000 1/s"
-T_motor = { ramp = { from = "235 N*m", to = "245 N*m", start = "0.1 s", duration = "0.4 s" } }
-T_load = "960 N*m"
-[laws.k12]
-steps = [{ value = "80.3 MN/m", width = "1.73 rad" }, { value = "156 MN/m" }]
-[start]
-theta = "1e-3 rad"
-[run]
-t_end = "0.5 s"
-[output]
-rate = "1 kHz"
-"#;
-    let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
-    let scene = Scene::parse("held", "held", text, &[], &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-    let held = (entry(&scene).run)(&scene, &mut |_| {}).unwrap();
-    assert!(held.stopped_by.is_none(), "{:?}", held.stopped_by);
+    let held = run_of(
+        TRAIN,
+        &[
+            "parameters.alpha_M=3000 1/s",
+            "parameters.T_motor={ramp={from=\"235 N*m\", to=\"245 N*m\", start=\"0.1 s\", duration=\"0.4 s\"}}",
+            "parameters.T_load=960 N*m",
+            "start.theta=1e-3 rad",
+            "run.t_end=0.5 s",
+            "output.rate=1 kHz",
+        ],
+    );
     assert!(held.counts.reflections > 0 && held.counts.holds > 0, "{:?}", held.counts);
     let t = &held.trajectory;
     // Held as the ramp begins, and for as long as the load outweighs the motor: until 0.3 s, when the torques balance.

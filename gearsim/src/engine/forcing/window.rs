@@ -70,11 +70,7 @@ impl<'a, const N: usize> Window<'a, N> {
                 // Forces that balance leave none: their rounding must not part flanks that just touch.
                 let own = linear.load.abs() + linear.springs.abs() * q.abs();
                 let sizes = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push.abs() * load[n].abs());
-                force.zip_apply(&sizes, |force, size| {
-                    if force.abs() <= ROUNDINGS * f64::EPSILON * size {
-                        *force = 0.0;
-                    }
-                });
+                force.zip_apply(&sizes, |force, size| *force = beyond_rounding(*force, size));
             }
             let drag = match linear.by_itself {
                 true => SVector::from_fn(|i, _| linear.damping[(i, i)] * terms[n + 1][i]),
@@ -104,8 +100,7 @@ impl<'a, const N: usize> Window<'a, N> {
         let modal = self.linear.shapes.tr_mul(on_q);
         std::array::from_fn(|n| {
             let parts = modal.component_mul(&self.terms[n]);
-            let sum = parts.sum();
-            if sum.abs() <= ROUNDINGS * f64::EPSILON * parts.abs().sum() { 0.0 } else { sum }
+            beyond_rounding(parts.sum(), parts.abs().sum())
         })
     }
 
@@ -172,4 +167,9 @@ impl<'a, const N: usize> Window<'a, N> {
         // The speeds are those by x: once for the square, and none for the work.
         Gains { lost: if self.width > 0.0 { lost * 0.5 * x / self.width } else { 0.0 }, work }
     }
+}
+
+/// A sum of parts that have this size together; nothing where they cancel to their rounding.
+fn beyond_rounding(sum: f64, size: f64) -> f64 {
+    if sum.abs() <= ROUNDINGS * f64::EPSILON * size { 0.0 } else { sum }
 }
