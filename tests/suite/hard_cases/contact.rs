@@ -98,58 +98,74 @@ fn rest(outcome: &Outcome) -> f64 {
 
 /// The gear pair at rest at the boundary theta = 0, below which the mesh is stiffer, with phi at `phi` times T0/k1.
 fn at_rest(t0: f64, phi: f64, t_end: f64) -> Outcome {
-    let overrides = [
-        r#"effects=["stiffness_step", "torques"]"#.into(),
+    pair_at_rest(t0, phi * t0 / K, t_end, &[r#"effects=["stiffness_step", "torques"]"#])
+}
+
+/// The gear pair at rest at the boundary theta = 0 under a torque [N m], with phi [rad], for a time [s].
+pub fn pair_at_rest(t0: f64, phi: f64, t_end: f64, others: &[&str]) -> Outcome {
+    let own = [
         format!("parameters.T0={t0:?} N*m"),
         "start.speed=0 rpm".into(),
-        format!("start.phi={:?} rad", phi * t0 / 1430.0),
+        format!("start.phi={phi:?} rad"),
         format!("run.t_end={t_end:?} s"),
     ];
+    let overrides: Vec<_> = own.into_iter().chain(others.iter().map(|other| other.to_string())).collect();
     common::run(&common::scene("oh2005/energy_300rpm", &overrides))
 }
 
 /// Angular frequencies of phi with theta free, sqrt(M2 k), and with theta held, sqrt(2 k/(a + b)); M1/M2.
-fn frequencies(k: f64) -> (f64, f64, f64) {
+pub fn frequencies(k: f64) -> (f64, f64, f64) {
     let (a, b) = (0.00289 / 24f64.powi(2), 0.7402 / 96f64.powi(2));
     let (m1, m2) = ((1.0 / a - 1.0 / b) / 2.0, (1.0 / a + 1.0 / b) / 2.0);
     ((m2 * k).sqrt(), (2.0 * k / (a + b)).sqrt(), m1 / m2)
 }
 
-/// Rest of phi in the softer mesh under 10 N m.
-const REST: f64 = 10.0 / 1430.0;
+/// The softer mesh [N m], and the rest of phi in it under 10 N m.
+pub const K: f64 = 1430.0;
+pub const REST: f64 = 10.0 / K;
 
-/// How far theta, phi and their speeds at the end are off, in units of REST and of `speed`; infinite where events are
-/// others, or energy is lost.
-fn off(outcome: &Outcome, events: (u64, u64), [theta, phi]: [f64; 2], speeds: [f64; 2], speed: f64) -> f64 {
-    if (outcome.counts.holds, outcome.counts.cell_changes) != events || residual(outcome) > 1e-14 {
-        return f64::INFINITY;
+/// The motion from the moment on at which theta is let go: about `rest` in a mesh of stiffness `k`, for the time `after`.
+pub struct Freed {
+    pub phi: f64,
+    pub speed: f64,
+    pub k: f64,
+    pub rest: f64,
+    pub after: f64,
+}
+
+impl Freed {
+    /// How far theta, phi and their speeds are off at the end, in units of REST and of the speed; infinite where holds and cell
+    /// changes are others, or energy is lost.
+    pub fn off(&self, outcome: &Outcome, events: (u64, u64)) -> f64 {
+        if (outcome.counts.holds, outcome.counts.cell_changes) != events || residual(outcome) > 1e-14 {
+            return f64::INFINITY;
+        }
+        let Freed { phi, speed, rest, after, .. } = *self;
+        let (w, _, ratio) = frequencies(self.k);
+        let (s, c) = (w * after).sin_cos();
+        let (x, v) = (rest + (phi - rest) * c + speed / w * s, -(phi - rest) * w * s + speed * c);
+        let expected = [ratio * (x - phi - speed * after), x, ratio * (v - speed), v];
+        let (q, q_dot) = end(outcome);
+        let sizes = [REST, REST, speed.abs(), speed.abs()];
+        let ends = q.iter().chain(&q_dot).zip(expected).zip(sizes);
+        largest(ends.map(|((x, expected), size)| (x - expected).abs() / size))
     }
-    let (q, v) = end(outcome);
-    let angles = [q[0] - theta, q[1] - phi].map(|x| x.abs() / REST);
-    let speeds = [v[0] - speeds[0], v[1] - speeds[1]].map(|x| x.abs() / speed.abs());
-    largest(angles.into_iter().chain(speeds))
 }
 
 /// phi = 3 T0/k1 accelerates theta down, against a step up: held, until phi has come to T0/k1 and the reaction pulls.
 fn release() -> f64 {
-    let (free, held, ratio) = frequencies(1430.0);
+    let (free, held, _) = frequencies(K);
     let after = 0.3 / free;
     let outcome = at_rest(10.0, 3.0, std::f64::consts::FRAC_PI_2 / held + after);
-    let speed = -2.0 * REST * held;
-    let (phi, phi_dot) = (REST + speed / free * (free * after).sin(), speed * (free * after).cos());
-    let (theta, theta_dot) = (ratio * (phi - REST - speed * after), ratio * (phi_dot - speed));
-    off(&outcome, (1, 0), [theta, phi], [theta_dot, phi_dot], speed)
+    Freed { phi: REST, speed: -2.0 * REST * held, k: K, rest: REST, after }.off(&outcome, (1, 0))
 }
 
 /// phi swings from 2 |T0|/k1 through zero to negative rest: there the step vanishes, and theta slips through.
 fn slip() -> f64 {
-    let (_, held, ratio) = frequencies(1430.0);
+    let (_, held, _) = frequencies(K);
     let (free, ..) = frequencies(2780.0);
-    let (after, beyond) = (0.2 / free, 10.0 / 2780.0);
+    let after = 0.2 / free;
     let outcome = at_rest(-10.0, -2.0, (1.0f64 / 3.0).acos() / held + after);
     let speed = -3.0 * REST * held * (1.0f64 - 1.0 / 9.0).sqrt();
-    let (c, s) = ((free * after).cos(), (free * after).sin());
-    let (phi, phi_dot) = (-beyond + beyond * c + speed / free * s, -beyond * free * s + speed * c);
-    let (theta, theta_dot) = (ratio * (phi - speed * after), ratio * (phi_dot - speed));
-    off(&outcome, (1, 1), [theta, phi], [theta_dot, phi_dot], speed)
+    Freed { phi: 0.0, speed, k: 2780.0, rest: -10.0 / 2780.0, after }.off(&outcome, (1, 1))
 }
