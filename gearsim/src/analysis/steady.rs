@@ -1,19 +1,19 @@
-//! Steady rotation: every mesh phase moves on at the speed that the scene starts it with, and its stiffness is a function
-//! of time, k(Omega0 t).
+//! Steady rotation: every mesh phase moves on at the speed that the scene starts it with, and its laws are functions of time,
+//! k(Omega0 t).
 
 use crate::engine::equations::Switching;
 use crate::engine::system::System;
 use crate::model::{Law, Start};
 use crate::scene::{Scene, Stiffness};
 
-/// A stiffness in steady rotation.
+/// A law in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     /// Name of its law.
     pub name: &'static str,
-    /// Levels over one pitch, each with the phase at which it ends; the last ends at `period`.
+    /// Its levels, each with the phase at which it ends; the last ends at `period`.
     pub levels: Vec<(f64, f64)>,
-    /// One pitch [unit of the phase].
+    /// One pitch, or as many as a transmission error goes over [unit of the phase].
     pub period: f64,
     /// Phase at t = 0, from the beginning of the first level on.
     pub start: f64,
@@ -24,12 +24,17 @@ pub struct Course {
 }
 
 impl Course {
-    /// Pitches a second [Hz].
+    /// Periods a second [Hz].
     pub fn frequency(&self) -> f64 {
         self.speed.abs() / self.period
     }
 
-    /// Its average over a pitch.
+    /// Whether it steps as it turns.
+    pub fn turns(&self) -> bool {
+        self.steps && self.speed != 0.0
+    }
+
+    /// Its average over a period.
     pub fn mean(&self) -> f64 {
         let mut begin = 0.0;
         let part = |&(value, end): &(f64, f64)| {
@@ -53,9 +58,15 @@ pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
     speeds
 }
 
-/// The stiffnesses of a scene in steady rotation, in the order of the model's laws. Transmission errors are none: a small
-/// disturbance does not feel them.
+/// The stiffnesses of a scene in steady rotation, in the order of the model's laws.
 pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
+    let mut all = all_courses(scene, system);
+    all.truncate(scene.stiffnesses().count());
+    all
+}
+
+/// All its laws: the stiffnesses, and after them the transmission errors, which a small disturbance does not feel.
+pub fn all_courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
     let speeds = speeds(scene, system);
     let course = |(i, (law, given)): (usize, (&'static Law, &Stiffness))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
@@ -64,6 +75,7 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             Start::Static => 0.0,
         };
         let steps = system.switching(i) != Switching::Never && given.steps.len() > 1;
+        let period = law.period * f64::from(given.pitches);
         let mut end = 0.0;
         let mut levels: Vec<(f64, f64)> = given
             .steps
@@ -74,18 +86,12 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
             })
             .collect();
         if !steps {
-            levels = vec![(given.mid(), law.period)];
+            levels = vec![(given.mid(), period)];
         } else if let Some(last) = levels.last_mut() {
-            last.1 = law.period;
+            last.1 = period;
         }
-        Course {
-            name: law.name,
-            levels,
-            period: law.period,
-            start: (begin - given.origin).rem_euclid(law.period),
-            speed: speeds[phase],
-            steps,
-        }
+        let start = (begin - given.origin).rem_euclid(period);
+        Course { name: law.name, levels, period, start, speed: speeds[phase], steps }
     };
-    scene.stiffnesses().enumerate().map(course).collect()
+    scene.present().enumerate().map(course).collect()
 }

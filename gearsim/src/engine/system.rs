@@ -10,9 +10,13 @@ use crate::engine::outcome::equations;
 use crate::model::Model;
 use crate::scene::Scene;
 
-/// Equations that are linear between two steps; `k` holds the present value of each stiffness law. Play is taken up: every
+/// Equations that are linear between two steps; `k` holds the present value of each law, or of
+/// the stiffnesses alone, which come first: then no flank is in error. Play is taken up: every
 /// dead band is in contact, its deflection counted from its edge.
 pub trait System: Send + Sync {
+    /// V at the coordinates `q` (n) [J].
+    fn potential(&self, q: &[f64], k: &[f64]) -> f64;
+
     /// M, M⁻¹, C, K, f.
     ///
     /// # Errors
@@ -47,6 +51,11 @@ pub fn of<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn System
 struct Of<const N: usize>(Box<dyn Equations<N>>, &'static Model);
 
 impl<const N: usize> System for Of<N> {
+    fn potential(&self, q: &[f64], k: &[f64]) -> f64 {
+        let k = self.1.in_contact(k.iter().copied());
+        self.0.potential(&std::array::from_fn(|i| q[i]), &k)
+    }
+
     fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
         cell::matrices(&*self.0, &self.1.in_contact(k.iter().copied()))
     }

@@ -1,7 +1,8 @@
 //! The settled motion in steady rotation: the fixed point of the exact propagators over one common period of the meshes.
 //!
-//! Every mesh phase moves on at a constant speed, so that the stiffnesses are k(t). In the coordinates z of what is not rigid,
-//! q = B z with the shapes B of the mean stiffness, L = BᵀM, a stretch without steps takes y = (z, z') by its propagator P,
+//! Every mesh phase moves on at a constant speed, so that stiffnesses and transmission errors are functions of t. In the
+//! coordinates z of what is not rigid, q = B z with the shapes B of the mean stiffness, L = BᵀM, a stretch without steps takes
+//! y = (z, z') by its propagator P,
 //!
 //! ```text
 //! y -> y_s + P (y - y_s),     (BᵀK B) z_s = Bᵀf
@@ -45,10 +46,8 @@ pub enum Unknown {
     Unsettled,
     #[error("torques that do not balance change the speed")]
     Unbalanced,
-    #[error("the stiffness follows curves between its steps")]
+    #[error("stiffness or transmission error follow curves between their steps")]
     Curved,
-    #[error("a transmission error moves the flanks")]
-    Displaced,
 }
 
 /// Cells of a period, at most.
@@ -67,7 +66,7 @@ const BALANCED: f64 = 1e-3;
 /// What a scene is in steady rotation.
 pub struct Steady<'a> {
     system: &'a dyn System,
-    /// The stiffnesses.
+    /// The laws.
     pub courses: Vec<Course>,
     /// Coordinate that is the phase of each law.
     phases: Vec<usize>,
@@ -115,10 +114,7 @@ impl<'a> Steady<'a> {
         if scene.present().any(|(_, law)| !law.steps_only()) {
             return Err(Unknown::Curved);
         }
-        if scene.present().any(|(law, _)| law.with.is_some()) {
-            return Err(Unknown::Displaced);
-        }
-        let courses = steady::courses(scene, system);
+        let courses = steady::all_courses(scene, system);
         let (period, stretches) = stretches(&courses)?;
         if stretches.len() > MOST_STRETCHES {
             return Err(Unknown::Long(stretches.len()));
@@ -210,20 +206,18 @@ impl<'a> Steady<'a> {
             let step = time / substeps as f64;
             let changed = (0..here.levels.len()).filter(|&law| here.levels[law] != next.levels[law]);
             let changed = changed.filter(|&law| self.system.switching(law) == Switching::WithJump);
-            let mut steps: Vec<(usize, f64, DMatrix<f64>)> = vec![];
+            let mut steps: Vec<leg::Step> = vec![];
             for law in changed {
-                let mut k = here.levels.clone();
-                let before = self.system.matrices(&k)?.stiffness;
-                k[law] = next.levels[law];
-                let dk = self.system.matrices(&k)?.stiffness - before;
                 let (phase, speed) = (self.phases[law], self.courses[law].speed * factor);
-                match steps.iter_mut().find(|step| step.0 == phase) {
-                    Some(step) => step.2 += dk,
-                    None => steps.push((phase, speed, dk)),
-                }
+                let at = steps.iter().position(|step| step.phase == phase).unwrap_or_else(|| {
+                    steps.push(leg::Step { phase, speed, beyond: here.levels.clone() });
+                    steps.len() - 1
+                });
+                steps[at].beyond[law] = next.levels[law];
             }
             let over = |time: f64| Ok::<_, Unknown>(self.reduced(&self.system.propagator(&here.levels, time)?));
-            Ok(Leg { whole: over(time)?, part: over(step)?, substeps, step, rest: self.rest(&here.levels)?, steps })
+            let (whole, part, rest) = (over(time)?, over(step)?, self.rest(&here.levels)?);
+            Ok(Leg { levels: here.levels.clone(), whole, part, substeps, step, rest, steps })
         };
         (0..count).map(leg).collect()
     }
@@ -262,10 +256,12 @@ impl<'a> Steady<'a> {
         }
         let mobility = self.system.matrices(&self.stretches[0].levels)?.mobility;
         let (q, v) = (&self.shapes * y.rows(0, m), &self.shapes * y.rows(m, m));
-        for (phase, speed, dk) in &leg.steps {
-            let direction = mobility.column(*phase).into_owned();
-            let g = direction[*phase];
-            let (dv, v) = (0.5 * q.dot(&(dk * &q)), speed + v[*phase]);
+        let before = self.system.potential(q.as_slice(), &leg.levels);
+        for step in &leg.steps {
+            let direction = mobility.column(step.phase).into_owned();
+            let g = direction[step.phase];
+            let dv = self.system.potential(q.as_slice(), &step.beyond) - before;
+            let v = step.speed + v[step.phase];
             strength = strength.max(2.0 * g * dv / (v * v));
             let after = (v * v - 2.0 * g * dv).max(0.0).sqrt().copysign(v);
             // (v+ - v)/G without cancellation.

@@ -35,15 +35,19 @@ fn steady_of<T>(scene: &Scene, f: impl FnOnce(&Steady<'_>) -> T) -> Result<T, Un
 /// The settled motion is that into which a run under the classical equations settles: its mean square, its peak and its lines.
 #[test]
 fn the_orbit_is_where_a_run_settles() {
-    for rpm in [600.0, 1500.0, 4500.0] {
-        let pitch = 60.0 / (24.0 * rpm);
+    let errors = "laws.e={pitch_errors=[\"0 rad\", \"1e-3 rad\"], phase=\"0.4 rad\"}";
+    for (rpm, error) in [(600.0, false), (1500.0, false), (4500.0, false), (600.0, true), (4500.0, true)] {
+        // An error repeats itself every two teeth.
+        let pitch = if error { 2.0 } else { 1.0 } * 60.0 / (24.0 * rpm);
         // 60 pitches, of which the last 20 are looked at: by then e^(-zeta w t) is below 1e-9.
         let t_end = format!("run.t_end={:?} s", 60.0 * pitch);
         let rate = format!("output.rate={:?} Hz", 1000.0 / pitch);
         let set = [&t_end[..], &rate, "parameters.zeta=0.1"];
-        let outcome = run(&scene(rpm, FROZEN, &set));
-        let orbit = steady_of(&scene(rpm, ALL, &set), |steady| steady.orbit(1.0, false).unwrap()).unwrap();
-        assert!((orbit.period / pitch - 1.0).abs() < 1e-12 && orbit.steps == 2);
+        let set = if error { [&set[..], &[errors]].concat() } else { set.to_vec() };
+        let with = |effects: &str| if error { format!("{effects}, \"transmission_error\"") } else { effects.into() };
+        let outcome = run(&scene(rpm, &with(FROZEN), &set));
+        let orbit = steady_of(&scene(rpm, &with(ALL), &set), |steady| steady.orbit(1.0, false).unwrap()).unwrap();
+        assert!((orbit.period / pitch - 1.0).abs() < 1e-12 && orbit.steps == if error { 6 } else { 2 });
         let t = &outcome.trajectory;
         let late = |i: &usize| t.moment[*i] == Moment::Sample && t.t[*i] > 40.0 * pitch * (1.0 + 1e-9);
         let phi: Vec<f64> = (0..t.len()).filter(late).map(|i| t.q[1][i]).collect();

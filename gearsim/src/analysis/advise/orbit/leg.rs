@@ -2,7 +2,19 @@
 
 use nalgebra::{DMatrix, DVector};
 
+/// Laws that step on one phase at the end of a leg.
+pub(super) struct Step {
+    /// Coordinate that is the phase.
+    pub phase: usize,
+    /// Its speed.
+    pub speed: f64,
+    /// The value of each law beyond.
+    pub beyond: Vec<f64>,
+}
+
 pub(super) struct Leg {
+    /// The value of each law.
+    pub levels: Vec<f64>,
     /// Propagator of all of it.
     pub whole: DMatrix<f64>,
     /// Propagator of one substep.
@@ -12,8 +24,8 @@ pub(super) struct Leg {
     pub step: f64,
     /// z_s.
     pub rest: DVector<f64>,
-    /// Impulses at its end: by each phase that steps, its coordinate, speed, and the step of K.
-    pub steps: Vec<(usize, f64, DMatrix<f64>)>,
+    /// What steps at its end, by phases.
+    pub steps: Vec<Step>,
 }
 
 impl Leg {
