@@ -4,9 +4,11 @@
 //! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, shape phi, complex where damping couples the modes.
 //!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), for K is linear in
-//!   the laws; what is left is that of all other springs.
+//!   the laws; likewise of a spring, phi* K_s phi/(phi* K phi), see [`springs`].
 //! - Share of a coordinate in the kinetic energy: Re(conj(phi_i) (M phi)_i)/(phi* M phi). Shares add up to one; where inertia
 //!   couples coordinates, one may be negative.
+
+pub mod springs;
 
 use std::f64::consts::TAU;
 
@@ -17,6 +19,8 @@ use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
 use crate::engine::system::System;
+
+use springs::Spring;
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -42,8 +46,8 @@ pub struct Vibration {
     pub shape: Vec<Complex<f64>>,
     /// Share of each law in the strain energy; empty for a rigid motion.
     pub strain: Vec<f64>,
-    /// Share of all other springs.
-    pub other_strain: f64,
+    /// Share of each spring in it; empty for a rigid motion.
+    pub springs: Vec<f64>,
     /// Share of each coordinate in the kinetic energy.
     pub kinetic: Vec<f64>,
 }
@@ -68,11 +72,11 @@ pub fn combinations(courses: &[Course]) -> Vec<Vec<f64>> {
     (0..count).map(levels).collect()
 }
 
-/// The modes of the cell with law values `k`.
+/// The modes of the cell with law values `k`, and the shares of `springs` in their energy.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub fn of(system: &dyn System, k: &[f64]) -> Result<CellModes, Refusal> {
+pub fn of(system: &dyn System, k: &[f64], springs: &[Spring]) -> Result<CellModes, Refusal> {
     let matrices = system.matrices(k)?;
     let modal = Modal::of(&matrices)?;
     let without = |law: usize| {
@@ -80,9 +84,9 @@ pub fn of(system: &dyn System, k: &[f64]) -> Result<CellModes, Refusal> {
         k[law] = 0.0;
         system.matrices(&k).map(|m| &matrices.stiffness - m.stiffness)
     };
-    let springs = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
+    let laws = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
     let modes = modal.coupled.as_ref().map_or(&modal.modes, |coupled| &coupled.modes);
-    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), &matrices, &springs);
+    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), &matrices, &laws, springs);
     Ok(CellModes {
         levels: k.to_vec(),
         modes: modes.iter().enumerate().map(vibration).collect(),
@@ -105,7 +109,13 @@ fn shape(modal: &Modal, i: usize, mode: &Mode) -> DVector<Complex<f64>> {
     x1 + x2 * lambda
 }
 
-fn vibration(mode: &Mode, shape: DVector<Complex<f64>>, m: &Matrices, springs: &[DMatrix<f64>]) -> Vibration {
+fn vibration(
+    mode: &Mode,
+    shape: DVector<Complex<f64>>,
+    m: &Matrices,
+    laws: &[DMatrix<f64>],
+    springs: &[Spring],
+) -> Vibration {
     let weight = |i: usize| m.mass[(i, i)].sqrt() * shape[i].norm();
     let heaviest = (0..shape.len()).max_by(|&i, &j| weight(i).total_cmp(&weight(j))).unwrap_or(0);
     let unit = shape[heaviest];
@@ -114,14 +124,14 @@ fn vibration(mode: &Mode, shape: DVector<Complex<f64>>, m: &Matrices, springs: &
     let momentum = m.mass.map(Complex::from) * &shape;
     let (kinetic, total) = (energy(&m.mass), energy(&m.stiffness));
     let rigid = mode.omega2 == 0.0;
-    let strain: Vec<f64> = if rigid { vec![] } else { springs.iter().map(|k| energy(k) / total).collect() };
+    let share = |k: &DMatrix<f64>| (!rigid).then(|| energy(k) / total);
     let omega = mode.omega2.sqrt();
     Vibration {
         natural: omega / TAU,
         damped: mode.damped_frequency() / TAU,
         zeta: (!rigid).then(|| mode.sigma / omega),
-        other_strain: if rigid { 0.0 } else { 1.0 - strain.iter().sum::<f64>() },
-        strain,
+        strain: laws.iter().filter_map(share).collect(),
+        springs: springs.iter().filter_map(|spring| share(&spring.stiffness)).collect(),
         kinetic: shape.iter().zip(momentum.iter()).map(|(x, p)| (x.conj() * p).re / kinetic).collect(),
         shape: shape.iter().copied().collect(),
     }

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::simulate::{Source, entry};
 use super::{Verb, files, provenance, report, terminal};
+use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
 use crate::analysis::steady::{self, Course};
 use crate::output::summary::Provenance;
@@ -24,8 +25,8 @@ A cell is a combination of the levels of the scene's stiffnesses. Told in full i
 mid stiffnesses, (max + min)/2 of each law, or the one chosen by --cell; the frequencies of all
 others in a table.
 
-Writes modes.json with everything, the plot of the shapes, and the plot of natural frequencies
-and mesh harmonics over the speed (Campbell).
+Writes modes.json with everything, the plot of the shapes, and, where meshes turn, the plot of
+natural frequencies and mesh harmonics over the speed (Campbell).
 
 Examples:
   gearsim modes models/scenes/oh2005/energy_300rpm.toml
@@ -48,6 +49,8 @@ struct Report<'a> {
     coordinates: Vec<&'a str>,
     /// Names of the laws, in the order of all levels and strains.
     laws: Vec<&'a str>,
+    /// Names of the parameters that are stiffnesses, in the order of all strains of springs.
+    springs: Vec<&'a str>,
     /// The cell told in full.
     chosen: Cell,
     /// Every combination of levels; empty where there are too many.
@@ -80,8 +83,8 @@ struct Mode {
     shape: Vec<[f64; 2]>,
     /// Share of each law in the strain energy; empty for a rigid motion.
     strain_energy: Vec<f64>,
-    /// Share of all other springs.
-    strain_energy_of_others: f64,
+    /// Share of each spring; empty for a rigid motion.
+    strain_energy_of_springs: Vec<f64>,
     /// Share of each coordinate in the kinetic energy.
     kinetic_energy: Vec<f64>,
 }
@@ -101,22 +104,21 @@ impl Verb for Modes {
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
         let system = (entry(&scene)?.system)(&scene).map_err(refused)?;
         let courses = steady::courses(&scene, &*system);
-        let chosen = modes::of(&*system, &self.levels(&scene, &courses)?).map_err(refused)?;
-        let cells = modes::combinations(&courses).iter().map(|k| modes::of(&*system, k)).collect::<Result<Vec<_>, _>>();
+        let springs = springs::of(&scene, entry(&scene)?).map_err(refused)?;
+        let chosen = modes::of(&*system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
+        let cells = modes::combinations(&courses);
+        let cells = cells.iter().map(|k| modes::of(&*system, k, &springs)).collect::<Result<Vec<_>, _>>();
         let cells = cells.map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
-        let drawn = [
-            ("shapes", plot::modes::draw(&scene, &chosen)),
-            ("campbell", plot::campbell::draw(&scene, &courses, &chosen)),
-        ];
-        for (name, figure) in drawn {
-            files::figure(&mut folder, name, figure, terminal::warn)?;
+        files::figure(&mut folder, "shapes", plot::modes::draw(&scene, &chosen), terminal::warn)?;
+        if courses.iter().any(Course::turns) {
+            files::figure(&mut folder, "campbell", plot::campbell::draw(&scene, &courses, &chosen), terminal::warn)?;
         }
-        let json = self.json(&scene, &courses, &chosen, &cells)?;
+        let json = self.json(&scene, &courses, &springs, &chosen, &cells)?;
         folder.write_bytes("modes.json", json.as_bytes())?;
         let width = terminal::width();
-        let text = table::render(&scene, &courses, &chosen, &cells, width);
+        let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
         let written = report::files(folder.path(), folder.files(), width);
         terminal::say(&format!("{}\n{text}\n{written}", report::scene(&scene, width)));
         Ok(())
@@ -147,6 +149,7 @@ impl Modes {
         &self,
         scene: &Scene,
         courses: &[Course],
+        springs: &[Spring],
         chosen: &CellModes,
         cells: &[CellModes],
     ) -> Result<String, Failure> {
@@ -161,6 +164,7 @@ impl Modes {
             model: scene.model.name,
             coordinates: scene.model.coordinates.iter().map(|c| c.name).collect(),
             laws: scene.stiffnesses().map(|(law, _)| law.name).collect(),
+            springs: springs.iter().map(|spring| spring.name).collect(),
             chosen: cell(chosen),
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),
@@ -179,7 +183,7 @@ fn cell(cell: &CellModes) -> Cell {
         damping_factor: v.zeta,
         shape: v.shape.iter().map(|z| [z.re, z.im]).collect(),
         strain_energy: v.strain.clone(),
-        strain_energy_of_others: v.other_strain,
+        strain_energy_of_springs: v.springs.clone(),
         kinetic_energy: v.kinetic.clone(),
     };
     Cell { levels: cell.levels.clone(), coupled_by_damping: cell.coupled, modes: cell.modes.iter().map(mode).collect() }

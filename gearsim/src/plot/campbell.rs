@@ -14,7 +14,7 @@ const HARMONICS: usize = 5;
 /// Where nothing vibrates, or no mesh steps.
 pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figure, PlotError> {
     let nothing = |why: &str| PlotError::Nothing { plot: "campbell", why: why.into() };
-    let moving: Vec<&Course> = courses.iter().filter(|c| c.steps && c.frequency() > 0.0).collect();
+    let moving: Vec<&Course> = courses.iter().filter(|c| c.turns()).collect();
     let first = moving.first().ok_or_else(|| nothing("no mesh of the scene turns and steps"))?;
     let frequencies: Vec<f64> = cell.modes.iter().map(|m| m.damped).filter(|f| *f > 0.0).collect();
     let (Some(lowest), Some(highest)) = (frequencies.first(), frequencies.last()) else {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::analysis::modes::springs::Spring;
 use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, NEAR, Vibration, meetings};
 use crate::analysis::steady::Course;
 use crate::cli::number::short;
@@ -17,6 +18,7 @@ const PARTS: usize = 6;
 pub(super) fn render(
     scene: &Scene,
     courses: &[Course],
+    springs: &[Spring],
     chosen: &CellModes,
     cells: &[CellModes],
     width: usize,
@@ -26,7 +28,7 @@ pub(super) fn render(
         text += "Damping couples the modes: shapes are complex, their parts told by size and phase.\n\n";
     }
     for (i, mode) in chosen.modes.iter().enumerate() {
-        text += &one(scene, i, mode, width);
+        text += &one(scene, springs, i, mode, width);
     }
     text += "\n";
     text += &all(scene, cells);
@@ -39,7 +41,7 @@ fn levels(scene: &Scene, values: &[f64]) -> String {
     if all.is_empty() { "constant stiffness".into() } else { all.join(", ") }
 }
 
-fn one(scene: &Scene, i: usize, mode: &Vibration, width: usize) -> String {
+fn one(scene: &Scene, springs: &[Spring], i: usize, mode: &Vibration, width: usize) -> String {
     let head = match mode.zeta {
         None => "rigid motion".to_owned(),
         Some(zeta) if mode.damped > 0.0 => {
@@ -62,7 +64,8 @@ fn one(scene: &Scene, i: usize, mode: &Vibration, width: usize) -> String {
         shape += ", ...";
     }
     let laws = scene.model.laws.iter().map(|l| l.name).zip(mode.strain.iter().copied());
-    let strain = shares(laws.chain([("other springs", mode.other_strain)]));
+    let springs = springs.iter().map(|s| s.name).zip(mode.springs.iter().copied());
+    let strain = shares(laws.chain(springs));
     let kinetic = shares(names.iter().copied().zip(mode.kinetic.iter().copied()));
     let mut text = format!("{i:>4}  {head}\n");
     for (name, says) in [("shape", shape), ("strain", strain), ("kinetic", kinetic)] {
@@ -104,7 +107,7 @@ fn all(scene: &Scene, cells: &[CellModes]) -> String {
 
 /// Where mesh harmonics meet natural frequencies.
 fn harmonics(courses: &[Course], chosen: &CellModes) -> String {
-    let moving: Vec<&Course> = courses.iter().filter(|c| c.steps && c.speed != 0.0).collect();
+    let moving: Vec<&Course> = courses.iter().filter(|c| c.turns()).collect();
     if moving.is_empty() {
         return "The scene has no speed, or nothing steps: no mesh frequencies.\n".into();
     }
