@@ -19,7 +19,8 @@ impl HardCases {
         let table = root.join("tests/hard-cases.md");
         let cells = std::env::var("GEARSIM_CELLS").unwrap_or_else(|_| CELLS.to_string());
         let mut command = Command::new(env!("CARGO"));
-        command.args(["test", "--quiet", "--package", "gearsim-tests", "--test", "hard_cases"]);
+        // The whole workspace's features: what `cargo test --workspace` has built is not built again.
+        command.args(["test", "--quiet", "--workspace", "--test", "hard_cases"]);
         command.env("GEARSIM_HARD_CASES", &table).env("GEARSIM_CELLS", cells).current_dir(root);
         let status = command.status().context("cannot start cargo")?;
         if !status.success() {
