@@ -103,8 +103,8 @@ fn both(verdict: &Verdict) -> String {
     let first = match &verdict.estimate {
         Estimate::Settled(apart) => estimate("estimate", apart),
         Estimate::Short(apart) => estimate("short run", apart),
-        Estimate::TurnedBack => format!("{name:<30}estimate  {:<62}  needed\n", "  steps turn the motion back"),
-        Estimate::None(why) => format!("{name:<30}no estimate: {why}\n"),
+        Estimate::TurnedBack => format!("{}estimate  {:<62}  needed\n", label(name), "  steps turn the motion back"),
+        Estimate::None(why) => format!("{}no estimate: {why}\n", label(name)),
     };
     let second = match &verdict.truth {
         Ok(apart) => row(&format!("  {}", verdict.candidate.how), "truth", cells(apart), &time, says(true_)),
@@ -133,8 +133,17 @@ fn percent(x: f64) -> String {
     }
 }
 
+/// What leads a row; a long one has a line of its own.
+fn label(name: &str) -> String {
+    const WIDTH: usize = 30;
+    match name.chars().count() {
+        n if n < WIDTH => format!("{name:<WIDTH$}"),
+        _ => format!("{name}\n{:WIDTH$}", ""),
+    }
+}
+
 fn row(name: &str, what: &str, cells: [String; 6], time: &str, says: &str) -> String {
-    let mut line = format!("{name:<30}{what:<10}");
+    let mut line = format!("{}{what:<10}", label(name));
     for cell in cells {
         let _ = write!(line, "{cell:>9}");
     }
