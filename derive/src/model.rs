@@ -1,6 +1,6 @@
 //! A model in the making: coordinates, parameters, laws, effects and the energies T, V, D, Q.
 
-use crate::expr::{Expr, Kind, speed_name, symbols};
+use crate::expr::{Expr, Kind, speed_name};
 
 /// Where a coordinate starts unless a scene says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -194,9 +194,6 @@ impl Model {
         let (over, touch, edge) = (named("over"), named("touch"), named("edge"));
         let (damp, clip) = (named("damp"), named("clip"));
         let value = delta.expand() - Expr::var(Kind::Edge, &edge);
-        if symbols(&value.atom()).iter().any(|symbol| symbol.0 == Kind::Error) {
-            self.exclude(TRANSMISSION_ERROR, &[effect]); // the edges of a dead band stand still
-        }
         self.deflections.push(Deflection { name: over.clone(), value });
         let play = Play {
             over: Expr::var(Kind::Deflection, &over),

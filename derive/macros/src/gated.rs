@@ -43,7 +43,8 @@ pub fn offsets(m: &Model) -> impl Iterator<Item = &Ident> {
     errors(m).map(|(_, law)| &law.name).chain(m.dead_bands.iter().map(|band| &band.symbols[1]))
 }
 
-fn errors(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
+/// The transmission errors, each with its number among the laws.
+pub fn errors(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
     m.laws.iter().enumerate().filter(|(_, law)| law.with.is_some())
 }
 

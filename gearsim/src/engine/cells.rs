@@ -10,6 +10,7 @@ use crate::engine::dead_band::{DeadBand, Elastic, REGIMES, Regime};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::Law;
+use crate::engine::record::State;
 use crate::engine::watch::Watch;
 
 /// The cells of a scene.
@@ -67,7 +68,7 @@ impl<const N: usize> Cells<N> {
             let (mut laws, mut bands) = (laws.to_vec(), bands.to_vec());
             stand(&mut laws, &mut bands, i);
             let mut k = k.to_vec();
-            write(&laws, &bands, &mut k);
+            write(&laws, &mut bands, &mut k);
             Ok(Prepared::new(Cell::new(equations, &k)?, equations, (&laws, &bands, &k)))
         };
         let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
@@ -136,16 +137,30 @@ fn stand<const N: usize>(laws: &mut [Law<N>], bands: &mut [DeadBand<N>], mut ind
     bands.iter_mut().for_each(|band| band.regime = REGIMES[digit(REGIMES.len())]);
 }
 
-/// Writes the present values of laws and dead bands to where they belong in `k`.
-pub fn write<const N: usize>(laws: &[Law<N>], bands: &[DeadBand<N>], k: &mut [f64]) {
+/// Writes the present values of laws and dead bands, which follow the laws, to where they belong in `k`.
+#[inline]
+pub fn write<const N: usize>(laws: &[Law<N>], bands: &mut [DeadBand<N>], k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
-    bands.iter().for_each(|band| band.write(k));
+    for band in bands {
+        band.follow(k);
+        band.write(k);
+    }
+}
+
+/// Has dead bands follow steps of transmission errors, to `laws` where they stand now; tells how many flanks have met.
+pub fn displace<const N: usize>(
+    (laws, bands): (&[Law<N>], &mut [DeadBand<N>]),
+    k: &mut [f64],
+    state: &State<N>,
+) -> u64 {
+    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
+    bands.iter_mut().map(|band| u64::from(band.displace(k, state))).sum()
 }
 
 /// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.
 pub fn levels<const N: usize>(laws: &[Law<N>], index: usize, rest: &[f64]) -> Vec<f64> {
     let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
     stand(&mut laws, &mut [], index);
-    write(&laws, &[], &mut k);
+    write(&laws, &mut [], &mut k);
     k
 }

@@ -5,15 +5,14 @@
 //! n.q' = 0, under the reaction R. What is ignored is E at each hold; it is counted, and its sum is in the account.
 //! The hold ends when
 //! - R pulls, by [`RELEASE`] of the forces that make it up: the phase leaves the step it came from;
-//! - the step vanishes, dV = 0: the phase slips through without loss;
+//! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it part;
 //! - a step of another stiffness gives an impulse: what is held is let go, and bounces or leaves.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::engine::cell::{Cell, Flight, Point};
-use crate::engine::cells::Prepared;
+use crate::engine::cells::{Prepared, Stand};
 use crate::engine::crossing::{Cost, Lost, Side};
-use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::forcing::linear::Linear;
@@ -88,7 +87,7 @@ impl<const N: usize> Contact<N> {
     /// Where the motion that is left has no modes.
     pub fn begin(
         equations: &dyn Equations<N>,
-        (laws, bands, k): (&[Law<N>], &[DeadBand<N>], &[f64]),
+        (laws, bands, k): Stand<'_, N>,
         mut held: Vec<(usize, Side)>,
         state: &mut State<N>,
         further: &SVector<f64, N>,
@@ -140,7 +139,7 @@ impl<const N: usize> Contact<N> {
             let ignored = 0.5 * speeds.dot(&impulses);
 
             let slips = held.iter().flat_map(|&(law, side)| {
-                let watches = barriers(equations, (laws, k), &cell, law, side, state).into_iter();
+                let watches = barriers(equations, (laws, bands, k), &cell, law, side, state).into_iter();
                 watches.map(move |watch| Ends { law, ending: Ending::Slip, watch, on_load: SVector::zeros() })
             });
             let watches = reactions.into_iter().chain(slips).collect();
@@ -202,11 +201,11 @@ impl<const N: usize> Contact<N> {
 /// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
 pub fn is_void<const N: usize>(
     equations: &dyn Equations<N>,
-    (laws, k): (&[Law<N>], &[f64]),
+    stand: Stand<'_, N>,
     (law, side): (usize, Side),
     state: &State<N>,
 ) -> bool {
-    let beyond = law::beyond((laws, k), law, side, state);
+    let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
     equations.stiffness(k) == equations.stiffness(&beyond) && equations.load(k) == equations.load(&beyond)
 }
 
@@ -218,13 +217,13 @@ pub fn is_void<const N: usize>(
 /// Nothing where the law strains more than one deflection: they do not vanish together.
 fn barriers<const N: usize>(
     equations: &dyn Equations<N>,
-    (laws, k): (&[Law<N>], &[f64]),
+    stand: Stand<'_, N>,
     cell: &Cell<N>,
     law: usize,
     side: Side,
     state: &State<N>,
 ) -> Vec<Watch<N>> {
-    let beyond = law::beyond((laws, k), law, side, state);
+    let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
     let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
     let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
     let stiffness = DMatrix::from_fn(N, N, |i, j| there[i][j] - here[i][j]);

@@ -11,6 +11,9 @@
 //!
 //! Each is a linear cell, and its end the first zero of a linear function of the state. Forces and energies pass from one to
 //! the next without a step, so there is no impulse; and none of them feeds energy in.
+//!
+//! A transmission error e moves both edges. Where it steps, flanks may part or meet at once, and V steps with the regime: an
+//! impulse like any other ([`law::barrier`](crate::engine::law::barrier)).
 
 use nalgebra::SVector;
 
@@ -64,6 +67,10 @@ pub struct DeadBand<const N: usize> {
     pub normal: SVector<f64, N>,
     /// Half its width.
     pub half: f64,
+    /// The laws that move its deflection, and by how much a unit of each does.
+    pub errors: Vec<(usize, f64)>,
+    /// How far they move it now.
+    offset: f64,
     /// Where it stands. State: not worked out from the deflection.
     pub regime: Regime,
 }
@@ -95,7 +102,8 @@ impl<const N: usize> DeadBand<N> {
     pub fn all(equations: &dyn Equations<N>, model: &Model) -> Vec<DeadBand<N>> {
         let band = |i| {
             let (band, at) = (equations.dead_band(i)?, model.laws.len() + VALUES * i);
-            Some(DeadBand { at, normal: band.normal.into(), half: band.half, regime: Free })
+            let (normal, half, errors) = (band.normal.into(), band.half, band.errors);
+            Some(DeadBand { at, normal, half, errors, offset: 0.0, regime: Free })
         };
         (0..model.dead_bands.len()).filter_map(band).collect()
     }
@@ -119,7 +127,38 @@ impl<const N: usize> DeadBand<N> {
 
     /// Depth beyond an edge, negative within the play.
     pub fn depth(&self, side: Side, state: &State<N>) -> f64 {
-        side.sign() * self.normal.dot(&state.q) - self.half
+        side.sign() * (self.normal.dot(&state.q) + self.offset) - self.half
+    }
+
+    /// The same as a function of the coordinates: what it is where they are zero, and its slopes along them (N).
+    pub fn depth_along(&self, side: Side) -> (f64, SVector<f64, N>) {
+        (side.sign() * self.offset - self.half, self.normal * side.sign())
+    }
+
+    /// Follows the transmission errors among the law values `k`.
+    pub fn follow(&mut self, k: &[f64]) {
+        self.offset = self.errors.iter().map(|&(law, unit)| unit * k[law]).sum();
+    }
+
+    /// Follows them over a step: where it has moved the edges, to the flank that is then in contact in `state`. Tells whether
+    /// flanks have met.
+    pub fn displace(&mut self, k: &[f64], state: &State<N>) -> bool {
+        let (offset, regime) = (self.offset, self.regime);
+        self.follow(k);
+        if self.offset != offset {
+            self.regime = self.met(state);
+        }
+        regime == Free && self.regime != Free
+    }
+
+    /// Its regime by where the deflection is; the grip is kept by a contact that lasts.
+    pub fn met(&self, state: &State<N>) -> Regime {
+        let beyond = [Side::Upper, Side::Lower].into_iter().find(|side| self.depth(*side, state) > 0.0);
+        match (self.regime, beyond) {
+            (_, None) => Free,
+            (Contact(side, grip), Some(beyond)) if side == beyond => Contact(side, grip),
+            (_, Some(side)) => Contact(side, Touch),
+        }
     }
 
     /// Spring and damper of its contact where the law values are `k`: what K and C are more in contact than free, along n.
@@ -163,8 +202,8 @@ impl<const N: usize> DeadBand<N> {
     pub fn exits(&self, cell: &Cell<N>, Elastic { spring, damper }: Elastic) -> Vec<(Regime, Watch<N>)> {
         // a x + b x' beyond the edge at `side`.
         let watch = |side: Side, a: f64, b: f64| {
-            let (n, sign) = (self.normal, side.sign());
-            Watch::new(cell, -a * self.half, n * (a * sign), n * (b * sign))
+            let (constant, slopes) = self.depth_along(side);
+            Watch::new(cell, a * constant, slopes * a, slopes * b)
         };
         let enter = |side| {
             let grip = if damper > 0.0 { Hit } else { Touch };

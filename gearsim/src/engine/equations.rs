@@ -79,12 +79,14 @@ pub trait Equations<const N: usize>: Send + Sync {
 }
 
 /// Play of a deflection.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DeadBand<const N: usize> {
     /// Gradient of the deflection (N).
     pub normal: [f64; N],
     /// Half its width [unit of the deflection].
     pub half: f64,
+    /// The transmission errors that move the deflection: the law, and by how much a unit of it does.
+    pub errors: Vec<(usize, f64)>,
 }
 
 /// How a stiffness law switches.

@@ -2,12 +2,13 @@
 
 use nalgebra::SVector;
 
+use crate::engine::cells::Stand;
 use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Stop;
 use crate::engine::jump::Passage;
-use crate::engine::law::{self, Law};
+use crate::engine::law;
 use crate::engine::record::State;
 
 /// What was seen of the events so far.
@@ -55,7 +56,7 @@ impl Guard {
 /// the opposite order: the motion beyond is then one of several.
 pub fn order_matters<const N: usize>(
     equations: &dyn Equations<N>,
-    (laws, k): (&[Law<N>], &[f64]),
+    (laws, bands, k): Stand<'_, N>,
     state: &State<N>,
     law: usize,
     side: Side,
@@ -65,9 +66,9 @@ pub fn order_matters<const N: usize>(
         if side.sign() * laws[l].surface.normal.dot(speeds) <= 0.0 {
             return;
         }
-        let dv = law::barrier(equations, (laws, k), l, side, state);
+        let dv = law::barrier(equations, (laws, bands, k), l, side, state);
         if laws[l].surface.pass(speeds, side, dv) == Passage::Transmitted {
-            *k = law::beyond((laws, k), l, side, state);
+            *k = law::beyond((laws, bands, k), l, side, state);
         }
     };
     let others = (0..laws.len()).filter_map(|i| {

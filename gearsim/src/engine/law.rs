@@ -2,7 +2,9 @@
 
 use xprec::Df64;
 
+use crate::engine::cells::Stand;
 use crate::engine::crossing::Side;
+use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
@@ -217,18 +219,24 @@ pub fn met<'a, const N: usize>(
     (0..laws.len()).filter(move |&i| i == law || laws[i].joins(&laws[law], side, state))
 }
 
-/// What the potential energy gains there, dV [J]; `k` are the law values.
+/// What the potential energy gains there, dV [J].
 #[inline]
 pub fn barrier<const N: usize>(
     equations: &dyn Equations<N>,
-    (laws, k): (&[Law<N>], &[f64]),
+    (laws, bands, k): Stand<'_, N>,
     law: usize,
     side: Side,
     state: &State<N>,
 ) -> f64 {
     let q = &state.q.data.0[0];
-    if let [only] = laws {
+    if let [only] = laws
+        && !moves(only, bands)
+    {
         return equations.step(law, q, k, only.step(side));
+    }
+    if met(laws, law, side, state).any(|i| moves(&laws[i], bands)) {
+        // Flanks part or meet with the step.
+        return equations.potential(q, &beyond((laws, bands, k), law, side, state)) - equations.potential(q, k);
     }
     // One after the other: a stiffness and a transmission error that step together are more than each by itself.
     let (mut k, mut dv) = (k.to_vec(), 0.0);
@@ -240,9 +248,19 @@ pub fn barrier<const N: usize>(
     dv
 }
 
+/// Whether a law moves the edges of a dead band.
+#[inline]
+fn moves<const N: usize>(law: &Law<N>, bands: &[DeadBand<N>]) -> bool {
+    law.is_error && !bands.is_empty()
+}
+
 /// The law values beyond that boundary.
-pub fn beyond<const N: usize>((laws, k): (&[Law<N>], &[f64]), law: usize, side: Side, state: &State<N>) -> Vec<f64> {
+pub fn beyond<const N: usize>((laws, bands, k): Stand<'_, N>, law: usize, side: Side, state: &State<N>) -> Vec<f64> {
     let mut beyond = k.to_vec();
     met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
+    for mut band in bands.iter().filter(|band| !band.errors.is_empty()).cloned() {
+        band.displace(&beyond, state);
+        band.write(&mut beyond);
+    }
     beyond
 }

@@ -121,12 +121,12 @@ impl<'a, const N: usize> Simulation<'a, N> {
         if !terms.is_empty() {
             return Err(Refusal::Nonlinear { terms });
         }
-        let (state, laws, bands) = start::begin(equations, scene)?;
+        let (state, laws, mut bands) = start::begin(equations, scene)?;
         if let Some(terms) = choice::curved(model, &laws) {
             return Err(Refusal::Nonlinear { terms });
         }
         let mut k = model.in_contact(laws.iter().map(Law::level));
-        cells::write(&laws, &bands, &mut k);
+        cells::write(&laws, &mut bands, &mut k);
         let cells = Cells::new(equations, (&laws, &bands, &k))?;
         let mut forcing = forcing.map(forced::Forced::new);
         if let Some(forced) = &mut forcing {
@@ -291,7 +291,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     /// Has the law values and the cell follow laws and dead bands.
     #[inline]
     fn change_cell(&mut self) -> Result<(), Stop> {
-        cells::write(&self.laws, &self.bands, &mut self.k);
+        cells::write(&self.laws, &mut self.bands, &mut self.k);
         let met = self.cells.meet(self.equations, (&self.laws, &self.bands, &self.k));
         met.map_err(|reason| self.no_modes(reason))?;
         match &mut self.forcing {

@@ -2,7 +2,6 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-use crate::engine::cells;
 use crate::engine::crossing::Side;
 use crate::engine::dead_band::{DeadBand, Grip, Regime};
 use crate::engine::equations::Equations;
@@ -40,6 +39,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
     let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i] == Start::Static).collect();
     let mut bands = DeadBand::all(equations, scene.model);
     let mut k = scene.model.in_contact(laws.iter().map(|law| law.course(state.q[law.phase], 0.0)[0]));
+    bands.iter_mut().for_each(|band| band.follow(&k));
     let linear = scene.effects.nonlinear(scene.model).is_empty();
     if !free.is_empty() {
         on_flanks(&mut bands, |bands| {
@@ -61,7 +61,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
         let beyond = sides.into_iter().find(|&(side, x)| x > 0.0 || (x == 0.0 && (outwards(side) || resting(side))));
         band.regime = beyond.map_or(Regime::Free, |(side, _)| Regime::Contact(side, Grip::Touch));
     }
-    cells::write(&laws, &bands, &mut k);
+    bands.iter().for_each(|band| band.write(&mut k));
     for band in &mut bands {
         band.regime = band.gripped(band.elastic(equations, &k), &state);
     }

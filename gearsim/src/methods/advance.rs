@@ -73,6 +73,8 @@ pub struct Advance<'a, const N: usize> {
     y: Flow<N>,
     rate: Flow<N>,
     stiff: u32,
+    /// Whether each dead band was free of contact after the last step.
+    free: Vec<bool>,
     /// The method that takes over with the next step.
     replacement: Option<Box<dyn Method<N>>>,
 
@@ -141,7 +143,9 @@ impl<'a, const N: usize> Advance<'a, N> {
         let mobility = equations.mobility();
         let speeds = std::array::from_fn(|i| (2.0 * energy * mobility[i][i]).sqrt().max(rate.v[i].abs() / fastest));
         let control = Control::new(settings.steps, &y, speeds, fastest, method.exponent(), scene.t_end);
+        let free = field.bands.iter().map(|band| band.regime == Regime::Free).collect();
         Ok(Advance {
+            free,
             field,
             method,
             settings,
@@ -192,6 +196,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             self.clock.advance(taken);
             self.field.begins = self.clock.now();
             (self.y, self.rate) = (trial.end, trial.rate);
+            self.count_impacts();
             self.control.reach(&self.y);
             self.counts.cost.evaluations = self.field.evaluations;
             self.demand_numbers()?;

@@ -68,7 +68,7 @@ impl<'a, const N: usize> Field<'a, N> {
 
     /// Takes note that laws and dead bands have gone on into other cells.
     pub fn enter(&mut self) {
-        cells::write(&self.laws, &self.bands, &mut self.k);
+        cells::write(&self.laws, &mut self.bands, &mut self.k);
         self.stretch();
     }
 
@@ -123,6 +123,10 @@ impl<'a, const N: usize> Field<'a, N> {
         }
         let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
         for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
+            if wanders(band, &self.laws) {
+                band.follow(&self.k);
+                band.regime = band.met(&state);
+            }
             band.regime = band.gripped(*elastic, &state);
             band.write(&mut self.k);
         }
@@ -134,4 +138,10 @@ impl<'a, const N: usize> Field<'a, N> {
         let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
         self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped_power(*elastic, &state)).sum()
     }
+}
+
+/// Whether the edges of a dead band move along curves. Flanks then part and meet within steps, where their force has a kink,
+/// for the control of the step to deal with.
+pub fn wanders<const N: usize>(band: &DeadBand<N>, laws: &[Law<N>]) -> bool {
+    band.errors.iter().any(|&(law, _)| laws.get(law).is_some_and(|law| !law.pitch.steps_only()))
 }

@@ -159,7 +159,7 @@ fn before(run: &Trajectory) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// M1, M2 and C of the gear pair of the paper.
-fn constants(zeta: f64) -> (f64, f64, f64) {
+pub fn constants(zeta: f64) -> (f64, f64, f64) {
     let (a, b) = (24f64.powi(2) / 2890e-6, 96f64.powi(2) / 740200e-6);
     let m2 = (a + b) / 2.0;
     ((a - b) / 2.0, m2, 2.0 * zeta * ((1430.0 + 2780.0) / 2.0 / m2).sqrt())
@@ -230,30 +230,28 @@ fn held(_: &mut String) -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// A gear pair that rattles: light load, little damping, strong kicks.
-fn rattling(noise: &mut Noise) -> Scene {
+/// A gear pair that rattles: light load, little damping, strong kicks; with `more` overrides.
+pub fn rattling(noise: &mut Noise, more: &[String]) -> Scene {
     let play = noise.power(-3.0, -1.5);
-    common::scene(
-        "backlash",
-        &[
-            format!("parameters.zeta={:?}", 0.2 * noise.unit()),
-            format!("parameters.T0={:?} N*m", noise.power(-1.0, 2.0)),
-            format!("parameters.b={play:?} rad"),
-            format!("start.theta={:?} rad", noise.unit()),
-            format!("start.phi={:?} rad", play * noise.even()),
-            format!("start.phi_dot={:?} rad/s", noise.power(0.0, 2.0)),
-            format!("start.speed={:?} rad/s", noise.power(0.5, 2.5)),
-            "run.t_end=20 ms".into(),
-            "output.rate=\"1 kHz\"".into(),
-        ],
-    )
+    let own = [
+        format!("parameters.zeta={:?}", 0.2 * noise.unit()),
+        format!("parameters.T0={:?} N*m", noise.power(-1.0, 2.0)),
+        format!("parameters.b={play:?} rad"),
+        format!("start.theta={:?} rad", noise.unit()),
+        format!("start.phi={:?} rad", play * noise.even()),
+        format!("start.phi_dot={:?} rad/s", noise.power(0.0, 2.0)),
+        format!("start.speed={:?} rad/s", noise.power(0.5, 2.5)),
+        "run.t_end=20 ms".into(),
+        "output.rate=\"1 kHz\"".into(),
+    ];
+    common::scene("backlash", &[&own[..], more].concat())
 }
 
 fn pulls(note: &mut String) -> f64 {
     let mut noise = Noise::new(1101);
     let (mut events, mut regimes) = (0, std::collections::HashSet::new());
     let worst = (0..60).map(|_| {
-        let scene = rattling(&mut noise);
+        let scene = rattling(&mut noise, &[]);
         let zeta = scene.parameter("zeta").expect("a parameter");
         let equations = equations::<gear_pair::GearPair, 2>(&scene).expect("effects that go together");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("a system");
@@ -289,7 +287,7 @@ fn pulls(note: &mut String) -> f64 {
 
 fn accounted(note: &mut String) -> f64 {
     let mut noise = Noise::new(1102);
-    let outcomes: Vec<_> = (0..60).map(|_| common::run(&rattling(&mut noise))).collect();
+    let outcomes: Vec<_> = (0..60).map(|_| common::run(&rattling(&mut noise, &[]))).collect();
     let total = |of: fn(&gearsim::engine::simulate::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
     let (impacts, reflections, holds) = (total(|c| c.impacts), total(|c| c.reflections), total(|c| c.holds));
     *note = format!("60 scenes, {impacts} impacts, {reflections} reflections, {holds} holds");
@@ -339,7 +337,7 @@ fn mirrored(note: &mut String) -> f64 {
     let mut noise = Noise::new(1103);
     let mut rows = 0;
     let wrong = (0..30).map(|_| {
-        let mut scene = rattling(&mut noise);
+        let mut scene = rattling(&mut noise, &[]);
         scene.effects = Effects::from_names(["backlash", "damping", "torques"], scene.model).expect("effects");
         let mut mirror = scene.clone();
         let t0 = scene.model.parameters.iter().position(|p| p.name == "T0").expect("a parameter");
@@ -371,7 +369,7 @@ fn by_steps(note: &mut String) -> f64 {
     let mut noise = Noise::new(1104);
     let mut impacts = 0;
     let worst = (0..20).map(|_| {
-        let mut scene = rattling(&mut noise);
+        let mut scene = rattling(&mut noise, &[]);
         scene.t_end = 4e-3;
         let exact = common::run(&scene);
         scene.solver.method = Some(Method::Dop853);

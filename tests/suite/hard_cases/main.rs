@@ -23,6 +23,7 @@ mod coupled;
 mod damping;
 mod digits;
 mod displaced;
+mod edges;
 mod ends;
 mod extremes;
 mod graze;
@@ -64,6 +65,7 @@ const GROUPS: &[&[Case]] = &[
     digits::CASES,
     mirror::CASES,
     backlash::CASES,
+    edges::CASES,
     resonance::CASES,
     stiff::CASES,
     coupled::CASES,

@@ -190,7 +190,7 @@ fn absent_terms_are_absent() {
 #[test]
 fn sets_of_effects() {
     let exists = |effects| GearPair::equations(effects, &NUMBERS, &[MID]).is_some();
-    assert_eq!((0..256).filter(|&effects| exists(effects)).count(), 44);
+    assert_eq!((0..256).filter(|&effects| exists(effects)).count(), 56);
     assert!(!exists(RIGID_KINEMATICS) && !exists(FROZEN_PHASE | DAMPING));
     assert!(!exists(STIFFNESS_STEP | RIGID_KINEMATICS | FROZEN_PHASE));
     let switching = |effects| gear_pair(effects).switching(0);

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::engine::cells::Banded;
+use crate::engine::cells::{self, Banded, Stand};
 use crate::engine::contact::{self, Contact, Ending};
 use crate::engine::crossing::Side;
 use crate::engine::dead_band::{DeadBand, Regime};
@@ -79,7 +79,7 @@ impl<const N: usize> Simulation<'_, N> {
         match end {
             End::Step(law, side) => {
                 if self.laws.len() > 1 {
-                    let ambiguous = guard::order_matters(self.equations, (&self.laws, &self.k), &self.state, law, side);
+                    let ambiguous = guard::order_matters(self.equations, self.stand(), &self.state, law, side);
                     self.counts.ambiguous += u64::from(ambiguous);
                 }
                 // An impulse ends what is held, which bounces or leaves.
@@ -102,8 +102,7 @@ impl<const N: usize> Simulation<'_, N> {
                 self.change_cell()?;
                 // What is held now presses otherwise, or against nothing.
                 let held = self.contact.take().map_or(vec![], |contact| contact.laws);
-                let stand = (&self.laws[..], &self.k[..]);
-                let void = |held: &(usize, Side)| contact::is_void(self.equations, stand, *held, &self.state);
+                let void = |held: &(usize, Side)| contact::is_void(self.equations, self.stand(), *held, &self.state);
                 let (void, held): (Vec<_>, Vec<_>) = held.into_iter().partition(void);
                 void.into_iter().try_for_each(|(law, side)| self.enter(law, side))?;
                 self.hold(held)
@@ -113,13 +112,19 @@ impl<const N: usize> Simulation<'_, N> {
         }
     }
 
+    /// Where laws and dead bands stand.
+    #[inline]
+    fn stand(&self) -> Stand<'_, N> {
+        (&self.laws, &self.bands, &self.k)
+    }
+
     /// Passes a step, or is turned back by it.
     #[inline]
     fn jump(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         let passage = match self.laws[law].switching {
             Switching::WithJump => match &mut self.compensated {
                 None => {
-                    let dv = law::barrier(self.equations, (&self.laws, &self.k), law, side, &self.state);
+                    let dv = law::barrier(self.equations, self.stand(), law, side, &self.state);
                     self.laws[law].surface.pass(&mut self.state.q_dot, side, dv)
                 }
                 Some(compensated) => {
@@ -145,14 +150,15 @@ impl<const N: usize> Simulation<'_, N> {
         self.counts.cell_changes += 1;
         if let [only] = &mut self.laws[..] {
             only.enter(side, &mut self.state);
-            self.place(law);
-            self.change_cell()?;
-            return self.grip();
+        } else {
+            let met: Vec<usize> = law::met(&self.laws, law, side, &self.state).collect();
+            let phase = self.laws[law].phase;
+            let turns: i64 = met.into_iter().map(|i| self.laws[i].enter(side, &mut self.state)).sum();
+            self.laws.iter_mut().for_each(|law| law.follow(phase, turns));
         }
-        let met: Vec<usize> = law::met(&self.laws, law, side, &self.state).collect();
-        let phase = self.laws[law].phase;
-        let turns: i64 = met.into_iter().map(|i| self.laws[i].enter(side, &mut self.state)).sum();
-        self.laws.iter_mut().for_each(|law| law.follow(phase, turns));
+        if !self.bands.is_empty() {
+            self.counts.impacts += cells::displace((&self.laws, &mut self.bands), &mut self.k, &self.state);
+        }
         self.place(law);
         self.change_cell()?;
         self.grip()

@@ -1,5 +1,6 @@
 //! Where the steps of a run meet boundaries, and what happens there.
 
+use crate::engine::cells;
 use crate::engine::crossing::Side;
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
@@ -108,14 +109,14 @@ impl<const N: usize> Advance<'_, N> {
     /// Passes a boundary, or is turned back by it.
     fn jump(&mut self, law: usize, side: Side, kink: bool) {
         let (equations, mut state) = (self.field.equations, self.state());
-        let k = self.field.k().to_vec();
-        let laws = &mut self.field.laws;
+        let mut k = self.field.k().to_vec();
+        let (laws, bands) = (&mut self.field.laws, &mut self.field.bands);
         if laws.len() > 1 {
-            self.counts.ambiguous += u64::from(guard::order_matters(equations, (laws, &k), &state, law, side));
+            self.counts.ambiguous += u64::from(guard::order_matters(equations, (laws, bands, &k), &state, law, side));
         }
         let passage = match laws[law].switching {
             Switching::WithJump => {
-                let dv = law::barrier(equations, (laws, &k), law, side, &state);
+                let dv = law::barrier(equations, (laws, bands, &k), law, side, &state);
                 laws[law].surface.pass(&mut state.q_dot, side, dv)
             }
             _ => Passage::Transmitted,
@@ -127,6 +128,7 @@ impl<const N: usize> Advance<'_, N> {
                 let phase = laws[law].phase;
                 let turns: i64 = met.into_iter().map(|i| laws[i].enter(side, &mut state)).sum();
                 laws.iter_mut().for_each(|law| law.follow(phase, turns));
+                self.counts.impacts += cells::displace((laws, bands), &mut k, &state);
             }
             Passage::Reflected => self.counts.reflections += 1,
         }

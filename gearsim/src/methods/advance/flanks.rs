@@ -7,6 +7,7 @@ use crate::engine::crossing::Side;
 use crate::engine::dead_band::{DeadBand, Grip, Regime};
 use crate::engine::error::Stop;
 use crate::methods::dense::Dense;
+use crate::methods::field::wanders;
 use crate::methods::root;
 
 use super::{Advance, Met, Recording};
@@ -14,7 +15,7 @@ use super::{Advance, Met, Recording};
 impl<const N: usize> Advance<'_, N> {
     /// The first edge that a dead band meets in a step, if it is before `first`.
     pub(super) fn first_edge(&mut self, dense: &Dense<N>, mut first: Option<(f64, Met)>) -> Option<(f64, Met)> {
-        for (i, band) in self.field.bands.iter().enumerate() {
+        for (i, band) in self.field.bands.iter().enumerate().filter(|(_, band)| !wanders(band, &self.field.laws)) {
             let ends = match band.regime {
                 Regime::Free => [Side::Upper, Side::Lower].map(|side| Some((side, Regime::Contact(side, Grip::Touch)))),
                 Regime::Contact(side, _) => [Some((side, Regime::Free)), None],
@@ -31,6 +32,19 @@ impl<const N: usize> Advance<'_, N> {
             }
         }
         first
+    }
+
+    /// Counts the flanks that have met in a step across edges that move along curves.
+    pub(super) fn count_impacts(&mut self) {
+        if !self.field.bands.iter().any(|band| wanders(band, &self.field.laws)) {
+            return;
+        }
+        self.levels();
+        for (i, free) in self.free.iter_mut().enumerate() {
+            let now = self.field.bands[i].regime == Regime::Free;
+            self.counts.impacts += u64::from(*free && !now && wanders(&self.field.bands[i], &self.field.laws));
+            *free = now;
+        }
     }
 
     /// Lets flanks meet, or part.
@@ -52,8 +66,7 @@ impl<const N: usize> Advance<'_, N> {
     pub(super) fn catch_up_with_flanks(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
         for i in 0..self.field.bands.len() {
             let (band, state) = (&self.field.bands[i], self.state());
-            let beyond = [Side::Upper, Side::Lower].into_iter().find(|side| band.depth(*side, &state) > 0.0);
-            let now = beyond.map_or(Regime::Free, |side| Regime::Contact(side, Grip::Touch));
+            let now = band.met(&state);
             if now != band.regime {
                 self.pass_edge(i, now, recording)?;
             }
@@ -65,5 +78,6 @@ impl<const N: usize> Advance<'_, N> {
 /// What is left to the edge at a side where a band goes over into the regime `beyond`: constant + slopes.q, positive before it.
 pub(super) fn to_edge<const N: usize>(band: &DeadBand<N>, side: Side, beyond: Regime) -> (f64, SVector<f64, N>) {
     let out = if beyond == Regime::Free { 1.0 } else { -1.0 };
-    (-out * band.half, band.normal * (out * side.sign()))
+    let (constant, slopes) = band.depth_along(side);
+    (out * constant, slopes * out)
 }
