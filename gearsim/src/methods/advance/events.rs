@@ -108,7 +108,7 @@ impl<const N: usize> Advance<'_, N> {
     /// Passes a boundary, or is turned back by it.
     fn jump(&mut self, law: usize, side: Side, kink: bool) {
         let (equations, mut state) = (self.field.equations, self.state());
-        let k = self.field.k().to_vec();
+        let k = self.levels();
         let laws = &mut self.field.laws;
         if laws.len() > 1 {
             self.counts.ambiguous += u64::from(guard::order_matters(equations, (laws, &k), &state, law, side));
