@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// Scenes, by their paths under models/scenes, and the plot that shows each best.
-const SCENES: [(&str, &str); 15] = [
+const SCENES: [(&str, &str); 16] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "motion"),
@@ -19,6 +19,7 @@ const SCENES: [(&str, &str); 15] = [
     ("geared_branches", "motion"),
     ("idler", "motion"),
     ("pitch_errors", "motion"),
+    ("sliding_friction", "motion"),
     ("transmission_error", "motion"),
     ("two_stage", "motion"),
     ("belt_drive", "motion"),

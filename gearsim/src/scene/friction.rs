@@ -19,9 +19,7 @@ pub(super) fn example(law: &Law, model: &Model) -> String {
     let part = |law: &Law| law.name.trim_start_matches(|c: char| c.is_alphabetic());
     let of_mesh = model.laws.iter().find(|other| other.with.is_none() && part(other) == part(law));
     let of_mesh = of_mesh.map_or("...", |law| law.name);
-    format!(
-        "{OF} = \"{of_mesh}\"  # the law with teeth; or here: teeth, module, ..; or steps, table, mean and harmonics"
-    )
+    format!("{OF} = \"{of_mesh}\"  # or teeth of its own, or steps")
 }
 
 /// The law by the teeth of another, if it is stated so; `Some(None)` if that is wrong.

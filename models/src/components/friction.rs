@@ -11,12 +11,12 @@
 //! ```
 //!
 //! with laws of the phase, side and arm, that follow from the teeth. Rolling so takes energy, whichever way the gears turn; what
-//! is done over tau comes and goes with the deflection. Sources: M. Vaishya, R. Singh, J. Sound Vib. 243 (2001); S. He,
-//! R. Gunda, R. Singh, J. Sound Vib. 301 (2007), both of which take the direction from rolling, too.
+//! is done over tau comes and goes with the deflection. Friction of this kind in the dynamics of gears: M. Vaishya, R. Singh,
+//! J. Sound Vib. 243 (2001); S. He, R. Gunda, R. Singh, J. Sound Vib. 301 (2007).
 //!
 //! Two corners are rounded. sgn(psi') is psi'/(psi'² + w_mix²)^(1/2): less friction at low speed, none at rest, no
 //! stiction. And |F| is k (delta² + tiny²)^(1/2), far below any deflection that matters, so that F has slopes at zero load.
-//! F is the spring's force, without the damper's.
+//! F is the spring's force, without the damper's; a mesh on its coast flank rubs as on its drive flank.
 
 use std::f64::consts::TAU;
 
