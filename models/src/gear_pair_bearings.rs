@@ -16,7 +16,6 @@ pub fn gear_pair_bearings(m: &mut Model) {
 
     let gears = pair(m, "", "1", "2");
     let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
-    let tangent = alpha.sin() / alpha.cos();
     let alpha = Direction { cos: m.constant("cos_a", alpha.cos()), sin: m.constant("sin_a", alpha.sin()) };
     let centre = |m: &mut Model, part: &str| {
         ["x", "y"].map(|axis| {
@@ -35,7 +34,7 @@ pub fn gear_pair_bearings(m: &mut Model) {
     let e = transmission_error(m, "12", "mesh", gears.theta);
     let mesh = mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line) - e.value);
     // Flanks slide as the gears turn against each other, and as their centres move across the line of action.
-    let tau = tangent * gears.s - one.along(line) + two.along(line);
+    let tau = alpha.sin / alpha.cos * gears.s - one.along(line) + two.along(line);
     let psi = gears.theta1 + gears.theta2;
     sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });
     drive(m, "motor", "driving gear", gears.theta1);

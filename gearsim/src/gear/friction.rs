@@ -23,7 +23,7 @@ pub enum Rubbing {
     Arm,
 }
 
-/// Cubic curves in a part of a cell; they are then within 1e-6 of the pitch of the sum.
+/// Cubic curves in a part of a cell; side and arm are then within 2e-5 of the sums, the arm in parts of a pitch.
 const PIECES: usize = 4;
 /// A pair that passes the pitch point within this part of a pitch from a boundary does so there.
 const NEAR: f64 = 1e-9;
@@ -150,7 +150,7 @@ mod tests {
     fn sums_over_the_pairs() {
         let pair = PairOfTeeth::of(&gears()).unwrap();
         let contact = &pair.contact;
-        for (source, bound) in [(Source::Iso6336(None), 1e-12), (Source::Energy, 3e-4)] {
+        for (source, bound) in [(Source::Iso6336(None), 1e-12), (Source::Energy, 2e-5)] {
             let (side, arm) = (law(source, Rubbing::Side, 1.0), law(source, Rubbing::Arm, 1.0));
             let mut worst = [0.0f64; 2];
             for s in (0..200).map(|i| 0.013 + TAU * f64::from(i) / 200.0) {
@@ -162,7 +162,7 @@ mod tests {
                 let off = [at(&side, s) - sum(f64::signum), (at(&arm, s) - sum(f64::abs)) / contact.base_pitch];
                 worst = [0, 1].map(|i| worst[i].max(off[i].abs()));
             }
-            println!("{source:?}: off by {worst:.1e}");
+            println!("{source:?}: off by {worst:?}");
             assert!(worst[0] < bound && worst[1] < bound, "{source:?}: {worst:?}");
         }
     }

@@ -15,7 +15,7 @@
 //! J. Sound Vib. 243 (2001); S. He, R. Gunda, R. Singh, J. Sound Vib. 301 (2007).
 //!
 //! Two corners are rounded. sgn(psi') is psi'/(psi'² + w_mix²)^(1/2): less friction at low speed, none at rest, no
-//! stiction. And |F| is k (delta² + tiny²)^(1/2), far below any deflection that matters, so that F has slopes at zero load.
+//! stiction. And |F| is k (delta² + tiny²)^(1/2), tiny = 1e-12, far below any deflection that matters: so F has slopes at zero load.
 //! F is the spring's force, without the damper's; a mesh on its coast flank rubs as on its drive flank.
 
 use std::f64::consts::TAU;

@@ -97,7 +97,7 @@ const SLIPS: &[Row] = &[
         m.sliding_friction(|_| {});
         m.torque("slide", side * o.s, o.x, "");
     }),
-    ("a torque that is friction only in part", "`delta`", |m, o| {
+    ("a torque that is friction only in part", "`side`", |m, o| {
         m.sliding_friction(|m| {
             let side = rubbing(m, &o, Friction::Side);
             let delta = m.deflection("delta", 2 * o.x);
