@@ -119,7 +119,7 @@ impl Derivation<'_> {
         let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
         let moves = |e: &Atom| !s.by_coordinate(e, i).expand().is_zero();
         let m = &self.motion;
-        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves)
+        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().chain(&m.external).any(moves)
     }
 
     /// Effects and conditions in the order in which terms are printed.

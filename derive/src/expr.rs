@@ -35,6 +35,8 @@ pub enum Kind {
     Slope,
     /// Curvature of a law along its phase, `ddk`.
     Curvature,
+    /// Present value of a law of friction.
+    Friction,
     /// Whether a dead band is in contact: 1, or 0.
     Touch,
     /// Whether its damper acts: 1, or 0.
@@ -57,7 +59,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 18] = [
+const KINDS: [(Kind, &str); 19] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -66,6 +68,7 @@ const KINDS: [(Kind, &str); 18] = [
     (Kind::Law, "law"),
     (Kind::Slope, "slope"),
     (Kind::Curvature, "curvature"),
+    (Kind::Friction, "friction"),
     (Kind::Touch, "touch"),
     (Kind::Damp, "damp"),
     (Kind::Clip, "clip"),
@@ -215,9 +218,9 @@ impl Expr {
     }
 }
 
-/// Whether an expression depends on speeds.
-pub(crate) fn has_speeds(e: &Atom) -> bool {
-    symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate))
+/// Whether the value of a torque is not constant: it depends on speeds, or is friction.
+pub(crate) fn varies(e: &Atom) -> bool {
+    symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate | Kind::Friction))
 }
 
 /// The name of the speed of a coordinate.

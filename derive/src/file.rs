@@ -5,10 +5,10 @@ use std::fmt::Write;
 use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
-use crate::expr::{Expr, has_speeds};
+use crate::expr::{Expr, varies};
 use crate::lagrange;
 use crate::markers::{Group, as_written, grouped};
-use crate::model::{CONDITIONS, DeadBand, Range, Start};
+use crate::model::{CONDITIONS, DeadBand, Friction, Range, Role, Start};
 use crate::print::{Style, print};
 use crate::text::{self, Texts};
 use crate::tree::Tree;
@@ -49,7 +49,7 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     }
     section("Equations of motion", "text", &texts.motion);
     if !texts.jump.is_empty() {
-        let errors = m.laws.iter().any(|law| law.with.is_some());
+        let errors = m.laws.iter().any(|law| law.role == Role::Error);
         let title =
             if errors { "At a step of a stiffness or a transmission error" } else { "At a step of a stiffness" };
         section(title, "text", &texts.jump);
@@ -69,6 +69,15 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
 fn described_in(name: &str) -> &str {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     if stem.len() < name.len() { stem.strip_suffix('_').unwrap_or(name) } else { name }
+}
+
+/// What a law with an effect is, where it is no offset of deflections.
+fn role(role: Role) -> &'static str {
+    match role {
+        Role::Friction(Friction::Side) => " as side",
+        Role::Friction(Friction::Arm) => " as arm",
+        Role::Stiffness | Role::Error => "",
+    }
 }
 
 /// A text that cannot end the comment it stands in.
@@ -185,20 +194,21 @@ impl Block {
         self.groups(2, "potential", &written(&m.potential));
         self.groups(2, "dissipation", &written(&m.dissipation));
         self.line(1, "}");
+        let s = lagrange::Symbols::new(m);
         self.line(1, "torques {");
         for t in &m.torques {
             let title = format!("{} {:?}", t.name, t.doc);
-            if has_speeds(&t.value.atom()) {
-                let power = as_written(&[t.value.atom() * lagrange::rate(m, t)], &d.order());
+            if varies(&t.value.atom()) {
+                let power = as_written(&[t.power()], &d.order());
                 self.row(2, &title, &[]);
                 self.groups(2, "power", &power);
             } else {
-                let work = as_written(&[t.value.atom() * lagrange::displacement(m, t)], &d.order());
+                let work = as_written(&[t.value.atom() * lagrange::displacement(&s, t)], &d.order());
                 self.row(2, &title, &work);
             }
         }
         self.line(1, "}");
-        let constant = lagrange::external(m, &lagrange::Symbols::new(m), |t| !has_speeds(&t.value.atom()));
+        let constant = lagrange::external(m, &s, |t| !varies(&t.value.atom()));
         self.vector("work", &names, &constant, &group);
         self.matrix("mass", &names, &motion.mass, &group, 1, true);
         if let Some(w) = &motion.mobility {
@@ -253,7 +263,7 @@ impl Block {
                 }
                 self.line(2, "}");
             }
-            self.groups(2, "step", &group(&jump.step));
+            self.row(2, "step", &group(&jump.step));
             self.line(1, "}");
         }
     }
@@ -327,7 +337,7 @@ impl Block {
                     law.unit,
                     law.period,
                     if d.rolling(law) { " rolling" } else { "" },
-                    law.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}")),
+                    law.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}{}", role(law.role))),
                     law.doc
                 ),
             );

@@ -169,30 +169,19 @@ pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &
 
 /// The displacement that a torque works through, less its value where all coordinates are zero: linear in the
 /// coordinates, so that changes of theirs put in give the change of the displacement.
-pub(crate) fn displacement(model: &Model, torque: &Torque) -> Atom {
+pub(crate) fn displacement(s: &Symbols, torque: &Torque) -> Atom {
     let through = torque.through.atom();
-    model.coordinates.iter().fold(number(0), |sum, c| {
-        let q = symbol(Kind::Coordinate, &c.name);
-        sum + through.derivative(q).expand() * Atom::var(q)
-    })
-}
-
-/// The rate of that displacement.
-pub(crate) fn rate(model: &Model, torque: &Torque) -> Atom {
-    let through = torque.through.atom();
-    model.coordinates.iter().fold(number(0), |sum, c| {
-        let q = symbol(Kind::Coordinate, &c.name);
-        sum + through.derivative(q).expand() * Atom::var(symbol(Kind::Speed, &speed_name(&c.name)))
-    })
+    (0..s.q.len()).fold(number(0), |sum, i| sum + s.by_coordinate(&through, i).expand() * Atom::var(s.q[i]))
 }
 
 /// Generalised forces Q of the torques of which `which` holds.
 pub(crate) fn external(model: &Model, s: &Symbols, which: impl Fn(&Torque) -> bool) -> Vec<Atom> {
-    let along = |q: &Symbol| {
+    let along = |i: usize| {
         let torques = model.torques.iter().filter(|t| which(t));
-        torques.fold(number(0), |sum, t| sum + t.value.atom() * t.through.atom().derivative(*q)).expand()
+        let force = |t: &Torque| t.value.atom() * s.by_coordinate(&t.through.atom(), i).expand();
+        torques.fold(number(0), |sum, t| sum + force(t)).expand()
     };
-    s.q.iter().map(along).collect()
+    (0..s.q.len()).map(along).collect()
 }
 
 /// Derives the equations of motion.

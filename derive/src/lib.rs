@@ -25,5 +25,5 @@ mod tree;
 
 pub use derivation::{Derivation, derive};
 pub use expr::{Expr, half};
-pub use model::{MeshError, MeshStiffness, Model, Play, Range, Start};
+pub use model::{Friction, MeshError, MeshStiffness, Model, Play, Range, Start};
 pub use slip::Slip;

@@ -1,5 +1,7 @@
 //! A model in the making: coordinates, parameters, laws, effects and the energies T, V, D, Q.
 
+use symbolica::atom::Atom;
+
 use crate::expr::{Expr, Kind, speed_name};
 
 /// Where a coordinate starts unless a scene says otherwise.
@@ -44,15 +46,41 @@ pub(crate) struct Law {
     pub unit: String,
     pub phase: Expr,
     pub period: f64,
-    /// A transmission error: without this effect it is zero. `None`: a stiffness.
+    /// Without this effect it is zero. `None`: a stiffness, which is always there.
     pub with: Option<String>,
+    pub role: Role,
     pub doc: String,
+}
+
+/// What a law says of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// Stiffness, never negative.
+    Stiffness,
+    /// Transmission error: an offset of deflections, of any sign.
+    Error,
+    /// Friction, of any sign or never negative: a factor of torques.
+    Friction(Friction),
+}
+
+/// What a law of friction says of the pairs of teeth in contact, the pair i with the share s_i of the force at the place xi_i
+/// along the line of action, from the pitch point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Friction {
+    /// sum s_i sgn(xi_i): which side of the pitch point bears the force. Of any sign.
+    Side,
+    /// sum s_i |xi_i|: the arm of the friction about it. Never negative.
+    Arm,
 }
 
 impl Law {
     /// What its value is in expressions.
     pub fn kind(&self) -> Kind {
-        if self.with.is_some() { Kind::Error } else { Kind::Law }
+        match self.role {
+            Role::Stiffness => Kind::Law,
+            Role::Error => Kind::Error,
+            Role::Friction(_) => Kind::Friction,
+        }
     }
 }
 
@@ -104,6 +132,13 @@ pub(crate) struct Torque {
     pub value: Expr,
     pub through: Expr,
     pub doc: String,
+}
+
+impl Torque {
+    /// Its power.
+    pub fn power(&self) -> Atom {
+        (self.value * self.through.dot()).atom()
+    }
 }
 
 /// A drivetrain, described by its energies.
@@ -222,7 +257,8 @@ impl Model {
         self.declare_mesh_effects();
         // Laws with effects come last: scenes without the effects have the laws before them, by the same numbers.
         let place = self.laws.iter().take_while(|law| law.with.is_none()).count();
-        let law = Law { name: name.into(), unit: unit.into(), phase, period, with: None, doc: doc.into() };
+        let role = Role::Stiffness;
+        let law = Law { name: name.into(), unit: unit.into(), phase, period, with: None, role, doc: doc.into() };
         self.laws.insert(place, law);
         MeshStiffness {
             value: Expr::var(Kind::Law, name),
@@ -245,9 +281,44 @@ impl Model {
             let requires = vec![STIFFNESS_STEP.to_string()];
             self.effects.push(Effect { name: effect.clone(), requires, excludes: vec![], doc: doc.into() });
         }
-        let law = Law { name: name.into(), unit: unit.into(), phase, period, with: Some(effect), doc: doc.into() };
-        self.laws.push(law);
+        let (with, role) = (Some(effect), Role::Error);
+        let law = Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: doc.into() };
+        // Before those of friction, which a scene may have without it.
+        let place = self.laws.iter().take_while(|law| !matches!(law.role, Role::Friction(_))).count();
+        self.laws.insert(place, law);
         MeshError { value: Expr::var(Kind::Error, name) }
+    }
+
+    /// The effect `sliding_friction`: what `add` adds is in the equations only of scenes that name it. It needs flanks that
+    /// move with the phase, so that it rules out `rigid_kinematics` and `frozen_phase`, in which energy has no account.
+    pub fn sliding_friction(&mut self, add: impl FnOnce(&mut Model)) {
+        self.declare_mesh_effects();
+        let doc = "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth \
+                   passes the pitch point";
+        if !self.effects.iter().any(|e| e.name == SLIDING_FRICTION) {
+            let [requires, excludes] = [&[STIFFNESS_STEP][..], &["rigid_kinematics", "frozen_phase"]]
+                .map(|names| names.iter().map(|name| name.to_string()).collect());
+            self.effects.push(Effect { name: SLIDING_FRICTION.into(), requires, excludes, doc: doc.into() });
+        }
+        self.effect(SLIDING_FRICTION, doc, add);
+    }
+
+    /// A law of friction, periodic with one tooth pitch of `phase`, its course given by the scene, by its teeth or otherwise;
+    /// zero without the effect [`Model::sliding_friction`], to be called in its closure. It may be a factor of torques in that
+    /// effect, which may then depend on deflections and stiffnesses too, and of nothing else: no energy is stored
+    /// in it, and where it steps speeds do not.
+    pub fn friction_law(
+        &mut self,
+        name: &str,
+        unit: &str,
+        phase: Expr,
+        period: f64,
+        what: Friction,
+        doc: &str,
+    ) -> Expr {
+        let (with, role) = (Some(SLIDING_FRICTION.into()), Role::Friction(what));
+        self.laws.push(Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: doc.into() });
+        Expr::var(Kind::Friction, name)
     }
 
     fn declare_mesh_effects(&mut self) {
@@ -318,7 +389,8 @@ impl Model {
 
     /// An external torque (or force) of size `value` that works through the displacement `through`, linear in the
     /// coordinates. It is constant, or depends on speeds; then cells are not linear, so that what is linear in the speed of
-    /// `through` is better said as a constant torque and a dissipation: T = c (n - omega) is c n, and D = c omega^2/2.
+    /// `through` is better said as a constant torque and a dissipation: T = c (n - omega) is c n, and D = c omega^2/2. With a
+    /// law of friction as a factor it may also depend on deflections and stiffnesses.
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });
@@ -387,6 +459,8 @@ pub(crate) fn mobility_name(i: usize, j: usize) -> String {
 
 /// Effect without which laws are constant.
 const STIFFNESS_STEP: &str = "stiffness_step";
+/// Effect without which there is no friction.
+const SLIDING_FRICTION: &str = "sliding_friction";
 /// Effect without which transmission errors are zero.
 const TRANSMISSION_ERROR: &str = "transmission_error";
 

@@ -2,13 +2,13 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::check::positive;
-use crate::expr::{Kind, number, symbol};
+use crate::check::{never_negative, positive};
+use crate::expr::{Kind, number, symbol, symbols};
 use crate::jump::{Jump, response};
 use crate::lagrange::{Motion, Symbols, gradient};
 use crate::markers::{all_present, terms};
 use crate::mobility::{LARGEST_DETERMINANT, determinant, is_zero};
-use crate::model::{JUMP_TERMS, Model};
+use crate::model::{Friction, JUMP_TERMS, Model, Role, Torque};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::squares::{self, Squares};
@@ -50,6 +50,13 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
         claim("M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed", rest)?;
     }
     for (law, jump) in model.laws.iter().zip(jumps) {
+        if matches!(law.role, Role::Friction(_)) {
+            claim(
+                &format!("V is the same on both sides of a step of {}: no impulse there", law.name),
+                jump.step.clone(),
+            )?;
+            continue;
+        }
         let rest = kinetic_change(motion, s, jump);
         if let Some(rest) = rest {
             claim(
@@ -70,6 +77,12 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
             at(Atom::var(over)) - at(Atom::var(touch)),
         )?;
     }
+    for torque in model.torques.iter().filter(|torque| rolls(model, torque)) {
+        let power = all_present(&torque.power());
+        // By its form: a sum of products, or one, of what is never negative, with a minus.
+        let rest = if never_negative(model, &-power.clone()) { number(0) } else { power };
+        claim(&format!("the friction `{}` never feeds energy: its power is never positive", torque.name), rest)?;
+    }
     let asymmetry = (0..n).fold(number(0), |sum, i| {
         (0..i).fold(sum, |sum, j| sum + tag("m", i, j) * (&motion.mass[i][j] - &motion.mass[j][i]))
     });
@@ -88,6 +101,12 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
         proved.push(note);
     }
     Ok(proved)
+}
+
+/// Whether a torque is friction with the arm of rolling, which must take energy whichever way the gears turn.
+fn rolls(model: &Model, torque: &Torque) -> bool {
+    let arm = |name: &str| model.laws.iter().any(|law| law.name == name && law.role == Role::Friction(Friction::Arm));
+    symbols(&torque.value.atom()).iter().any(|(kind, name)| *kind == Kind::Friction && arm(name))
 }
 
 /// A symbol of its own for every entry, so that a sum of entries vanishes only if each does.

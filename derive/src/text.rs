@@ -5,7 +5,7 @@ use symbolica::atom::{Atom, AtomCore};
 use crate::derivation::Derivation;
 use crate::expr::{Kind, number, speed_name};
 use crate::markers::{self, Group, as_written, grouped};
-use crate::model::{DeadBand, Law};
+use crate::model::{DeadBand, Law, Role};
 use crate::print::{Style, latex_name, print, symbol_text};
 use crate::tree::Tree;
 
@@ -79,7 +79,7 @@ pub(crate) fn write(d: &Derivation) -> Texts {
         t.deflections.push(format!("{} = {}", d.name, print(&value, Style::Plain)));
         t.latex.push(format!("{} = {}", latex_name(&d.name), print(&value, Style::Latex)));
     }
-    t.deflections.extend(m.laws.iter().filter_map(error_text));
+    t.deflections.extend(m.laws.iter().filter_map(idle_text));
     t.deflections.extend(m.dead_bands.iter().flat_map(band_text));
     for (i, c) in m.coordinates.iter().enumerate() {
         let left = |j: usize, style| match style {
@@ -112,13 +112,14 @@ pub(crate) fn write(d: &Derivation) -> Texts {
     t
 }
 
-/// What a transmission error is where its effect is not.
-fn error_text(law: &Law) -> Option<String> {
-    let without = law.with.as_ref()?.replace('_', " ");
-    Some(format!(
-        "{} = 0 without {without}; the rates are those of the coordinates, without that of {}",
-        law.name, law.name
-    ))
+/// What a law is where its effect is not.
+fn idle_text(law: &Law) -> Option<String> {
+    let (name, without) = (&law.name, law.with.as_ref()?.replace('_', " "));
+    let rates = match law.role {
+        Role::Error => format!("; the rates are those of the coordinates, without that of {name}"),
+        _ => String::new(),
+    };
+    Some(format!("{name} = 0 without {without}{rates}"))
 }
 
 /// What the symbols of a dead band are in each of its cells.
@@ -141,6 +142,10 @@ fn band_text(band: &DeadBand) -> [String; 4] {
 fn jumps(d: &Derivation, t: &mut Texts) {
     let order = d.order();
     for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
+        if matches!(law.role, Role::Friction(_)) {
+            t.jump.push(format!("at a step of {}: dV = 0, speeds pass unchanged", law.name));
+            continue;
+        }
         let phase = print(&Tree::new(&law.phase.atom()), Style::Plain);
         let (Some(g), Some(direction)) = (&jump.compliance, &jump.direction) else {
             t.jump.push(format!(

@@ -16,7 +16,7 @@ pub struct Model {
     pub coordinates: &'static [Coordinate],
     /// Parameters, in the order of every parameter vector.
     pub parameters: &'static [Parameter],
-    /// Laws that a scene fills in: mesh stiffnesses, and behind them transmission errors.
+    /// Laws that a scene fills in: mesh stiffnesses, and behind them transmission errors, and behind these friction.
     pub laws: &'static [Law],
     /// Rigid motions by which a scene may state its start: `speed = "300 rpm"`.
     pub motions: &'static [Motion],
@@ -107,8 +107,8 @@ impl std::fmt::Display for Range {
     }
 }
 
-/// A mesh stiffness or a transmission error, which depends on the mesh phase, periodic with one tooth pitch; an error also
-/// with several.
+/// A mesh stiffness, a transmission error, or how a mesh rubs: it depends on the mesh phase, periodic with one tooth pitch; an
+/// error also with several.
 #[derive(Debug, Clone, Copy)]
 pub struct Law {
     /// Name, e.g. `k`.
@@ -121,11 +121,38 @@ pub struct Law {
     pub period: f64,
     /// Whether whole pitches of the phase change nothing else: then they are counted off, and cost no digits.
     pub rolling: bool,
-    /// Of a transmission error, which may have any sign, the effect without which it is zero; `None` for a stiffness, which is
-    /// never negative.
+    /// The effect without which it is zero; `None` for a stiffness.
     pub with: Option<&'static str>,
+    /// What it says of the mesh.
+    pub role: Role,
     /// What it is.
     pub doc: &'static str,
+}
+
+/// What a law says of its mesh. Of the pairs of teeth in contact, pair i bears the share s_i of the force, at the place xi_i along the
+/// line of action from the pitch point on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// Its stiffness, never negative.
+    Stiffness,
+    /// Its transmission error, of any sign.
+    Error,
+    /// sum s_i sgn(xi_i), of any sign: friction works over it as the flanks slide at the pitch point.
+    Side,
+    /// sum s_i |xi_i|, never negative: the arm of friction as the gears roll.
+    Arm,
+}
+
+impl Role {
+    /// Whether it may be negative.
+    pub fn has_sign(self) -> bool {
+        matches!(self, Role::Error | Role::Side)
+    }
+
+    /// Whether it is one of friction.
+    pub fn rubs(self) -> bool {
+        matches!(self, Role::Side | Role::Arm)
+    }
 }
 
 /// A deflection with play: a spring that is felt only beyond half the play to either side.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Model, Range, Start, half};
 
-use crate::components::play;
+use crate::components::{Mesh, Sliding, play, pressure_tangent, sliding_friction};
 
 /// Mean rotation theta and relative deflection phi of the mesh, in units in which one tooth pitch is 2 pi.
 #[allow(non_snake_case)] // the paper's symbols
@@ -49,6 +49,11 @@ pub fn gear_pair(m: &mut Model) {
         m.torque("drive", T0, q1, "torque T0 N1 on the driving gear");
         m.torque("load", -T0, q2, "torque -T0 N2 on the driven gear");
     });
+
+    // In units of phi: V = k phi², F = k phi/h and delta = 2 h phi with h = r1/N1, so that h drops out of the work.
+    let tau = 2 * pressure_tangent(m) * phi;
+    let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over };
+    sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });
 
     m.motion("speed", "rad/s", &[(theta, N1)], "rotational speed of the driving gear");
 }

@@ -3,7 +3,8 @@
 use gearsim_derive::{Model, Range, Start};
 
 use crate::components::{
-    Direction, Gear, bearing, damping, drive, external, load, mesh_with_play, pair, planar_rotor, transmission_error,
+    Direction, Gear, Sliding, bearing, damping, drive, external, load, mesh_with_play, pair, planar_rotor,
+    sliding_friction, transmission_error,
 };
 
 /// The line of centres is x, from the driving gear to the driven. The driving gear turns counterclockwise.
@@ -31,7 +32,11 @@ pub fn gear_pair_bearings(m: &mut Model) {
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
     let line = alpha.mirrored();
     let e = transmission_error(m, "12", "mesh", gears.theta);
-    mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line) - e.value);
+    let mesh = mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line) - e.value);
+    // Flanks slide as the gears turn against each other, and as their centres move across the line of action.
+    let tau = alpha.sin / alpha.cos * gears.s - one.along(line) + two.along(line);
+    let psi = gears.theta1 + gears.theta2;
+    sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });
     drive(m, "motor", "driving gear", gears.theta1);
     load(m, "load", "driven gear", gears.theta2);
     damping(m);

@@ -2,7 +2,9 @@
 
 use gearsim_derive::{Model, Range, Start};
 
-use crate::components::{damping, drive, load, mesh, rotor, transmission_error};
+use crate::components::{
+    Sliding, damping, drive, load, mesh, pressure_tangent, rotor, sliding_friction, transmission_error,
+};
 
 /// The rotation of the idler in teeth, which is the phase of both meshes, and the deflections of the two.
 #[allow(non_snake_case)] // the field's symbols
@@ -25,8 +27,12 @@ pub fn idler(m: &mut Model) {
     rotor(m, "3", "driven gear", theta3);
     let e1 = transmission_error(m, "12", "mesh of gears 1 and 2", theta);
     let e2 = transmission_error(m, "23", "mesh of gears 2 and 3", theta);
-    mesh(m, "12", "mesh of gears 1 and 2", theta, delta1 - e1.value);
-    mesh(m, "23", "mesh of gears 2 and 3", theta, delta2 - e2.value);
+    let mesh1 = mesh(m, "12", "mesh of gears 1 and 2", theta, delta1 - e1.value);
+    let mesh2 = mesh(m, "23", "mesh of gears 2 and 3", theta, delta2 - e2.value);
+    let tangent = pressure_tangent(m);
+    let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi };
+    sliding_friction(m, "12", "mesh of gears 1 and 2", "m", mesh1, sliding(delta1, theta1 + theta / N2));
+    sliding_friction(m, "23", "mesh of gears 2 and 3", "m", mesh2, sliding(delta2, theta / N2 + theta3));
     drive(m, "motor", "driving gear", theta1);
     load(m, "load", "driven gear", theta3);
     damping(m);

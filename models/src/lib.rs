@@ -9,7 +9,7 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, `.dot()` for the time derivative. Numbers are integers: a half
 //!      is `half(...)`, any other quantity a parameter with a default.
 //!    - [`components`] add bodies and what is between them, with their parameters: `rotor`, `planar_rotor`, `shaft`,
-//!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
+//!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
 //!      `dc_motor`, `induction_motor`, `fan`, and last `damping`. Each names its parameters by its part: `rotor(m, "1", ...)`
 //!      declares `I1`, `rotor(m, "t", ...)` `I_t`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
 //!      small and elastic (a twist, a deflection), and one phase for each mesh that rolls on.
@@ -21,6 +21,8 @@
 //!      symbols is refused, since its derivative would lose energy without a word.
 //!    - `m.transmission_error(name, unit, phase, pitch, doc)`, or the component of that name: what the scene's flanks are beyond their
 //!      ideal places, to be taken from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
+//!    - `m.sliding_friction(|m| ...)`: that effect, and in it `m.friction_law(...)`, the only factor with which a torque may depend on
+//!      deflections and stiffnesses; the component of that name has both, for meshes of any kind.
 //!    - `m.dead_band(part, unit, delta, half, effect, doc)`, or the component `play`: what is felt only beyond its play. V is
 //!      written in what comes back.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect;

@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// Scenes, by their paths under models/scenes, and the plot that shows each best.
-const SCENES: [(&str, &str); 16] = [
+const SCENES: [(&str, &str); 17] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "motion"),
@@ -20,6 +20,7 @@ const SCENES: [(&str, &str); 16] = [
     ("idler", "motion"),
     ("pitch_errors", "motion"),
     ("rattle", "motion"),
+    ("sliding_friction", "motion"),
     ("transmission_error", "motion"),
     ("two_stage", "motion"),
     ("belt_drive", "motion"),

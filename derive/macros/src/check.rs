@@ -99,11 +99,12 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         errors.push(Error::new(m.name.span(), "no coordinates"));
     }
 
-    // A scene has the first so many laws: those without an effect, or all.
+    // A scene has the first so many laws, up to the last with one of its effects.
     let effects: Vec<_> = m.laws.iter().map(|l| l.with.as_ref()).collect();
-    for (pair, l) in effects.windows(2).zip(m.laws.iter().skip(1)) {
-        if pair[0].is_some() && pair[0] != pair[1] {
-            let message = format!("law `{}`: laws with an effect come last, all with the same one", l.name);
+    for (i, l) in m.laws.iter().enumerate().skip(1) {
+        let apart = effects[..i].contains(&effects[i]) && effects[i - 1] != effects[i];
+        if apart || (effects[i].is_none() && effects[i - 1].is_some()) {
+            let message = format!("law `{}`: laws with an effect come last, those of one side by side", l.name);
             errors.push(Error::new(l.name.span(), message));
         }
     }

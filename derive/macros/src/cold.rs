@@ -90,12 +90,12 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         cold("switching", quote!(law: usize), quote!(law), quote!(equations::Switching), switching(m)),
     ];
     all.extend(jumps(m));
-    all.extend(powers(m, &d_dot));
+    all.extend(powers(m, &quote!(#bands #d #d_dot)));
     all
 }
 
-/// The powers of the torques that depend on speeds, if any do.
-fn powers(m: &Model, d_dot: &TokenStream) -> Vec<Cold> {
+/// The powers of the torques that are not constant, if there are any.
+fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
     let terms: Vec<_> = m.torques.iter().flat_map(|t| &t.power).collect();
     if terms.is_empty() {
         return vec![];
@@ -107,10 +107,10 @@ fn powers(m: &Model, d_dot: &TokenStream) -> Vec<Cold> {
     vec![
         Cold {
             name: "torque_power",
-            takes: quote!(i: usize, q_dot: &[f64; #n]),
-            given: quote!(i, q_dot),
+            takes: quote!(i: usize, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64]),
+            given: quote!(i, q, q_dot, k),
             returns: quote!(f64),
-            body: quote!(#d_dot #power),
+            body: quote!(#first #power),
         },
         Cold {
             name: "has_powers",

@@ -1,7 +1,7 @@
 //! The `Model` of a generated file: what scenes and people read.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::{Ident, LitStr};
 
 use crate::model::*;
@@ -13,10 +13,12 @@ pub fn describe(m: &Model) -> TokenStream {
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
     let coordinates = m.coordinates.iter().map(coordinate);
     let parameters = m.parameters.iter().map(|p| parameter(p, varies(m, &p.name)));
-    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, with, doc }| {
+    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, with, role, doc }| {
         let (name, phase, with) = (name.to_string(), phase.to_string(), option(with));
+        let role = format_ident!("{role:?}");
         quote!(model::Law {
-            name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, with: #with, doc: #doc
+            name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, with: #with,
+            role: model::Role::#role, doc: #doc
         })
     });
     let motions = m.motions.iter().map(|Motion { name, unit, doc, .. }| {

@@ -1,10 +1,11 @@
-//! Constants of a cell that are there with an effect: those of dead bands, and transmission errors. Code has them as variables.
+//! Constants of a cell that are there with an effect: those of dead bands, transmission errors, and laws of friction. Code has
+//! them as variables.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Ident, Index};
 
-use crate::model::{Law, Model};
+use crate::model::{Law, Model, Role};
 use crate::sums::Ask;
 
 /// touch, edge, damp, clip where a dead band is not there.
@@ -45,11 +46,15 @@ pub fn offsets(m: &Model) -> impl Iterator<Item = &Ident> {
 
 /// The transmission errors, each with its number among the laws.
 pub fn errors(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
+    gated(m).filter(|(_, law)| law.role == Role::Error)
+}
+
+fn gated(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
     m.laws.iter().enumerate().filter(|(_, law)| law.with.is_some())
 }
 
 fn all(m: &Model) -> impl Iterator<Item = Gated<'_>> {
-    let errors = errors(m).filter_map(|(i, law)| {
+    let laws = gated(m).filter_map(|(i, law)| {
         Some(Gated { name: &law.name, effect: law.with.as_ref()?, place: Index::from(i), neutral: 0.0 })
     });
     let bands = m.dead_bands.iter().enumerate().flat_map(move |(b, band)| {
@@ -61,5 +66,5 @@ fn all(m: &Model) -> impl Iterator<Item = Gated<'_>> {
             neutral,
         })
     });
-    errors.chain(bands)
+    laws.chain(bands)
 }

@@ -59,7 +59,12 @@ impl Parse for Law {
         } else {
             None
         };
-        Ok(Self { name, unit, phase, period, rolling, with, doc: doc(input)? })
+        let role = match (&with, input.parse::<Option<Token![as]>>()?) {
+            (None, _) => Role::Stiffness,
+            (_, None) => Role::Error,
+            _ => [Role::Side, Role::Arm][choice(input, &["side", "arm"])?],
+        };
+        Ok(Self { name, unit, phase, period, rolling, with, role, doc: doc(input)? })
     }
 }
 

@@ -25,6 +25,7 @@
 //! laws {                              // gives k, its slopes dk and ddk along the phase, and k_mid = (max + min)/2
 //!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing
 // e "m" phase x period 1.0 with transmission_error, "error"; // an offset of deflections: 0 without the effect; these come last
+// side "1" phase x period 1.0 with friction as side, "side"; // a factor of torques; `as arm`: one that is never negative
 //! }
 //! motions {                           // speeds of the motion of unit size; others are zero
 //!     speed "m/s" { x_dot = 1.0; }, "speed of the mass";
@@ -54,7 +55,7 @@
 //!     dissipation { damping => C*x_dot.powi(2)/2.0; }
 //! }
 //! torques { weight "the weight" { weight => 1.0*x; } }   // work of each over the displacement x
-//! // torques { fan "a fan" {} power { fan_load => -c*x_dot.powi(3); } }  // power of one that depends on speeds
+//! // torques { fan "a fan" {} power { fan_load => -c*x_dot.powi(3); } }  // power of one that is not constant
 //! work { x { weight => 1.0; } }                          // net generalised forces
 //! mass { x x { _ => m; } }                               // `x y` stands for `y x`, too
 //! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without it M is inverted numerically

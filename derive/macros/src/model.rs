@@ -65,7 +65,8 @@ pub struct Parameter {
     pub doc: LitStr,
 }
 
-/// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with transmission_error, "doc";`
+/// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with transmission_error, "doc";`,
+/// `side "1" phase theta period 6.28 with sliding_friction as side, "doc";`
 pub struct Law {
     pub name: Ident,
     pub unit: LitStr,
@@ -73,9 +74,23 @@ pub struct Law {
     pub period: f64,
     /// Whether whole pitches of the phase change nothing: it may be counted off.
     pub rolling: bool,
-    /// `with EFFECT`: an offset of deflections, of any sign, which is zero without the effect.
+    /// `with EFFECT`: it is zero without the effect.
     pub with: Option<Ident>,
+    pub role: Role,
     pub doc: LitStr,
+}
+
+/// What a law is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// A stiffness.
+    Stiffness,
+    /// `with EFFECT`: an offset of deflections, of any sign.
+    Error,
+    /// `with EFFECT as side`: a factor of torques, of any sign.
+    Side,
+    /// `with EFFECT as arm`: one that is never negative.
+    Arm,
 }
 
 /// `speed "rad/s" { theta_dot = N1; }, "doc";`
@@ -175,7 +190,7 @@ impl Law {
 }
 
 impl Model {
-    /// The laws that are no transmission errors; they come first, and have mid values.
+    /// The stiffnesses; they come first, and have mid values.
     pub fn stiffnesses(&self) -> impl Iterator<Item = &Law> {
         self.laws.iter().filter(|law| law.with.is_none())
     }

@@ -33,7 +33,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     // The work of a constant torque is its displacement's: the coordinates stand for their changes.
     let torques = Scope::of(m, "torques").coordinates(m, "dq");
     m.torques.iter_mut().for_each(|t| torques.sum(&mut t.work, errors));
-    let powers = Scope::of(m, "power").speeds(m).rates(m);
+    let powers = Scope::of(m, "power").coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, 0).gated(m);
     m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);

@@ -64,9 +64,10 @@ fn gear_pair() {
 fn unknown_identifier() {
     refused(
         "k*touch*over.powi(2)",
-        "k*touch*psi.powi(2)",
-        "psi",
-        "`psi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, b, clip, damp, e, edge, k, k_mid, over, phi, theta, touch, zeta",
+        "k*touch*chi.powi(2)",
+        "chi",
+        "`chi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, alpha, arm, b, clip, damp, e, edge, k, k_mid, mu, \
+         over, phi, psi, side, tan_a, tau, theta, tiny, touch, w_mix, zeta",
     );
 }
 
@@ -83,7 +84,7 @@ fn unknown_condition() {
         "{ damping => C*damp",
         "{ dumping => C*damp",
         "dumping",
-        "there are: stiffness_step, rigid_kinematics, frozen_phase, transmission_error, backlash, damping, torques, jump_terms",
+        "there are: stiffness_step, rigid_kinematics, frozen_phase, transmission_error, backlash, damping, torques, sliding_friction, jump_terms",
     );
 }
 
@@ -121,8 +122,9 @@ fn missing_mobility_row() {
 
 #[test]
 fn missing_force_row() {
-    let row =
-        "theta { transmission_error_and_jump_terms => 2.0*k*de*touch*over; jump_terms => -dk*touch*over.powi(2); }";
+    let sample = sample();
+    let begin = sample.find("force { theta {").unwrap() + "force { ".len();
+    let row = &sample[begin..begin + sample[begin..].find(" phi {").unwrap()];
     refused(row, "", "theta", "force: no row for the coordinate `theta`");
 }
 
@@ -204,17 +206,27 @@ fn laws_with_an_effect_come_last() {
         "{errors:?}"
     );
     refused("rolling with transmission_error", "rolling with errors", "errors", "no effect is called `errors`");
+    let apart = r#"f "rad" phase theta period 1.0 with transmission_error, "error"; arm "rad""#;
+    let errors = self::errors(r#"arm "rad""#, apart);
+    assert!(
+        errors.iter().any(|(place, text)| place == "f" && text.contains("those of one side by side")),
+        "{errors:?}"
+    );
+    refused("as side", "as end", "end", "expected `side` or `arm`");
     // An error has no mid value.
     refused("k_mid/M2", "e_mid/M2", "e_mid", "`e_mid` is unknown in constants");
 }
 
 /// A law of an effect is zero without it, as the code is compiled, and never switches.
 #[test]
-fn transmission_errors_are_gated() {
+fn laws_with_an_effect_are_gated() {
     let code = expand(tokens(&sample())).to_string();
     for said in [
         "let e = if Self :: TRANSMISSION_ERROR { k [1] } else { 0f64 . into () }",
-        "if ! STIFFNESS_STEP || law == 1 && ! TRANSMISSION_ERROR { equations :: Switching :: Never }",
+        "let arm = if Self :: SLIDING_FRICTION { k [3] } else { 0f64 . into () }",
+        "if ! STIFFNESS_STEP || law == 1 && ! TRANSMISSION_ERROR || law == 2 && ! SLIDING_FRICTION",
+        // Friction moves no deflection.
+        "let d = self . deflections (q , e , edge)",
     ] {
         assert!(code.contains(said), "{said} is not there");
     }

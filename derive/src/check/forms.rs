@@ -6,7 +6,7 @@ use super::sign::never_negative;
 use crate::expr::{Kind, number, symbol, symbols};
 use crate::markers::{all_present, terms};
 use crate::mobility::is_zero;
-use crate::model::Model;
+use crate::model::{Model, Role};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::tree::Tree;
@@ -50,14 +50,16 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
 /// depend on where they were; a deflection linear and zero with the coordinates, less edges and transmission errors, or its
 /// rate would not be the same sum.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
-    let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Coordinate);
+    let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
     let slopes = |e: &Atom| -> Vec<(Atom, Atom)> {
         let coordinates = model.coordinates.iter().map(|c| symbol(Kind::Coordinate, &c.name));
         coordinates.map(|q| (Atom::var(q), e.derivative(q).expand())).collect()
     };
     for torque in &model.torques {
         let through = torque.through.atom();
-        if slopes(&through).iter().any(|(_, slope)| moves(slope)) {
+        let named = model.deflections.iter().map(|d| symbol(Kind::Deflection, &d.name));
+        let by_named = named.map(|d| through.derivative(d).expand()).collect::<Vec<_>>();
+        if slopes(&through).iter().map(|(_, slope)| slope).chain(&by_named).any(moves) {
             let (torque, displacement) = (torque.name.clone(), print(&Tree::new(&through), Style::Plain));
             return Err(Slip::NotLinear { model: model.name.clone(), torque, displacement });
         }
@@ -65,7 +67,7 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
     for d in &model.deflections {
         // Edges of dead bands and transmission errors are no part of the sum of coordinates; their slopes are constant.
         let edges = model.dead_bands.iter().map(|band| (Kind::Edge, &band.edge));
-        let errors = model.laws.iter().filter(|law| law.with.is_some()).map(|law| (law.kind(), &law.name));
+        let errors = model.laws.iter().filter(|law| law.role == Role::Error).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
         let value = offsets
             .iter()

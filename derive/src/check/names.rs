@@ -23,6 +23,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Constant => "a constant",
         Kind::Law => "a law",
         Kind::Error => "a transmission error",
+        Kind::Friction => "a law of friction",
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",

@@ -2,18 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use symbolica::atom::Atom;
+use symbolica::atom::{Atom, AtomCore};
 
 use super::functions::functions;
 use super::names::what_it_is;
-use crate::expr::{Expr, Kind, symbols};
-use crate::model::Model;
+use crate::expr::{Expr, Kind, number, symbol, symbols};
+use crate::model::{Model, Torque};
 use crate::slip::Slip;
 
 use Kind::*;
 
 /// What energies are written in.
-const USABLE: [Kind; 11] = [Constant, Parameter, Mid, Law, Error, Touch, Damp, Deflection, Coordinate, Rate, Speed];
+const USABLE: [Kind; 12] =
+    [Constant, Parameter, Mid, Law, Error, Friction, Touch, Damp, Deflection, Coordinate, Rate, Speed];
+/// What a torque may depend on, and what besides where it is friction.
+const TORQUE: [Kind; 5] = [Constant, Parameter, Mid, Rate, Speed];
+const RUBBING: [Kind; 4] = [Law, Friction, Touch, Deflection];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -79,13 +83,38 @@ impl Places<'_> {
     fn torques(&self) -> Result<(), Slip> {
         for torque in &self.model.torques {
             let place = format!("the torque `{}`", torque.name);
-            let why = "a torque is constant or depends on speeds; what depends on positions is an energy";
-            self.check(torque.value, &place, &[Constant, Parameter, Mid, Rate, Speed], why)?;
+            let rubs = self.rubs(torque);
+            let (allowed, why) = match rubs {
+                true => (
+                    [&TORQUE[..], &RUBBING].concat(),
+                    "friction depends on its laws, on deflections, stiffnesses and speeds",
+                ),
+                false => (
+                    TORQUE.to_vec(),
+                    "a torque is constant or depends on speeds, or has a law of friction as a factor, in the effect of that; \
+                     what else depends on positions is an energy",
+                ),
+            };
+            self.check(torque.value, &place, &allowed, why)?;
             let place = format!("the displacement of {place}");
             let why = "a displacement depends on coordinates";
-            self.check(torque.through, &place, &[Constant, Parameter, Coordinate], why)?;
+            self.check(torque.through, &place, &[Constant, Parameter, Deflection, Coordinate], why)?;
         }
         Ok(())
+    }
+
+    /// Whether a torque has a law of friction as a factor, in the effect of that law.
+    fn rubs(&self, torque: &Torque) -> bool {
+        let value = torque.value.atom();
+        let laws = self.model.laws.iter().filter(|law| law.kind() == Friction);
+        let vanishes = |law: &crate::model::Law| {
+            let at_zero = |kind, name: &str| {
+                let symbol = Atom::var(symbol(kind, name));
+                value.replace(symbol.to_pattern()).with(number(0).to_pattern()).expand().is_zero()
+            };
+            at_zero(Friction, &law.name) && law.with.as_deref().is_some_and(|effect| at_zero(Marker, effect))
+        };
+        laws.into_iter().any(vanishes)
     }
 
     /// Refuses undeclared symbols, those of kinds that are not `allowed`, and functions that are not smooth.

@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomView};
 
 use crate::expr::{Kind, symbols};
-use crate::model::{Model, Range};
+use crate::model::{Friction, Model, Range, Role};
 use crate::tree::Tree;
 
 /// Whether an expression is >= 0 for all admissible values, by its form.
@@ -31,6 +31,11 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             }
             // A scene's law values are >= 0; W_ii > 0 since M is positive definite.
             [(Kind::Mid | Kind::Law | Kind::Touch | Kind::Damp, _)] => !strictly,
+            // So are the arms of friction.
+            [(Kind::Friction, name)] => {
+                let arm = Role::Friction(Friction::Arm);
+                !strictly && model.laws.iter().any(|law| law.name == *name && law.role == arm)
+            }
             [(Kind::Mobility, name)] => name[1..].split_once('_').is_some_and(|(i, j)| i == j),
             _ => false,
         },

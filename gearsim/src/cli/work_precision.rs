@@ -77,7 +77,7 @@ impl WorkPrecision {
         let run = |scene: &Scene| match simulate(scene, true) {
             Ok(outcome) => Ok(outcome),
             Err(Failure::Refused { refusal, .. }) => Err(refusal),
-            Err(_) => Err(Refusal::Effects),
+            Err(_) => Err(Refusal::Effects { which: scene.effects.contradictions(scene.model) }),
         };
         let scenes = Scenes { exact: scene.clone(), cheaper };
         let mut say = |what: &str| terminal::complain(&format!("{}: {what}", scene.name));

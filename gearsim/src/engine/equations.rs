@@ -1,6 +1,6 @@
 //! The equations of a model, as the engine sees them. Written by the `equations!` macro, never by hand.
 //!
-//! A model with N coordinates and L laws (stiffnesses, transmission errors), for one chosen set of effects: T = q'ᵀM q'/2, V(q; k), D(q'), Q.
+//! A model with N coordinates and L laws (stiffnesses, transmission errors, friction), for one chosen set of effects: T = q'ᵀM q'/2, V(q; k), D(q'), Q.
 //! What the set of effects lacks is absent from the code behind these functions, not switched off in it.
 
 use nalgebra::{SMatrix, SVector};
@@ -22,11 +22,11 @@ pub trait Equations<const N: usize>: Send + Sync {
 
     /// Work of external torque `i` over the displacement `dq` [J], as far as it is constant.
     fn torque_work(&self, i: usize, dq: &[f64; N]) -> f64;
-    /// Power of external torque `i` at the speeds q' [W], as far as it depends on them.
-    fn torque_power(&self, _i: usize, _q_dot: &[f64; N]) -> f64 {
+    /// Power of external torque `i` at a state [W], as far as it depends on that.
+    fn torque_power(&self, _i: usize, _q: &[f64; N], _q_dot: &[f64; N], _k: &[f64]) -> f64 {
         0.0
     }
-    /// Whether any torque depends on speeds.
+    /// Whether any torque depends on the state.
     fn has_powers(&self) -> bool {
         false
     }

@@ -4,8 +4,8 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the messages are the documentation
 pub enum Refusal {
-    #[error("the effects of the scene contradict one another")]
-    Effects,
+    #[error("the effects of the scene contradict one another: {which}")]
+    Effects { which: String },
     #[error(
         "the equations are not linear between two steps ({terms}), so there is no exact solution: name another method in [run], or none"
     )]

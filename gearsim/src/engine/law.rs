@@ -1,4 +1,4 @@
-//! One stepping law under way, a stiffness or a transmission error: its steps, how they switch, and where it stands between them.
+//! One stepping law under way, a stiffness, a transmission error or one of friction: its steps, how they switch, and where it stands between them.
 
 use xprec::Df64;
 
@@ -10,6 +10,7 @@ use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
 use crate::engine::phase::Pitch;
 use crate::engine::record::State;
+use crate::model::Role;
 use crate::scene::Scene;
 
 /// A stepping law: what it is, and where it stands.
@@ -85,7 +86,7 @@ impl<const N: usize> Law<N> {
             // Laws on one coordinate may begin their pitches at different places of it.
             let counted = if turn > 0.0 { state.turns[phase] } else { 0 };
             let ahead = if frozen.is_some() { 0 } else { pitches - counted };
-            let is_error = law.with.is_some();
+            let is_error = law.role == Role::Error;
             laws.push(Law { switching, pitch, surface, phase, is_error, turns, turn, frozen, cell, ahead });
         }
         Ok(laws)

@@ -95,7 +95,8 @@ impl Entry {
 /// Where its effects contradict one another.
 pub fn equations<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn Equations<N>>, Refusal> {
     let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    D::equations(scene.effects.0, &scene.parameters, &mids).ok_or(Refusal::Effects)
+    let which = || scene.effects.contradictions(&D::MODEL);
+    D::equations(scene.effects.0, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
 }
 
 /// Has a simulation carry state and time in twice the digits.

@@ -51,10 +51,9 @@ pub fn stiffness(
         Source::Iso6336(load) => {
             let (iso, contact) = (Iso6336::of(gears, load)?, gears.contact()?);
             let width = scale * gears.face_width;
-            let cells = cells(&contact).into_iter().map(|cell| Step {
-                value: iso.pairs(cell.pairs) * width,
-                width: (cell.end - cell.begin) / contact.base_pitch * period,
-            });
+            let cells = cells(&contact)
+                .into_iter()
+                .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, source, period) });
             Ok(at_its_place(Stiffness::stepping(cells.collect()), &contact, period))
         }
         Source::Energy => {
@@ -74,15 +73,26 @@ pub fn stiffness(
 }
 
 /// A part of a pitch over which the same pairs touch.
-struct Cell {
-    pairs: usize,
+pub(super) struct Cell {
+    pub(super) pairs: usize,
     /// Where it begins and ends, as places of a pair along the path of contact [m].
-    begin: f64,
-    end: f64,
+    pub(super) begin: f64,
+    pub(super) end: f64,
+}
+
+impl Cell {
+    /// The phase over which it goes, rounded as that of the stiffness.
+    pub(super) fn width(&self, contact: &Contact, source: Source, period: f64) -> f64 {
+        let length = self.end - self.begin;
+        match source {
+            Source::Iso6336(_) => length / contact.base_pitch * period,
+            Source::Energy => length * (period / contact.base_pitch),
+        }
+    }
 }
 
 /// The cells of a pitch, from where a pair parts.
-fn cells(contact: &Contact) -> Vec<Cell> {
+pub(super) fn cells(contact: &Contact) -> Vec<Cell> {
     let ((pairs, more), pitch) = (contact.pairs(), contact.base_pitch);
     let (begin, middle) = (contact.recess, contact.recess + (1.0 - more) * pitch);
     let few = Cell { pairs, begin, end: middle };
@@ -93,7 +103,7 @@ fn cells(contact: &Contact) -> Vec<Cell> {
 }
 
 /// Puts the first cell where it begins in the pitch, which itself begins at the pitch point.
-fn at_its_place(stiffness: Stiffness, contact: &Contact, period: f64) -> Stiffness {
+pub(super) fn at_its_place(stiffness: Stiffness, contact: &Contact, period: f64) -> Stiffness {
     stiffness.beginning((contact.recess / contact.base_pitch).fract() * period)
 }
 
@@ -121,8 +131,7 @@ fn along(pair: &PairOfTeeth, cell: &Cell, course: Course, period: f64, scale: f6
     let piece = |i: usize| {
         let (a, b) = (cell.begin + width * i as f64, cell.begin + width * (i + 1) as f64);
         let (ka, kb, da, db, w) = (k(a), k(b), slope(a), slope(b), width * unit);
-        let chord = (kb - ka) / w;
-        (Curve::Cubic([ka, da, (3.0 * chord - 2.0 * da - db) / w, (da + db - 2.0 * chord) / (w * w)]), w)
+        (Curve::hermite([ka, kb], [da, db], w), w)
     };
     (0..pieces).map(piece).collect()
 }

@@ -5,10 +5,12 @@
 //!   and leave;
 //! - `iso6336`: the stiffness of ISO 6336-1, method B;
 //! - `tooth`, `foundation`, `energy`: the stiffness of one pair of teeth from its strain energy, along the path of contact;
-//! - `law`: a mesh stiffness law out of either.
+//! - `law`: a mesh stiffness law out of either;
+//! - `friction`: the laws of friction, by where the pairs touch and how they share the force.
 
 mod energy;
 mod foundation;
+mod friction;
 pub mod involute;
 mod iso6336;
 mod law;
@@ -16,6 +18,7 @@ mod pair;
 mod tooth;
 
 pub use energy::PairOfTeeth;
+pub use friction::{Rubbing, friction};
 pub use iso6336::{Iso6336, LINE_LOADS};
 pub use law::{Course, Source, stiffness};
 pub use pair::{Contact, GearError, Gears, Material};

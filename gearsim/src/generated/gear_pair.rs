@@ -10,8 +10,8 @@
 //! T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2
 //! V = k*touch*over^2
 //! D = C*damp*over_dot^2 [damping]
-//! Q_theta = 0
-//! Q_phi = 2*T0 [torques]
+//! Q_theta = -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]
+//! Q_phi = 2*T0 [torques] + mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) - 2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]
 //! ```
 //!
 //! # Constants
@@ -20,13 +20,19 @@
 //! M1 = (N1^2/I1 - N2^2/I2)/2
 //! M2 = (N1^2/I1 + N2^2/I2)/2
 //! C = 2*zeta*sqrt(k_mid/M2)
+//! tan_a = sin(alpha)/cos(alpha)
+//! tiny = 1/1000000000000
 //! ```
 //!
 //! # Deflections
 //!
 //! ```text
 //! over = phi - edge - e
+//! tau = 2*tan_a*phi
+//! psi = phi/N1 + theta/N1 - phi/N2 + theta/N2
 //! e = 0 without transmission error; the rates are those of the coordinates, without that of e
+//! side = 0 without sliding friction
+//! arm = 0 without sliding friction
 //! touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0
 //! damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:
 //!   clip = 1 where it would push more than the spring does, it pushes as much
@@ -36,8 +42,8 @@
 //! # Equations of motion
 //!
 //! ```text
-//! theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]
-//! phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]
+//! theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]
+//! phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]
 //! ```
 //!
 //! # At a step of a stiffness or a transmission error
@@ -51,12 +57,16 @@
 //! theta_dot+^2 = theta_dot-^2 - (M2*k*de^2*touch - 2*M2*k*de*touch*over)
 //! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
 //! else theta_dot+ = -theta_dot-: reflected, and e stays
+//! at a step of side: dV = 0, speeds pass unchanged
+//! at a step of arm: dV = 0, speeds pass unchanged
 //! ```
 //!
 //! # Between two steps
 //!
 //! ```text
 //! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! nonlinear with sliding_friction: -mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `slide`
+//! nonlinear with sliding_friction: -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `roll`
 //! ```
 //!
 //! # LaTeX
@@ -65,14 +75,18 @@
 //! T = \frac{1}{2} (\frac{I_{1}\, \left(\dot{\varphi} + \dot{\theta}\right)^{2}}{N_{1}^{2}} + \frac{I_{2}\, \left(\dot{\theta} - \dot{\varphi}\right)^{2}}{N_{2}^{2}})
 //! V = k\, \mathrm{touch}\, \mathrm{over}^{2}
 //! D = C\, \mathrm{damp}\, \dot{\mathrm{over}}^{2}\ [\text{damping}]
-//! Q_{\theta} = 0
-//! Q_{\varphi} = 2\, T_{0}\ [\text{torques}]
+//! Q_{\theta} = -\frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}]
+//! Q_{\varphi} = 2\, T_{0}\ [\text{torques}] + \frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{2\, \mathrm{tan}_{a}\, \mu\, k\, \mathrm{side}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}]
 //! M_{1} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} - \frac{N_{2}^{2}}{I_{2}})
 //! M_{2} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} + \frac{N_{2}^{2}}{I_{2}})
 //! C = 2\, \zeta\, \sqrt{\frac{\bar{k}}{M_{2}}}
+//! \mathrm{tan}_{a} = \frac{\sin\left(\alpha\right)}{\cos\left(\alpha\right)}
+//! \mathrm{tiny} = \frac{1}{1000000000000}
 //! \mathrm{over} = \varphi - \mathrm{edge} - e
-//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} + M_{2}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
-//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} + M_{1}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \tau = 2\, \mathrm{tan}_{a}\, \varphi
+//! \psi = \frac{\varphi}{N_{1}} + \frac{\theta}{N_{1}} - \frac{\varphi}{N_{2}} + \frac{\theta}{N_{2}}
+//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} + M_{2}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] + \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mathrm{tan}_{a}\, \mu\, k\, \mathrm{side}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} + M_{1}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] + \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mathrm{tan}_{a}\, \mu\, k\, \mathrm{side}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
 //! \dot{\theta}_+^2 = \dot{\theta}_-^2 - M_{2}\, \Delta k\, \mathrm{touch}\, \mathrm{over}^{2}
 //! \dot{\varphi}_+ - \dot{\varphi}_- = \frac{M_{1}}{M_{2}} \left(\dot{\theta}_+ - \dot{\theta}_-\right)
 //! \dot{\theta}_+^2 = \dot{\theta}_-^2 - (M_{2}\, k\, \Delta e^{2}\, \mathrm{touch} - 2\, M_{2}\, k\, \Delta e\, \mathrm{touch}\, \mathrm{over})
@@ -85,7 +99,10 @@
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - at a step of e: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - V is the same on both sides of a step of side: no impulse there
+//! - V is the same on both sides of a step of arm: no impulse there
 //! - V is the same on both sides of the edges of over: no impulse there
+//! - the friction `roll` never feeds energy: its power is never positive
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
@@ -95,11 +112,13 @@
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | constants (once a scene) | 2 | 15 | 1 |
-//! | force | 0 | 18 | 0 |
-//! | acceleration | 0 | 40 | 0 |
+//! | constants (once a scene) | 2 | 16 | 3 |
+//! | force | 13 | 74 | 10 |
+//! | acceleration | 28 | 168 | 20 |
 //! | energy step of k | 0 | 3 | 0 |
 //! | energy step of e | 1 | 7 | 0 |
+//! | energy step of side | 0 | 0 | 0 |
+//! | energy step of arm | 0 | 0 | 0 |
 
 use gearsim_macros::equations;
 
@@ -119,10 +138,15 @@ equations! {
         zeta "1" default 0.0, from 0.0 to inf, "damping factor of phi at the mid stiffness";
         T0 "N*m" required, open -inf to inf, "balanced torque: T0 N1 drives, T0 N2 loads";
         b "rad" required with backlash, open 0.0 to inf, "backlash of the mesh, in phi: it is free within b/2 to either side";
+        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        mu "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
+        w_mix "rad/s" default 0.1, open 0.0 to inf, "rolling speed, omega1 + omega2, of the mesh below which friction fades (mixed film), and is zero at rest";
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
         e "rad" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error in phi, et N1/(2 r1) with et along the line of action";
+        side "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force on pairs of teeth beyond the pitch point, less that on pairs before it, of the mesh";
+        arm "rad" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force from the pitch point along the line of action of the mesh";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -135,23 +159,30 @@ equations! {
         backlash "flanks with play: drive and coast flank, and free flight between";
         damping "Rayleigh damping of the relative motion, with the damping factor zeta";
         torques "constant driving and load torque in balance";
+        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth passes the pitch point";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
         transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
+        transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
         transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
         backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
+        sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
     }
 
     constants {
         M1 = (N1.powi(2)/I1 - N2.powi(2)/I2)/2.0;
         M2 = (N1.powi(2)/I1 + N2.powi(2)/I2)/2.0;
         C = 2.0*zeta*(k_mid/M2).sqrt();
+        tan_a = alpha.sin()/alpha.cos();
+        tiny = 1.0/1000000000000.0;
     }
     deflections {
         over = phi - edge - e;
+        tau = 2.0*tan_a*phi;
+        psi = phi/N1 + theta/N1 - phi/N2 + theta/N2;
     }
     dead_bands {
         over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the mesh, in phi";
@@ -173,6 +204,14 @@ equations! {
         }
         load "torque -T0 N2 on the driven gear" {
             torques => -T0*(theta - phi);
+        }
+        slide "friction of the mesh, over what the flanks slide at the pitch point" {}
+        power {
+            sliding_friction => -mu*k*side*touch*psi_dot*tau_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+        }
+        roll "friction of the mesh, over their rolling" {}
+        power {
+            sliding_friction => -mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
     }
     work {
@@ -206,6 +245,7 @@ equations! {
     force {
         theta {
             transmission_error_and_jump_terms => 2.0*k*de*touch*over;
+            sliding_friction => -mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -dk*touch*over.powi(2);
         }
         phi {
@@ -213,6 +253,7 @@ equations! {
             backlash => -2.0*k*touch*clip*over;
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
+            sliding_friction => mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - 2.0*tan_a*mu*k*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
     }
     acceleration {
@@ -222,6 +263,7 @@ equations! {
             backlash => -M1*k*touch*clip*over;
             damping => -C*M1*damp*over_dot;
             torques => M1*T0;
+            sliding_friction => M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -M2*dk*touch*over.powi(2)/2.0;
         }
         phi {
@@ -230,15 +272,18 @@ equations! {
             backlash => -M2*k*touch*clip*over;
             damping => -C*M2*damp*over_dot;
             torques => M2*T0;
+            sliding_friction => M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -M1*dk*touch*over.powi(2)/2.0;
         }
     }
     jacobian {
         theta theta {
             transmission_error_and_backlash_and_moving_phase => M1*k*de*touch*clip;
+            transmission_error_and_sliding_friction_and_moving_phase => M1*tan_a*mu*k*de*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             transmission_error_and_jump_terms => M2*k*dde*touch*over - M2*k*de.powi(2)*touch + 2.0*M2*de*dk*touch*over;
             transmission_error_and_moving_phase => M1*k*de*touch;
             backlash_and_moving_phase => -M1*dk*touch*clip*over;
+            sliding_friction_and_moving_phase => M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*dside*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M1*tan_a*mu*dk*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -M2*ddk*touch*over.powi(2)/2.0;
             moving_phase => -M1*dk*touch*over;
         }
@@ -246,16 +291,23 @@ equations! {
             _ => -M1*k*touch;
             transmission_error_and_jump_terms => M2*k*de*touch;
             backlash => -M1*k*touch*clip;
+            sliding_friction => M1*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -M2*dk*touch*over;
+        }
+        theta theta_dot {
+            sliding_friction => M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         theta phi_dot {
             damping => -C*M1*damp;
+            sliding_friction => M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => M2*k*de*touch*clip;
+            transmission_error_and_sliding_friction_and_moving_phase => M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*de*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             transmission_error_and_jump_terms => M1*k*dde*touch*over - M1*k*de.powi(2)*touch + 2.0*M1*de*dk*touch*over;
             transmission_error_and_moving_phase => M2*k*de*touch;
             backlash_and_moving_phase => -M2*dk*touch*clip*over;
+            sliding_friction_and_moving_phase => M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*dside*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M2*tan_a*mu*dk*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -M1*ddk*touch*over.powi(2)/2.0;
             moving_phase => -M2*dk*touch*over;
         }
@@ -263,10 +315,15 @@ equations! {
             _ => -M2*k*touch;
             transmission_error_and_jump_terms => M1*k*de*touch;
             backlash => -M2*k*touch*clip;
+            sliding_friction => M2*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
             jump_terms => -M1*dk*touch*over;
+        }
+        phi theta_dot {
+            sliding_friction => M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         phi phi_dot {
             damping => -C*M2*damp;
+            sliding_friction => M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
     }
     cell {
@@ -288,6 +345,10 @@ equations! {
                 torques => 2.0*T0;
             }
         }
+    }
+    nonlinear_with {
+        sliding_friction "-mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `slide`";
+        sliding_friction "-mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `roll`";
     }
     jump k {
         normal {
@@ -331,24 +392,68 @@ equations! {
             _ => k*de.powi(2)*touch - 2.0*k*de*touch*over;
         }
     }
+    jump side {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        compliance {
+            _ => M2/2.0;
+        }
+        direction {
+            theta {
+                _ => 1.0;
+            }
+            phi {
+                _ => M1/M2;
+            }
+        }
+        step {}
+    }
+    jump arm {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        compliance {
+            _ => M2/2.0;
+        }
+        direction {
+            theta {
+                _ => 1.0;
+            }
+            phi {
+                _ => M1/M2;
+            }
+        }
+        step {}
+    }
 
     text {
         "T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2";
         "V = k*touch*over^2";
         "D = C*damp*over_dot^2 [damping]";
-        "Q_theta = 0";
-        "Q_phi = 2*T0 [torques]";
+        "Q_theta = -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]";
+        "Q_phi = 2*T0 [torques] + mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) - 2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]";
         "M1 = (N1^2/I1 - N2^2/I2)/2";
         "M2 = (N1^2/I1 + N2^2/I2)/2";
         "C = 2*zeta*sqrt(k_mid/M2)";
+        "tan_a = sin(alpha)/cos(alpha)";
+        "tiny = 1/1000000000000";
         "over = phi - edge - e";
+        "tau = 2*tan_a*phi";
+        "psi = phi/N1 + theta/N1 - phi/N2 + theta/N2";
         "e = 0 without transmission error; the rates are those of the coordinates, without that of e";
+        "side = 0 without sliding friction";
+        "arm = 0 without sliding friction";
         "touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0";
         "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
         "  clip = 1 where it would push more than the spring does, it pushes as much";
         "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
-        "theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] - M2*dk*touch*over^2/2 [jump terms]";
-        "phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] - M1*dk*touch*over^2/2 [jump terms]";
+        "theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]";
+        "phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]";
         "at a step dk of k in theta, where energy allows:";
         "theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
@@ -357,20 +462,28 @@ equations! {
         "theta_dot+^2 = theta_dot-^2 - (M2*k*de^2*touch - 2*M2*k*de*touch*over)";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
         "else theta_dot+ = -theta_dot-: reflected, and e stays";
+        "at a step of side: dV = 0, speeds pass unchanged";
+        "at a step of arm: dV = 0, speeds pass unchanged";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+        "nonlinear with sliding_friction: -mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `slide`";
+        "nonlinear with sliding_friction: -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `roll`";
     }
     latex {
         "T = \\frac{1}{2} (\\frac{I_{1}\\, \\left(\\dot{\\varphi} + \\dot{\\theta}\\right)^{2}}{N_{1}^{2}} + \\frac{I_{2}\\, \\left(\\dot{\\theta} - \\dot{\\varphi}\\right)^{2}}{N_{2}^{2}})";
         "V = k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
         "D = C\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}^{2}\\ [\\text{damping}]";
-        "Q_{\\theta} = 0";
-        "Q_{\\varphi} = 2\\, T_{0}\\ [\\text{torques}]";
+        "Q_{\\theta} = -\\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}]";
+        "Q_{\\varphi} = 2\\, T_{0}\\ [\\text{torques}] + \\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{2\\, \\mathrm{tan}_{a}\\, \\mu\\, k\\, \\mathrm{side}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}]";
         "M_{1} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} - \\frac{N_{2}^{2}}{I_{2}})";
         "M_{2} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} + \\frac{N_{2}^{2}}{I_{2}})";
         "C = 2\\, \\zeta\\, \\sqrt{\\frac{\\bar{k}}{M_{2}}}";
+        "\\mathrm{tan}_{a} = \\frac{\\sin\\left(\\alpha\\right)}{\\cos\\left(\\alpha\\right)}";
+        "\\mathrm{tiny} = \\frac{1}{1000000000000}";
         "\\mathrm{over} = \\varphi - \\mathrm{edge} - e";
-        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{2}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
-        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{1}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\tau = 2\\, \\mathrm{tan}_{a}\\, \\varphi";
+        "\\psi = \\frac{\\varphi}{N_{1}} + \\frac{\\theta}{N_{1}} - \\frac{\\varphi}{N_{2}} + \\frac{\\theta}{N_{2}}";
+        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{2}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] + \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mathrm{tan}_{a}\\, \\mu\\, k\\, \\mathrm{side}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{1}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] + \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mathrm{tan}_{a}\\, \\mu\\, k\\, \\mathrm{side}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
         "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - M_{2}\\, \\Delta k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
         "\\dot{\\varphi}_+ - \\dot{\\varphi}_- = \\frac{M_{1}}{M_{2}} \\left(\\dot{\\theta}_+ - \\dot{\\theta}_-\\right)";
         "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - (M_{2}\\, k\\, \\Delta e^{2}\\, \\mathrm{touch} - 2\\, M_{2}\\, k\\, \\Delta e\\, \\mathrm{touch}\\, \\mathrm{over})";

@@ -10,12 +10,12 @@
 //! T = (I1*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*(theta_dot/N2 - s_dot/(2*h*N2))^2 + m1*x1_dot^2 + m1*y1_dot^2 + m2*x2_dot^2 + m2*y2_dot^2)/2
 //! V = (kb1*x1^2 + kb1*y1^2 + kb2*x2^2 + kb2*y2^2 + k12*touch12*over12^2)/2
 //! D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + alpha_M*m1*x1_dot^2 + alpha_M*m1*y1_dot^2 + alpha_M*m2*x2_dot^2 + alpha_M*m2*y2_dot^2 + beta_K*kb1*x1_dot^2 + beta_K*kb1*y1_dot^2 + beta_K*kb2*x2_dot^2 + beta_K*kb2*y2_dot^2 + beta_K*k12_mid*damp12*over12_dot^2)/2 [damping]
-//! Q_theta = T_motor/N1 - T_load/N2 [torques]
-//! Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]
-//! Q_x1 = 0
-//! Q_y1 = 0
-//! Q_x2 = 0
-//! Q_y2 = 0
+//! Q_theta = -mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/N1 - T_load/N2 [torques]
+//! Q_s = mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N2*sqrt(w_mix12^2 + psi12_dot^2)) - sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(cos_a*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]
+//! Q_x1 = cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]
+//! Q_y1 = -sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]
+//! Q_x2 = -cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]
+//! Q_y2 = sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]
 //! ```
 //!
 //! # Constants
@@ -24,13 +24,18 @@
 //! h = r1/N1
 //! cos_a = cos(alpha)
 //! sin_a = sin(alpha)
+//! tiny12 = 1/1000000000000
 //! ```
 //!
 //! # Deflections
 //!
 //! ```text
 //! over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2
+//! tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a
+//! psi12 = s/(2*h*N1) - s/(2*h*N2) + theta/N1 + theta/N2
 //! e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12
+//! side12 = 0 without sliding friction
+//! arm12 = 0 without sliding friction
 //! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
 //! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
 //!   clip12 = 1 where it would push more than the spring does, it pushes as much
@@ -40,12 +45,12 @@
 //! # Equations of motion
 //!
 //! ```text
-//! (I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]
-//! ((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]
-//! (m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]
-//! (m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]
-//! (m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]
-//! (m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]
+//! (I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]
+//! ((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N2*sqrt(w_mix12^2 + psi12_dot^2)) - sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(cos_a*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]
+//! (m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] + cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]
+//! (m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]
+//! (m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] - cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]
+//! (m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]
 //! ```
 //!
 //! # At a step of a stiffness or a transmission error
@@ -53,12 +58,16 @@
 //! ```text
 //! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)
 //! at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2*touch12/2 - k12*de12*touch12*over12)
+//! at a step of side12: dV = 0, speeds pass unchanged
+//! at a step of arm12: dV = 0, speeds pass unchanged
 //! ```
 //!
 //! # Between two steps
 //!
 //! ```text
 //! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! nonlinear with sliding_friction: -mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `slide12`
+//! nonlinear with sliding_friction: -mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `roll12`
 //! ```
 //!
 //! # LaTeX
@@ -67,28 +76,34 @@
 //! T = \frac{1}{2} (I_{1}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + m_{1}\, \dot{x_{1}}^{2} + m_{1}\, \dot{y_{1}}^{2} + m_{2}\, \dot{x_{2}}^{2} + m_{2}\, \dot{y_{2}}^{2})
 //! V = \frac{1}{2} (\mathrm{kb}_{1}\, x_{1}^{2} + \mathrm{kb}_{1}\, y_{1}^{2} + \mathrm{kb}_{2}\, x_{2}^{2} + \mathrm{kb}_{2}\, y_{2}^{2} + k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2})
 //! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \left(\frac{\dot{s}}{2\, h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{2}} - \frac{\dot{s}}{2\, h\, N_{2}}\right)^{2} + \alpha_{M}\, m_{1}\, \dot{x_{1}}^{2} + \alpha_{M}\, m_{1}\, \dot{y_{1}}^{2} + \alpha_{M}\, m_{2}\, \dot{x_{2}}^{2} + \alpha_{M}\, m_{2}\, \dot{y_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}^{2} + \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}}^{2})\ [\text{damping}]
-//! Q_{\theta} = \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}]
-//! Q_{s} = \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}]
-//! Q_{x_{1}} = 0
-//! Q_{y_{1}} = 0
-//! Q_{x_{2}} = 0
-//! Q_{y_{2}} = 0
+//! Q_{\theta} = -\frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{N_{2}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}]
+//! Q_{s} = \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{2\, h\, N_{2}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mathrm{sin}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\mathrm{cos}_{a}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{2\, h\, N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}]
+//! Q_{x_{1}} = \frac{\mathrm{cos}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}]
+//! Q_{y_{1}} = -\frac{\mathrm{sin}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}]
+//! Q_{x_{2}} = -\frac{\mathrm{cos}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}]
+//! Q_{y_{2}} = \frac{\mathrm{sin}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}]
 //! h = \frac{r_{1}}{N_{1}}
 //! \mathrm{cos}_{a} = \cos\left(\alpha\right)
 //! \mathrm{sin}_{a} = \sin\left(\alpha\right)
+//! \mathrm{tiny}_{12} = \frac{1}{1000000000000}
 //! \mathrm{over}_{12} = s - \mathrm{edge}_{12} - e_{12} + \mathrm{cos}_{a}\, y_{1} - \mathrm{cos}_{a}\, y_{2} + \mathrm{sin}_{a}\, x_{1} - \mathrm{sin}_{a}\, x_{2}
-//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{s} = k_{12}\, e_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}\ [\text{transmission error, jump terms}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2}}{2}\ [\text{jump terms}]
-//! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}})) \ddot{s} = -k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}}\ [\text{damping}]
-//! (m_{1}) \ddot{x_{1}} = -\mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, x_{1} - \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{x_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}\ [\text{damping}]
-//! (m_{1}) \ddot{y_{1}} = -\mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, y_{1} - \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{y_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}\ [\text{damping}]
-//! (m_{2}) \ddot{x_{2}} = \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{2}\, x_{2} + \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{2}\, \dot{x_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}\ [\text{damping}]
-//! (m_{2}) \ddot{y_{2}} = \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{2}\, y_{2} + \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{2}\, \dot{y_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}\ [\text{damping}]
+//! \tau_{12} = \mathrm{cos}_{a}\, x_{2} - \mathrm{cos}_{a}\, x_{1} + \mathrm{sin}_{a}\, y_{1} - \mathrm{sin}_{a}\, y_{2} + \frac{\mathrm{sin}_{a}\, s}{\mathrm{cos}_{a}}
+//! \psi_{12} = \frac{s}{2\, h\, N_{1}} - \frac{s}{2\, h\, N_{2}} + \frac{\theta}{N_{1}} + \frac{\theta}{N_{2}}
+//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}}) \ddot{\theta} + (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{s} = k_{12}\, e_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}\ [\text{transmission error, jump terms}] - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{N_{2}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{2\, h\, N_{1}^{2}}\ [\text{damping}] - \frac{k_{12}'\, \mathrm{touch}_{12}\, \mathrm{over}_{12}^{2}}{2}\ [\text{jump terms}]
+//! (\frac{1}{2} (\frac{I_{1}}{h\, N_{1}^{2}} - \frac{I_{2}}{h\, N_{2}^{2}})) \ddot{\theta} + (\frac{1}{4} (\frac{I_{1}}{h^{2}\, N_{1}^{2}} + \frac{I_{2}}{h^{2}\, N_{2}^{2}})) \ddot{s} = -k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{2\, h\, N_{2}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mathrm{sin}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\mathrm{cos}_{a}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{2\, h\, N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \frac{1}{2} (\frac{T_{motor}}{h\, N_{1}} + \frac{T_{load}}{h\, N_{2}})\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{4\, h^{2}\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{2\, h\, N_{1}^{2}}\ [\text{damping}]
+//! (m_{1}) \ddot{x_{1}} = -\mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, x_{1} - \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{\mathrm{cos}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{x_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{x_{1}}\ [\text{damping}]
+//! (m_{1}) \ddot{y_{1}} = -\mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{1}\, y_{1} - \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \frac{\mathrm{sin}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] - \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{1}\, \dot{y_{1}} - \beta_{K}\, \mathrm{kb}_{1}\, \dot{y_{1}}\ [\text{damping}]
+//! (m_{2}) \ddot{x_{2}} = \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{2}\, x_{2} + \mathrm{sin}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] - \frac{\mathrm{cos}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{2}\, \dot{x_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{x_{2}}\ [\text{damping}]
+//! (m_{2}) \ddot{y_{2}} = \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{over}_{12} - \mathrm{kb}_{2}\, y_{2} + \mathrm{cos}_{a}\, k_{12}\, \mathrm{touch}_{12}\, \mathrm{clip}_{12}\, \mathrm{over}_{12}\ [\text{backlash}] + \frac{\mathrm{sin}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \mathrm{touch}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \mathrm{over}_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{12}}\, \mathrm{damp}_{12}\, \dot{\mathrm{over}_{12}} - \alpha_{M}\, m_{2}\, \dot{y_{2}} - \beta_{K}\, \mathrm{kb}_{2}\, \dot{y_{2}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - V is the same on both sides of a step of side12: no impulse there
+//! - V is the same on both sides of a step of arm12: no impulse there
 //! - V is the same on both sides of the edges of over12: no impulse there
+//! - the friction `roll12` never feeds energy: its power is never positive
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
@@ -99,9 +114,11 @@
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 0 | 1 | 2 |
-//! | force | 21 | 133 | 0 |
+//! | force | 42 | 237 | 18 |
 //! | energy step of k12 | 0 | 4 | 0 |
 //! | energy step of e12 | 1 | 7 | 0 |
+//! | energy step of side12 | 0 | 0 | 0 |
+//! | energy step of arm12 | 0 | 0 | 0 |
 
 use gearsim_macros::equations;
 
@@ -129,6 +146,8 @@ equations! {
         kb1 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 1";
         kb2 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 2";
         b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: it is free within b/2 to either side";
+        mu12 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
+        w_mix12 "rad/s" default 0.1, open 0.0 to inf, "rolling speed, omega1 + omega2, of the mesh below which friction fades (mixed film), and is zero at rest";
         T_motor "N*m" required, open -inf to inf, "driving torque of the driving gear";
         T_load "N*m" required, open -inf to inf, "load torque of the driven gear, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -137,6 +156,8 @@ equations! {
     laws {
         k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh along the line of action";
         e12 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh along the line of action";
+        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force on pairs of teeth beyond the pitch point, less that on pairs before it, of the mesh";
+        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force from the pitch point along the line of action of the mesh";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -147,6 +168,7 @@ equations! {
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
         transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash "flanks with play: drive and coast flank, and free flight between";
+        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -154,6 +176,8 @@ equations! {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
         transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
+        sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
         transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
         transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
         backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
@@ -163,9 +187,12 @@ equations! {
         h = r1/N1;
         cos_a = alpha.cos();
         sin_a = alpha.sin();
+        tiny12 = 1.0/1000000000000.0;
     }
     deflections {
         over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+        tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a;
+        psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
     }
     dead_bands {
         over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh";
@@ -182,6 +209,14 @@ equations! {
         }
     }
     torques {
+        slide12 "friction of the mesh, over what the flanks slide at the pitch point" {}
+        power {
+            sliding_friction => -mu12*k12*side12*touch12*psi12_dot*tau12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        roll12 "friction of the mesh, over their rolling" {}
+        power {
+            sliding_friction => -mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
         motor "driving torque of the driving gear" {
             torques => T_motor*(s/(2.0*h*N1) + theta/N1);
         }
@@ -227,6 +262,7 @@ equations! {
     force {
         theta {
             transmission_error_and_jump_terms => k12*de12*touch12*over12;
+            sliding_friction => -mu12*k12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             torques => T_motor/N1 - T_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2) - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
@@ -234,91 +270,114 @@ equations! {
         s {
             _ => -k12*touch12*over12;
             backlash => -k12*touch12*clip12*over12;
+            sliding_friction => mu12*k12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
         }
         x1 {
             _ => -sin_a*k12*touch12*over12 - kb1*x1;
             backlash => -sin_a*k12*touch12*clip12*over12;
+            sliding_friction => cos_a*mu12*k12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot;
         }
         y1 {
             _ => -cos_a*k12*touch12*over12 - kb1*y1;
             backlash => -cos_a*k12*touch12*clip12*over12;
+            sliding_friction => -sin_a*mu12*k12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot;
         }
         x2 {
             _ => sin_a*k12*touch12*over12 - kb2*x2;
             backlash => sin_a*k12*touch12*clip12*over12;
+            sliding_friction => -cos_a*mu12*k12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot;
         }
         y2 {
             _ => cos_a*k12*touch12*over12 - kb2*y2;
             backlash => cos_a*k12*touch12*clip12*over12;
+            sliding_friction => sin_a*mu12*k12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot;
         }
     }
     jacobian {
         theta theta {
+            transmission_error_and_sliding_friction_and_moving_phase => mu12*k12*de12*arm12*touch12*over12*psi12_dot/(N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*k12*de12*arm12*touch12*over12*psi12_dot/(N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             transmission_error_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            sliding_friction_and_moving_phase => -mu12*k12*darm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*dk12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*darm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*dk12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
             transmission_error_and_jump_terms => k12*de12*touch12;
+            sliding_friction => -mu12*k12*arm12*touch12*over12*psi12_dot/(N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*over12*psi12_dot/(N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             jump_terms => -dk12*touch12*over12;
         }
         theta x1 {
             transmission_error_and_jump_terms => sin_a*k12*de12*touch12;
+            sliding_friction => -sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             jump_terms => -sin_a*dk12*touch12*over12;
         }
         theta y1 {
             transmission_error_and_jump_terms => cos_a*k12*de12*touch12;
+            sliding_friction => -cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             jump_terms => -cos_a*dk12*touch12*over12;
         }
         theta x2 {
             transmission_error_and_jump_terms => -sin_a*k12*de12*touch12;
+            sliding_friction => sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             jump_terms => sin_a*dk12*touch12*over12;
         }
         theta y2 {
             transmission_error_and_jump_terms => -cos_a*k12*de12*touch12;
+            sliding_friction => cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             jump_terms => cos_a*dk12*touch12*over12;
         }
         theta theta_dot {
+            sliding_friction => mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + 2.0*mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - 2.0*mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
+            sliding_friction => (mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()))/2.0;
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
             transmission_error_and_backlash_and_moving_phase => k12*de12*touch12*clip12;
+            transmission_error_and_sliding_friction_and_moving_phase => sin_a*mu12*k12*de12*side12*touch12*over12*psi12_dot/(cos_a*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*k12*de12*arm12*touch12*over12*psi12_dot/(2.0*h*N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*de12*arm12*touch12*over12*psi12_dot/(2.0*h*N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             transmission_error_and_moving_phase => k12*de12*touch12;
             backlash_and_moving_phase => -dk12*touch12*clip12*over12;
+            sliding_friction_and_moving_phase => mu12*k12*darm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*dside12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*dk12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*darm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*dk12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*dk12*arm12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             moving_phase => -dk12*touch12*over12;
         }
         s s {
             _ => -k12*touch12;
             backlash => -k12*touch12*clip12;
+            sliding_friction => mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*over12*psi12_dot/(cos_a*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         s x1 {
             _ => -sin_a*k12*touch12;
             backlash => -sin_a*k12*touch12*clip12;
+            sliding_friction => sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/(cos_a*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         s y1 {
             _ => -cos_a*k12*touch12;
             backlash => -cos_a*k12*touch12*clip12;
+            sliding_friction => cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         s x2 {
             _ => sin_a*k12*touch12;
             backlash => sin_a*k12*touch12*clip12;
+            sliding_friction => sin_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/(cos_a*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         s y2 {
             _ => cos_a*k12*touch12;
             backlash => cos_a*k12*touch12*clip12;
+            sliding_friction => cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N1*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - cos_a*mu12*k12*arm12*touch12*over12*psi12_dot/(2.0*h*N2*(tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         s theta_dot {
+            sliding_friction => sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(cos_a*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h*N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
+            sliding_friction => sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*cos_a*h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*cos_a*h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*cos_a*h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*cos_a*h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(4.0*h.powi(2)*N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(4.0*h.powi(2)*N1.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h.powi(2)*N1*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(2.0*h.powi(2)*N1*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + mu12*k12*arm12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(4.0*h.powi(2)*N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - mu12*k12*arm12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(4.0*h.powi(2)*N2.powi(2)*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
         }
         s x1_dot {
@@ -335,31 +394,42 @@ equations! {
         }
         x1 theta {
             transmission_error_and_backlash_and_moving_phase => sin_a*k12*de12*touch12*clip12;
+            transmission_error_and_sliding_friction_and_moving_phase => -cos_a*mu12*k12*de12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             transmission_error_and_moving_phase => sin_a*k12*de12*touch12;
             backlash_and_moving_phase => -sin_a*dk12*touch12*clip12*over12;
+            sliding_friction_and_moving_phase => cos_a*mu12*k12*dside12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt() + cos_a*mu12*dk12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             moving_phase => -sin_a*dk12*touch12*over12;
         }
         x1 s {
             _ => -sin_a*k12*touch12;
             backlash => -sin_a*k12*touch12*clip12;
+            sliding_friction => cos_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x1 x1 {
             _ => -kb1 - sin_a.powi(2)*k12*touch12;
             backlash => -sin_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x1 y1 {
             _ => -cos_a*sin_a*k12*touch12;
             backlash => -cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => cos_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x1 x2 {
             _ => sin_a.powi(2)*k12*touch12;
             backlash => sin_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => -cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x1 y2 {
             _ => cos_a*sin_a*k12*touch12;
             backlash => cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => -cos_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        x1 theta_dot {
+            sliding_friction => cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x1 s_dot {
+            sliding_friction => (cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()))/2.0;
             damping => -sin_a*beta_K*k12_mid*damp12;
         }
         x1 x1_dot {
@@ -376,31 +446,42 @@ equations! {
         }
         y1 theta {
             transmission_error_and_backlash_and_moving_phase => cos_a*k12*de12*touch12*clip12;
+            transmission_error_and_sliding_friction_and_moving_phase => sin_a*mu12*k12*de12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             transmission_error_and_moving_phase => cos_a*k12*de12*touch12;
             backlash_and_moving_phase => -cos_a*dk12*touch12*clip12*over12;
+            sliding_friction_and_moving_phase => -sin_a*mu12*k12*dside12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt() - sin_a*mu12*dk12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             moving_phase => -cos_a*dk12*touch12*over12;
         }
         y1 s {
             _ => -cos_a*k12*touch12;
             backlash => -cos_a*k12*touch12*clip12;
+            sliding_friction => -sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y1 x1 {
             _ => -cos_a*sin_a*k12*touch12;
             backlash => -cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => -sin_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y1 y1 {
             _ => -kb1 - cos_a.powi(2)*k12*touch12;
             backlash => -cos_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => -cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y1 x2 {
             _ => cos_a*sin_a*k12*touch12;
             backlash => cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => sin_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y1 y2 {
             _ => cos_a.powi(2)*k12*touch12;
             backlash => cos_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        y1 theta_dot {
+            sliding_friction => sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y1 s_dot {
+            sliding_friction => (sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()))/2.0;
             damping => -cos_a*beta_K*k12_mid*damp12;
         }
         y1 x1_dot {
@@ -417,31 +498,42 @@ equations! {
         }
         x2 theta {
             transmission_error_and_backlash_and_moving_phase => -sin_a*k12*de12*touch12*clip12;
+            transmission_error_and_sliding_friction_and_moving_phase => cos_a*mu12*k12*de12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             transmission_error_and_moving_phase => -sin_a*k12*de12*touch12;
             backlash_and_moving_phase => sin_a*dk12*touch12*clip12*over12;
+            sliding_friction_and_moving_phase => -cos_a*mu12*k12*dside12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt() - cos_a*mu12*dk12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             moving_phase => sin_a*dk12*touch12*over12;
         }
         x2 s {
             _ => sin_a*k12*touch12;
             backlash => sin_a*k12*touch12*clip12;
+            sliding_friction => -cos_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x2 x1 {
             _ => sin_a.powi(2)*k12*touch12;
             backlash => sin_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => -cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x2 y1 {
             _ => cos_a*sin_a*k12*touch12;
             backlash => cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => -cos_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x2 x2 {
             _ => -kb2 - sin_a.powi(2)*k12*touch12;
             backlash => -sin_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x2 y2 {
             _ => -cos_a*sin_a*k12*touch12;
             backlash => -cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => cos_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        x2 theta_dot {
+            sliding_friction => cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) + cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         x2 s_dot {
+            sliding_friction => (cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - cos_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + cos_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()))/2.0;
             damping => sin_a*beta_K*k12_mid*damp12;
         }
         x2 x1_dot {
@@ -458,31 +550,42 @@ equations! {
         }
         y2 theta {
             transmission_error_and_backlash_and_moving_phase => -cos_a*k12*de12*touch12*clip12;
+            transmission_error_and_sliding_friction_and_moving_phase => -sin_a*mu12*k12*de12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
             transmission_error_and_moving_phase => -cos_a*k12*de12*touch12;
             backlash_and_moving_phase => cos_a*dk12*touch12*clip12*over12;
+            sliding_friction_and_moving_phase => sin_a*mu12*k12*dside12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt() + sin_a*mu12*dk12*side12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
             moving_phase => cos_a*dk12*touch12*over12;
         }
         y2 s {
             _ => cos_a*k12*touch12;
             backlash => cos_a*k12*touch12*clip12;
+            sliding_friction => sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y2 x1 {
             _ => cos_a*sin_a*k12*touch12;
             backlash => cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => sin_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y2 y1 {
             _ => cos_a.powi(2)*k12*touch12;
             backlash => cos_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y2 x2 {
             _ => -cos_a*sin_a*k12*touch12;
             backlash => -cos_a*sin_a*k12*touch12*clip12;
+            sliding_friction => -sin_a.powi(2)*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y2 y2 {
             _ => -kb2 - cos_a.powi(2)*k12*touch12;
             backlash => -cos_a.powi(2)*k12*touch12*clip12;
+            sliding_friction => -cos_a*sin_a*mu12*k12*side12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        y2 theta_dot {
+            sliding_friction => sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         y2 s_dot {
+            sliding_friction => (sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) + sin_a*mu12*k12*side12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)) - sin_a*mu12*k12*side12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(h*N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()))/2.0;
             damping => cos_a*beta_K*k12_mid*damp12;
         }
         y2 x1_dot {
@@ -641,6 +744,10 @@ equations! {
             }
         }
     }
+    nonlinear_with {
+        sliding_friction "-mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `slide12`";
+        sliding_friction "-mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `roll12`";
+    }
     jump k12 {
         normal {
             theta {
@@ -661,55 +768,83 @@ equations! {
             _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12;
         }
     }
+    jump side12 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {}
+    }
+    jump arm12 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {}
+    }
 
     text {
         "T = (I1*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*(theta_dot/N2 - s_dot/(2*h*N2))^2 + m1*x1_dot^2 + m1*y1_dot^2 + m2*x2_dot^2 + m2*y2_dot^2)/2";
         "V = (kb1*x1^2 + kb1*y1^2 + kb2*x2^2 + kb2*y2^2 + k12*touch12*over12^2)/2";
         "D = (I1*alpha_M*(s_dot/(2*h*N1) + theta_dot/N1)^2 + I2*alpha_M*(theta_dot/N2 - s_dot/(2*h*N2))^2 + alpha_M*m1*x1_dot^2 + alpha_M*m1*y1_dot^2 + alpha_M*m2*x2_dot^2 + alpha_M*m2*y2_dot^2 + beta_K*kb1*x1_dot^2 + beta_K*kb1*y1_dot^2 + beta_K*kb2*x2_dot^2 + beta_K*kb2*y2_dot^2 + beta_K*k12_mid*damp12*over12_dot^2)/2 [damping]";
-        "Q_theta = T_motor/N1 - T_load/N2 [torques]";
-        "Q_s = (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]";
-        "Q_x1 = 0";
-        "Q_y1 = 0";
-        "Q_x2 = 0";
-        "Q_y2 = 0";
+        "Q_theta = -mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/N1 - T_load/N2 [torques]";
+        "Q_s = mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N2*sqrt(w_mix12^2 + psi12_dot^2)) - sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(cos_a*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques]";
+        "Q_x1 = cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]";
+        "Q_y1 = -sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]";
+        "Q_x2 = -cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]";
+        "Q_y2 = sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]";
         "h = r1/N1";
         "cos_a = cos(alpha)";
         "sin_a = sin(alpha)";
+        "tiny12 = 1/1000000000000";
         "over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2";
+        "tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a";
+        "psi12 = s/(2*h*N1) - s/(2*h*N2) + theta/N1 + theta/N2";
         "e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12";
+        "side12 = 0 without sliding friction";
+        "arm12 = 0 without sliding friction";
         "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
         "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
         "  clip12 = 1 where it would push more than the spring does, it pushes as much";
         "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
-        "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
-        "((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]";
-        "(m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]";
-        "(m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]";
-        "(m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]";
-        "(m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]";
+        "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
+        "((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N2*sqrt(w_mix12^2 + psi12_dot^2)) - sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(cos_a*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/(2*h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]";
+        "(m1) x1'' = -sin_a*k12*touch12*over12 - kb1*x1 - sin_a*k12*touch12*clip12*over12 [backlash] + cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] - sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot [damping]";
+        "(m1) y1'' = -cos_a*k12*touch12*over12 - kb1*y1 - cos_a*k12*touch12*clip12*over12 [backlash] - sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] - cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot [damping]";
+        "(m2) x2'' = sin_a*k12*touch12*over12 - kb2*x2 + sin_a*k12*touch12*clip12*over12 [backlash] - cos_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] + sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot [damping]";
+        "(m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + sin_a*mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]";
         "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)";
         "at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2*touch12/2 - k12*de12*touch12*over12)";
+        "at a step of side12: dV = 0, speeds pass unchanged";
+        "at a step of arm12: dV = 0, speeds pass unchanged";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+        "nonlinear with sliding_friction: -mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `slide12`";
+        "nonlinear with sliding_friction: -mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `roll12`";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + m_{1}\\, \\dot{x_{1}}^{2} + m_{1}\\, \\dot{y_{1}}^{2} + m_{2}\\, \\dot{x_{2}}^{2} + m_{2}\\, \\dot{y_{2}}^{2})";
         "V = \\frac{1}{2} (\\mathrm{kb}_{1}\\, x_{1}^{2} + \\mathrm{kb}_{1}\\, y_{1}^{2} + \\mathrm{kb}_{2}\\, x_{2}^{2} + \\mathrm{kb}_{2}\\, y_{2}^{2} + k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2})";
         "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s}}{2\\, h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{2}} - \\frac{\\dot{s}}{2\\, h\\, N_{2}}\\right)^{2} + \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}}^{2} + \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}}^{2} + \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}}^{2} + \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}^{2} + \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta} = \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}]";
-        "Q_{s} = \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}]";
-        "Q_{x_{1}} = 0";
-        "Q_{y_{1}} = 0";
-        "Q_{x_{2}} = 0";
-        "Q_{y_{2}} = 0";
+        "Q_{\\theta} = -\\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{N_{2}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}]";
+        "Q_{s} = \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{2\\, h\\, N_{2}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mathrm{sin}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\mathrm{cos}_{a}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{2\\, h\\, N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}]";
+        "Q_{x_{1}} = \\frac{\\mathrm{cos}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}]";
+        "Q_{y_{1}} = -\\frac{\\mathrm{sin}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}]";
+        "Q_{x_{2}} = -\\frac{\\mathrm{cos}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}]";
+        "Q_{y_{2}} = \\frac{\\mathrm{sin}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}]";
         "h = \\frac{r_{1}}{N_{1}}";
         "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
         "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
+        "\\mathrm{tiny}_{12} = \\frac{1}{1000000000000}";
         "\\mathrm{over}_{12} = s - \\mathrm{edge}_{12} - e_{12} + \\mathrm{cos}_{a}\\, y_{1} - \\mathrm{cos}_{a}\\, y_{2} + \\mathrm{sin}_{a}\\, x_{1} - \\mathrm{sin}_{a}\\, x_{2}";
-        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{s} = k_{12}\\, e_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}\\ [\\text{transmission error, jump terms}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2}}{2}\\ [\\text{jump terms}]";
-        "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}})) \\ddot{s} = -k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}]";
-        "(m_{1}) \\ddot{x_{1}} = -\\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, x_{1} - \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}\\ [\\text{damping}]";
-        "(m_{1}) \\ddot{y_{1}} = -\\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, y_{1} - \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}\\ [\\text{damping}]";
-        "(m_{2}) \\ddot{x_{2}} = \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{2}\\, x_{2} + \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}\\ [\\text{damping}]";
-        "(m_{2}) \\ddot{y_{2}} = \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{2}\\, y_{2} + \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}\\ [\\text{damping}]";
+        "\\tau_{12} = \\mathrm{cos}_{a}\\, x_{2} - \\mathrm{cos}_{a}\\, x_{1} + \\mathrm{sin}_{a}\\, y_{1} - \\mathrm{sin}_{a}\\, y_{2} + \\frac{\\mathrm{sin}_{a}\\, s}{\\mathrm{cos}_{a}}";
+        "\\psi_{12} = \\frac{s}{2\\, h\\, N_{1}} - \\frac{s}{2\\, h\\, N_{2}} + \\frac{\\theta}{N_{1}} + \\frac{\\theta}{N_{2}}";
+        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}}) \\ddot{\\theta} + (\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{s} = k_{12}\\, e_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}\\ [\\text{transmission error, jump terms}] - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{N_{2}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}] - \\frac{k_{12}'\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12}^{2}}{2}\\ [\\text{jump terms}]";
+        "(\\frac{1}{2} (\\frac{I_{1}}{h\\, N_{1}^{2}} - \\frac{I_{2}}{h\\, N_{2}^{2}})) \\ddot{\\theta} + (\\frac{1}{4} (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h^{2}\\, N_{2}^{2}})) \\ddot{s} = -k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{2\\, h\\, N_{2}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mathrm{sin}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\mathrm{cos}_{a}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{2\\, h\\, N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\frac{1}{2} (\\frac{T_{motor}}{h\\, N_{1}} + \\frac{T_{load}}{h\\, N_{2}})\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{4\\, h^{2}\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{2\\, h\\, N_{1}^{2}}\\ [\\text{damping}]";
+        "(m_{1}) \\ddot{x_{1}} = -\\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, x_{1} - \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{\\mathrm{cos}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{x_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{x_{1}}\\ [\\text{damping}]";
+        "(m_{1}) \\ddot{y_{1}} = -\\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{1}\\, y_{1} - \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\frac{\\mathrm{sin}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] - \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{1}\\, \\dot{y_{1}} - \\beta_{K}\\, \\mathrm{kb}_{1}\\, \\dot{y_{1}}\\ [\\text{damping}]";
+        "(m_{2}) \\ddot{x_{2}} = \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{2}\\, x_{2} + \\mathrm{sin}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] - \\frac{\\mathrm{cos}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{x_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{x_{2}}\\ [\\text{damping}]";
+        "(m_{2}) \\ddot{y_{2}} = \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{over}_{12} - \\mathrm{kb}_{2}\\, y_{2} + \\mathrm{cos}_{a}\\, k_{12}\\, \\mathrm{touch}_{12}\\, \\mathrm{clip}_{12}\\, \\mathrm{over}_{12}\\ [\\text{backlash}] + \\frac{\\mathrm{sin}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\mathrm{touch}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\mathrm{over}_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{12}}\\, \\mathrm{damp}_{12}\\, \\dot{\\mathrm{over}_{12}} - \\alpha_{M}\\, m_{2}\\, \\dot{y_{2}} - \\beta_{K}\\, \\mathrm{kb}_{2}\\, \\dot{y_{2}}\\ [\\text{damping}]";
     }
 }

@@ -23,6 +23,12 @@ pub enum Curve {
 }
 
 impl Curve {
+    /// The cubic with these values and slopes at the ends of a cell.
+    pub fn hermite([a, b]: [f64; 2], [da, db]: [f64; 2], width: f64) -> Curve {
+        let chord = (b - a) / width;
+        Curve::Cubic([a, da, (3.0 * chord - 2.0 * da - db) / width, (da + db - 2.0 * chord) / (width * width)])
+    }
+
     /// k, dk/dx, d²k/dx² at `x`.
     #[inline]
     pub fn at(&self, x: f64) -> [f64; 3] {

@@ -4,7 +4,7 @@ use super::Effects;
 use super::document::Node;
 use super::error::{Report, list};
 use super::field;
-use crate::model::Model;
+use crate::model::{Effect, Model};
 
 impl Effects {
     /// Whether effect `i` of the model is in the set.
@@ -22,6 +22,19 @@ impl Effects {
         let with = model.nonlinear_with.iter().filter(|(effect, _)| self.names(model).contains(effect));
         let all = std::iter::once(model.nonlinear).filter(|terms| !terms.is_empty()).chain(with.map(|(_, term)| *term));
         all.collect::<Vec<_>>().join("; ")
+    }
+
+    /// The effects of the set that contradict one another or lack another, in words.
+    pub fn contradictions(self, model: &Model) -> String {
+        let names = self.names(model);
+        let of = |effect: &Effect| {
+            let excluded = effect.excludes.iter().filter(|other| names.contains(other));
+            let lacking = effect.requires.iter().filter(|other| !names.contains(other));
+            let excluded = excluded.map(|other| format!("`{}` excludes `{other}`", effect.name));
+            excluded.chain(lacking.map(|other| format!("`{}` needs `{other}`", effect.name))).collect::<Vec<_>>()
+        };
+        let present = model.effects.iter().filter(|effect| names.contains(&effect.name));
+        present.flat_map(of).collect::<Vec<_>>().join(", ")
     }
 
     /// The set of these effects of the model; `None` if it does not have one of them.

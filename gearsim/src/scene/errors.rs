@@ -3,7 +3,7 @@
 use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::{Step, Stiffness, field, keys, measure};
-use crate::model::Law;
+use crate::model::{Law, Role};
 
 /// Key of the errors of the teeth: a level a pitch.
 pub(super) const OF_TEETH: &str = "pitch_errors";
@@ -15,7 +15,7 @@ const MOST: f64 = 10_000.0;
 
 /// Pitches after which the law repeats itself: those said, else a pitch a tooth error, else one.
 pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Option<u32> {
-    let get = |key| keys::get(entries, key).filter(|_| law.with.is_some());
+    let get = |key| keys::get(entries, key).filter(|_| law.role == Role::Error);
     match (get("pitches"), get(OF_TEETH)) {
         (Some(node), Some(_)) => {
             let message = format!("`laws.{0}` has both pitches and {OF_TEETH}", law.name);

@@ -1,4 +1,4 @@
-//! Mesh stiffnesses and transmission errors: their levels over one pitch, of errors also over several.
+//! Mesh stiffnesses, transmission errors and laws of friction: their levels over one pitch, of errors also over several.
 
 use xprec::Df64;
 
@@ -6,8 +6,8 @@ use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
-use super::{Effects, Step, Stiffness, errors, field, keys, measure, offset};
-use crate::model::{Law, Model};
+use super::{Effects, Step, Stiffness, errors, field, friction, keys, measure, offset};
+use crate::model::{Law, Model, Role};
 
 /// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
 const PITCH_TOLERANCE: f64 = 1e-9;
@@ -45,7 +45,7 @@ pub(super) fn read(
     let idle = |law: &Law| law.with.is_some_and(|effect| !names.contains(&effect));
     let readers = model.laws.iter().map(|law| Reader::new(law, model));
     let Some(node) = keys::get(entries, "laws") else {
-        let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table()).collect();
+        let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table(model)).collect();
         if !examples.is_empty() {
             absent.push(("[laws]", examples.join("\n")));
         }
@@ -58,11 +58,11 @@ pub(super) fn read(
     let mut laws = Vec::new();
     for reader in readers {
         match keys::get(entries, reader.law.name) {
-            Some(node) => laws.push(reader.law(node, report)),
+            Some(node) => laws.push(reader.law(node, entries, report)),
             None if idle(reader.law) => {
                 laws.push(Some(Stiffness::stepping(vec![Step { value: 0.0, width: reader.law.period }])));
             }
-            None => lacking.push((reader.law.name, reader.table())),
+            None => lacking.push((reader.law.name, reader.table(model))),
         }
     }
     keys::missing(&lacking, "[laws]", &node.place, report);
@@ -86,8 +86,12 @@ impl<'a> Reader<'a> {
     }
 
     /// What to write if the law is missing.
-    fn table(&self) -> String {
-        format!("[laws.{}]  # {}\nsteps = {}", self.law.name, self.law.doc, self.steps())
+    fn table(&self, model: &Model) -> String {
+        let line = match self.law.role.rubs() {
+            true => friction::example(self.law, model),
+            false => format!("steps = {}", self.steps()),
+        };
+        format!("[laws.{}]  # {}\n{line}", self.law.name, self.law.doc)
     }
 
     fn steps(&self) -> String {
@@ -95,12 +99,19 @@ impl<'a> Reader<'a> {
         format!("[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]")
     }
 
-    fn law(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
+    /// The law; `all` are the tables of all laws.
+    fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Stiffness> {
+        if let Some(read) = friction::borrowed(self.law, self.phase, node, all, report) {
+            return read;
+        }
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
-        let of_kind = if self.law.with.is_some() { &errors::KEYS[..] } else { &teeth::KEYS[..] };
-        let allowed: Vec<_> =
-            ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind.iter().copied()).collect();
+        let of_kind: Vec<_> = match self.law.role {
+            Role::Stiffness => teeth::KEYS.to_vec(),
+            Role::Error => errors::KEYS.to_vec(),
+            Role::Side | Role::Arm => friction::keys_of_teeth().chain([friction::OF]).collect(),
+        };
+        let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
         // What is wrong with the pitches keeps nothing else from being told.
         let said = errors::pitches(self.law, entries, report);
@@ -128,10 +139,15 @@ impl<'a> Reader<'a> {
         }
         let teeth = Teeth { law: self.law, entries, place: &node.place };
         if teeth.given() {
-            if self.law.with.is_some() {
-                return None; // no keys of an error, which has been told
-            }
-            return smooth.ramped(teeth.read(report)?, report);
+            let read = match self.law.role {
+                Role::Stiffness => teeth.read(report),
+                Role::Error => None, // no keys of an error, which has been told
+                Role::Side | Role::Arm => {
+                    let rubbing = teeth.rubbing(report)?;
+                    rubbing.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
+                }
+            };
+            return smooth.ramped(read?, report);
         }
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());
@@ -175,9 +191,8 @@ impl<'a> Reader<'a> {
         let value = value.and_then(|node| {
             let path = format!("{path}.value");
             let x = measure::quantity(&path, node, self.law.unit, report)?;
-            if x < 0.0 && self.law.with.is_none() {
-                let what = "a mesh pushes back or, at 0, does nothing";
-                measure::out_of_range(&path, node, "must not be negative", what, report);
+            if x < 0.0 && !self.law.role.has_sign() {
+                measure::out_of_range(&path, node, "must not be negative", why_not_negative(self.law), report);
             }
             Some(x)
         });
@@ -222,6 +237,14 @@ impl<'a> Reader<'a> {
         }
         let step = |&(value, width): &(f64, Option<f64>)| Step { value, width: width.unwrap_or(rest) };
         Some(Stiffness::stepping(levels.iter().map(step).collect()))
+    }
+}
+
+/// Why a law that has no sign is never negative.
+pub(super) fn why_not_negative(law: &Law) -> &'static str {
+    match law.role {
+        Role::Arm => "it is a mean of distances from the pitch point",
+        _ => "a mesh pushes back or, at 0, does nothing",
     }
 }
 

@@ -47,6 +47,10 @@
 //! # pitch_errors = ["0 um", "3 um", "-2 um"]  # any sign; or the pitch errors of the teeth, a step each, one a pitch
 //! # pitches = 24                              # default 1: steps, series or table go over so many pitches
 //!
+//! # [laws.side]                               # how the mesh rubs, with the effect sliding_friction; so [laws.arm]
+//! # teeth_of = "k"                            # by the teeth of that law; or teeth, module, .. as above, of external gears;
+//! # steps = [{ value = -1, width = "1 rad" }, { value = 1 }]      # or as any law
+//!
 //! [start]
 //! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
 //! phi_dot = "1 rad/s"                         # its speed; default: what the motions give it
@@ -76,6 +80,7 @@ mod effects;
 pub(crate) mod error;
 mod errors;
 mod field;
+mod friction;
 mod keys;
 mod laws;
 mod measure;
@@ -124,7 +129,7 @@ pub struct Scene {
     pub parameters: Vec<f64>,
     /// Parameters that vary in time, by their numbers, and how.
     pub courses: Vec<(usize, Course)>,
-    /// Mesh stiffnesses and transmission errors, in the order of `model.laws`; 0 for those that the scene does not have.
+    /// Mesh stiffnesses, transmission errors and laws of friction, in the order of `model.laws`; 0 for those that the scene does not have.
     pub laws: Vec<Stiffness>,
     /// State at t = 0.
     pub start: Beginning,
@@ -139,12 +144,12 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The laws that the scene has, each with what it says of it: those of the model, without the transmission errors if its
-    /// effects have none.
+    /// The laws that the scene has, each with what it says of it: those of the model up to the last with one of its effects. Those
+    /// before it that its effects do not have are zero.
     pub fn present(&self) -> impl Iterator<Item = (&'static Law, &Stiffness)> {
         let names = self.effects.names(self.model);
-        let laws = self.model.laws.iter().zip(&self.laws);
-        laws.take_while(move |(law, _)| law.with.is_none_or(|effect| names.contains(&effect)))
+        let last = self.model.laws.iter().rposition(|law| law.with.is_none_or(|effect| names.contains(&effect)));
+        self.model.laws.iter().zip(&self.laws).take(last.map_or(0, |last| last + 1))
     }
 
     /// Those of them that are stiffnesses.
@@ -157,7 +162,7 @@ impl Scene {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects(pub u32);
 
-/// A law, a stiffness or a transmission error, over one pitch: constant between its steps, or smooth between its kinks.
+/// A law, a stiffness, a transmission error or one of friction, over one pitch: constant between its steps, or smooth between its kinks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stiffness {
     /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.

@@ -2,8 +2,8 @@
 
 use super::document::{Entry, Node, Place};
 use super::error::Report;
-use super::{Curve, Stiffness, errors, field, keys, measure};
-use crate::model::Law;
+use super::{Curve, Stiffness, errors, field, keys, laws, measure};
+use crate::model::{Law, Role};
 
 /// Keys of a law that make it smooth.
 pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
@@ -38,7 +38,7 @@ impl Smooth<'_> {
         let (first, second) = (given.next(), given.next());
         if let (Some((a, _)), Some((b, node))) = (first, second) {
             let message = format!("`laws.{}` has both {a} and {b}", self.law.name);
-            let teeth = if self.law.with.is_some() { errors::OF_TEETH } else { "teeth" };
+            let teeth = if self.law.role == Role::Error { errors::OF_TEETH } else { "teeth" };
             let help = format!("a law is one of steps, a series, a table, or {teeth}");
             report.add(&node.place, message, "one too many", help);
             return Some(None);
@@ -82,15 +82,15 @@ impl Smooth<'_> {
         let (mean, harmonics) = (keys::get(self.entries, "mean"), keys::get(self.entries, "harmonics"));
         let example = format!("[{{ order = 1, amplitude = \"... {unit}\", phase = \"0 rad\" }}]");
         let lines = [
-            // The mean of an error is mostly of no interest.
-            ("mean", mean.is_none() && self.law.with.is_none(), format!("mean = \"... {unit}\"")),
+            // The mean of an error is mostly of no interest, that of a side about zero.
+            ("mean", mean.is_none() && !self.law.role.has_sign(), format!("mean = \"... {unit}\"")),
             ("harmonics", harmonics.is_none(), format!("harmonics = {example}")),
         ];
         let lacking: Vec<_> = lines.into_iter().filter(|line| line.1).map(|(key, _, line)| (key, line)).collect();
         keys::missing(&lacking, &format!("[laws.{name}]"), self.place, report);
         let mean = match mean {
             Some(node) => measure::quantity(&format!("laws.{name}.mean"), node, unit, report),
-            None => self.law.with.map(|_| 0.0),
+            None => self.law.role.has_sign().then_some(0.0),
         };
         let path = format!("laws.{name}.harmonics");
         let items = field::array(&path, harmonics?, &example, report)?;
@@ -170,14 +170,15 @@ impl Smooth<'_> {
         Some((at?, value?))
     }
 
-    /// The law, unless it is a stiffness that pulls somewhere.
+    /// The law, unless it is negative somewhere and must not be.
     fn pushing(&self, stiffness: Stiffness, report: &mut Report) -> Option<Stiffness> {
         let least = stiffness.extremes().0;
-        if least >= 0.0 || self.law.with.is_some() {
+        if least >= 0.0 || self.law.role.has_sign() {
             return Some(stiffness);
         }
         let message = format!("`laws.{}` falls to {least:.4e} {}", self.law.name, self.law.unit);
-        let help = "a mesh pushes back or, at 0, does nothing: raise its mean, lower its waves, or give more points";
+        let help = "raise its mean, lower its waves, or give more points";
+        let help = format!("{}: {help}", laws::why_not_negative(self.law));
         report.add(self.place, message, "negative somewhere in the pitch", help);
         None
     }

@@ -1,4 +1,4 @@
-//! A mesh stiffness law by the teeth of its gears.
+//! A mesh stiffness law, or one of friction, by the teeth of its gears.
 //!
 //! Its unit says what the law is, and the author need not think about it: one pitch of the phase is one base pitch p_b on the
 //! line of action, and a law
@@ -8,11 +8,13 @@
 //!
 //! Laws in other units take no teeth.
 
+use std::f64::consts::PI;
+
 use super::document::{Entry, Node, Place, Value};
 use super::error::Report;
 use super::{Stiffness, field, keys, measure};
-use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Source};
-use crate::model::Law;
+use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Rubbing, Source};
+use crate::model::{Law, Role};
 
 /// Keys of a law that is stated by its teeth.
 pub(super) const KEYS: [&str; 16] = [
@@ -66,7 +68,21 @@ impl Teeth<'_> {
         };
         let (gears, scale) = (gears?, scale?);
         let per = scale(&gears);
-        gear::stiffness(&gears, source?, course?, self.law.period, per).map_err(|e| self.refused(e, report)).ok()
+        let law = gear::stiffness(&gears, source?, course?, self.law.period, per);
+        law.map_err(|e| self.refused(self.at(), e, report)).ok()
+    }
+
+    /// A law of friction by these teeth.
+    pub(super) fn rubbing(&self, report: &mut Report) -> Option<Result<Stiffness, GearError>> {
+        let (gears, source) = (self.gears(report), self.source(report));
+        let gears = gears?;
+        let (what, scale) = match (self.law.role, self.law.unit) {
+            (Role::Side, _) => (Rubbing::Side, 1.0),
+            (_, "m") => (Rubbing::Arm, 1.0),
+            // Where the deflection is a phase: one pitch of it is one of the phase.
+            _ => (Rubbing::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
+        };
+        Some(gear::friction(&gears, source?, what, self.law.period, scale))
     }
 
     /// What a stiffness in N/m is multiplied by.
@@ -209,9 +225,13 @@ impl Teeth<'_> {
         format!("laws.{}.{key}", self.law.name)
     }
 
+    /// Where the gears are.
+    pub(super) fn at(&self) -> &Place {
+        self.get("teeth").map_or(self.place, |node| &node.place)
+    }
+
     /// Reports gears that do not mesh, or not so.
-    fn refused(&self, error: GearError, report: &mut Report) {
-        let at = self.get("teeth").map_or(self.place, |node| &node.place);
+    pub(super) fn refused(&self, at: &Place, error: GearError, report: &mut Report) {
         report.add(at, format!("`laws.{}`: {}", self.law.name, error.what), "these gears", error.advice);
     }
 }

@@ -2,6 +2,7 @@
 
 mod errors;
 mod fixture;
+mod friction;
 mod mistakes;
 mod quantities;
 mod scenes;

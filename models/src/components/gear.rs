@@ -45,6 +45,11 @@ impl Gear {
         Gear { x: 0.into(), y: 0.into(), u }
     }
 
+    /// What its centre moves in a direction.
+    pub fn along(self, l: Direction) -> Expr {
+        self.x * l.cos + self.y * l.sin
+    }
+
     /// What its centre moves at right angles to a direction.
     pub fn across(self, l: Direction) -> Expr {
         self.y * l.cos - self.x * l.sin

@@ -66,7 +66,7 @@ impl Pair {
     /// The scene of it: one of the paper's with every number replaced.
     pub fn scene(&self) -> Scene {
         let mut scene = common::scene("oh2005/spectrum_600rpm_exact", &[]);
-        scene.parameters = vec![24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0, f64::NAN];
+        scene.parameters[..6].copy_from_slice(&[24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0]);
         let steps = self.steps.iter().map(|(value, width)| Step { value: *value, width: *width }).collect();
         scene.laws = vec![Stiffness::stepping(steps)];
         scene.start.q = vec![Start::At(self.q[0]), Start::Static];

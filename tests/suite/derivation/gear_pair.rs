@@ -19,14 +19,26 @@ fn same(what: &str, derived: Expr, by_hand: Expr) {
 
 pub fn equations_are_the_papers() {
     with_gear_pair(|d, paper| {
-        same("Eq. (2), phi''", d.equation(PHI, &["backlash", "transmission_error"]), paper.eq2());
-        same("Eq. (3), theta''", d.equation(THETA, &["backlash", "transmission_error"]), paper.eq3());
+        same("Eq. (2), phi''", d.equation(PHI, &["backlash", "transmission_error", "sliding_friction"]), paper.eq2());
+        same(
+            "Eq. (3), theta''",
+            d.equation(THETA, &["backlash", "transmission_error", "sliding_friction"]),
+            paper.eq3(),
+        );
         // The effects rigid_kinematics and frozen_phase are the absence of the terms that these conditions name.
-        same("Eq. (4), phi''", d.equation(PHI, &["backlash", "transmission_error", "jump_terms"]), paper.eq4());
-        same("Eq. (5), theta''", d.equation(THETA, &["backlash", "transmission_error", "jump_terms"]), paper.eq5());
+        same(
+            "Eq. (4), phi''",
+            d.equation(PHI, &["backlash", "transmission_error", "sliding_friction", "jump_terms"]),
+            paper.eq4(),
+        );
+        same(
+            "Eq. (5), theta''",
+            d.equation(THETA, &["backlash", "transmission_error", "sliding_friction", "jump_terms"]),
+            paper.eq5(),
+        );
         same(
             "Eq. (6), phi''",
-            d.equation(PHI, &["backlash", "transmission_error", "jump_terms", "moving_phase"]),
+            d.equation(PHI, &["backlash", "transmission_error", "sliding_friction", "jump_terms", "moving_phase"]),
             paper.eq6(),
         );
         // Without damping and torques, what is left is what the paper has left.
@@ -34,12 +46,12 @@ pub fn equations_are_the_papers() {
         let (torque, damping) = (paper.eq4_of_torque(), paper.eq4_of_damping());
         same(
             "Eq. (2) without damping and torques",
-            d.equation(PHI, &["backlash", "transmission_error", "damping", "torques"]),
+            d.equation(PHI, &["backlash", "transmission_error", "sliding_friction", "damping", "torques"]),
             bare(paper.eq2(), torque, damping),
         );
         same(
             "Eq. (2) without torques",
-            d.equation(PHI, &["backlash", "transmission_error", "torques"]),
+            d.equation(PHI, &["backlash", "transmission_error", "sliding_friction", "torques"]),
             paper.eq2() - torque,
         );
         same("(M2 C)^2 = (2 zeta w0)^2", (paper.M2() * paper.C()).sq(), paper.damping_squared());
@@ -48,10 +60,15 @@ pub fn equations_are_the_papers() {
 
 pub fn jump_rule_is_the_papers() {
     with_gear_pair(|d, paper| {
-        same("Eq. (9)", d.speed_lost(0, &["backlash", "transmission_error"]).expect("M was inverted"), paper.eq9());
+        same(
+            "Eq. (9)",
+            d.speed_lost(0, &["backlash", "transmission_error", "sliding_friction"]).expect("M was inverted"),
+            paper.eq9(),
+        );
         same("Eq. (11)", d.direction(0, PHI).expect("M was inverted"), paper.eq11());
         same("the phase's own speed", d.direction(0, THETA).expect("M was inverted"), 1.into());
-        let doubled = d.speed_lost(0, &["backlash", "transmission_error"]).expect("M was inverted") - 2 * paper.eq9();
+        let doubled = d.speed_lost(0, &["backlash", "transmission_error", "sliding_friction"]).expect("M was inverted")
+            - 2 * paper.eq9();
         assert!(!doubled.is_zero(), "twice Eq. (9) passes for Eq. (9)");
         let turned = d.direction(0, PHI).expect("M was inverted") + paper.eq11();
         assert!(!turned.is_zero(), "Eq. (11) with its sign turned passes for Eq. (11)");
@@ -61,7 +78,8 @@ pub fn jump_rule_is_the_papers() {
 pub fn wrong_equations_are_told() {
     with_gear_pair(|d, paper| {
         for (slip, of_phi, wrong) in paper.wrong() {
-            let derived = d.equation(if of_phi { PHI } else { THETA }, &["backlash", "transmission_error"]);
+            let derived =
+                d.equation(if of_phi { PHI } else { THETA }, &["backlash", "transmission_error", "sliding_friction"]);
             assert!(!(derived - wrong).is_zero(), "{slip}: not told from the derived equation");
         }
     });

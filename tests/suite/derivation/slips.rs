@@ -1,6 +1,6 @@
 //! Slips of an author: what the derivation refuses, and whom its message names.
 
-use gearsim_derive::{Expr, Model, Range, Slip, Start, derive, half};
+use gearsim_derive::{Expr, Friction, Model, Range, Slip, Start, derive, half};
 
 /// A sound model that slips are put into: a mass `m` on a spring `s`, at `x`.
 pub struct Oscillator {
@@ -16,6 +16,11 @@ pub fn oscillator(m: &mut Model) -> Oscillator {
     m.kinetic(half(mass * x.dot().sq()));
     m.potential(half(s * x.sq()));
     Oscillator { m: mass, s, x }
+}
+
+fn rubbing(m: &mut Model, o: &Oscillator, what: Friction) -> Expr {
+    let name = if what == Friction::Side { "side" } else { "arm" };
+    m.friction_law(name, "1", o.x, 1.0, what, "")
 }
 
 /// What is wrong, the culprit that the message must name, the slip.
@@ -81,6 +86,36 @@ const SLIPS: &[Row] = &[
         m.deflection("delta", o.x - k.value);
     }),
     ("a torque that depends on the position", "the torque `wind`", |m, o| m.torque("wind", o.s * o.x, o.x, "")),
+    ("a law of friction in V", "`side`", |m, o| {
+        m.sliding_friction(|m| {
+            let side = rubbing(m, &o, Friction::Side);
+            m.potential(side * o.x.sq());
+        });
+    }),
+    ("friction outside its effect", "`side`", |m, o| {
+        let side = rubbing(m, &o, Friction::Side);
+        m.sliding_friction(|_| {});
+        m.torque("slide", side * o.s, o.x, "");
+    }),
+    ("a torque that is friction only in part", "`side`", |m, o| {
+        m.sliding_friction(|m| {
+            let side = rubbing(m, &o, Friction::Side);
+            let delta = m.deflection("delta", 2 * o.x);
+            m.torque("slide", o.s * (delta + side), o.x, "");
+        });
+    }),
+    ("friction of rolling that feeds energy", "`roll`", |m, o| {
+        m.sliding_friction(|m| {
+            let arm = rubbing(m, &o, Friction::Arm);
+            m.torque("roll", o.m * arm * o.x.dot(), o.x, "");
+        });
+    }),
+    ("friction of rolling with an arm of any sign", "`roll`", |m, o| {
+        m.sliding_friction(|m| {
+            let [arm, side] = [Friction::Arm, Friction::Side].map(|what| rubbing(m, &o, what));
+            m.torque("roll", -o.m * arm * side * o.x.dot(), o.x, "");
+        });
+    }),
     ("a constant that moves", "the constant `F`", |m, o| {
         m.constant("F", o.s * o.x);
     }),

@@ -44,8 +44,12 @@ impl Point {
     /// The generated equations with the same numbers.
     pub fn equations(&self, effects: u32) -> Box<dyn Equations<2>> {
         let p = &self.pair;
-        Generated::equations(effects, &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN], &[p.k0()])
-            .expect("these effects go together")
+        Generated::equations(
+            effects,
+            &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN, 0.35, f64::NAN, f64::NAN],
+            &[p.k0()],
+        )
+        .expect("these effects go together")
     }
 }
 

@@ -24,7 +24,7 @@ pub struct Run {
 pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
     static SCENE: OnceLock<Scene> = OnceLock::new();
     let mut scene = SCENE.get_or_init(|| common::scene("oh2005/energy_300rpm", &[])).clone();
-    scene.parameters = vec![pair.n1, pair.n2, pair.i1, pair.i2, pair.zeta, pair.t0, f64::NAN];
+    scene.parameters[..6].copy_from_slice(&[pair.n1, pair.n2, pair.i1, pair.i2, pair.zeta, pair.t0]);
     let steps = [(pair.k1, pair.width1), (pair.k2, PITCH - pair.width1)];
     scene.laws[0].steps = steps.map(|(value, width)| Step { value, width }).into();
     scene.start = Beginning {

@@ -19,7 +19,7 @@ pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     };
     add("Coordinates ([start]; their speeds end in _dot)", coordinates(model));
     add("Parameters ([parameters])", model.parameters.iter().map(parameter).collect());
-    add("Laws ([laws.NAME]): stiffnesses, transmission errors", laws(model));
+    add("Laws ([laws.NAME]): stiffnesses, transmission errors, friction", laws(model));
     add("Motions ([start]: gives every speed at once)", motions(model));
     add("Effects (effects = [...])", effects(model));
     let torques = model.torques.iter().map(|t| (vec![t.name.into()], t.doc.into()));

@@ -14,9 +14,10 @@ const FROZEN_PHASE: u32 = 4;
 const TRANSMISSION_ERROR: u32 = 8;
 const DAMPING: u32 = 32;
 const TORQUES: u32 = 64;
+const SLIDING_FRICTION: u32 = 128;
 
-/// N1, N2, I1, I2, zeta, T0, b, and the mid value of k.
-const NUMBERS: [f64; 7] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN];
+/// N1, N2, I1, I2, zeta, T0, b, alpha, mu, w_mix, and the mid value of k.
+const NUMBERS: [f64; 10] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN, 0.35, f64::NAN, f64::NAN];
 const MID: f64 = 2.5e4;
 
 /// A point: q, q', k, dk, ddk.
@@ -49,7 +50,7 @@ fn close(found: &[f64], expected: &[f64]) {
 #[test]
 fn energies_and_work() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
-    let [n1, n2, i1, i2, _, t0, _] = NUMBERS;
+    let [n1, n2, i1, i2, _, t0, ..] = NUMBERS;
     let (w1, w2) = ((V[0] + V[1]) / n1, (V[0] - V[1]) / n2);
     close(&[e.kinetic(&V)], &[i1 * w1 * w1 / 2.0 + i2 * w2 * w2 / 2.0]);
     close(&[e.potential(&Q, &K)], &[K[0] * Q[1] * Q[1]]);
@@ -98,13 +99,22 @@ fn jacobian() {
 #[test]
 fn jacobian_of_a_larger_model() {
     let model = Idler::MODEL;
-    let effects = ["stiffness_step", "transmission_error", "damping", "torques"];
+    let effects = ["stiffness_step", "transmission_error", "damping", "torques", "sliding_friction"];
     let effects = Effects::from_names(effects, &model).unwrap();
     let parameters: Vec<f64> = (0..model.parameters.len()).map(|i| 1.3 + 0.7 * i as f64).collect();
     let e = Idler::equations(effects.0, &parameters, &[2.0, 3.0]).unwrap();
     let (q, v) = ([0.3, 0.2, -0.4], [1.1, -0.6, 0.8]);
     // Laws of the phase q[0], cubic about where it is.
-    let courses = [[2.1, 0.7, -0.9], [3.3, -0.4, 0.5], [0.05, 0.3, -0.2], [-0.07, 0.2, 0.6]];
+    let courses = [
+        [2.1, 0.7, -0.9],
+        [3.3, -0.4, 0.5],
+        [0.05, 0.3, -0.2],
+        [-0.07, 0.2, 0.6],
+        [-0.4, 0.3, 0.8],
+        [0.9, -0.2, 0.4],
+        [0.6, 0.5, -0.7],
+        [1.2, 0.1, 0.3],
+    ];
     let law = |order: usize, s: f64| courses.map(|c| [c[0] + c[1] * s + c[2] * s * s / 2.0, c[1] + c[2] * s][order]);
     let at = |q: [f64; 3], v: [f64; 3]| {
         let s = q[0] - 0.3;
@@ -149,7 +159,7 @@ fn transmission_error() {
 #[test]
 fn cell_and_jump() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
-    let [n1, n2, i1, i2, _, t0, _] = NUMBERS;
+    let [n1, n2, i1, i2, _, t0, ..] = NUMBERS;
     let (m1, m2, c) = constants();
     let (a, b) = (i1 / n1.powi(2), i2 / n2.powi(2));
     close(e.mass().as_flattened(), &[a + b, a - b, a - b, a + b]);
@@ -190,7 +200,9 @@ fn absent_terms_are_absent() {
 #[test]
 fn sets_of_effects() {
     let exists = |effects| GearPair::equations(effects, &NUMBERS, &[MID]).is_some();
-    assert_eq!((0..256).filter(|&effects| exists(effects)).count(), 56);
+    assert_eq!((0..256).filter(|&effects| exists(effects)).count(), 72);
+    assert!(!exists(SLIDING_FRICTION) && exists(STIFFNESS_STEP | SLIDING_FRICTION | TRANSMISSION_ERROR));
+    assert!(!exists(STIFFNESS_STEP | SLIDING_FRICTION | RIGID_KINEMATICS));
     assert!(!exists(RIGID_KINEMATICS) && !exists(FROZEN_PHASE | DAMPING));
     assert!(!exists(STIFFNESS_STEP | RIGID_KINEMATICS | FROZEN_PHASE));
     let switching = |effects| gear_pair(effects).switching(0);
@@ -201,9 +213,9 @@ fn sets_of_effects() {
 }
 
 #[test]
-#[should_panic(expected = "no torque number 2")]
-fn no_third_torque() {
-    gear_pair(0).torque_work(2, &Q);
+#[should_panic(expected = "no torque number 4")]
+fn no_fifth_torque() {
+    gear_pair(0).torque_work(4, &Q);
 }
 
 #[test]
@@ -213,7 +225,7 @@ fn model() {
     assert_eq!([m.coordinates[0].name, m.coordinates[1].name], ["theta", "phi"]);
     assert_eq!((m.coordinates[0].start, m.coordinates[1].start), (Start::At(0.0), Start::Static));
     let names: Vec<_> = m.parameters.iter().map(|p| p.name).collect();
-    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0", "b"]);
+    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0", "b", "alpha", "mu", "w_mix"]);
     assert_eq!((m.parameters[0].default, m.parameters[2].default), (Some(24.0), None));
     let ranges = [m.parameters[0], m.parameters[4], m.parameters[5]].map(|p| p.range.to_string());
     assert_eq!(ranges, ["(0, inf)", "[0, inf)", "(-inf, inf)"]);

@@ -109,7 +109,7 @@ impl<const N: usize> Advance<'_, N> {
     /// Passes a boundary, or is turned back by it.
     fn jump(&mut self, law: usize, side: Side, kink: bool) {
         let (equations, mut state) = (self.field.equations, self.state());
-        let mut k = self.field.k().to_vec();
+        let mut k = self.levels();
         let (laws, bands) = (&mut self.field.laws, &mut self.field.bands);
         if laws.len() > 1 {
             self.counts.ambiguous += u64::from(guard::order_matters(equations, (laws, bands, &k), &state, law, side));

@@ -17,7 +17,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// The work of each torque, as far as it is not constant, the time `to` after the step of length `h` began \[J\].
-    pub(super) fn work_after(&self, dense: &Dense<N>, h: f64, to: f64) -> Vec<f64> {
+    pub(super) fn work_after(&mut self, dense: &Dense<N>, h: f64, to: f64) -> Vec<f64> {
         let mut work = self.work.clone();
         if work.is_empty() || h <= 0.0 {
             return work;
@@ -25,10 +25,12 @@ impl<const N: usize> Advance<'_, N> {
         for (node, weight) in GAUSS_16 {
             for node in [-node, node] {
                 let at = 0.5 * to * (1.0 + node);
-                let speeds = dense.at(at / h).v;
-                let varying = self.field.forcing.as_ref().map(|f| f.0.power(self.field.begins + at, &speeds));
+                let y = dense.at(at / h);
+                let varying = self.field.forcing.as_ref().map(|f| f.0.power(self.field.begins + at, &y.v));
+                let equations = self.field.equations;
+                let k = self.field.levels(at, &y);
                 for (i, work) in work.iter_mut().enumerate() {
-                    let power = self.field.equations.torque_power(i, &speeds.into());
+                    let power = equations.torque_power(i, &y.q.data.0[0], &y.v.data.0[0], k);
                     *work += 0.5 * to * weight * (power + varying.as_ref().map_or(0.0, |varying| varying[i]));
                 }
             }

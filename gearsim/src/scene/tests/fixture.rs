@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Start, Torque};
+use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Torque};
 use crate::scene::{Scene, SceneErrors};
 
 const POSITIVE: Range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
@@ -23,7 +23,9 @@ const fn effect(name: &'static str, requires: &'static [&'static str], excludes:
     Effect { name, doc: "", requires, excludes }
 }
 
-const ERROR: Option<&str> = Some("transmission_error");
+const fn law(name: &'static str, unit: &'static str, with: Option<&'static str>, role: Role, doc: &'static str) -> Law {
+    Law { name, unit, phase: "theta", period: TAU, rolling: true, with, role, doc }
+}
 
 pub static GEAR_PAIR: Model = Model {
     name: "gear_pair",
@@ -45,16 +47,10 @@ pub static GEAR_PAIR: Model = Model {
     nonlinear: "",
     nonlinear_with: &[],
     laws: &[
-        Law { rolling: true, name: "k", unit: "N*m", phase: "theta", period: TAU, with: None, doc: "mesh stiffness" },
-        Law {
-            rolling: true,
-            name: "e",
-            unit: "rad",
-            phase: "theta",
-            period: TAU,
-            with: ERROR,
-            doc: "transmission error",
-        },
+        law("k", "N*m", None, Role::Stiffness, "mesh stiffness"),
+        law("e", "rad", Some("transmission_error"), Role::Error, "transmission error"),
+        law("side", "1", Some("sliding_friction"), Role::Side, "side of the pitch point"),
+        law("arm", "rad", Some("sliding_friction"), Role::Arm, "arm about it"),
     ],
     motions: &[Motion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
     effects: &[
@@ -64,6 +60,7 @@ pub static GEAR_PAIR: Model = Model {
         effect("damping", &[], &[]),
         effect("torques", &[], &[]),
         effect("transmission_error", &["stiffness_step"], &[]),
+        effect("sliding_friction", &["stiffness_step"], &["rigid_kinematics", "frozen_phase"]),
     ],
     torques: &[Torque { name: "drive", doc: "" }, Torque { name: "load", doc: "" }],
     equations: "",

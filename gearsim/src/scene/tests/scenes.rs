@@ -17,7 +17,7 @@ fn a_scene_is_read_in_si() {
     assert_eq!(scene.parameter("N3"), None);
     let steps = vec![Step { value: 1430.0, width: 1.73 }, Step { value: 2780.0, width: TAU - 1.73 }];
     let none = vec![Step { value: 0.0, width: TAU }];
-    assert_eq!(scene.laws, [steps, none].map(Stiffness::stepping));
+    assert_eq!(scene.laws, [steps, none.clone(), none.clone(), none].map(Stiffness::stepping));
     assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k"]);
     assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
     assert_eq!(scene.start.q_dot, [None, None]);

@@ -1,0 +1,209 @@
+//! The laws of friction out of tooth data: how the pairs in contact share the force, and where they touch.
+//!
+//! Pair i touches at xi_i from the pitch point along the line of action, and bears the share s_i of the force:
+//!
+//! ```text
+//! side = sum s_i sgn(xi_i),    arm = sum s_i |xi_i|
+//! ```
+//!
+//! where the shares are equal, or as the stiffnesses of the pairs. The laws have the cells of the stiffness, to the bit, and one
+//! more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
+
+use super::energy::PairOfTeeth;
+use super::law::{Cell, Source, at_its_place, cells};
+use super::pair::{Contact, GearError, Gears};
+use crate::scene::{Curve, Step, Stiffness};
+
+/// What of the pairs is summed, weighted with their shares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rubbing {
+    /// On which side of the pitch point they touch: 1 after it, -1 before it.
+    Side,
+    /// How far from it they touch [m].
+    Arm,
+}
+
+/// Cubic curves in a part of a cell; side and arm are then within 2e-5 of the sums, the arm in parts of a pitch.
+const PIECES: usize = 4;
+/// A pair that passes the pitch point within this part of a pitch from a boundary does so there.
+const NEAR: f64 = 1e-9;
+
+/// The law of what the pairs of `gears` give over a phase of the given period, times `scale`.
+///
+/// # Errors
+/// Where the gears do not mesh, or the source is not for them.
+pub fn friction(gears: &Gears, source: Source, what: Rubbing, period: f64, scale: f64) -> Result<Stiffness, GearError> {
+    if gears.internal {
+        let what = "the laws of friction are those of external teeth, and the second gear is a ring";
+        return Err(GearError::new(what, "give steps, or a table"));
+    }
+    let pairs = Pairs {
+        contact: gears.contact()?,
+        teeth: match source {
+            Source::Iso6336(_) => None,
+            Source::Energy => Some(PairOfTeeth::of(gears)?),
+        },
+    };
+    let cells = cells(&pairs.contact);
+    let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, source, period)).collect();
+    let law = match (what, &pairs.teeth) {
+        (Rubbing::Side, None) => {
+            let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
+            Stiffness::stepping(parts.iter().map(step).collect())
+        }
+        _ => Stiffness::curved(parts.iter().flat_map(|part| pairs.along(what, part, scale)).collect()),
+    };
+    Ok(at_its_place(law, &pairs.contact, period))
+}
+
+/// A part of a cell, in which no pair passes the pitch point.
+struct Part {
+    pairs: usize,
+    /// Where it begins and ends, as places of a pair along the path of contact [m].
+    begin: f64,
+    end: f64,
+    /// The phase over which it goes.
+    width: f64,
+}
+
+/// The parts of a cell; their widths add up to that of the cell without rounding.
+fn parts(cell: &Cell, contact: &Contact, source: Source, period: f64) -> Vec<Part> {
+    let (pitch, whole) = (contact.base_pitch, cell.width(contact, source, period));
+    let part = |begin, end, width| Part { pairs: cell.pairs, begin, end, width };
+    let passes = (cell.begin / pitch + NEAR).ceil() * pitch;
+    if passes >= cell.end - NEAR * pitch {
+        return vec![part(cell.begin, cell.end, whole)];
+    }
+    let first = (passes - cell.begin) / (cell.end - cell.begin) * whole;
+    // The difference to the larger of the two is exact.
+    let first = if first >= whole / 2.0 { first } else { whole - (whole - first) };
+    vec![part(cell.begin, passes, first), part(passes, cell.end, whole - first)]
+}
+
+/// The pairs of teeth, and their stiffnesses if the shares are theirs.
+struct Pairs {
+    contact: Contact,
+    teeth: Option<PairOfTeeth>,
+}
+
+impl Pairs {
+    /// What the pairs of a part give where one of them is at `x` [m].
+    fn sum(&self, what: Rubbing, part: &Part, x: f64) -> f64 {
+        let pitch = self.contact.base_pitch;
+        // Pairs at the ends of a part come and go, and change sides: those of its middle are summed, all the way.
+        let middle = 0.5 * (part.begin + part.end);
+        let first = ((-self.contact.approach - middle) / pitch).ceil() as i64;
+        let pairs = || (first..first + part.pairs as i64).map(|j| j as f64 * pitch);
+        let weight = |ahead: f64| self.teeth.as_ref().map_or(1.0, |teeth| teeth.stiffness(x + ahead));
+        let all: f64 = pairs().map(weight).sum();
+        let each = |ahead: f64| {
+            let side = if middle + ahead > 0.0 { 1.0 } else { -1.0 };
+            weight(ahead) / all * if what == Rubbing::Side { side } else { side * (x + ahead) }
+        };
+        pairs().map(each).sum()
+    }
+
+    /// The curves of a part, with their widths.
+    fn along(&self, what: Rubbing, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
+        let value = |x: f64| scale * self.sum(what, part, x);
+        if self.teeth.is_none() {
+            let (a, b) = (value(part.begin), value(part.end));
+            return vec![(Curve::Cubic([a, (b - a) / part.width, 0.0, 0.0]), part.width)];
+        }
+        let (length, w) = ((part.end - part.begin) / PIECES as f64, part.width / PIECES as f64);
+        let h = 1e-4 * length;
+        let slope = |x: f64| (value(x + h) - value(x - h)) / (2.0 * h) * length / w;
+        let piece = |i: usize| {
+            let (a, b) = (part.begin + length * i as f64, part.begin + length * (i + 1) as f64);
+            (Curve::hermite([value(a), value(b)], [slope(a), slope(b)], w), w)
+        };
+        (0..PIECES).map(piece).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::engine::crossing::Side;
+    use crate::engine::phase::Pitch;
+    use crate::gear::{Course, stiffness};
+
+    fn gears() -> Gears {
+        Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
+    }
+
+    fn law(source: Source, what: Rubbing, scale: f64) -> Stiffness {
+        friction(&gears(), source, what, TAU, scale).unwrap()
+    }
+
+    /// Its value at a phase.
+    fn at(law: &Stiffness, s: f64) -> f64 {
+        let pitch = Pitch::new(law, TAU);
+        let (_, rest, cell) = pitch.locate(s, 1.0);
+        pitch.course(cell, rest - pitch.bounds(cell).0)[0]
+    }
+
+    /// Against the pairs one by one: all that touch, wherever they are.
+    #[test]
+    fn sums_over_the_pairs() {
+        let pair = PairOfTeeth::of(&gears()).unwrap();
+        let contact = &pair.contact;
+        for (source, bound) in [(Source::Iso6336(None), 1e-12), (Source::Energy, 2e-5)] {
+            let (side, arm) = (law(source, Rubbing::Side, 1.0), law(source, Rubbing::Arm, 1.0));
+            let mut worst = [0.0f64; 2];
+            for s in (0..200).map(|i| 0.013 + TAU * f64::from(i) / 200.0) {
+                let places = (-3..=3).map(|j| (s / TAU + f64::from(j)) * contact.base_pitch);
+                let touching: Vec<f64> = places.filter(|xi| (-contact.approach..contact.recess).contains(xi)).collect();
+                let weight = |xi: f64| if source == Source::Energy { pair.stiffness(xi) } else { 1.0 };
+                let all: f64 = touching.iter().map(|xi| weight(*xi)).sum();
+                let sum = |f: fn(f64) -> f64| touching.iter().map(|xi| weight(*xi) / all * f(*xi)).sum::<f64>();
+                let off = [at(&side, s) - sum(f64::signum), (at(&arm, s) - sum(f64::abs)) / contact.base_pitch];
+                worst = [0, 1].map(|i| worst[i].max(off[i].abs()));
+            }
+            println!("{source:?}: off by {worst:?}");
+            assert!(worst[0] < bound && worst[1] < bound, "{source:?}: {worst:?}");
+        }
+    }
+
+    /// Boundaries: those of the stiffness, to the bit, and one more, where a pair is at the pitch point. There the arm goes on.
+    #[test]
+    fn boundaries_are_those_of_the_stiffness() {
+        let ends = |law: &Stiffness| {
+            let pitch = Pitch::new(law, TAU);
+            (0..pitch.cells()).map(|cell| pitch.bounds(cell).0).collect::<Vec<_>>()
+        };
+        for z in [[24.0, 96.0], [31.0, 40.0], [20.0, 77.0]] {
+            let gears = Gears::standard(z, 6.35e-3, 20f64.to_radians(), 7e-3);
+            for source in [Source::Iso6336(None), Source::Energy] {
+                let k = stiffness(&gears, source, Course::Levels, TAU, 1.0).unwrap();
+                let [side, arm] =
+                    [Rubbing::Side, Rubbing::Arm].map(|what| friction(&gears, source, what, TAU, 1.0).unwrap());
+                let (k, side_ends, arm_ends) = (ends(&k), ends(&side), ends(&arm));
+                assert!(k.iter().all(|b| side_ends.contains(b) && arm_ends.contains(b)), "{k:?} {side_ends:?}");
+                let at_pitch_point = |b: &&f64| b.abs() < 1e-12 || (*b - TAU).abs() < 1e-12;
+                assert_eq!(side_ends.iter().filter(at_pitch_point).count(), 1, "{side_ends:?}");
+                let arm = Pitch::new(&arm, TAU);
+                let cell = (0..arm.cells()).find(|c| at_pitch_point(&&arm.bounds(*c).1)).unwrap();
+                assert_eq!(arm.step(cell, Side::Upper), 0.0);
+            }
+        }
+    }
+
+    /// In units of the phase the arm of one pair alone is its phase.
+    #[test]
+    fn the_arm_of_one_pair() {
+        let base_pitch = gears().contact().unwrap().base_pitch;
+        let arm = law(Source::Iso6336(None), Rubbing::Arm, TAU / base_pitch);
+        for s in [-0.3, -0.1, 0.2] {
+            assert!((at(&arm, s) - f64::abs(s)).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_ring_is_refused() {
+        let ring = Gears { internal: true, ..gears() };
+        assert!(friction(&ring, Source::Energy, Rubbing::Arm, TAU, 1.0).unwrap_err().what.contains("a ring"));
+    }
+}

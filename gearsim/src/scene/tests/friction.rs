@@ -1,0 +1,95 @@
+//! Laws of friction in scenes: what they mean, and mistakes.
+
+use std::f64::consts::TAU;
+
+use super::fixture::{SCENE, parse};
+use crate::gear::{Gears, Rubbing, Source, friction};
+use crate::scene::{Scene, Stiffness};
+
+const TEETH: &str = "teeth = [24, 96]\nmodule = \"6.35 mm\"\nface_width = \"7 mm\"\nmethod = \"energy\"";
+
+/// The scene with the effect, its stiffness by its teeth.
+fn rubbing() -> String {
+    let (begin, end) = (SCENE.find("steps = [").unwrap(), SCENE.find("[start]").unwrap());
+    let text = format!("{}{TEETH}\nphase = 0.25\n\n{}", &SCENE[..begin], &SCENE[end..]);
+    text.replace("\"damping\",", "\"sliding_friction\",")
+}
+
+/// What `laws` make of it.
+fn with(laws: &str, overrides: &[&str]) -> Result<Scene, String> {
+    parse(&format!("{}\n{laws}", rubbing()), overrides).map_err(|errors| errors.render(100, false))
+}
+
+fn gears() -> Gears {
+    Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
+}
+
+/// By the teeth of the stiffness, in its phase; without a transmission error, which is zero.
+#[test]
+fn laws_have_the_teeth_of_another() {
+    let scene = with("[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n", &[]).unwrap();
+    assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k", "e", "side", "arm"]);
+    assert_eq!(scene.laws[1].extremes(), (0.0, 0.0));
+    let of = |what, scale| friction(&gears(), Source::Energy, what, TAU, scale).unwrap();
+    let ahead = |law: Stiffness| {
+        let origin = law.origin;
+        law.beginning(origin - 0.25 * TAU)
+    };
+    assert_eq!(scene.laws[2], ahead(of(Rubbing::Side, 1.0)));
+    // The deflection is a phase, of which a base pitch is a turn.
+    let arm = ahead(of(Rubbing::Arm, TAU / gears().contact().unwrap().base_pitch));
+    let off = |a: &Stiffness| a.steps.iter().zip(&arm.steps).fold(0.0f64, |m, (a, b)| m.max((a.value - b.value).abs()));
+    assert!(off(&scene.laws[3]) < 1e-14 && scene.laws[3].origin == arm.origin);
+}
+
+/// As any law is stated, a side of any sign; by teeth of their own, of which another may have them.
+#[test]
+fn laws_by_steps_and_by_teeth_of_their_own() {
+    let steps = "steps = [{ value = -1, width = \"1 rad\" }, { value = 1 }]";
+    let own = TEETH.replace("method = \"energy\"", "");
+    let scene = with(&format!("[laws.side]\n{steps}\n[laws.arm]\n{own}"), &[]).unwrap();
+    assert_eq!((scene.laws[2].steps[0].value, scene.laws[2].steps[1].width), (-1.0, TAU - 1.0));
+    let scale = TAU / gears().contact().unwrap().base_pitch;
+    let equal = friction(&gears(), Source::Iso6336(None), Rubbing::Arm, TAU, scale).unwrap();
+    assert!((scene.laws[3].mid() - equal.mid()).abs() < 1e-14);
+    let scene = with(&format!("[laws.side]\nteeth_of = \"arm\"\n[laws.arm]\n{own}"), &[]).unwrap();
+    assert_eq!(scene.laws[2], friction(&gears(), Source::Iso6336(None), Rubbing::Side, TAU, 1.0).unwrap());
+    let wave = "[laws.side]\nharmonics = [{ order = 1, amplitude = 1 }]\n[laws.arm]\nmean = \"1 rad\"\nharmonics = []";
+    assert_eq!(with(wave, &[]).unwrap().laws[2].extremes(), (-1.0, 1.0));
+}
+
+#[test]
+fn mistakes_are_named() {
+    let side = "[laws.side]\nteeth_of = \"k\"\n";
+    let cases = [
+        (format!("{side}[laws.arm]\nteeth_of = 3"), "`laws.arm.teeth_of` must be text"),
+        (format!("{side}[laws.arm]\nteeth_of = \"side\""), "`laws.side` is not given by its teeth"),
+        (format!("{side}[laws.arm]\nteeth_of = \"k\"\nphase = 0.1"), "[laws.arm] with teeth_of has no `phase`"),
+        (
+            format!("{side}[laws.arm]\nsteps = [{{ value = \"-1 rad\" }}]"),
+            "`laws.arm.steps.0.value` must not be negative",
+        ),
+        (format!("{side}[laws.arm]\nharmonics = [{{ order = 1, amplitude = \"1 rad\" }}]\nmean = 0"), "falls to -1"),
+        (format!("{side}[laws.arm]\npitches = 2\nsteps = [{{ value = 1 }}]"), "has no `pitches`"),
+        (format!("{side}[laws.arm]\n{TEETH}\ncourse = \"levels\""), "has no `course`"),
+    ];
+    for (laws, message) in cases {
+        let text = with(&laws, &[]).expect_err(&laws);
+        assert!(text.contains(message), "{laws}: {text}");
+    }
+    let both = "[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n";
+    let text = with(both, &["laws.k.teeth_of=\"side\""]).expect_err("a stiffness has its own");
+    assert!(text.contains("[laws.k] has no `teeth_of`"), "{text}");
+    let text = with(both, &["effects=[\"stiffness_step\", \"sliding_friction\", \"frozen_phase\"]"]).expect_err("both");
+    assert!(text.contains("effects `sliding_friction` and `frozen_phase` contradict each other"), "{text}");
+}
+
+/// What is missing is told with the line to write; what gears are not for, where it is asked of them.
+#[test]
+fn mistakes_point_to_their_places() {
+    let both = "[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n";
+    insta::assert_snapshot!(with("", &[]).unwrap_err());
+    insta::assert_snapshot!(with(&both.replace("\"k\"", "\"kk\""), &[]).unwrap_err());
+    let ring = rubbing().replace("method = \"energy\"", "internal = true");
+    insta::assert_snapshot!(parse(&format!("{ring}\n{both}"), &[]).expect_err("a ring").render(100, false));
+}

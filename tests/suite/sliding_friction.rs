@@ -1,0 +1,87 @@
+//! Friction between flanks: against pairs of teeth one by one, forces as vectors, closed forms of the loss, mirrors, accounts.
+
+#[path = "sliding_friction/account.rs"]
+mod account;
+#[path = "sliding_friction/by_hand.rs"]
+mod by_hand;
+mod common;
+#[path = "sliding_friction/forces.rs"]
+mod forces;
+#[path = "sliding_friction/loss.rs"]
+mod loss;
+
+use std::f64::consts::{PI, TAU};
+
+use gearsim::engine::Outcome;
+
+/// The gear pair by its teeth, with friction and what `overrides` make of it.
+fn run(overrides: &[&str]) -> Outcome {
+    let mut all = vec![
+        r#"effects=["stiffness_step", "sliding_friction", "torques"]"#,
+        "parameters.mu=0.1",
+        r#"laws.side={teeth_of="k"}"#,
+        r#"laws.arm={teeth_of="k"}"#,
+        "run.tolerance=1e-12",
+        "output.rate=\"20 kHz\"",
+    ];
+    all.extend(overrides);
+    common::run(&common::scene("gear_pair_teeth", &all.iter().map(|s| s.to_string()).collect::<Vec<_>>()))
+}
+
+/// T + V - W + D over the energy at the start, at its worst.
+fn unaccounted(outcome: &Outcome) -> f64 {
+    outcome.trajectory.residual.iter().fold(0.0f64, |m, r| m.max(r.abs())) / outcome.energy_at_start
+}
+
+/// The work of a torque, row by row.
+fn work<'a>(outcome: &'a Outcome, torque: &str) -> &'a [f64] {
+    let t = &outcome.trajectory;
+    &t.torque_work[t.model.torques.iter().position(|t| t.name == torque).expect("it has the torque")]
+}
+
+/// theta, phi and their speeds at a row.
+fn state(outcome: &Outcome, row: usize) -> [f64; 4] {
+    let t = &outcome.trajectory;
+    [t.q[0][row], t.q[1][row], t.q_dot[0][row], t.q_dot[1][row]]
+}
+
+/// Standard involute gears of 20 degrees, as in textbooks.
+struct Teeth {
+    z: [f64; 2],
+    module: f64,
+}
+
+impl Teeth {
+    /// Those of the scene.
+    const SCENE: Teeth = Teeth { z: [24.0, 96.0], module: 6.35e-3 };
+
+    fn alpha(&self) -> f64 {
+        20f64.to_radians()
+    }
+
+    /// Base radii.
+    fn base(&self) -> [f64; 2] {
+        self.z.map(|z| self.module * z / 2.0 * self.alpha().cos())
+    }
+
+    fn base_pitch(&self) -> f64 {
+        PI * self.module * self.alpha().cos()
+    }
+
+    /// Paths of contact before and after the pitch point: the other gear's tip, the own tip.
+    fn paths(&self) -> [f64; 2] {
+        let path = |i: usize| {
+            let (rb, ra) = (self.base()[i], self.module * (self.z[i] / 2.0 + 1.0));
+            (ra * ra - rb * rb).sqrt() - rb * self.alpha().tan()
+        };
+        [path(1), path(0)]
+    }
+
+    /// The pairs in contact at a phase, by how many pitches each is ahead of it.
+    fn pairs(&self, phase: f64) -> Vec<f64> {
+        let (p, [before, after]) = (self.base_pitch(), self.paths());
+        let turns = (phase / TAU).round();
+        let ahead = (-3..=3).map(|j| f64::from(j) - turns);
+        ahead.filter(|j| (-before..after).contains(&((phase / TAU + j) * p))).collect()
+    }
+}
