@@ -75,6 +75,8 @@ pub const MODELS: &[Entry] = &[
     ("planetary_3", |m| planetary::planetary(m, 3)),
     ("planetary_4", |m| planetary::planetary(m, 4)),
     ("planetary_5", |m| planetary::planetary(m, 5)),
+    ("planetary_6", |m| planetary::planetary(m, 6)),
+    ("planetary_7", |m| planetary::planetary(m, 7)),
     ("planar_planetary_3", |m| planar_planetary::planar_planetary(m, 3)),
     ("planar_planetary_4", |m| planar_planetary::planar_planetary(m, 4)),
     ("planar_planetary_5", |m| planar_planetary::planar_planetary(m, 5)),

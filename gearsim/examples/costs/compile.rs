@@ -20,13 +20,15 @@ pub struct Compiled {
 }
 
 /// The files to compile: two families.
-const FILES: [&str; 9] = [
+const FILES: [&str; 11] = [
     "chain_2",
     "chain_5",
     "chain_32",
     "planetary_3",
     "planetary_4",
     "planetary_5",
+    "planetary_6",
+    "planetary_7",
     "planar_planetary_3",
     "planar_planetary_4",
     "planar_planetary_5",

@@ -5,7 +5,10 @@ use std::f64::consts::TAU;
 use anyhow::bail;
 use gearsim::engine::equations::Derived;
 use gearsim::engine::outcome;
-use gearsim::generated::{planetary_3::Planetary3, planetary_4::Planetary4, planetary_5::Planetary5};
+use gearsim::generated::{
+    planetary_3::Planetary3, planetary_4::Planetary4, planetary_5::Planetary5, planetary_6::Planetary6,
+    planetary_7::Planetary7,
+};
 use gearsim::scene::{Scene, Step, Stiffness};
 
 use crate::row::Row;
@@ -19,6 +22,8 @@ pub fn planetary(planets: usize) -> anyhow::Result<Row> {
         3 => of::<Planetary3, 6>(planets),
         4 => of::<Planetary4, 7>(planets),
         5 => of::<Planetary5, 8>(planets),
+        6 => of::<Planetary6, 9>(planets),
+        7 => of::<Planetary7, 10>(planets),
         _ => bail!("no model of a planetary stage with {planets} planets"),
     }
 }

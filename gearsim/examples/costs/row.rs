@@ -63,6 +63,8 @@ pub const ROWS: &[System] = &[
     system("planetary, 3 planets", Group::Planetary, || planetary(3)),
     system("planetary, 4 planets", Group::Planetary, || planetary(4)),
     system("planetary, 5 planets", Group::Planetary, || planetary(5)),
+    system("planetary, 6 planets", Group::Planetary, || planetary(6)),
+    system("planetary, 7 planets", Group::Planetary, || planetary(7)),
 ];
 
 /// Cell changes before the measurement, and in each part of it.

@@ -35,6 +35,10 @@ pub mod planetary_4;
 #[rustfmt::skip]
 pub mod planetary_5;
 #[rustfmt::skip]
+pub mod planetary_6;
+#[rustfmt::skip]
+pub mod planetary_7;
+#[rustfmt::skip]
 pub mod two_stage;
 #[rustfmt::skip]
 pub mod wind_turbine;
@@ -53,6 +57,8 @@ pub static MODELS: &[Entry] = &[
     Entry::new::<planetary_3::Planetary3, 6>(),
     Entry::new::<planetary_4::Planetary4, 7>(),
     Entry::new::<planetary_5::Planetary5, 8>(),
+    Entry::new::<planetary_6::Planetary6, 9>(),
+    Entry::new::<planetary_7::Planetary7, 10>(),
     Entry::new::<planar_planetary_3::PlanarPlanetary3, 18>(),
     Entry::new::<planar_planetary_4::PlanarPlanetary4, 21>(),
     Entry::new::<planar_planetary_5::PlanarPlanetary5, 24>(),

@@ -21,7 +21,7 @@ pub fn file_is_current() {
     if let Some((line, (a, b))) = first_difference(&derived, &committed) {
         panic!(
             "tests/suite/newcomer/spring_rotor.rs, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
-             Mend with: {ACCEPT}=1 cargo test -p gearsim-tests --test derivation"
+             Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
         );
     }
 }

@@ -305,8 +305,17 @@ const STAGE: Numbers = &[
     ("k_s3", 5.3),
     ("k_r3", 6.3),
 ];
-const FOURTH: [(&str, f64); 2] = [("k_s4", 5.4), ("k_r4", 6.4)];
-const FIFTH: [(&str, f64); 2] = [("k_s5", 5.5), ("k_r5", 6.5)];
+/// The further planets, one after another.
+const FURTHER: [(&str, f64); 8] = [
+    ("k_s4", 5.4),
+    ("k_r4", 6.4),
+    ("k_s5", 5.5),
+    ("k_r5", 6.5),
+    ("k_s6", 5.6),
+    ("k_r6", 6.6),
+    ("k_s7", 5.7),
+    ("k_r7", 6.7),
+];
 const PLANE: [(&str, f64); 7] =
     [("m_s", 1.3), ("m_c", 4.1), ("m_r", 3.3), ("kb_s", 7.1), ("kb_c", 7.3), ("kb_r", 7.7), ("kb_p", 8.3)];
 
@@ -325,8 +334,8 @@ fn rotations(p: &impl Fn(&str) -> f64, theta: f64, theta_c: f64) -> (f64, f64, i
 }
 
 fn planetaries() {
-    fn check<D: Derived<N>, const N: usize>(n: usize, more: &[(&'static str, f64)]) {
-        let numbers = with(STAGE, &[&TORQUES, more].concat());
+    fn check<D: Derived<N>, const N: usize>(n: usize) {
+        let numbers = with(STAGE, &[&TORQUES, &FURTHER[..2 * (n - 3)]].concat());
         let p = of(&numbers);
         let [r_s, r_p, r_r, a] = radii(&p);
         // Sun, carrier, ring, planets. The planets' masses ride on the carrier; r_s + r_p = r_r - r_p = a cos(alpha).
@@ -346,18 +355,20 @@ fn planetaries() {
             [sun, carrier, q("theta_r")].into_iter().chain(planets).collect()
         });
     }
-    check::<planetary_3::Planetary3, 6>(3, &[]);
-    check::<planetary_4::Planetary4, 7>(4, &FOURTH);
-    check::<planetary_5::Planetary5, 8>(5, &[FOURTH, FIFTH].concat());
+    check::<planetary_3::Planetary3, 6>(3);
+    check::<planetary_4::Planetary4, 7>(4);
+    check::<planetary_5::Planetary5, 8>(5);
+    check::<planetary_6::Planetary6, 9>(6);
+    check::<planetary_7::Planetary7, 10>(7);
 }
 
 /// Lin & Parker's Eqs. (1)-(5) as printed, in absolute coordinates (x, y, u of sun, carrier and ring; zeta, eta, u of
 /// each planet) with u = r theta, each mesh and bearing a spring.
 fn planar_planetaries() {
-    fn check<D: Derived<N>, const N: usize>(n: usize, more: &[(&'static str, f64)]) {
+    fn check<D: Derived<N>, const N: usize>(n: usize) {
         // Not evenly spaced.
         let places = [("psi1", 0.0), ("psi2", 1.1), ("psi3", 2.9), ("psi4", 4.4), ("psi5", 5.2)];
-        let numbers = with(STAGE, &[&TORQUES, &PLANE[..], &places[..n], more].concat());
+        let numbers = with(STAGE, &[&TORQUES, &PLANE[..], &places[..n], &FURTHER[..2 * (n - 3)]].concat());
         let p = of(&numbers);
         let [r_s, r_p, r_r, a] = radii(&p);
         let (sin, cos) = p("alpha").sin_cos();
@@ -394,9 +405,9 @@ fn planar_planetaries() {
             x
         });
     }
-    check::<planar_planetary_3::PlanarPlanetary3, 18>(3, &[]);
-    check::<planar_planetary_4::PlanarPlanetary4, 21>(4, &FOURTH);
-    check::<planar_planetary_5::PlanarPlanetary5, 24>(5, &[FOURTH, FIFTH].concat());
+    check::<planar_planetary_3::PlanarPlanetary3, 18>(3);
+    check::<planar_planetary_4::PlanarPlanetary4, 21>(4);
+    check::<planar_planetary_5::PlanarPlanetary5, 24>(5);
 }
 
 fn wind_turbine_by_hand() {

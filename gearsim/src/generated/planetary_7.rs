@@ -1,0 +1,1152 @@
+//! Equations of motion of `planetary_7`: a planetary stage with 7 planets, torsional.
+//!
+//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_7`. Do not edit: change the
+//! energies and derive again.
+//! Source: Lin & Parker (1999), J. Vib. Acoust. 121(3), with centres held; phase on the sun
+//!
+//! # Energies
+//!
+//! ```text
+//! T = I_c*(theta_c_dot + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_r*theta_r_dot^2/2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + 7*a^2*m_p*(theta_c_dot + theta_dot/Z_r)^2/2
+//! V = (k_r*theta_r^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_r4*delta_r4^2 + k_r5*delta_r5^2 + k_r6*delta_r6^2 + k_r7*delta_r7^2 + k_s1*u1^2 + k_s2*u2^2 + k_s3*u3^2 + k_s4*u4^2 + k_s5*u5^2 + k_s6*u6^2 + k_s7*u7^2)/2
+//! D = I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_r*alpha_M*theta_r_dot^2/2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + beta_K*k_r*theta_r_dot^2/2 + beta_K*k_r1_mid*delta_r1_dot^2/2 + beta_K*k_r2_mid*delta_r2_dot^2/2 + beta_K*k_r3_mid*delta_r3_dot^2/2 + beta_K*k_r4_mid*delta_r4_dot^2/2 + beta_K*k_r5_mid*delta_r5_dot^2/2 + beta_K*k_r6_mid*delta_r6_dot^2/2 + beta_K*k_r7_mid*delta_r7_dot^2/2 + beta_K*k_s1_mid*u1_dot^2/2 + beta_K*k_s2_mid*u2_dot^2/2 + beta_K*k_s3_mid*u3_dot^2/2 + beta_K*k_s4_mid*u4_dot^2/2 + beta_K*k_s5_mid*u5_dot^2/2 + beta_K*k_s6_mid*u6_dot^2/2 + beta_K*k_s7_mid*u7_dot^2/2 + 7*a^2*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r)^2/2 [damping]
+//! Q_theta = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques]
+//! Q_theta_c = T_motor - T_load [torques]
+//! Q_theta_r = 0
+//! Q_u1 = 0
+//! Q_u2 = 0
+//! Q_u3 = 0
+//! Q_u4 = 0
+//! Q_u5 = 0
+//! Q_u6 = 0
+//! Q_u7 = 0
+//! ```
+//!
+//! # Constants
+//!
+//! ```text
+//! cos_a = cos(alpha)
+//! sin_a = sin(alpha)
+//! h = r_s/Z_s
+//! r_p = (h*Z_r - h*Z_s)/2
+//! a = (h*Z_r/cos_a + h*Z_s/cos_a)/2
+//! ```
+//!
+//! # Deflections
+//!
+//! ```text
+//! delta_r1 = h*Z_r*theta_r - u1 - h*Z_r*theta_c
+//! delta_r2 = h*Z_r*theta_r - u2 - h*Z_r*theta_c
+//! delta_r3 = h*Z_r*theta_r - u3 - h*Z_r*theta_c
+//! delta_r4 = h*Z_r*theta_r - u4 - h*Z_r*theta_c
+//! delta_r5 = h*Z_r*theta_r - u5 - h*Z_r*theta_c
+//! delta_r6 = h*Z_r*theta_r - u6 - h*Z_r*theta_c
+//! delta_r7 = h*Z_r*theta_r - u7 - h*Z_r*theta_c
+//! ```
+//!
+//! # Equations of motion
+//!
+//! ```text
+//! (I_c/Z_r^2 - 14*h*I_p/(r_p*Z_r) + 7*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 7*a^2*m_p/Z_r^2 + 7*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 7*h*I_p/r_p + 7*I_p/Z_r + I_s/Z_r + I_s/Z_s + 7*a^2*m_p/Z_r) theta_c'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u6'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u7'' = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + h*I_p*alpha_M*u6_dot/r_p^2 + h*I_p*alpha_M*u7_dot/r_p^2 + 7*h*I_p*alpha_M*theta_c_dot/r_p + 14*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 7*I_p*alpha_M*theta_dot/Z_r^2 - 7*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 7*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 7*a^2*alpha_M*m_p*theta_c_dot/Z_r - 7*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) - I_p*alpha_M*u6_dot/(r_p*Z_r) - I_p*alpha_M*u7_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_r6*delta_r6^2 - dk_r7*delta_r7^2 - dk_s1*u1^2 - dk_s2*u2^2 - dk_s3*u3^2 - dk_s4*u4^2 - dk_s5*u5^2 - dk_s6*u6^2 - dk_s7*u7^2)/2 [jump terms]
+//! (I_c/Z_r - 7*h*I_p/r_p + 7*I_p/Z_r + I_s/Z_r + I_s/Z_s + 7*a^2*m_p/Z_r) theta'' + (I_c + 7*I_p + I_s + 7*a^2*m_p) theta_c'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' + (I_p/r_p) u4'' + (I_p/r_p) u5'' + (I_p/r_p) u6'' + (I_p/r_p) u7'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5 + h*Z_r*k_r6*delta_r6 + h*Z_r*k_r7*delta_r7 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot + h*Z_r*beta_K*k_r6_mid*delta_r6_dot + h*Z_r*beta_K*k_r7_mid*delta_r7_dot + 7*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 7*I_p*alpha_M*theta_c_dot - 7*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 7*a^2*alpha_M*m_p*theta_c_dot - 7*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p - I_p*alpha_M*u6_dot/r_p - I_p*alpha_M*u7_dot/r_p [damping]
+//! (I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - h*Z_r*k_r6*delta_r6 - h*Z_r*k_r7*delta_r7 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - h*Z_r*beta_K*k_r6_mid*delta_r6_dot - h*Z_r*beta_K*k_r7_mid*delta_r7_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*u1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*u1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*u2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*u2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*u3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*u3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u4'' = k_r4*delta_r4 - k_s4*u4 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r4_mid*delta_r4_dot - beta_K*k_s4_mid*u4_dot - I_p*alpha_M*u4_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u5'' = k_r5*delta_r5 - k_s5*u5 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r5_mid*delta_r5_dot - beta_K*k_s5_mid*u5_dot - I_p*alpha_M*u5_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u6'' = k_r6*delta_r6 - k_s6*u6 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r6_mid*delta_r6_dot - beta_K*k_s6_mid*u6_dot - I_p*alpha_M*u6_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u7'' = k_r7*delta_r7 - k_s7*u7 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r7_mid*delta_r7_dot - beta_K*k_s7_mid*u7_dot - I_p*alpha_M*u7_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
+//! ```
+//!
+//! # At a step of a stiffness
+//!
+//! ```text
+//! at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*u1^2/2)
+//! at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)
+//! at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*u2^2/2)
+//! at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)
+//! at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*u3^2/2)
+//! at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)
+//! at a step dk_s4 of k_s4 in theta: v+^2 = v-^2 - 2*G*(dk_s4*u4^2/2)
+//! at a step dk_r4 of k_r4 in theta: v+^2 = v-^2 - 2*G*(dk_r4*delta_r4^2/2)
+//! at a step dk_s5 of k_s5 in theta: v+^2 = v-^2 - 2*G*(dk_s5*u5^2/2)
+//! at a step dk_r5 of k_r5 in theta: v+^2 = v-^2 - 2*G*(dk_r5*delta_r5^2/2)
+//! at a step dk_s6 of k_s6 in theta: v+^2 = v-^2 - 2*G*(dk_s6*u6^2/2)
+//! at a step dk_r6 of k_r6 in theta: v+^2 = v-^2 - 2*G*(dk_r6*delta_r6^2/2)
+//! at a step dk_s7 of k_s7 in theta: v+^2 = v-^2 - 2*G*(dk_s7*u7^2/2)
+//! at a step dk_r7 of k_r7 in theta: v+^2 = v-^2 - 2*G*(dk_r7*delta_r7^2/2)
+//! ```
+//!
+//! # Between two steps
+//!
+//! ```text
+//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
+//! ```
+//!
+//! # LaTeX
+//!
+//! ```latex
+//! T = \frac{I_{c}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{4}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{5}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{6}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{7}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{r}\, \dot{\theta_{r}}^{2}}{2} + \frac{I_{s}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2}}{2} + \frac{7\, a^{2}\, m_{p}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2}
+//! V = \frac{1}{2} (k_{r}\, \theta_{r}^{2} + k_{r1}\, \delta_{r1}^{2} + k_{r2}\, \delta_{r2}^{2} + k_{r3}\, \delta_{r3}^{2} + k_{r4}\, \delta_{r4}^{2} + k_{r5}\, \delta_{r5}^{2} + k_{r6}\, \delta_{r6}^{2} + k_{r7}\, \delta_{r7}^{2} + k_{s1}\, u_{1}^{2} + k_{s2}\, u_{2}^{2} + k_{s3}\, u_{3}^{2} + k_{s4}\, u_{4}^{2} + k_{s5}\, u_{5}^{2} + k_{s6}\, u_{6}^{2} + k_{s7}\, u_{7}^{2})
+//! D = \frac{I_{c}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{4}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{5}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{6}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{7}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{r}\, \alpha_{M}\, \dot{\theta_{r}}^{2}}{2} + \frac{I_{s}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2}}{2} + \frac{\beta_{K}\, k_{r}\, \dot{\theta_{r}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r5}}\, \dot{\delta_{r5}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r6}}\, \dot{\delta_{r6}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r7}}\, \dot{\delta_{r7}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s1}}\, \dot{u_{1}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s2}}\, \dot{u_{2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s3}}\, \dot{u_{3}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s4}}\, \dot{u_{4}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s5}}\, \dot{u_{5}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s6}}\, \dot{u_{6}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s7}}\, \dot{u_{7}}^{2}}{2} + \frac{7\, a^{2}\, \alpha_{M}\, m_{p}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2}\ [\text{damping}]
+//! Q_{\theta} = \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}]
+//! Q_{\theta_{c}} = T_{motor} - T_{load}\ [\text{torques}]
+//! Q_{\theta_{r}} = 0
+//! Q_{u_{1}} = 0
+//! Q_{u_{2}} = 0
+//! Q_{u_{3}} = 0
+//! Q_{u_{4}} = 0
+//! Q_{u_{5}} = 0
+//! Q_{u_{6}} = 0
+//! Q_{u_{7}} = 0
+//! \mathrm{cos}_{a} = \cos\left(\alpha\right)
+//! \mathrm{sin}_{a} = \sin\left(\alpha\right)
+//! h = \frac{r_{s}}{Z_{s}}
+//! r_{p} = \frac{1}{2} (h\, Z_{r} - h\, Z_{s})
+//! a = \frac{1}{2} (\frac{h\, Z_{r}}{\mathrm{cos}_{a}} + \frac{h\, Z_{s}}{\mathrm{cos}_{a}})
+//! \delta_{r1} = h\, Z_{r}\, \theta_{r} - u_{1} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r2} = h\, Z_{r}\, \theta_{r} - u_{2} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r3} = h\, Z_{r}\, \theta_{r} - u_{3} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r4} = h\, Z_{r}\, \theta_{r} - u_{4} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r5} = h\, Z_{r}\, \theta_{r} - u_{5} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r6} = h\, Z_{r}\, \theta_{r} - u_{6} - h\, Z_{r}\, \theta_{c}
+//! \delta_{r7} = h\, Z_{r}\, \theta_{r} - u_{7} - h\, Z_{r}\, \theta_{c}
+//! (\frac{I_{c}}{Z_{r}^{2}} - \frac{14\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{7\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{7\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{7\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{c}}{Z_{r}} - \frac{7\, h\, I_{p}}{r_{p}} + \frac{7\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{7\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{4}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{5}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{6}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{7}} = \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{6}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{7}}}{r_{p}^{2}} + \frac{7\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{14\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{7\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{7\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{7\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{7\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{7\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{6}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{7}}}{r_{p}\, Z_{r}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{r4}'\, \delta_{r4}^{2} - k_{r5}'\, \delta_{r5}^{2} - k_{r6}'\, \delta_{r6}^{2} - k_{r7}'\, \delta_{r7}^{2} - k_{s1}'\, u_{1}^{2} - k_{s2}'\, u_{2}^{2} - k_{s3}'\, u_{3}^{2} - k_{s4}'\, u_{4}^{2} - k_{s5}'\, u_{5}^{2} - k_{s6}'\, u_{6}^{2} - k_{s7}'\, u_{7}^{2})\ [\text{jump terms}]
+//! (\frac{I_{c}}{Z_{r}} - \frac{7\, h\, I_{p}}{r_{p}} + \frac{7\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{7\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta} + (I_{c} + 7\, I_{p} + I_{s} + 7\, a^{2}\, m_{p}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{1}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{2}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{3}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{4}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{5}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{6}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{7}} = h\, Z_{r}\, k_{r1}\, \delta_{r1} + h\, Z_{r}\, k_{r2}\, \delta_{r2} + h\, Z_{r}\, k_{r3}\, \delta_{r3} + h\, Z_{r}\, k_{r4}\, \delta_{r4} + h\, Z_{r}\, k_{r5}\, \delta_{r5} + h\, Z_{r}\, k_{r6}\, \delta_{r6} + h\, Z_{r}\, k_{r7}\, \delta_{r7} + T_{motor} - T_{load}\ [\text{torques}] + h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r5}}\, \dot{\delta_{r5}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r6}}\, \dot{\delta_{r6}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r7}}\, \dot{\delta_{r7}} + \frac{7\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}} - I_{c}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - 7\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{7\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{s}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}} - 7\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{7\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{6}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{7}}}{r_{p}}\ [\text{damping}]
+//! (I_{r}) \ddot{\theta_{r}} = -h\, Z_{r}\, k_{r1}\, \delta_{r1} - h\, Z_{r}\, k_{r2}\, \delta_{r2} - h\, Z_{r}\, k_{r3}\, \delta_{r3} - h\, Z_{r}\, k_{r4}\, \delta_{r4} - h\, Z_{r}\, k_{r5}\, \delta_{r5} - h\, Z_{r}\, k_{r6}\, \delta_{r6} - h\, Z_{r}\, k_{r7}\, \delta_{r7} - k_{r}\, \theta_{r} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r5}}\, \dot{\delta_{r5}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r6}}\, \dot{\delta_{r6}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r7}}\, \dot{\delta_{r7}} - I_{r}\, \alpha_{M}\, \dot{\theta_{r}} - \beta_{K}\, k_{r}\, \dot{\theta_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{1}} = k_{r1}\, \delta_{r1} - k_{s1}\, u_{1} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - \beta_{K}\, \bar{k_{s1}}\, \dot{u_{1}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{2}} = k_{r2}\, \delta_{r2} - k_{s2}\, u_{2} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - \beta_{K}\, \bar{k_{s2}}\, \dot{u_{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = k_{r3}\, \delta_{r3} - k_{s3}\, u_{3} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \beta_{K}\, \bar{k_{s3}}\, \dot{u_{3}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{4}} = k_{r4}\, \delta_{r4} - k_{s4}\, u_{4} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} - \beta_{K}\, \bar{k_{s4}}\, \dot{u_{4}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{5}} = k_{r5}\, \delta_{r5} - k_{s5}\, u_{5} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r5}}\, \dot{\delta_{r5}} - \beta_{K}\, \bar{k_{s5}}\, \dot{u_{5}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{6}} = k_{r6}\, \delta_{r6} - k_{s6}\, u_{6} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r6}}\, \dot{\delta_{r6}} - \beta_{K}\, \bar{k_{s6}}\, \dot{u_{6}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{6}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{7}} = k_{r7}\, \delta_{r7} - k_{s7}\, u_{7} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r7}}\, \dot{\delta_{r7}} - \beta_{K}\, \bar{k_{s7}}\, \dot{u_{7}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{7}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
+//! ```
+//!
+//! # Proved
+//!
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
+//! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - M is positive definite: T is a sum of squares that vanish together only at rest
+//! - without the jump terms the balance fails: energy is created at the rate (dk_r1*delta_r1^2*theta_dot + dk_r2*delta_r2^2*theta_dot + dk_r3*delta_r3^2*theta_dot + dk_r4*delta_r4^2*theta_dot + dk_r5*delta_r5^2*theta_dot + dk_r6*delta_r6^2*theta_dot + dk_r7*delta_r7^2*theta_dot + dk_s1*u1^2*theta_dot + dk_s2*u2^2*theta_dot + dk_s3*u3^2*theta_dot + dk_s4*u4^2*theta_dot + dk_s5*u5^2*theta_dot + dk_s6*u6^2*theta_dot + dk_s7*u7^2*theta_dot)/2
+//!
+//! # Operations, all effects present
+//!
+//! | output | sums | products, quotients | functions, roots |
+//! | --- | --- | --- | --- |
+//! | constants (once a scene) | 2 | 11 | 2 |
+//! | force | 129 | 488 | 0 |
+//! | energy step of k_s1 | 0 | 3 | 0 |
+//! | energy step of k_r1 | 0 | 3 | 0 |
+//! | energy step of k_s2 | 0 | 3 | 0 |
+//! | energy step of k_r2 | 0 | 3 | 0 |
+//! | energy step of k_s3 | 0 | 3 | 0 |
+//! | energy step of k_r3 | 0 | 3 | 0 |
+//! | energy step of k_s4 | 0 | 3 | 0 |
+//! | energy step of k_r4 | 0 | 3 | 0 |
+//! | energy step of k_s5 | 0 | 3 | 0 |
+//! | energy step of k_r5 | 0 | 3 | 0 |
+//! | energy step of k_s6 | 0 | 3 | 0 |
+//! | energy step of k_r6 | 0 | 3 | 0 |
+//! | energy step of k_s7 | 0 | 3 | 0 |
+//! | energy step of k_r7 | 0 | 3 | 0 |
+
+use gearsim_macros::equations;
+
+equations! {
+    model planetary_7 "a planetary stage with 7 planets, torsional";
+    source "Lin & Parker (1999), J. Vib. Acoust. 121(3), with centres held; phase on the sun";
+
+    coordinates {
+        theta "rad" start 0.0, "phase of the meshes, Z_s (theta_s - theta_c)";
+        theta_c "rad" start static, "rotation of the carrier beyond rolling";
+        theta_r "rad" start static, "rotation of the ring";
+        u1 "m" start static, "rotation of planet 1 beyond rolling, times its base radius";
+        u2 "m" start static, "rotation of planet 2 beyond rolling, times its base radius";
+        u3 "m" start static, "rotation of planet 3 beyond rolling, times its base radius";
+        u4 "m" start static, "rotation of planet 4 beyond rolling, times its base radius";
+        u5 "m" start static, "rotation of planet 5 beyond rolling, times its base radius";
+        u6 "m" start static, "rotation of planet 6 beyond rolling, times its base radius";
+        u7 "m" start static, "rotation of planet 7 beyond rolling, times its base radius";
+    }
+    parameters {
+        Z_s "1" required, open 0.0 to inf, "number of teeth of the sun";
+        Z_r "1" required, open 0.0 to inf, "number of teeth of the ring";
+        r_s "m" required, open 0.0 to inf, "base radius of the sun";
+        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "pressure angle";
+        I_s "kg*m^2" required, open 0.0 to inf, "moment of inertia of the sun";
+        I_c "kg*m^2" required, open 0.0 to inf, "moment of inertia of the carrier without planets";
+        I_r "kg*m^2" required, open 0.0 to inf, "moment of inertia of the ring";
+        k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
+        m_p "kg" required, open 0.0 to inf, "mass of a planet";
+        I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
+        T_motor "N*m" required, open -inf to inf, "driving torque of the sun";
+        T_load "N*m" required, open -inf to inf, "load torque of the carrier, against its rotation";
+        alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
+        beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
+    }
+    laws {
+        k_s1 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 1 along the line of action";
+        k_r1 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 1 along the line of action";
+        k_s2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 2 along the line of action";
+        k_r2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 2 along the line of action";
+        k_s3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 3 along the line of action";
+        k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
+        k_s4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 4 along the line of action";
+        k_r4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 4 along the line of action";
+        k_s5 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 5 along the line of action";
+        k_r5 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 5 along the line of action";
+        k_s6 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 6 along the line of action";
+        k_r6 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 6 along the line of action";
+        k_s7 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 7 along the line of action";
+        k_r7 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 7 along the line of action";
+    }
+    motions {
+        speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest";
+    }
+    effects {
+        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        torques "constant torques of motor and load";
+        damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
+    }
+    conditions {
+        jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
+        moving_phase = stiffness_step, !frozen_phase;
+    }
+
+    constants {
+        cos_a = alpha.cos();
+        sin_a = alpha.sin();
+        h = r_s/Z_s;
+        r_p = (h*Z_r - h*Z_s)/2.0;
+        a = (h*Z_r/cos_a + h*Z_s/cos_a)/2.0;
+    }
+    deflections {
+        delta_r1 = h*Z_r*theta_r - u1 - h*Z_r*theta_c;
+        delta_r2 = h*Z_r*theta_r - u2 - h*Z_r*theta_c;
+        delta_r3 = h*Z_r*theta_r - u3 - h*Z_r*theta_c;
+        delta_r4 = h*Z_r*theta_r - u4 - h*Z_r*theta_c;
+        delta_r5 = h*Z_r*theta_r - u5 - h*Z_r*theta_c;
+        delta_r6 = h*Z_r*theta_r - u6 - h*Z_r*theta_c;
+        delta_r7 = h*Z_r*theta_r - u7 - h*Z_r*theta_c;
+    }
+    energies {
+        kinetic {
+            _ => I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_r*theta_r_dot.powi(2)/2.0 + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + 7.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
+        }
+        potential {
+            _ => (k_r*theta_r.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_r4*delta_r4.powi(2) + k_r5*delta_r5.powi(2) + k_r6*delta_r6.powi(2) + k_r7*delta_r7.powi(2) + k_s1*u1.powi(2) + k_s2*u2.powi(2) + k_s3*u3.powi(2) + k_s4*u4.powi(2) + k_s5*u5.powi(2) + k_s6*u6.powi(2) + k_s7*u7.powi(2))/2.0;
+        }
+        dissipation {
+            damping => I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_r*alpha_M*theta_r_dot.powi(2)/2.0 + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_r*theta_r_dot.powi(2)/2.0 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_r4_mid*delta_r4_dot.powi(2)/2.0 + beta_K*k_r5_mid*delta_r5_dot.powi(2)/2.0 + beta_K*k_r6_mid*delta_r6_dot.powi(2)/2.0 + beta_K*k_r7_mid*delta_r7_dot.powi(2)/2.0 + beta_K*k_s1_mid*u1_dot.powi(2)/2.0 + beta_K*k_s2_mid*u2_dot.powi(2)/2.0 + beta_K*k_s3_mid*u3_dot.powi(2)/2.0 + beta_K*k_s4_mid*u4_dot.powi(2)/2.0 + beta_K*k_s5_mid*u5_dot.powi(2)/2.0 + beta_K*k_s6_mid*u6_dot.powi(2)/2.0 + beta_K*k_s7_mid*u7_dot.powi(2)/2.0 + 7.0*a.powi(2)*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
+        }
+    }
+    torques {
+        motor "driving torque of the sun" {
+            torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
+        }
+        load "load torque of the carrier, against its rotation" {
+            torques => T_load*(-theta_c - theta/Z_r);
+        }
+    }
+    work {
+        theta {
+            torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
+        }
+        theta_c {
+            torques => T_motor - T_load;
+        }
+        theta_r {}
+        u1 {}
+        u2 {}
+        u3 {}
+        u4 {}
+        u5 {}
+        u6 {}
+        u7 {}
+    }
+    mass {
+        theta theta {
+            _ => I_c/Z_r.powi(2) - 14.0*h*I_p/(r_p*Z_r) + 7.0*I_p/Z_r.powi(2) + I_s/Z_r.powi(2) + 2.0*I_s/(Z_r*Z_s) + I_s/Z_s.powi(2) + 7.0*a.powi(2)*m_p/Z_r.powi(2) + 7.0*h.powi(2)*I_p/r_p.powi(2);
+        }
+        theta theta_c {
+            _ => I_c/Z_r - 7.0*h*I_p/r_p + 7.0*I_p/Z_r + I_s/Z_r + I_s/Z_s + 7.0*a.powi(2)*m_p/Z_r;
+        }
+        theta u1 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u2 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u3 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u4 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u5 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u6 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta u7 {
+            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
+        }
+        theta_c theta_c {
+            _ => I_c + 7.0*I_p + I_s + 7.0*a.powi(2)*m_p;
+        }
+        theta_c u1 {
+            _ => I_p/r_p;
+        }
+        theta_c u2 {
+            _ => I_p/r_p;
+        }
+        theta_c u3 {
+            _ => I_p/r_p;
+        }
+        theta_c u4 {
+            _ => I_p/r_p;
+        }
+        theta_c u5 {
+            _ => I_p/r_p;
+        }
+        theta_c u6 {
+            _ => I_p/r_p;
+        }
+        theta_c u7 {
+            _ => I_p/r_p;
+        }
+        theta_r theta_r {
+            _ => I_r;
+        }
+        u1 u1 {
+            _ => I_p/r_p.powi(2);
+        }
+        u2 u2 {
+            _ => I_p/r_p.powi(2);
+        }
+        u3 u3 {
+            _ => I_p/r_p.powi(2);
+        }
+        u4 u4 {
+            _ => I_p/r_p.powi(2);
+        }
+        u5 u5 {
+            _ => I_p/r_p.powi(2);
+        }
+        u6 u6 {
+            _ => I_p/r_p.powi(2);
+        }
+        u7 u7 {
+            _ => I_p/r_p.powi(2);
+        }
+    }
+    force {
+        theta {
+            torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
+            damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2) + h*I_p*alpha_M*u4_dot/r_p.powi(2) + h*I_p*alpha_M*u5_dot/r_p.powi(2) + h*I_p*alpha_M*u6_dot/r_p.powi(2) + h*I_p*alpha_M*u7_dot/r_p.powi(2) + 7.0*h*I_p*alpha_M*theta_c_dot/r_p + 14.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2) - I_c*alpha_M*theta_c_dot/Z_r - 7.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 7.0*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 7.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2) - 7.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 7.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) - I_p*alpha_M*u6_dot/(r_p*Z_r) - I_p*alpha_M*u7_dot/(r_p*Z_r);
+            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_r4*delta_r4.powi(2) - dk_r5*delta_r5.powi(2) - dk_r6*delta_r6.powi(2) - dk_r7*delta_r7.powi(2) - dk_s1*u1.powi(2) - dk_s2*u2.powi(2) - dk_s3*u3.powi(2) - dk_s4*u4.powi(2) - dk_s5*u5.powi(2) - dk_s6*u6.powi(2) - dk_s7*u7.powi(2))/2.0;
+        }
+        theta_c {
+            _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5 + h*Z_r*k_r6*delta_r6 + h*Z_r*k_r7*delta_r7;
+            torques => T_motor - T_load;
+            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot + h*Z_r*beta_K*k_r6_mid*delta_r6_dot + h*Z_r*beta_K*k_r7_mid*delta_r7_dot + 7.0*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 7.0*I_p*alpha_M*theta_c_dot - 7.0*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 7.0*a.powi(2)*alpha_M*m_p*theta_c_dot - 7.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p - I_p*alpha_M*u6_dot/r_p - I_p*alpha_M*u7_dot/r_p;
+        }
+        theta_r {
+            _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - h*Z_r*k_r6*delta_r6 - h*Z_r*k_r7*delta_r7 - k_r*theta_r;
+            damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - h*Z_r*beta_K*k_r6_mid*delta_r6_dot - h*Z_r*beta_K*k_r7_mid*delta_r7_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot;
+        }
+        u1 {
+            _ => k_r1*delta_r1 - k_s1*u1;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*u1_dot - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u2 {
+            _ => k_r2*delta_r2 - k_s2*u2;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*u2_dot - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u3 {
+            _ => k_r3*delta_r3 - k_s3*u3;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*u3_dot - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u4 {
+            _ => k_r4*delta_r4 - k_s4*u4;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r4_mid*delta_r4_dot - beta_K*k_s4_mid*u4_dot - I_p*alpha_M*u4_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u5 {
+            _ => k_r5*delta_r5 - k_s5*u5;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r5_mid*delta_r5_dot - beta_K*k_s5_mid*u5_dot - I_p*alpha_M*u5_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u6 {
+            _ => k_r6*delta_r6 - k_s6*u6;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r6_mid*delta_r6_dot - beta_K*k_s6_mid*u6_dot - I_p*alpha_M*u6_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+        u7 {
+            _ => k_r7*delta_r7 - k_s7*u7;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r7_mid*delta_r7_dot - beta_K*k_s7_mid*u7_dot - I_p*alpha_M*u7_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+        }
+    }
+    jacobian {
+        theta theta {
+            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_r4*delta_r4.powi(2) - ddk_r5*delta_r5.powi(2) - ddk_r6*delta_r6.powi(2) - ddk_r7*delta_r7.powi(2) - ddk_s1*u1.powi(2) - ddk_s2*u2.powi(2) - ddk_s3*u3.powi(2) - ddk_s4*u4.powi(2) - ddk_s5*u5.powi(2) - ddk_s6*u6.powi(2) - ddk_s7*u7.powi(2))/2.0;
+        }
+        theta theta_c {
+            jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4 + h*Z_r*dk_r5*delta_r5 + h*Z_r*dk_r6*delta_r6 + h*Z_r*dk_r7*delta_r7;
+        }
+        theta theta_r {
+            jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4 - h*Z_r*dk_r5*delta_r5 - h*Z_r*dk_r6*delta_r6 - h*Z_r*dk_r7*delta_r7;
+        }
+        theta u1 {
+            jump_terms => dk_r1*delta_r1 - dk_s1*u1;
+        }
+        theta u2 {
+            jump_terms => dk_r2*delta_r2 - dk_s2*u2;
+        }
+        theta u3 {
+            jump_terms => dk_r3*delta_r3 - dk_s3*u3;
+        }
+        theta u4 {
+            jump_terms => dk_r4*delta_r4 - dk_s4*u4;
+        }
+        theta u5 {
+            jump_terms => dk_r5*delta_r5 - dk_s5*u5;
+        }
+        theta u6 {
+            jump_terms => dk_r6*delta_r6 - dk_s6*u6;
+        }
+        theta u7 {
+            jump_terms => dk_r7*delta_r7 - dk_s7*u7;
+        }
+        theta theta_dot {
+            damping => 14.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 7.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2) - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 7.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) - 7.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
+        }
+        theta theta_c_dot {
+            damping => 7.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 7.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 7.0*a.powi(2)*alpha_M*m_p/Z_r;
+        }
+        theta u1_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u2_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u3_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u4_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u5_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u6_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta u7_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        theta_c theta {
+            moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4 + h*Z_r*dk_r5*delta_r5 + h*Z_r*dk_r6*delta_r6 + h*Z_r*dk_r7*delta_r7;
+        }
+        theta_c theta_c {
+            _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4 - h.powi(2)*Z_r.powi(2)*k_r5 - h.powi(2)*Z_r.powi(2)*k_r6 - h.powi(2)*Z_r.powi(2)*k_r7;
+        }
+        theta_c theta_r {
+            _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4 + h.powi(2)*Z_r.powi(2)*k_r5 + h.powi(2)*Z_r.powi(2)*k_r6 + h.powi(2)*Z_r.powi(2)*k_r7;
+        }
+        theta_c u1 {
+            _ => -h*Z_r*k_r1;
+        }
+        theta_c u2 {
+            _ => -h*Z_r*k_r2;
+        }
+        theta_c u3 {
+            _ => -h*Z_r*k_r3;
+        }
+        theta_c u4 {
+            _ => -h*Z_r*k_r4;
+        }
+        theta_c u5 {
+            _ => -h*Z_r*k_r5;
+        }
+        theta_c u6 {
+            _ => -h*Z_r*k_r6;
+        }
+        theta_c u7 {
+            _ => -h*Z_r*k_r7;
+        }
+        theta_c theta_dot {
+            damping => 7.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 7.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 7.0*a.powi(2)*alpha_M*m_p/Z_r;
+        }
+        theta_c theta_c_dot {
+            damping => -I_c*alpha_M - 7.0*I_p*alpha_M - I_s*alpha_M - 7.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+        }
+        theta_c theta_r_dot {
+            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+        }
+        theta_c u1_dot {
+            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u2_dot {
+            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u3_dot {
+            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u4_dot {
+            damping => -h*Z_r*beta_K*k_r4_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u5_dot {
+            damping => -h*Z_r*beta_K*k_r5_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u6_dot {
+            damping => -h*Z_r*beta_K*k_r6_mid - I_p*alpha_M/r_p;
+        }
+        theta_c u7_dot {
+            damping => -h*Z_r*beta_K*k_r7_mid - I_p*alpha_M/r_p;
+        }
+        theta_r theta {
+            moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4 - h*Z_r*dk_r5*delta_r5 - h*Z_r*dk_r6*delta_r6 - h*Z_r*dk_r7*delta_r7;
+        }
+        theta_r theta_c {
+            _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4 + h.powi(2)*Z_r.powi(2)*k_r5 + h.powi(2)*Z_r.powi(2)*k_r6 + h.powi(2)*Z_r.powi(2)*k_r7;
+        }
+        theta_r theta_r {
+            _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4 - h.powi(2)*Z_r.powi(2)*k_r5 - h.powi(2)*Z_r.powi(2)*k_r6 - h.powi(2)*Z_r.powi(2)*k_r7;
+        }
+        theta_r u1 {
+            _ => h*Z_r*k_r1;
+        }
+        theta_r u2 {
+            _ => h*Z_r*k_r2;
+        }
+        theta_r u3 {
+            _ => h*Z_r*k_r3;
+        }
+        theta_r u4 {
+            _ => h*Z_r*k_r4;
+        }
+        theta_r u5 {
+            _ => h*Z_r*k_r5;
+        }
+        theta_r u6 {
+            _ => h*Z_r*k_r6;
+        }
+        theta_r u7 {
+            _ => h*Z_r*k_r7;
+        }
+        theta_r theta_c_dot {
+            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+        }
+        theta_r theta_r_dot {
+            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+        }
+        theta_r u1_dot {
+            damping => h*Z_r*beta_K*k_r1_mid;
+        }
+        theta_r u2_dot {
+            damping => h*Z_r*beta_K*k_r2_mid;
+        }
+        theta_r u3_dot {
+            damping => h*Z_r*beta_K*k_r3_mid;
+        }
+        theta_r u4_dot {
+            damping => h*Z_r*beta_K*k_r4_mid;
+        }
+        theta_r u5_dot {
+            damping => h*Z_r*beta_K*k_r5_mid;
+        }
+        theta_r u6_dot {
+            damping => h*Z_r*beta_K*k_r6_mid;
+        }
+        theta_r u7_dot {
+            damping => h*Z_r*beta_K*k_r7_mid;
+        }
+        u1 theta {
+            moving_phase => dk_r1*delta_r1 - dk_s1*u1;
+        }
+        u1 theta_c {
+            _ => -h*Z_r*k_r1;
+        }
+        u1 theta_r {
+            _ => h*Z_r*k_r1;
+        }
+        u1 u1 {
+            _ => -k_r1 - k_s1;
+        }
+        u1 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u1 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
+        }
+        u1 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r1_mid;
+        }
+        u1 u1_dot {
+            damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u2 theta {
+            moving_phase => dk_r2*delta_r2 - dk_s2*u2;
+        }
+        u2 theta_c {
+            _ => -h*Z_r*k_r2;
+        }
+        u2 theta_r {
+            _ => h*Z_r*k_r2;
+        }
+        u2 u2 {
+            _ => -k_r2 - k_s2;
+        }
+        u2 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u2 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
+        }
+        u2 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r2_mid;
+        }
+        u2 u2_dot {
+            damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u3 theta {
+            moving_phase => dk_r3*delta_r3 - dk_s3*u3;
+        }
+        u3 theta_c {
+            _ => -h*Z_r*k_r3;
+        }
+        u3 theta_r {
+            _ => h*Z_r*k_r3;
+        }
+        u3 u3 {
+            _ => -k_r3 - k_s3;
+        }
+        u3 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u3 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
+        }
+        u3 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r3_mid;
+        }
+        u3 u3_dot {
+            damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u4 theta {
+            moving_phase => dk_r4*delta_r4 - dk_s4*u4;
+        }
+        u4 theta_c {
+            _ => -h*Z_r*k_r4;
+        }
+        u4 theta_r {
+            _ => h*Z_r*k_r4;
+        }
+        u4 u4 {
+            _ => -k_r4 - k_s4;
+        }
+        u4 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u4 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r4_mid - I_p*alpha_M/r_p;
+        }
+        u4 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r4_mid;
+        }
+        u4 u4_dot {
+            damping => -beta_K*k_r4_mid - beta_K*k_s4_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u5 theta {
+            moving_phase => dk_r5*delta_r5 - dk_s5*u5;
+        }
+        u5 theta_c {
+            _ => -h*Z_r*k_r5;
+        }
+        u5 theta_r {
+            _ => h*Z_r*k_r5;
+        }
+        u5 u5 {
+            _ => -k_r5 - k_s5;
+        }
+        u5 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u5 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r5_mid - I_p*alpha_M/r_p;
+        }
+        u5 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r5_mid;
+        }
+        u5 u5_dot {
+            damping => -beta_K*k_r5_mid - beta_K*k_s5_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u6 theta {
+            moving_phase => dk_r6*delta_r6 - dk_s6*u6;
+        }
+        u6 theta_c {
+            _ => -h*Z_r*k_r6;
+        }
+        u6 theta_r {
+            _ => h*Z_r*k_r6;
+        }
+        u6 u6 {
+            _ => -k_r6 - k_s6;
+        }
+        u6 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u6 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r6_mid - I_p*alpha_M/r_p;
+        }
+        u6 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r6_mid;
+        }
+        u6 u6_dot {
+            damping => -beta_K*k_r6_mid - beta_K*k_s6_mid - I_p*alpha_M/r_p.powi(2);
+        }
+        u7 theta {
+            moving_phase => dk_r7*delta_r7 - dk_s7*u7;
+        }
+        u7 theta_c {
+            _ => -h*Z_r*k_r7;
+        }
+        u7 theta_r {
+            _ => h*Z_r*k_r7;
+        }
+        u7 u7 {
+            _ => -k_r7 - k_s7;
+        }
+        u7 theta_dot {
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u7 theta_c_dot {
+            damping => -h*Z_r*beta_K*k_r7_mid - I_p*alpha_M/r_p;
+        }
+        u7 theta_r_dot {
+            damping => h*Z_r*beta_K*k_r7_mid;
+        }
+        u7 u7_dot {
+            damping => -beta_K*k_r7_mid - beta_K*k_s7_mid - I_p*alpha_M/r_p.powi(2);
+        }
+    }
+    cell {
+        stiffness {
+            theta_c theta_c {
+                _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4 + h.powi(2)*Z_r.powi(2)*k_r5 + h.powi(2)*Z_r.powi(2)*k_r6 + h.powi(2)*Z_r.powi(2)*k_r7;
+            }
+            theta_c theta_r {
+                _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4 - h.powi(2)*Z_r.powi(2)*k_r5 - h.powi(2)*Z_r.powi(2)*k_r6 - h.powi(2)*Z_r.powi(2)*k_r7;
+            }
+            theta_c u1 {
+                _ => h*Z_r*k_r1;
+            }
+            theta_c u2 {
+                _ => h*Z_r*k_r2;
+            }
+            theta_c u3 {
+                _ => h*Z_r*k_r3;
+            }
+            theta_c u4 {
+                _ => h*Z_r*k_r4;
+            }
+            theta_c u5 {
+                _ => h*Z_r*k_r5;
+            }
+            theta_c u6 {
+                _ => h*Z_r*k_r6;
+            }
+            theta_c u7 {
+                _ => h*Z_r*k_r7;
+            }
+            theta_r theta_r {
+                _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4 + h.powi(2)*Z_r.powi(2)*k_r5 + h.powi(2)*Z_r.powi(2)*k_r6 + h.powi(2)*Z_r.powi(2)*k_r7;
+            }
+            theta_r u1 {
+                _ => -h*Z_r*k_r1;
+            }
+            theta_r u2 {
+                _ => -h*Z_r*k_r2;
+            }
+            theta_r u3 {
+                _ => -h*Z_r*k_r3;
+            }
+            theta_r u4 {
+                _ => -h*Z_r*k_r4;
+            }
+            theta_r u5 {
+                _ => -h*Z_r*k_r5;
+            }
+            theta_r u6 {
+                _ => -h*Z_r*k_r6;
+            }
+            theta_r u7 {
+                _ => -h*Z_r*k_r7;
+            }
+            u1 u1 {
+                _ => k_r1 + k_s1;
+            }
+            u2 u2 {
+                _ => k_r2 + k_s2;
+            }
+            u3 u3 {
+                _ => k_r3 + k_s3;
+            }
+            u4 u4 {
+                _ => k_r4 + k_s4;
+            }
+            u5 u5 {
+                _ => k_r5 + k_s5;
+            }
+            u6 u6 {
+                _ => k_r6 + k_s6;
+            }
+            u7 u7 {
+                _ => k_r7 + k_s7;
+            }
+        }
+        damping {
+            theta theta {
+                damping => I_c*alpha_M/Z_r.powi(2) - 14.0*h*I_p*alpha_M/(r_p*Z_r) + 7.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2) + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 7.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 7.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
+            }
+            theta theta_c {
+                damping => I_c*alpha_M/Z_r - 7.0*h*I_p*alpha_M/r_p + 7.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s + 7.0*a.powi(2)*alpha_M*m_p/Z_r;
+            }
+            theta u1 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u2 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u3 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u4 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u5 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u6 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta u7 {
+                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
+            }
+            theta_c theta_c {
+                damping => I_c*alpha_M + 7.0*I_p*alpha_M + I_s*alpha_M + 7.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+            }
+            theta_c theta_r {
+                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+            }
+            theta_c u1 {
+                damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u2 {
+                damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u3 {
+                damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u4 {
+                damping => h*Z_r*beta_K*k_r4_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u5 {
+                damping => h*Z_r*beta_K*k_r5_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u6 {
+                damping => h*Z_r*beta_K*k_r6_mid + I_p*alpha_M/r_p;
+            }
+            theta_c u7 {
+                damping => h*Z_r*beta_K*k_r7_mid + I_p*alpha_M/r_p;
+            }
+            theta_r theta_r {
+                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r6_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r7_mid;
+            }
+            theta_r u1 {
+                damping => -h*Z_r*beta_K*k_r1_mid;
+            }
+            theta_r u2 {
+                damping => -h*Z_r*beta_K*k_r2_mid;
+            }
+            theta_r u3 {
+                damping => -h*Z_r*beta_K*k_r3_mid;
+            }
+            theta_r u4 {
+                damping => -h*Z_r*beta_K*k_r4_mid;
+            }
+            theta_r u5 {
+                damping => -h*Z_r*beta_K*k_r5_mid;
+            }
+            theta_r u6 {
+                damping => -h*Z_r*beta_K*k_r6_mid;
+            }
+            theta_r u7 {
+                damping => -h*Z_r*beta_K*k_r7_mid;
+            }
+            u1 u1 {
+                damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u2 u2 {
+                damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u3 u3 {
+                damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u4 u4 {
+                damping => beta_K*k_r4_mid + beta_K*k_s4_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u5 u5 {
+                damping => beta_K*k_r5_mid + beta_K*k_s5_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u6 u6 {
+                damping => beta_K*k_r6_mid + beta_K*k_s6_mid + I_p*alpha_M/r_p.powi(2);
+            }
+            u7 u7 {
+                damping => beta_K*k_r7_mid + beta_K*k_s7_mid + I_p*alpha_M/r_p.powi(2);
+            }
+        }
+        load {
+            theta {
+                torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
+            }
+            theta_c {
+                torques => T_motor - T_load;
+            }
+        }
+    }
+    jump k_s1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s1*u1.powi(2)/2.0;
+        }
+    }
+    jump k_r1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r1*delta_r1.powi(2)/2.0;
+        }
+    }
+    jump k_s2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s2*u2.powi(2)/2.0;
+        }
+    }
+    jump k_r2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r2*delta_r2.powi(2)/2.0;
+        }
+    }
+    jump k_s3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s3*u3.powi(2)/2.0;
+        }
+    }
+    jump k_r3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r3*delta_r3.powi(2)/2.0;
+        }
+    }
+    jump k_s4 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s4*u4.powi(2)/2.0;
+        }
+    }
+    jump k_r4 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r4*delta_r4.powi(2)/2.0;
+        }
+    }
+    jump k_s5 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s5*u5.powi(2)/2.0;
+        }
+    }
+    jump k_r5 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r5*delta_r5.powi(2)/2.0;
+        }
+    }
+    jump k_s6 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s6*u6.powi(2)/2.0;
+        }
+    }
+    jump k_r6 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r6*delta_r6.powi(2)/2.0;
+        }
+    }
+    jump k_s7 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_s7*u7.powi(2)/2.0;
+        }
+    }
+    jump k_r7 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => dk_r7*delta_r7.powi(2)/2.0;
+        }
+    }
+
+    text {
+        "T = I_c*(theta_c_dot + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_r*theta_r_dot^2/2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + 7*a^2*m_p*(theta_c_dot + theta_dot/Z_r)^2/2";
+        "V = (k_r*theta_r^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_r4*delta_r4^2 + k_r5*delta_r5^2 + k_r6*delta_r6^2 + k_r7*delta_r7^2 + k_s1*u1^2 + k_s2*u2^2 + k_s3*u3^2 + k_s4*u4^2 + k_s5*u5^2 + k_s6*u6^2 + k_s7*u7^2)/2";
+        "D = I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_r*alpha_M*theta_r_dot^2/2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + beta_K*k_r*theta_r_dot^2/2 + beta_K*k_r1_mid*delta_r1_dot^2/2 + beta_K*k_r2_mid*delta_r2_dot^2/2 + beta_K*k_r3_mid*delta_r3_dot^2/2 + beta_K*k_r4_mid*delta_r4_dot^2/2 + beta_K*k_r5_mid*delta_r5_dot^2/2 + beta_K*k_r6_mid*delta_r6_dot^2/2 + beta_K*k_r7_mid*delta_r7_dot^2/2 + beta_K*k_s1_mid*u1_dot^2/2 + beta_K*k_s2_mid*u2_dot^2/2 + beta_K*k_s3_mid*u3_dot^2/2 + beta_K*k_s4_mid*u4_dot^2/2 + beta_K*k_s5_mid*u5_dot^2/2 + beta_K*k_s6_mid*u6_dot^2/2 + beta_K*k_s7_mid*u7_dot^2/2 + 7*a^2*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r)^2/2 [damping]";
+        "Q_theta = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques]";
+        "Q_theta_c = T_motor - T_load [torques]";
+        "Q_theta_r = 0";
+        "Q_u1 = 0";
+        "Q_u2 = 0";
+        "Q_u3 = 0";
+        "Q_u4 = 0";
+        "Q_u5 = 0";
+        "Q_u6 = 0";
+        "Q_u7 = 0";
+        "cos_a = cos(alpha)";
+        "sin_a = sin(alpha)";
+        "h = r_s/Z_s";
+        "r_p = (h*Z_r - h*Z_s)/2";
+        "a = (h*Z_r/cos_a + h*Z_s/cos_a)/2";
+        "delta_r1 = h*Z_r*theta_r - u1 - h*Z_r*theta_c";
+        "delta_r2 = h*Z_r*theta_r - u2 - h*Z_r*theta_c";
+        "delta_r3 = h*Z_r*theta_r - u3 - h*Z_r*theta_c";
+        "delta_r4 = h*Z_r*theta_r - u4 - h*Z_r*theta_c";
+        "delta_r5 = h*Z_r*theta_r - u5 - h*Z_r*theta_c";
+        "delta_r6 = h*Z_r*theta_r - u6 - h*Z_r*theta_c";
+        "delta_r7 = h*Z_r*theta_r - u7 - h*Z_r*theta_c";
+        "(I_c/Z_r^2 - 14*h*I_p/(r_p*Z_r) + 7*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 7*a^2*m_p/Z_r^2 + 7*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 7*h*I_p/r_p + 7*I_p/Z_r + I_s/Z_r + I_s/Z_s + 7*a^2*m_p/Z_r) theta_c'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u6'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u7'' = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + h*I_p*alpha_M*u6_dot/r_p^2 + h*I_p*alpha_M*u7_dot/r_p^2 + 7*h*I_p*alpha_M*theta_c_dot/r_p + 14*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 7*I_p*alpha_M*theta_dot/Z_r^2 - 7*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 7*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 7*a^2*alpha_M*m_p*theta_c_dot/Z_r - 7*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) - I_p*alpha_M*u6_dot/(r_p*Z_r) - I_p*alpha_M*u7_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_r6*delta_r6^2 - dk_r7*delta_r7^2 - dk_s1*u1^2 - dk_s2*u2^2 - dk_s3*u3^2 - dk_s4*u4^2 - dk_s5*u5^2 - dk_s6*u6^2 - dk_s7*u7^2)/2 [jump terms]";
+        "(I_c/Z_r - 7*h*I_p/r_p + 7*I_p/Z_r + I_s/Z_r + I_s/Z_s + 7*a^2*m_p/Z_r) theta'' + (I_c + 7*I_p + I_s + 7*a^2*m_p) theta_c'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' + (I_p/r_p) u4'' + (I_p/r_p) u5'' + (I_p/r_p) u6'' + (I_p/r_p) u7'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5 + h*Z_r*k_r6*delta_r6 + h*Z_r*k_r7*delta_r7 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot + h*Z_r*beta_K*k_r6_mid*delta_r6_dot + h*Z_r*beta_K*k_r7_mid*delta_r7_dot + 7*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 7*I_p*alpha_M*theta_c_dot - 7*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 7*a^2*alpha_M*m_p*theta_c_dot - 7*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p - I_p*alpha_M*u6_dot/r_p - I_p*alpha_M*u7_dot/r_p [damping]";
+        "(I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - h*Z_r*k_r6*delta_r6 - h*Z_r*k_r7*delta_r7 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - h*Z_r*beta_K*k_r6_mid*delta_r6_dot - h*Z_r*beta_K*k_r7_mid*delta_r7_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*u1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*u1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*u2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*u2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*u3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*u3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u4'' = k_r4*delta_r4 - k_s4*u4 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r4_mid*delta_r4_dot - beta_K*k_s4_mid*u4_dot - I_p*alpha_M*u4_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u5'' = k_r5*delta_r5 - k_s5*u5 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r5_mid*delta_r5_dot - beta_K*k_s5_mid*u5_dot - I_p*alpha_M*u5_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u6'' = k_r6*delta_r6 - k_s6*u6 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r6_mid*delta_r6_dot - beta_K*k_s6_mid*u6_dot - I_p*alpha_M*u6_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u7'' = k_r7*delta_r7 - k_s7*u7 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r7_mid*delta_r7_dot - beta_K*k_s7_mid*u7_dot - I_p*alpha_M*u7_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
+        "at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*u1^2/2)";
+        "at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)";
+        "at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*u2^2/2)";
+        "at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)";
+        "at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*u3^2/2)";
+        "at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)";
+        "at a step dk_s4 of k_s4 in theta: v+^2 = v-^2 - 2*G*(dk_s4*u4^2/2)";
+        "at a step dk_r4 of k_r4 in theta: v+^2 = v-^2 - 2*G*(dk_r4*delta_r4^2/2)";
+        "at a step dk_s5 of k_s5 in theta: v+^2 = v-^2 - 2*G*(dk_s5*u5^2/2)";
+        "at a step dk_r5 of k_r5 in theta: v+^2 = v-^2 - 2*G*(dk_r5*delta_r5^2/2)";
+        "at a step dk_s6 of k_s6 in theta: v+^2 = v-^2 - 2*G*(dk_s6*u6^2/2)";
+        "at a step dk_r6 of k_r6 in theta: v+^2 = v-^2 - 2*G*(dk_r6*delta_r6^2/2)";
+        "at a step dk_s7 of k_s7 in theta: v+^2 = v-^2 - 2*G*(dk_s7*u7^2/2)";
+        "at a step dk_r7 of k_r7 in theta: v+^2 = v-^2 - 2*G*(dk_r7*delta_r7^2/2)";
+        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
+    }
+    latex {
+        "T = \\frac{I_{c}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{4}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{5}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{6}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{7}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{r}\\, \\dot{\\theta_{r}}^{2}}{2} + \\frac{I_{s}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2}}{2} + \\frac{7\\, a^{2}\\, m_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2}";
+        "V = \\frac{1}{2} (k_{r}\\, \\theta_{r}^{2} + k_{r1}\\, \\delta_{r1}^{2} + k_{r2}\\, \\delta_{r2}^{2} + k_{r3}\\, \\delta_{r3}^{2} + k_{r4}\\, \\delta_{r4}^{2} + k_{r5}\\, \\delta_{r5}^{2} + k_{r6}\\, \\delta_{r6}^{2} + k_{r7}\\, \\delta_{r7}^{2} + k_{s1}\\, u_{1}^{2} + k_{s2}\\, u_{2}^{2} + k_{s3}\\, u_{3}^{2} + k_{s4}\\, u_{4}^{2} + k_{s5}\\, u_{5}^{2} + k_{s6}\\, u_{6}^{2} + k_{s7}\\, u_{7}^{2})";
+        "D = \\frac{I_{c}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{4}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{5}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{6}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{7}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{r}\\, \\alpha_{M}\\, \\dot{\\theta_{r}}^{2}}{2} + \\frac{I_{s}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2}}{2} + \\frac{\\beta_{K}\\, k_{r}\\, \\dot{\\theta_{r}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r5}}\\, \\dot{\\delta_{r5}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r6}}\\, \\dot{\\delta_{r6}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r7}}\\, \\dot{\\delta_{r7}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{u_{1}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{u_{2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{u_{3}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s4}}\\, \\dot{u_{4}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s5}}\\, \\dot{u_{5}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s6}}\\, \\dot{u_{6}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s7}}\\, \\dot{u_{7}}^{2}}{2} + \\frac{7\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2}\\ [\\text{damping}]";
+        "Q_{\\theta} = \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}]";
+        "Q_{\\theta_{c}} = T_{motor} - T_{load}\\ [\\text{torques}]";
+        "Q_{\\theta_{r}} = 0";
+        "Q_{u_{1}} = 0";
+        "Q_{u_{2}} = 0";
+        "Q_{u_{3}} = 0";
+        "Q_{u_{4}} = 0";
+        "Q_{u_{5}} = 0";
+        "Q_{u_{6}} = 0";
+        "Q_{u_{7}} = 0";
+        "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
+        "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
+        "h = \\frac{r_{s}}{Z_{s}}";
+        "r_{p} = \\frac{1}{2} (h\\, Z_{r} - h\\, Z_{s})";
+        "a = \\frac{1}{2} (\\frac{h\\, Z_{r}}{\\mathrm{cos}_{a}} + \\frac{h\\, Z_{s}}{\\mathrm{cos}_{a}})";
+        "\\delta_{r1} = h\\, Z_{r}\\, \\theta_{r} - u_{1} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r2} = h\\, Z_{r}\\, \\theta_{r} - u_{2} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r3} = h\\, Z_{r}\\, \\theta_{r} - u_{3} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r4} = h\\, Z_{r}\\, \\theta_{r} - u_{4} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r5} = h\\, Z_{r}\\, \\theta_{r} - u_{5} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r6} = h\\, Z_{r}\\, \\theta_{r} - u_{6} - h\\, Z_{r}\\, \\theta_{c}";
+        "\\delta_{r7} = h\\, Z_{r}\\, \\theta_{r} - u_{7} - h\\, Z_{r}\\, \\theta_{c}";
+        "(\\frac{I_{c}}{Z_{r}^{2}} - \\frac{14\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{7\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{7\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{7\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{c}}{Z_{r}} - \\frac{7\\, h\\, I_{p}}{r_{p}} + \\frac{7\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{7\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{4}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{5}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{6}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{7}} = \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{6}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{7}}}{r_{p}^{2}} + \\frac{7\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{14\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{7\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{7\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{7\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{7\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{7\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{6}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{7}}}{r_{p}\\, Z_{r}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{r4}'\\, \\delta_{r4}^{2} - k_{r5}'\\, \\delta_{r5}^{2} - k_{r6}'\\, \\delta_{r6}^{2} - k_{r7}'\\, \\delta_{r7}^{2} - k_{s1}'\\, u_{1}^{2} - k_{s2}'\\, u_{2}^{2} - k_{s3}'\\, u_{3}^{2} - k_{s4}'\\, u_{4}^{2} - k_{s5}'\\, u_{5}^{2} - k_{s6}'\\, u_{6}^{2} - k_{s7}'\\, u_{7}^{2})\\ [\\text{jump terms}]";
+        "(\\frac{I_{c}}{Z_{r}} - \\frac{7\\, h\\, I_{p}}{r_{p}} + \\frac{7\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{7\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (I_{c} + 7\\, I_{p} + I_{s} + 7\\, a^{2}\\, m_{p}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{1}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{2}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{3}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{4}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{5}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{6}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{7}} = h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} + h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} + h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} + h\\, Z_{r}\\, k_{r4}\\, \\delta_{r4} + h\\, Z_{r}\\, k_{r5}\\, \\delta_{r5} + h\\, Z_{r}\\, k_{r6}\\, \\delta_{r6} + h\\, Z_{r}\\, k_{r7}\\, \\delta_{r7} + T_{motor} - T_{load}\\ [\\text{torques}] + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r5}}\\, \\dot{\\delta_{r5}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r6}}\\, \\dot{\\delta_{r6}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r7}}\\, \\dot{\\delta_{r7}} + \\frac{7\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}} - I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - 7\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{7\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}} - 7\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{7\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{6}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{7}}}{r_{p}}\\ [\\text{damping}]";
+        "(I_{r}) \\ddot{\\theta_{r}} = -h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} - h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} - h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} - h\\, Z_{r}\\, k_{r4}\\, \\delta_{r4} - h\\, Z_{r}\\, k_{r5}\\, \\delta_{r5} - h\\, Z_{r}\\, k_{r6}\\, \\delta_{r6} - h\\, Z_{r}\\, k_{r7}\\, \\delta_{r7} - k_{r}\\, \\theta_{r} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r5}}\\, \\dot{\\delta_{r5}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r6}}\\, \\dot{\\delta_{r6}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r7}}\\, \\dot{\\delta_{r7}} - I_{r}\\, \\alpha_{M}\\, \\dot{\\theta_{r}} - \\beta_{K}\\, k_{r}\\, \\dot{\\theta_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} = k_{r1}\\, \\delta_{r1} - k_{s1}\\, u_{1} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{u_{1}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} = k_{r2}\\, \\delta_{r2} - k_{s2}\\, u_{2} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{u_{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = k_{r3}\\, \\delta_{r3} - k_{s3}\\, u_{3} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{u_{3}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{4}} = k_{r4}\\, \\delta_{r4} - k_{s4}\\, u_{4} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} - \\beta_{K}\\, \\bar{k_{s4}}\\, \\dot{u_{4}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{5}} = k_{r5}\\, \\delta_{r5} - k_{s5}\\, u_{5} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r5}}\\, \\dot{\\delta_{r5}} - \\beta_{K}\\, \\bar{k_{s5}}\\, \\dot{u_{5}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{6}} = k_{r6}\\, \\delta_{r6} - k_{s6}\\, u_{6} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r6}}\\, \\dot{\\delta_{r6}} - \\beta_{K}\\, \\bar{k_{s6}}\\, \\dot{u_{6}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{6}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{7}} = k_{r7}\\, \\delta_{r7} - k_{s7}\\, u_{7} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r7}}\\, \\dot{\\delta_{r7}} - \\beta_{K}\\, \\bar{k_{s7}}\\, \\dot{u_{7}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{7}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
+    }
+}
