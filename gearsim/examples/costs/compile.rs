@@ -87,6 +87,7 @@ fn compile(file: &Path, item: &str) -> anyhow::Result<(f64, u64)> {
         "--cap-lints=allow",
     ]);
     rustc.arg("--extern").arg(format!("gearsim={}", library(release)?.display()));
+    rustc.arg("--extern").arg(format!("gearsim_macros={}", macros(release)?.display()));
     rustc.arg("-L").arg(format!("dependency={}", release.join("deps").display()));
     let output = rustc.arg("-o").arg(&object).arg(&source).output().context("cannot start rustc")?;
     if !output.status.success() {
@@ -101,6 +102,17 @@ fn library(release: &Path) -> anyhow::Result<PathBuf> {
         bail!("{} is not there: `cargo build --release -p gearsim --lib` builds it", library.display());
     }
     Ok(library)
+}
+
+/// The proc-macro of the library, the newest where there are several.
+fn macros(release: &Path) -> anyhow::Result<PathBuf> {
+    let ours = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("libgearsim_macros-") && path.extension().is_some_and(|e| e == std::env::consts::DLL_EXTENSION)
+    };
+    let files = std::fs::read_dir(release.join("deps"))?.filter_map(|entry| Some(entry.ok()?.path()));
+    let newest = files.filter(ours).max_by_key(|path| path.metadata().and_then(|m| m.modified()).ok());
+    newest.context("the proc-macro of the library is not where cargo builds it")
 }
 
 /// Processor time of all child processes so far [s].

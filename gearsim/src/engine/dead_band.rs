@@ -75,6 +75,8 @@ pub struct DeadBand<const N: usize> {
     pub regime: Regime,
 }
 
+/// Roundings of its place by which a deflection must be beyond an edge, where it rattles there without passing time.
+const ROUNDINGS: f64 = 16.0;
 /// Law values of a dead band: touch, edge, damp, clip.
 pub const VALUES: usize = 4;
 /// Every regime, by its number.
@@ -203,7 +205,10 @@ impl<const N: usize> DeadBand<N> {
         // a x + b x' beyond the edge at `side`.
         let watch = |side: Side, a: f64, b: f64| {
             let (constant, slopes) = self.depth_along(side);
-            Watch::new(cell, a * constant, slopes * a, slopes * b)
+            let slack = a.abs() * ROUNDINGS * f64::EPSILON * (self.half + self.offset.abs());
+            let mut watch = Watch::new(cell, a * constant, slopes * a, slopes * b);
+            watch.slack = slack;
+            watch
         };
         let enter = |side| {
             let grip = if damper > 0.0 { Hit } else { Touch };

@@ -61,6 +61,8 @@ pub struct Simulation<'a, const N: usize> {
     pub laws: Vec<Law<N>>,
     /// Where the dead bands stand.
     pub bands: Vec<DeadBand<N>>,
+    /// When flanks last met or parted, and how often since without passing time.
+    rattle: (f64, u32),
     /// The law values now: of the laws, then touch, edge, damp, clip of each dead band of the model.
     k: Vec<f64>,
     /// Phases held at a step that they cannot climb.
@@ -143,6 +145,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             state,
             laws,
             bands,
+            rattle: (f64::NAN, 0),
             k,
             contact: None,
             compensated: None,

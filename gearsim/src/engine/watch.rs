@@ -18,6 +18,8 @@ pub struct Watch<const N: usize> {
     pub on_speed: SVector<f64, N>,
     /// Its value at rest where all coordinates are zero.
     pub constant: f64,
+    /// What it may be below zero where rounding decides.
+    pub slack: f64,
     /// The slopes along what the modes of a cell move, and along what speed they gain (N each).
     modal: (SVector<f64, N>, Option<SVector<f64, N>>),
 }
@@ -27,7 +29,7 @@ impl<const N: usize> Watch<N> {
     pub fn new(cell: &Cell<N>, constant: f64, on_q: SVector<f64, N>, on_speed: SVector<f64, N>) -> Self {
         let moves = on_speed.iter().any(|x| *x != 0.0);
         let modal = cell.follow(&on_q, moves.then_some(&on_speed));
-        Watch { on_q, on_speed, constant, modal }
+        Watch { on_q, on_speed, constant, slack: 0.0, modal }
     }
 
     /// Its value in a state.

@@ -111,16 +111,16 @@ impl<'a, const N: usize> Window<'a, N> {
         on_speed: &SVector<f64, N>,
         on_load: &SVector<f64, N>,
     ) -> [f64; TERMS] {
-        let speed = self.linear.shapes.tr_mul(on_speed);
-        let moved = self.along(on_q);
+        let [place, speed] = [on_q, on_speed].map(|on| self.linear.shapes.tr_mul(on));
         std::array::from_fn(|n| {
-            let rate = if n + 1 < TERMS && self.width > 0.0 {
-                speed.dot(&self.terms[n + 1]) * (n + 1) as f64 / self.width
-            } else {
-                0.0
+            let moved = place.component_mul(&self.terms[n]);
+            let rate = match n + 1 < TERMS && self.width > 0.0 {
+                true => speed.component_mul(&self.terms[n + 1]) * ((n + 1) as f64 / self.width),
+                false => SVector::zeros(),
             };
-            let load: f64 = self.units.iter().zip(&self.loads).map(|(unit, load)| on_load.dot(unit) * load[n]).sum();
-            moved[n] + rate + load
+            let loads = self.units.iter().zip(&self.loads).map(|(unit, load)| on_load.dot(unit) * load[n]);
+            let (load, size) = loads.fold((0.0, 0.0), |(sum, size): (f64, f64), x| (sum + x, size + x.abs()));
+            beyond_rounding(moved.sum() + rate.sum() + load, moved.abs().sum() + rate.abs().sum() + size)
         })
     }
 

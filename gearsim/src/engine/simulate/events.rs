@@ -99,6 +99,8 @@ impl<const N: usize> Simulation<'_, N> {
                 let free = |regime| regime == Regime::Free;
                 self.counts.impacts += u64::from(free(self.bands[band].regime) && !free(regime));
                 self.bands[band].regime = regime;
+                let now = self.clock.now();
+                self.rattle = if now == self.rattle.0 { (now, self.rattle.1 + 1) } else { (now, 0) };
                 self.change_cell()?;
                 // What is held now presses otherwise, or against nothing.
                 let held = self.contact.take().map_or(vec![], |contact| contact.laws);

@@ -140,8 +140,7 @@ impl<const N: usize> Simulation<'_, N> {
         let here = self.here();
         for (i, banded) in here.bands.iter().enumerate() {
             for (beyond, watch) in &banded.exits {
-                // Less than nothing is rounding: the value is not negative until the exit.
-                let value = watch.value(&self.state).max(0.0);
+                let value = self.left_to(watch);
                 let zero = watch.first_zero_in(value, &SVector::zeros(), &window, &mut cost);
                 if let Some(root) = zero.filter(|root| met.is_none() || *root < x) {
                     (x, met) = (root, Some(End::Flank(i, *beyond)));

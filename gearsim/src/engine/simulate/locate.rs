@@ -6,8 +6,12 @@ use crate::engine::crossing::{Cost, Lateness, Lost, Search};
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
 use crate::engine::signal::Signal;
+use crate::engine::watch::Watch;
 
 use super::{End, Simulation};
+
+/// Events of flanks at one time that are more than contacts and grips that change together.
+const RATTLES: u32 = 16;
 
 impl<const N: usize> Simulation<'_, N> {
     /// The cell of the pitch, and how late the phase was when it was last there.
@@ -89,8 +93,7 @@ impl<const N: usize> Simulation<'_, N> {
         for (i, banded) in here.bands.iter().enumerate() {
             for (beyond, watch) in &banded.exits {
                 let mut trial = flight.begin();
-                // Less than nothing is rounding: the value is not negative until the exit.
-                let value = watch.value(&self.state).max(0.0);
+                let value = self.left_to(watch);
                 if watch.first_zero(value, flight, horizon, &mut trial, cost)? {
                     (horizon, end) = (trial.t, End::Flank(i, *beyond));
                     *point = trial;
@@ -102,6 +105,15 @@ impl<const N: usize> Simulation<'_, N> {
             end = ending.map_or(end, |(law, ending)| End::Hold(law, ending));
         }
         Ok(end)
+    }
+
+    /// What is left of a watch. Less than nothing is rounding: the value is not negative until the exit.
+    ///
+    /// A train that starts from rest moves at first by less than the roundings of its state. Where these have flanks meet
+    /// and part again and again without passing time, they do so only once they are beyond by more than that.
+    pub(super) fn left_to(&self, watch: &Watch<N>) -> f64 {
+        let slack = if self.rattle.1 >= RATTLES { watch.slack } else { 0.0 };
+        watch.value(&self.state).max(0.0) + slack
     }
 
     /// Why a search without an answer ends the run.
