@@ -7,13 +7,13 @@ use gearsim::engine::dead_band::{Grip, Regime};
 use gearsim::engine::outcome::equations;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair;
-use gearsim::scene::{Effects, Precision, Scene, solver::Method};
-use gearsim::trajectory::{Moment, Trajectory};
+use gearsim::scene::{Effects, Precision, Scene};
 
 use crate::case::{Case, NONE, WRONG, count, largest};
 use crate::common;
 use crate::models::residual;
 use crate::noise::Noise;
+use crate::rattle::{apart_by_steps, before, constants, rattling, rk4};
 
 pub const CASES: &[Case] = &[
     Case {
@@ -153,18 +153,6 @@ fn published(_: &mut String) -> f64 {
     largest(states.chain(times).map(f64::abs))
 }
 
-/// Rows of the left limits at events.
-fn before(run: &Trajectory) -> impl Iterator<Item = usize> + '_ {
-    (0..run.len()).filter(|&i| run.moment[i] == Moment::Before)
-}
-
-/// M1, M2 and C of the gear pair of the paper.
-pub fn constants(zeta: f64) -> (f64, f64, f64) {
-    let (a, b) = (24f64.powi(2) / 2890e-6, 96f64.powi(2) / 740200e-6);
-    let m2 = (a + b) / 2.0;
-    ((a - b) / 2.0, m2, 2.0 * zeta * ((1430.0 + 2780.0) / 2.0 / m2).sqrt())
-}
-
 fn let_go(_: &mut String) -> f64 {
     let (zeta, half, t0) = (0.1, 0.01, 5.0);
     let (_, m2, c) = constants(zeta);
@@ -228,23 +216,6 @@ fn held(_: &mut String) -> f64 {
         return f64::INFINITY;
     }
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
-}
-
-/// A gear pair that rattles: light load, little damping, strong kicks; with `more` overrides.
-pub fn rattling(noise: &mut Noise, more: &[String]) -> Scene {
-    let play = noise.power(-3.0, -1.5);
-    let own = [
-        format!("parameters.zeta={:?}", 0.2 * noise.unit()),
-        format!("parameters.T0={:?} N*m", noise.power(-1.0, 2.0)),
-        format!("parameters.b={play:?} rad"),
-        format!("start.theta={:?} rad", noise.unit()),
-        format!("start.phi={:?} rad", play * noise.even()),
-        format!("start.phi_dot={:?} rad/s", noise.power(0.0, 2.0)),
-        format!("start.speed={:?} rad/s", noise.power(0.5, 2.5)),
-        "run.t_end=20 ms".into(),
-        "output.rate=\"1 kHz\"".into(),
-    ];
-    common::scene("backlash", &[&own[..], more].concat())
 }
 
 fn pulls(note: &mut String) -> f64 {
@@ -318,17 +289,7 @@ fn integrated(_: &mut String) -> f64 {
         let force = if x > 0.0 { k * x + (c * v * phi.signum()).clamp(-k * x, k * x) } else { 0.0 };
         [v, m2 * (t0 - force * phi.signum())]
     };
-    let steps = 4_000_000;
-    let h = t_end / f64::from(steps);
-    let mut y = [run.q[1][0], run.q_dot[1][0]];
-    for _ in 0..steps {
-        let go = |y: [f64; 2], k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
-        let k1 = rate(y);
-        let k2 = rate(go(y, k1, h / 2.0));
-        let k3 = rate(go(y, k2, h / 2.0));
-        let k4 = rate(go(y, k3, h));
-        y = [0, 1].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
-    }
+    let y = rk4(rate, [run.q[1][0], run.q_dot[1][0]], t_end, 4_000_000);
     let last = run.len() - 1;
     largest([(run.q[1][last] - y[0]).abs() / (2.0 * half), (run.q_dot[1][last] - y[1]).abs() / 150.0])
 }
@@ -367,30 +328,7 @@ fn mirrored(note: &mut String) -> f64 {
 
 fn by_steps(note: &mut String) -> f64 {
     let mut noise = Noise::new(1104);
-    let mut impacts = 0;
-    let worst = (0..20).map(|_| {
-        let mut scene = rattling(&mut noise, &[]);
-        scene.t_end = 4e-3;
-        let exact = common::run(&scene);
-        scene.solver.method = Some(Method::Dop853);
-        scene.solver.tolerance = 1e-13;
-        let steps = common::run(&scene);
-        impacts += exact.counts.impacts;
-        if (exact.counts.impacts, exact.counts.reflections) != (steps.counts.impacts, steps.counts.reflections) {
-            return f64::INFINITY;
-        }
-        let end = |run: &Trajectory, i: usize| (run.q[i][run.len() - 1], run.q_dot[i][run.len() - 1]);
-        let size = |x: &[f64]| largest(x.iter().map(|x| x.abs()));
-        let (a, b) = (&exact.trajectory, &steps.trajectory);
-        let errors = [0, 1].map(|i| {
-            let ((q, v), (r, w)) = (end(a, i), end(b, i));
-            largest([(q - r).abs() / size(&a.q[i]), (v - w).abs() / size(&a.q_dot[i])])
-        });
-        largest(errors.into_iter().chain([residual(&steps)]))
-    });
-    let worst = largest(worst);
-    *note = format!("20 scenes, {impacts} impacts");
-    worst
+    apart_by_steps((0..20).map(|_| rattling(&mut noise, &[])), note)
 }
 
 fn refused(_: &mut String) -> f64 {

@@ -4,15 +4,13 @@ use std::f64::consts::{PI, TAU};
 
 use gearsim::engine::Outcome;
 use gearsim::scene::Scene;
-use gearsim::scene::solver::Method;
-use gearsim::trajectory::{Moment, Trajectory};
 
-use crate::backlash::{constants, rattling};
 use crate::case::{Case, largest};
 use crate::common;
 use crate::contact::K;
 use crate::models::{end, residual};
 use crate::noise::Noise;
+use crate::rattle::{apart_by_steps, before, constants, rattling, rk4};
 
 pub const CASES: &[Case] = &[
     Case {
@@ -93,18 +91,13 @@ fn pair(t0: f64, errors: [f64; 2], theta: [f64; 2], phi: [f64; 2], t_end: f64) -
     ))
 }
 
-/// Rows of the left limits at events.
-fn before(run: &Trajectory) -> Vec<usize> {
-    (0..run.len()).filter(|&i| run.moment[i] == Moment::Before).collect()
-}
-
 /// The edge rises by 4e-3 above a contact of depth x: v+² = v² + M2 k x².
 fn parted() -> f64 {
     let (m1, m2, _) = constants(0.0);
     let (t0, error, v) = (20.0, 4e-3, 300.0);
     let outcome = pair(t0, [0.0, error], [TAU - 1e-7, v], [HALF + 2e-3, 0.0], 2e-3);
     let run = &outcome.trajectory;
-    let [step, edge, ..] = before(run)[..] else { return f64::INFINITY };
+    let [step, edge, ..] = before(run).collect::<Vec<_>>()[..] else { return f64::INFINITY };
     let (x, v) = (run.q[1][step] - HALF, run.q_dot[0][step]);
     let after = (v * v + m2 * K * x * x).sqrt();
     let kick = m1 / m2 * (after - v);
@@ -201,28 +194,7 @@ fn accounted(note: &mut String) -> f64 {
 
 fn by_steps(note: &mut String) -> f64 {
     let mut noise = Noise::new(1106);
-    let mut impacts = 0;
-    let worst = (0..20).map(|_| {
-        let mut scene = uneven(&mut noise);
-        scene.t_end = 4e-3;
-        let exact = common::run(&scene);
-        scene.solver.method = Some(Method::Dop853);
-        scene.solver.tolerance = 1e-13;
-        let steps = common::run(&scene);
-        impacts += exact.counts.impacts;
-        if (exact.counts.impacts, exact.counts.reflections) != (steps.counts.impacts, steps.counts.reflections) {
-            return f64::INFINITY;
-        }
-        let (a, b) = (end(&exact), end(&steps));
-        let size = |x: &[f64]| largest(x.iter().map(|x| x.abs()));
-        let t = &exact.trajectory;
-        let off =
-            |i: usize| largest([(a.0[i] - b.0[i]).abs() / size(&t.q[i]), (a.1[i] - b.1[i]).abs() / size(&t.q_dot[i])]);
-        largest([off(0), off(1), residual(&steps)])
-    });
-    let worst = largest(worst);
-    *note = format!("20 scenes, {impacts} impacts");
-    worst
+    apart_by_steps((0..20).map(|_| uneven(&mut noise)), note)
 }
 
 fn waves(note: &mut String) -> f64 {
@@ -254,17 +226,7 @@ fn waves(note: &mut String) -> f64 {
         let (push, force) = (spring * slope, spring + damper);
         [theta_dot, v, m1 * (t0 - force) + m2 * push, m2 * (t0 - force) + m1 * push]
     };
-    let steps = 2_000_000;
-    let h = t_end / f64::from(steps);
-    let mut y = [0.0, 0.0, 3000.0, -150.0];
-    for _ in 0..steps {
-        let go = |y: [f64; 4], k: [f64; 4], h: f64| -> [f64; 4] { std::array::from_fn(|i| y[i] + h * k[i]) };
-        let k1 = rate(y);
-        let k2 = rate(go(y, k1, h / 2.0));
-        let k3 = rate(go(y, k2, h / 2.0));
-        let k4 = rate(go(y, k3, h));
-        y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
-    }
+    let y = rk4(rate, [0.0, 0.0, 3000.0, -150.0], t_end, 2_000_000);
     let (q, v) = end(&outcome);
     let theta = (q[0] - y[0] + PI).rem_euclid(TAU) - PI;
     largest([theta.abs() / TAU, (q[1] - y[1]).abs() / (2.0 * half), (v[1] - y[3]).abs() / 150.0, residual(&outcome)])

@@ -13,6 +13,7 @@ mod linear;
 mod models;
 mod noise;
 mod pair;
+mod rattle;
 mod table;
 
 mod absent;
