@@ -1,145 +1,11 @@
 //! A model in the making: coordinates, parameters, laws, effects and the energies T, V, D, Q.
 
-use symbolica::atom::Atom;
+mod parts;
 
 use crate::expr::{Expr, Kind, speed_name};
 
-/// Where a coordinate starts unless a scene says otherwise.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
-    /// At this value [SI].
-    At(f64),
-    /// Where the forces on it balance.
-    Static,
-}
-
-/// Admissible values of a parameter [SI].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Range {
-    /// Any number.
-    Any,
-    /// Greater than zero.
-    Positive,
-    /// Zero or greater.
-    NotNegative,
-}
-
-pub(crate) struct Coordinate {
-    pub name: String,
-    pub unit: String,
-    pub start: Start,
-    pub doc: String,
-}
-
-pub(crate) struct Parameter {
-    pub name: String,
-    pub unit: String,
-    pub default: Option<f64>,
-    /// The effect in whose closure it was declared, which alone needs it.
-    pub with: Option<String>,
-    pub range: Range,
-    pub doc: String,
-}
-
-pub(crate) struct Law {
-    pub name: String,
-    pub unit: String,
-    pub phase: Expr,
-    pub period: f64,
-    /// Without this effect it is zero. `None`: a stiffness, which is always there.
-    pub with: Option<String>,
-    pub role: Role,
-    pub doc: String,
-}
-
-/// What a law says of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// Stiffness, never negative.
-    Stiffness,
-    /// Transmission error: an offset of deflections, of any sign.
-    Error,
-    /// Friction, of any sign or never negative: a factor of torques.
-    Friction(Friction),
-}
-
-/// What a law of friction says of the pairs of teeth in contact, the pair i with the share s_i of the force at the place xi_i
-/// along the line of action, from the pitch point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Friction {
-    /// sum s_i sgn(xi_i): which side of the pitch point bears the force. Of any sign.
-    Side,
-    /// sum s_i |xi_i|: the arm of the friction about it. Never negative.
-    Arm,
-}
-
-impl Law {
-    /// What its value is in expressions.
-    pub fn kind(&self) -> Kind {
-        match self.role {
-            Role::Stiffness => Kind::Law,
-            Role::Error => Kind::Error,
-            Role::Friction(_) => Kind::Friction,
-        }
-    }
-}
-
-pub(crate) struct Deflection {
-    pub name: String,
-    pub value: Expr,
-}
-
-/// V and D of a spring with play, by its cells: touch, damp, clip and the edge are constants of a cell.
-pub(crate) struct DeadBand {
-    /// The deflection beyond the band.
-    pub over: String,
-    pub touch: String,
-    pub edge: String,
-    pub damp: String,
-    pub clip: String,
-    pub unit: String,
-    /// Half its width.
-    pub half: Expr,
-    /// Without this effect the band is not there: touch = damp = 1, edge = clip = 0.
-    pub effect: String,
-    pub doc: String,
-}
-
-impl DeadBand {
-    /// Its symbols besides the deflection.
-    pub fn symbols(&self) -> [(Kind, String); 4] {
-        [(Kind::Touch, &self.touch), (Kind::Edge, &self.edge), (Kind::Damp, &self.damp), (Kind::Clip, &self.clip)]
-            .map(|(kind, name)| (kind, name.clone()))
-    }
-}
-
-pub(crate) struct Motion {
-    pub name: String,
-    pub unit: String,
-    pub speeds: Vec<(Expr, Expr)>,
-    pub doc: String,
-}
-
-pub(crate) struct Effect {
-    pub name: String,
-    pub requires: Vec<String>,
-    pub excludes: Vec<String>,
-    pub doc: String,
-}
-
-pub(crate) struct Torque {
-    pub name: String,
-    pub value: Expr,
-    pub through: Expr,
-    pub doc: String,
-}
-
-impl Torque {
-    /// Its power.
-    pub fn power(&self) -> Atom {
-        (self.value * self.through.dot()).atom()
-    }
-}
+pub(crate) use parts::{Coordinate, DeadBand, Deflection, Effect, Law, Motion, Parameter, Role, Torque};
+pub use parts::{Friction, Range, Start};
 
 /// A drivetrain, described by its energies.
 ///
@@ -275,13 +141,10 @@ impl Model {
     /// Dampers feel the rate of delta, not that of e, which a step would make infinite.
     pub fn transmission_error(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshError {
         self.declare_mesh_effects();
-        let effect = TRANSMISSION_ERROR.to_string();
-        if !self.effects.iter().any(|e| e.name == effect) {
-            let doc = "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-            let requires = vec![STIFFNESS_STEP.to_string()];
-            self.effects.push(Effect { name: effect.clone(), requires, excludes: vec![], doc: doc.into() });
-        }
-        let (with, role) = (Some(effect), Role::Error);
+        let says =
+            "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        self.declare(Effect::new(TRANSMISSION_ERROR, &[STIFFNESS_STEP], &[], says));
+        let (with, role) = (Some(TRANSMISSION_ERROR.into()), Role::Error);
         let law = Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: doc.into() };
         // Before those of friction, which a scene may have without it.
         let place = self.laws.iter().take_while(|law| !matches!(law.role, Role::Friction(_))).count();
@@ -295,11 +158,7 @@ impl Model {
         self.declare_mesh_effects();
         let doc = "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth \
                    passes the pitch point";
-        if !self.effects.iter().any(|e| e.name == SLIDING_FRICTION) {
-            let [requires, excludes] = [&[STIFFNESS_STEP][..], &["rigid_kinematics", "frozen_phase"]]
-                .map(|names| names.iter().map(|name| name.to_string()).collect());
-            self.effects.push(Effect { name: SLIDING_FRICTION.into(), requires, excludes, doc: doc.into() });
-        }
+        self.declare(Effect::new(SLIDING_FRICTION, &[STIFFNESS_STEP], &["rigid_kinematics", "frozen_phase"], doc));
         self.effect(SLIDING_FRICTION, doc, add);
     }
 
@@ -327,6 +186,13 @@ impl Model {
         }
     }
 
+    /// Adds an effect, if there is none of that name.
+    fn declare(&mut self, effect: Effect) {
+        if !self.effects.iter().any(|e| e.name == effect.name) {
+            self.effects.push(effect);
+        }
+    }
+
     /// A rigid motion by which a scene may state its start: the speeds (coordinate, speed per unit) of the train.
     pub fn motion(&mut self, name: &str, unit: &str, speeds: &[(Expr, Expr)], doc: &str) {
         self.motions.push(Motion { name: name.into(), unit: unit.into(), speeds: speeds.to_vec(), doc: doc.into() });
@@ -336,7 +202,7 @@ impl Model {
     /// one after another, each with the same `name` and `doc`.
     pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
         if !self.effects.iter().any(|e| e.name == name && e.doc == doc) {
-            self.effects.push(Effect { name: name.into(), requires: vec![], excludes: vec![], doc: doc.into() });
+            self.effects.push(Effect::new(name, &[], &[], doc));
         }
         let outer = self.within.replace(name.into());
         add(self);
@@ -473,27 +339,21 @@ pub(crate) const CONDITIONS: [(&str, &str); 2] =
     [(JUMP_TERMS, "stiffness_step, !rigid_kinematics, !frozen_phase"), (MOVING_PHASE, "stiffness_step, !frozen_phase")];
 
 fn mesh_effects() -> [Effect; 3] {
-    let effect = |name: &str, requires: &[&str], excludes: &[&str], doc: &str| Effect {
-        name: name.into(),
-        requires: requires.iter().map(|s| s.to_string()).collect(),
-        excludes: excludes.iter().map(|s| s.to_string()).collect(),
-        doc: doc.into(),
-    };
     [
-        effect(
+        Effect::new(
             STIFFNESS_STEP,
             &[],
             &[],
             "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; \
              without it the stiffness is constant at its mid value",
         ),
-        effect(
+        Effect::new(
             "rigid_kinematics",
             &[STIFFNESS_STEP],
             &["frozen_phase"],
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved",
         ),
-        effect(
+        Effect::new(
             "frozen_phase",
             &[STIFFNESS_STEP],
             &["rigid_kinematics"],
