@@ -10,7 +10,7 @@
 //! more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
 
 use super::energy::PairOfTeeth;
-use super::law::{Cell, Source, at_its_place, cells};
+use super::law::{Cell, Source, at_its_place, cells, curves};
 use super::pair::{Contact, GearError, Gears};
 use crate::scene::{Curve, Step, Stiffness};
 
@@ -23,8 +23,6 @@ pub enum Rubbing {
     Arm,
 }
 
-/// Cubic curves in a part of a cell; side and arm are then within 2e-5 of the sums, the arm in parts of a pitch.
-const PIECES: usize = 4;
 /// A pair that passes the pitch point within this part of a pitch from a boundary does so there.
 const NEAR: f64 = 1e-9;
 
@@ -103,21 +101,14 @@ impl Pairs {
         pairs().map(each).sum()
     }
 
-    /// The curves of a part, with their widths.
+    /// The curves of a part, with their widths: side and arm within 2e-5 of the sums, the arm in parts of a pitch.
     fn along(&self, what: Rubbing, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
         let value = |x: f64| scale * self.sum(what, part, x);
         if self.teeth.is_none() {
             let (a, b) = (value(part.begin), value(part.end));
             return vec![(Curve::Cubic([a, (b - a) / part.width, 0.0, 0.0]), part.width)];
         }
-        let (length, w) = ((part.end - part.begin) / PIECES as f64, part.width / PIECES as f64);
-        let h = 1e-4 * length;
-        let slope = |x: f64| (value(x + h) - value(x - h)) / (2.0 * h) * length / w;
-        let piece = |i: usize| {
-            let (a, b) = (part.begin + length * i as f64, part.begin + length * (i + 1) as f64);
-            (Curve::hermite([value(a), value(b)], [slope(a), slope(b)], w), w)
-        };
-        (0..PIECES).map(piece).collect()
+        curves(value, [part.begin, part.end], part.width)
     }
 }
 

@@ -115,25 +115,30 @@ fn along(pair: &PairOfTeeth, cell: &Cell, course: Course, period: f64, scale: f6
     let first = ((-pair.contact.approach - middle) / pitch).ceil() as i64;
     let k =
         |x: f64| (first..first + cell.pairs as i64).map(|j| pair.stiffness(x + j as f64 * pitch)).sum::<f64>() * scale;
-    let unit = period / pitch;
-    let (pieces, width) = match course {
-        Course::Curves => (PIECES, (cell.end - cell.begin) / PIECES as f64),
+    let width = (cell.end - cell.begin) * (period / pitch);
+    match course {
+        Course::Curves => curves(k, [cell.begin, cell.end], width),
         Course::Levels => {
             let h = (cell.end - cell.begin) / POINTS as f64;
             let weight = |i: usize| if i == 0 || i == POINTS { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
             let sum: f64 = (0..=POINTS).map(|i| weight(i) * k(cell.begin + h * i as f64)).sum();
             let mean = sum / (3.0 * POINTS as f64);
-            return vec![(Curve::Cubic([mean, 0.0, 0.0, 0.0]), (cell.end - cell.begin) * unit)];
+            vec![(Curve::Cubic([mean, 0.0, 0.0, 0.0]), width)]
         }
-    };
-    let h = 1e-4 * width;
-    let slope = |x: f64| (k(x + h) - k(x - h)) / (2.0 * h) / unit;
+    }
+}
+
+/// Cubic curves, with their widths, that follow `value` of a place along the path of contact [m] from the one end to the other, over a
+/// phase of `width`.
+pub(super) fn curves(value: impl Fn(f64) -> f64, [begin, end]: [f64; 2], width: f64) -> Vec<(Curve, f64)> {
+    let (length, w) = ((end - begin) / PIECES as f64, width / PIECES as f64);
+    let h = 1e-4 * length;
+    let slope = |x: f64| (value(x + h) - value(x - h)) / (2.0 * h) * length / w;
     let piece = |i: usize| {
-        let (a, b) = (cell.begin + width * i as f64, cell.begin + width * (i + 1) as f64);
-        let (ka, kb, da, db, w) = (k(a), k(b), slope(a), slope(b), width * unit);
-        (Curve::hermite([ka, kb], [da, db], w), w)
+        let (a, b) = (begin + length * i as f64, begin + length * (i + 1) as f64);
+        (Curve::hermite([value(a), value(b)], [slope(a), slope(b)], w), w)
     };
-    (0..pieces).map(piece).collect()
+    (0..PIECES).map(piece).collect()
 }
 
 #[cfg(test)]
