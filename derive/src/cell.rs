@@ -33,8 +33,8 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
     .flat_map(|(energy, e, by)| curved(e, by).into_iter().map(move |term| format!("{term} in the {energy}")))
     .collect();
     let mut nonlinear_with = vec![];
-    for torque in model.torques.iter().filter(|t| varies(&t.value.atom())) {
-        let value = torque.value.atom();
+    for torque in model.torques.iter().filter(|t| varies(&model.written_out(&t.value.atom()))) {
+        let value = model.written_out(&torque.value.atom());
         let value_text = print(&Tree::new(&all_present(&value)), Style::Plain);
         let text = format!("{value_text} in the torque `{}`", torque.name);
         match &markers(&value)[..] {
@@ -42,7 +42,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
             _ => culprits.push(text),
         }
     }
-    let constant = external(model, s, |torque| !varies(&torque.value.atom()));
+    let constant = external(model, s, |torque| !varies(&model.written_out(&torque.value.atom())));
     if !culprits.is_empty() {
         return Err(culprits);
     }

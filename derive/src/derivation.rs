@@ -14,7 +14,7 @@ use crate::{check, expr, file, markers, proof};
 pub struct Derivation<'a> {
     pub(crate) model: &'a Model,
     pub(crate) motion: Motion,
-    /// Derivatives of the accelerations (of the forces, where M was not inverted) by the states.
+    /// Derivatives of the forces by the states.
     pub(crate) jacobian: Vec<Vec<Atom>>,
     pub(crate) cell: Result<Cell, Vec<String>>,
     pub(crate) jumps: Vec<Jump>,
@@ -94,7 +94,7 @@ impl Derivation<'_> {
 
     fn in_parameters(&self, e: &Atom, absent: &[&str]) -> Expr {
         let s = Symbols::new(self.model);
-        let written_out = s.deflections.iter().fold(e.clone(), |e, d| {
+        let written_out = s.deflections.iter().fold(self.model.written_out(e), |e, d| {
             let e = e.replace(Atom::var(d.symbol).to_pattern()).with(d.of(&s.q).to_pattern());
             e.replace(Atom::var(d.rate_symbol).to_pattern()).with(d.rate(&s.v).to_pattern())
         });
@@ -119,7 +119,8 @@ impl Derivation<'_> {
         let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
         let moves = |e: &Atom| !s.by_coordinate(e, i).expand().is_zero();
         let m = &self.motion;
-        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().chain(&m.external).any(moves)
+        let external = m.external.iter().map(|force| self.model.written_out(force));
+        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves) && !external.into_iter().any(|q| moves(&q))
     }
 
     /// Effects and conditions in the order in which terms are printed.
@@ -134,9 +135,9 @@ impl Derivation<'_> {
 }
 
 fn jacobian(model: &Model, s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
-    let rows = motion.acceleration.as_ref().unwrap_or(&motion.force);
+    let rows = motion.force.iter().map(|row| model.written_out(row));
     let by_q = |row: &Atom, i| lagrange::gradient(model, s, row, i, MOVING_PHASE).expand();
     let by_v = |row: &Atom, i: usize| s.by_speed(row, i).expand();
     let n = s.q.len();
-    rows.iter().map(|row| (0..n).map(|i| by_q(row, i)).chain((0..n).map(|i| by_v(row, i))).collect()).collect()
+    rows.map(|row| (0..n).map(|i| by_q(&row, i)).chain((0..n).map(|i| by_v(&row, i))).collect()).collect()
 }

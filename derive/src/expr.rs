@@ -37,6 +37,8 @@ pub enum Kind {
     Curvature,
     /// Present value of a law of friction.
     Friction,
+    /// Named force, of which torques are made.
+    Force,
     /// Whether a dead band is in contact: 1, or 0.
     Touch,
     /// Whether its damper acts: 1, or 0.
@@ -59,7 +61,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 19] = [
+const KINDS: [(Kind, &str); 20] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -69,6 +71,7 @@ const KINDS: [(Kind, &str); 19] = [
     (Kind::Slope, "slope"),
     (Kind::Curvature, "curvature"),
     (Kind::Friction, "friction"),
+    (Kind::Force, "force"),
     (Kind::Touch, "touch"),
     (Kind::Damp, "damp"),
     (Kind::Clip, "clip"),
@@ -218,7 +221,7 @@ impl Expr {
     }
 }
 
-/// Whether the value of a torque is not constant: it depends on speeds, or is friction.
+/// Whether the value of a torque, its forces written out, is not constant: it depends on speeds, or is friction.
 pub(crate) fn varies(e: &Atom) -> bool {
     symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate | Kind::Friction))
 }

@@ -47,6 +47,9 @@ fn head(d: &Derivation, texts: &Texts, operations: &[(String, [usize; 3])]) -> S
     if !texts.deflections.is_empty() {
         section("Deflections", "text", &texts.deflections);
     }
+    if !texts.forces.is_empty() {
+        section("Forces", "text", &texts.forces);
+    }
     section("Equations of motion", "text", &texts.motion);
     if !texts.jump.is_empty() {
         let errors = m.laws.iter().any(|law| law.role == Role::Error);
@@ -96,6 +99,10 @@ fn body_operations(d: &Derivation) -> Vec<(String, [usize; 3])> {
     let mut rows = vec![];
     if !constants.is_empty() {
         rows.push(("constants (once a scene)".to_string(), count(&constants)));
+    }
+    let forces: Vec<Atom> = d.model.forces.iter().map(|force| force.value.atom()).collect();
+    if !forces.is_empty() {
+        rows.push(("named forces".into(), count(&forces)));
     }
     rows.push(("force".into(), count(&d.motion.force)));
     if let Some(a) = &d.motion.acceleration {
@@ -180,6 +187,15 @@ impl Block {
             }
             self.line(1, "}");
         }
+        if !m.forces.is_empty() {
+            self.line(1, "forces {");
+            for force in &m.forces {
+                let condition = force.with.as_deref().unwrap_or("_");
+                let value = print(&Tree::new(&force.value.atom()), Style::Rust);
+                self.line(2, &format!("{} {{ {condition} => {value}; }}", force.name));
+            }
+            self.line(1, "}");
+        }
         if !m.dead_bands.is_empty() {
             self.line(1, "dead_bands {");
             for DeadBand { over, touch, edge, damp, clip, unit, half, effect, doc } in &m.dead_bands {
@@ -198,7 +214,7 @@ impl Block {
         self.line(1, "torques {");
         for t in &m.torques {
             let title = format!("{} {:?}", t.name, t.doc);
-            if varies(&t.value.atom()) {
+            if varies(&m.written_out(&t.value.atom())) {
                 let power = as_written(&[t.power()], &d.order());
                 self.row(2, &title, &[]);
                 self.groups(2, "power", &power);
@@ -208,7 +224,7 @@ impl Block {
             }
         }
         self.line(1, "}");
-        let constant = lagrange::external(m, &s, |t| !varies(&t.value.atom()));
+        let constant = lagrange::external(m, &s, |t| !varies(&m.written_out(&t.value.atom())));
         self.vector("work", &names, &constant, &group);
         self.matrix("mass", &names, &motion.mass, &group, 1, true);
         if let Some(w) = &motion.mobility {
@@ -217,9 +233,6 @@ impl Block {
             self.matrix("mobility", &names, w, &fraction, 1, true);
         }
         self.vector("force", &names, &motion.force, &group);
-        if let Some(a) = &motion.acceleration {
-            self.vector("acceleration", &names, a, &group);
-        }
         self.line(1, "jacobian {");
         for (i, row) in d.jacobian.iter().enumerate() {
             for (by, entry) in d.states().iter().zip(row) {

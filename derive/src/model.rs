@@ -2,9 +2,11 @@
 
 mod parts;
 
-use crate::expr::{Expr, Kind, speed_name};
+use symbolica::atom::{Atom, AtomCore};
 
-pub(crate) use parts::{Coordinate, DeadBand, Deflection, Effect, Law, Motion, Parameter, Role, Torque};
+use crate::expr::{Expr, Kind, speed_name, symbol};
+
+pub(crate) use parts::{Coordinate, DeadBand, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
 
 /// A drivetrain, described by its energies.
@@ -23,6 +25,7 @@ pub struct Model {
     pub(crate) constants: Vec<(String, Expr)>,
     pub(crate) deflections: Vec<Deflection>,
     pub(crate) dead_bands: Vec<DeadBand>,
+    pub(crate) forces: Vec<Force>,
     pub(crate) torques: Vec<Torque>,
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
@@ -262,6 +265,13 @@ impl Model {
         self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });
     }
 
+    /// A name for what several torques, or several coordinates, have of one force: a friction, say. It may depend on what the
+    /// torques may in which it stands, and the equations are written in it instead of being multiplied out.
+    pub fn force(&mut self, name: &str, value: Expr) -> Expr {
+        self.forces.push(Force { name: name.into(), value, with: self.within.clone() });
+        Expr::var(Kind::Force, name)
+    }
+
     /// Says that the effect `name`, declared before, contradicts `others`: a scene names it or them. Each set of effects is
     /// compiled by itself, so that it pays to rule out sets that nobody needs.
     pub fn exclude(&mut self, name: &str, others: &[&str]) {
@@ -275,6 +285,14 @@ impl Model {
             Some(effect) => Expr::var(Kind::Marker, effect) * e,
             None => e,
         }
+    }
+
+    /// An expression with its forces written out, of which the later may depend on the earlier.
+    pub(crate) fn written_out(&self, e: &Atom) -> Atom {
+        self.forces.iter().rev().fold(e.clone(), |e, force| {
+            let name = Atom::var(symbol(Kind::Force, &force.name));
+            e.replace(name.to_pattern()).with(force.value.atom().to_pattern())
+        })
     }
 
     /// Names of the speeds, in the order of the coordinates.

@@ -78,7 +78,7 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
         )?;
     }
     for torque in model.torques.iter().filter(|torque| rolls(model, torque)) {
-        let power = all_present(&torque.power());
+        let power = all_present(&model.written_out(&torque.power()));
         // By its form: a sum of products, or one, of what is never negative, with a minus.
         let rest = if never_negative(model, &-power.clone()) { number(0) } else { power };
         claim(&format!("the friction `{}` never feeds energy: its power is never positive", torque.name), rest)?;
@@ -106,7 +106,7 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
 /// Whether a torque is friction with the arm of rolling, which must take energy whichever way the gears turn.
 fn rolls(model: &Model, torque: &Torque) -> bool {
     let arm = |name: &str| model.laws.iter().any(|law| law.name == name && law.role == Role::Friction(Friction::Arm));
-    symbols(&torque.value.atom()).iter().any(|(kind, name)| *kind == Kind::Friction && arm(name))
+    symbols(&model.written_out(&torque.value.atom())).iter().any(|(kind, name)| *kind == Kind::Friction && arm(name))
 }
 
 /// A symbol of its own for every entry, so that a sum of entries vanishes only if each does.

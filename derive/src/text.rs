@@ -15,6 +15,7 @@ pub(crate) struct Texts {
     pub energies: Vec<String>,
     pub constants: Vec<String>,
     pub deflections: Vec<String>,
+    pub forces: Vec<String>,
     pub motion: Vec<String>,
     pub jump: Vec<String>,
     pub cell: Vec<String>,
@@ -24,7 +25,8 @@ pub(crate) struct Texts {
 impl Texts {
     /// All plain lines.
     pub fn plain(&self) -> impl Iterator<Item = &String> {
-        [&self.energies, &self.constants, &self.deflections, &self.motion, &self.jump, &self.cell].into_iter().flatten()
+        let equations = [&self.forces, &self.motion, &self.jump, &self.cell];
+        [&self.energies, &self.constants, &self.deflections].into_iter().chain(equations).flatten()
     }
 }
 
@@ -81,6 +83,12 @@ pub(crate) fn write(d: &Derivation) -> Texts {
     }
     t.deflections.extend(m.laws.iter().filter_map(idle_text));
     t.deflections.extend(m.dead_bands.iter().flat_map(band_text));
+    for force in &m.forces {
+        let value = Tree::new(&force.value.atom());
+        let with = force.with.as_ref().map_or(String::new(), |effect| format!(" [{}]", effect.replace('_', " ")));
+        t.forces.push(format!("{} = {}{with}", force.name, print(&value, Style::Plain)));
+        t.latex.push(format!("{} = {}", latex_name(&force.name), print(&value, Style::Latex)));
+    }
     for (i, c) in m.coordinates.iter().enumerate() {
         let left = |j: usize, style| match style {
             Style::Latex => format!("\\ddot{{{}}}", latex_name(&m.coordinates[j].name)),

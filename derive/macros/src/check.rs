@@ -28,8 +28,8 @@ pub fn check(model: &mut Model) -> syn::Result<()> {
 
 /// No name means two things.
 fn names(m: &Model, errors: &mut Vec<Error>) {
-    // `new` holds parameters and constants beside these two slices.
-    let mut taken = HashMap::from(["parameters", "mids"].map(|n| (n.to_string(), "the generated code".to_string())));
+    // `new` holds parameters and constants beside these.
+    let mut taken = HashMap::from(["parameters", "mids", "coefficients"].map(|n| (n.to_string(), "the generated code".to_string())));
     let mut claim = |kind: &str, name: &Ident, derived: Vec<String>| {
         let all = std::iter::once(name.to_string()).chain(derived);
         for one in all {
@@ -49,6 +49,7 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     }
     m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
     m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
+    m.forces.iter().for_each(|f| claim("force", &f.name, vec![]));
     for band in &m.dead_bands {
         band.symbols.iter().for_each(|s| claim("symbol of a dead band", s, vec![]));
     }
@@ -133,20 +134,17 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
 
     rows(&m.work, &q, errors);
     rows(&m.load, &q, errors);
-    for (name, vector, needed) in [("force", &m.force, true), ("acceleration", &m.acceleration, false)] {
-        match vector {
-            Some(vector) => {
-                rows(vector, &q, errors);
-                let missing = m.coordinates.iter().filter(|c| !vector.iter().any(|r| r.name == c.name));
-                for c in missing {
-                    let message =
-                        format!("{name}: no row for the coordinate `{0}`; if it is zero, write `{0} {{}}`", c.name);
-                    errors.push(Error::new(c.name.span(), message));
-                }
+    match &m.force {
+        Some(force) => {
+            rows(force, &q, errors);
+            let missing = m.coordinates.iter().filter(|c| !force.iter().any(|r| r.name == c.name));
+            for c in missing {
+                let message =
+                    format!("force: no row for the coordinate `{0}`; if it is zero, write `{0} {{}}`", c.name);
+                errors.push(Error::new(c.name.span(), message));
             }
-            None if needed => errors.push(Error::new(m.name.span(), format!("no block `{name}`"))),
-            None => {}
         }
+        None => errors.push(Error::new(m.name.span(), "no block `force`")),
     }
 
     for (name, matrix) in [("mass", Some(&m.mass)), ("mobility", m.mobility.as_ref())] {

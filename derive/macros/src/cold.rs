@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use syn::{Ident, Index};
 
 use crate::effects::{self, has};
+use crate::forces;
 use crate::functions::deflections;
 use crate::gated;
 use crate::jumps::jumps;
@@ -61,12 +62,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let work = body(&work(m), Ask::Running);
     let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
     let bands = gated::of_effects(m, Ask::Running);
-    let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)*);
-    // Without accelerations in the file, its entries are those of the forces.
-    let jacobian = match m.acceleration {
-        Some(_) => quote!(#jacobian v),
-        None => quote!(#jacobian equations::accelerated(&self.mass(effects), &v)),
-    };
+    let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v);
     let motions = m.motions.iter().map(|x| motion(m, x));
     let mut all = vec![
         cold("kinetic", q_dot.clone(), quote!(q_dot), number(), kinetic),
@@ -90,7 +86,8 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         cold("switching", quote!(law: usize), quote!(law), quote!(equations::Switching), switching(m)),
     ];
     all.extend(jumps(m));
-    all.extend(powers(m, &quote!(#bands #d #d_dot)));
+    let forces = forces::of_effects(m, Ask::Running);
+    all.extend(powers(m, &quote!(#bands #d #d_dot #forces)));
     all
 }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Ident, Index};
+use syn::{Expr, Ident, Index};
 
 use crate::cells::{any_number, matrices};
 use crate::cold::cold;
@@ -10,6 +10,7 @@ use crate::describe::describe;
 use crate::effects;
 use crate::functions::functions;
 use crate::gated;
+use crate::hoist::hoist;
 use crate::model::*;
 
 /// Everything that a generated file holds.
@@ -19,16 +20,18 @@ pub fn emit(m: &Model) -> TokenStream {
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
     let describe = describe(m);
     let sets = effects::sets(m).map(|set| effects::literal(m, set));
-    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>(Numbers::new(parameters, mids)))),)*);
+    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>(numbers))),)*);
     let cold = cold(m);
-    let with = with(m);
-    let (functions, shared) = functions(m, &cold);
+    let mut hot = m.clone();
+    let coefficients = hoist(&mut hot);
+    let with = with(m, &coefficients);
+    let (functions, shared) = functions(&hot, &cold);
     let conditions = effects::variables(m);
     let cold = cold.iter().map(|f| f.define(&conditions));
-    let constants = effects::constants(m);
+    let (constants, values) = (effects::constants(m), gated::count(m));
     let deflections = (!m.deflections.is_empty()).then(|| {
         let count = Index::from(m.deflections.len());
-        let (values, rates) = (m.deflections.iter().map(|d| &d.value), m.rates.iter().map(|d| &d.value));
+        let (values, rates) = (hot.deflections.iter().map(|d| &d.value), hot.rates.iter().map(|d| &d.value));
         let offsets = gated::offsets(m);
         quote! {
             #[inline]
@@ -50,6 +53,7 @@ pub fn emit(m: &Model) -> TokenStream {
             const MODEL: model::Model = #describe;
 
             fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations<#n>>> {
+                let numbers = Numbers::<f64>::new(parameters, mids);
                 match effects {
                     #sets
                     _ => None,
@@ -68,6 +72,7 @@ pub fn emit(m: &Model) -> TokenStream {
         #[allow(dead_code, reason = "not every effect has a term of its own")]
         impl<const E: u32> With<E> {
             #constants
+            #values
         }
 
         #[allow(
@@ -80,7 +85,10 @@ pub fn emit(m: &Model) -> TokenStream {
             #(#cold)*
         }
 
-        #[allow(unused_variables, clippy::all, reason = "code as the derivation wrote it; many a term uses little")]
+        #[allow(
+            non_snake_case, unused_variables, clippy::all,
+            reason = "code as the derivation wrote it; many a term uses little",
+        )]
         impl<const E: u32> equations::Equations<#n> for With<E> {
             #functions
         }
@@ -88,7 +96,7 @@ pub fn emit(m: &Model) -> TokenStream {
 }
 
 /// `struct Numbers<R>`, of numbers of the kind R, and `struct With<E>`: the same with the effects E.
-fn with(m: &Model) -> TokenStream {
+fn with(m: &Model, coefficients: &[Expr]) -> TokenStream {
     let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
         let (name, i) = (&p.name, Index::from(i));
@@ -103,11 +111,15 @@ fn with(m: &Model) -> TokenStream {
         quote!(let #name = #value;)
     });
     let matrices = matrices(m);
+    let count = coefficients.len();
+    let coefficients = coefficients.iter().map(any_number);
     quote! {
         /// The numbers that the equations are written in, of the kind R.
         #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
         struct Numbers<R> {
             #(#fields: R,)*
+            /// Constant factors of what is called at every step.
+            coefficients: [R; #count],
             kind: std::marker::PhantomData<R>,
         }
 
@@ -131,7 +143,8 @@ fn with(m: &Model) -> TokenStream {
                 #(#parameters)*
                 #(#mids)*
                 #(#constants)*
-                Self { #(#values,)* kind: std::marker::PhantomData }
+                let coefficients = [#(#coefficients),*];
+                Self { #(#values,)* coefficients, kind: std::marker::PhantomData }
             }
 
             #matrices

@@ -8,6 +8,7 @@ use syn::Index;
 use crate::cells::cells;
 use crate::cold::Cold;
 use crate::dead_bands;
+use crate::forces;
 use crate::gated;
 use crate::jumps::step;
 use crate::model::*;
@@ -28,9 +29,15 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
         quote!(#bands #d_dot #body)
     } else {
         let (takes, given) = (quote!(q_dot: &#vector, k: &[f64],), quote!(q_dot, k,));
-        let (returns, zero, first) = (quote!(f64), quote!(0.0), d_dot.clone());
-        Function { name: "dissipation", takes, given, returns, zero, first, bands: bands() }
+        let (returns, zero, first) = (quote!(f64), quote!(0.0), bands().map(|bands| quote!(#bands #d_dot)));
+        Function { name: "dissipation", takes, given, returns, zero, first }
             .body(&[Place { at: quote!(*v), sum: &m.dissipation }], &mut shared)
+    };
+    let first = || {
+        let [bands, any_bands] = bands();
+        let (forces, any_forces) = (forces::of_effects(m, Ask::Compiled), forces::of_values(m));
+        // One check that the law values are there, not one each.
+        [quote!(let k = &k[..Self::VALUES]; #bands #d #d_dot #forces), quote!(#any_bands #d #d_dot #any_forces)]
     };
     let mut of_rows = |name, rows: &mut dyn Iterator<Item = &Row>| {
         let places: Vec<Place> = rows
@@ -45,19 +52,11 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
             given: quote!(q, q_dot, k, dk,),
             returns: vector.clone(),
             zero: no_vector.clone(),
-            first: quote!(#d #d_dot),
-            bands: bands(),
+            first: first(),
         }
         .body(&places, &mut shared)
     };
     let force = of_rows("force", &mut m.force.iter().flatten());
-    let acceleration = m.acceleration.as_ref().map(|rows| of_rows("acceleration", &mut rows.iter()));
-    let acceleration = acceleration.map(|a| {
-        quote! {
-            #[inline]
-            fn acceleration(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #a }
-        }
-    });
     let (step, dead_band) = (step(m), dead_bands::function(m));
     let cells = cells(m, &quote!(f64));
     let cold = cells.iter().chain(cold).map(Cold::call);
@@ -66,7 +65,6 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
         fn dissipation(&self, q_dot: &#vector, k: &[f64]) -> f64 { #dissipation }
         #[inline]
         fn force(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #force }
-        #acceleration
         #[inline]
         fn step(&self, law: usize, q: &#vector, k: &[f64], dk: f64) -> f64 { #step }
         #dead_band

@@ -34,6 +34,23 @@ pub fn of_values(m: &Model) -> TokenStream {
     quote!(#(#lets)*)
 }
 
+/// `const VALUES`: how many law values there are, up to the last that the effects ask for.
+pub fn count(m: &Model) -> TokenStream {
+    let stiffnesses = m.stiffnesses().count();
+    let more = all(m).map(|Gated { effect, place, .. }| {
+        let there = Ask::Compiled.tell(effect);
+        quote!(if #there && n <= #place { n = #place + 1; })
+    });
+    quote! {
+        const VALUES: usize = {
+            #[allow(unused_mut, reason = "not every model has more than stiffnesses")]
+            let mut n = #stiffnesses;
+            #(#more)*
+            n
+        };
+    }
+}
+
 /// The names of all.
 pub fn names(m: &Model) -> impl Iterator<Item = &Ident> {
     all(m).map(|gated| gated.name)

@@ -44,11 +44,12 @@
 //!     C = 2.0*zeta*(k_mid*m).sqrt();
 //! }
 //! deflections {                       // linear in the coordinates: also gives the rates, as `over_dot`
-//!     over = x - edge;                // for potential, force, acceleration, jacobian, step; the rates for D and the latter
+//!     over = x - edge;                // for potential, force, jacobian, step; the rates for D and the latter
 //! }
 //! dead_bands {                        // play: `over` is what is beyond it, the others constants of a cell
 //!     over "m" (touch, edge, damp, clip) half b/2.0 with backlash, "play";   // 1, 0, 1, 0 without `backlash`
 //! }
+//! // forces { F { friction => c*k*x_dot; } }  // names for what rows of force, and powers, have in common
 //! energies {                          // sums of terms `COND => EXPR;`, COND an effect, a condition, or `_` for always
 //!     kinetic { _ => m*x_dot.powi(2)/2.0; }
 //!     potential { _ => k*x.powi(2)/2.0; }
@@ -60,8 +61,7 @@
 //! mass { x x { _ => m; } }                               // `x y` stands for `y x`, too
 //! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without it M is inverted numerically
 //! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
-//! acceleration { .. }                 // rows as in `force`; without it M⁻¹F is computed
-//! jacobian {                          // of the acceleration (of the force, if there is none), by coordinates and by speeds; others are zero
+//! jacobian {                          // of the force, by coordinates and by speeds; others are zero
 //!     x x { _ => -k/m; jump_terms => -2.0*dk*x/m - ddk*x.powi(2)/(2.0*m); }
 //!     x x_dot { damping => -C/m; }
 //! }
@@ -94,7 +94,8 @@
 //! | --- | --- |
 //! | tokens to structs | `parse`, `items`, `tokens` to `model` |
 //! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | structs to code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `sums` |
+//! | constant factors, once a scene | `hoist` |
+//! | structs to code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
 
 mod cells;
 mod check;
@@ -104,8 +105,10 @@ mod describe;
 mod effects;
 mod emit;
 mod expand;
+mod forces;
 mod functions;
 mod gated;
+mod hoist;
 mod items;
 mod jumps;
 mod model;

@@ -4,6 +4,7 @@ use quote::format_ident;
 use syn::{Expr, Ident, LitStr};
 
 /// One file of derived equations.
+#[derive(Clone)]
 pub struct Model {
     pub name: Ident,
     pub title: LitStr,
@@ -22,12 +23,13 @@ pub struct Model {
     pub kinetic: Sum,
     pub potential: Sum,
     pub dissipation: Sum,
+    /// Names for what torques are made of.
+    pub forces: Vec<Row>,
     pub torques: Vec<Torque>,
     pub work: Vec<Row>,
     pub mass: Vec<Entry>,
     pub mobility: Option<Vec<Entry>>,
     pub force: Option<Vec<Row>>,
-    pub acceleration: Option<Vec<Row>>,
     pub jacobian: Option<Vec<Entry>>,
     pub stiffness: Vec<Entry>,
     pub damping: Vec<Entry>,
@@ -42,6 +44,7 @@ pub struct Model {
 }
 
 /// `theta "rad" start 0.0, "doc";`
+#[derive(Clone)]
 pub struct Coordinate {
     pub name: Ident,
     pub unit: LitStr,
@@ -51,6 +54,7 @@ pub struct Coordinate {
 }
 
 /// `N1 "1" default 24.0, open 0.0 to inf, "doc";`
+#[derive(Clone)]
 pub struct Parameter {
     pub name: Ident,
     pub unit: LitStr,
@@ -67,6 +71,7 @@ pub struct Parameter {
 
 /// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with transmission_error, "doc";`,
 /// `side "1" phase theta period 6.28 with sliding_friction as side, "doc";`
+#[derive(Clone)]
 pub struct Law {
     pub name: Ident,
     pub unit: LitStr,
@@ -94,6 +99,7 @@ pub enum Role {
 }
 
 /// `speed "rad/s" { theta_dot = N1; }, "doc";`
+#[derive(Clone)]
 pub struct Motion {
     pub name: Ident,
     pub unit: LitStr,
@@ -102,6 +108,7 @@ pub struct Motion {
 }
 
 /// `damping requires(a, b) excludes(c) "doc";`
+#[derive(Clone)]
 pub struct Effect {
     pub name: Ident,
     pub requires: Vec<Ident>,
@@ -110,18 +117,21 @@ pub struct Effect {
 }
 
 /// `jump_terms = stiffness_step, !frozen_phase;`: a conjunction of effects present (`true`) or absent.
+#[derive(Clone)]
 pub struct Condition {
     pub name: Ident,
     pub effects: Vec<(bool, Ident)>,
 }
 
 /// `NAME = EXPR;`
+#[derive(Clone)]
 pub struct Assignment {
     pub name: Ident,
     pub value: Expr,
 }
 
 /// `over "m" (touch, edge, damp, clip) half b with backlash, "doc";`: play of the deflection `over`.
+#[derive(Clone)]
 pub struct DeadBand {
     pub over: Ident,
     pub unit: LitStr,
@@ -135,6 +145,7 @@ pub struct DeadBand {
 }
 
 /// `drive "doc" { TERMS }`, `fan "doc" {} power { TERMS }`
+#[derive(Clone)]
 pub struct Torque {
     pub name: Ident,
     pub doc: LitStr,
@@ -145,12 +156,14 @@ pub struct Torque {
 }
 
 /// `fan_load "c*omega^2 in the torque `fan`";`
+#[derive(Clone)]
 pub struct NonlinearWith {
     pub effect: Ident,
     pub text: LitStr,
 }
 
 /// `jump k { normal { ROWS } compliance { TERMS } direction { ROWS } step { TERMS } }`
+#[derive(Clone)]
 pub struct Jump {
     pub law: Ident,
     pub normal: Option<Vec<Row>>,
@@ -163,6 +176,7 @@ pub struct Jump {
 pub type Sum = Vec<Term>;
 
 /// `COND => EXPR;`
+#[derive(Clone)]
 pub struct Term {
     /// `None`: `_`, always.
     pub condition: Option<Ident>,
@@ -170,12 +184,14 @@ pub struct Term {
 }
 
 /// `theta { TERMS }`: one component of a vector.
+#[derive(Clone)]
 pub struct Row {
     pub name: Ident,
     pub sum: Sum,
 }
 
 /// `theta phi { TERMS }`: one entry of a matrix.
+#[derive(Clone)]
 pub struct Entry {
     pub row: Ident,
     pub column: Ident,
@@ -221,12 +237,12 @@ impl Model {
             kinetic: vec![],
             potential: vec![],
             dissipation: vec![],
+            forces: vec![],
             torques: vec![],
             work: vec![],
             mass: vec![],
             mobility: None,
             force: None,
-            acceleration: None,
             jacobian: None,
             stiffness: vec![],
             damping: vec![],

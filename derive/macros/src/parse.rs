@@ -52,12 +52,12 @@ impl Model {
                 *[&mut self.kinetic, &mut self.potential, &mut self.dissipation][part] = list(input)?;
                 Ok(())
             })?,
+            "forces" => self.forces = list(input)?,
             "torques" => self.torques = list(input)?,
             "work" => self.work = list(input)?,
             "mass" => self.mass = list(input)?,
             "mobility" => self.mobility = Some(list(input)?),
             "force" => self.force = Some(list(input)?),
-            "acceleration" => self.acceleration = Some(list(input)?),
             "jacobian" => self.jacobian = Some(list(input)?),
             "cell" => parts(input, &["stiffness", "damping", "load"], |part, input| {
                 match part {

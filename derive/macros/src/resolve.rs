@@ -33,7 +33,12 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     // The work of a constant torque is its displacement's: the coordinates stand for their changes.
     let torques = Scope::of(m, "torques").coordinates(m, "dq");
     m.torques.iter_mut().for_each(|t| torques.sum(&mut t.work, errors));
-    let powers = Scope::of(m, "power").coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, 0).gated(m);
+    let mut forces = Scope::of(m, "forces").coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, 0).gated(m);
+    for force in &mut m.forces {
+        forces.sum(&mut force.sum, errors);
+        forces.declare(&force.name);
+    }
+    let powers = forces.within("power");
     m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);
@@ -48,9 +53,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m);
         scope.laws(m, order).gated(m)
     };
-    let (force, acceleration, jacobian) = (moving("force", 1), moving("acceleration", 1), moving("jacobian", 2));
+    let (force, jacobian) = (moving("force", 1).forces(m), moving("jacobian", 2));
     rows(m.force.iter_mut().flatten(), &force, errors);
-    rows(m.acceleration.iter_mut().flatten(), &acceleration, errors);
     entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
 
     let stiffness = Scope::of(m, "cell stiffness").laws(m, 0).gated(m);

@@ -97,6 +97,17 @@ impl Scope {
         self
     }
 
+    /// Named forces: plain variables that [`crate::forces`] sets.
+    pub fn forces(mut self, model: &Model) -> Self {
+        model.forces.iter().for_each(|force| self.declare(&force.name));
+        self
+    }
+
+    /// The same names for another block.
+    pub fn within(self, block: &str) -> Self {
+        Self { block: block.to_string(), ..self }
+    }
+
     /// Edges of dead bands and transmission errors, as `value`.
     pub fn offsets(mut self, model: &Model, value: TokenStream) -> Self {
         for name in gated::offsets(model) {

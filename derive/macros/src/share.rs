@@ -11,7 +11,7 @@ use crate::sums::{Ask, block};
 /// Sums of more terms than this, all entries together, are shared.
 pub const LARGE: usize = 40;
 
-/// A function that fills `v`: its name, what it takes, what is there before, and what comes first.
+/// A function that fills `v`: its name, what it takes, and what comes first.
 pub struct Function<'a> {
     pub name: &'a str,
     /// `q: &[f64; 2], k: &[f64]`
@@ -22,10 +22,8 @@ pub struct Function<'a> {
     pub returns: TokenStream,
     /// `[0.0; 2]`
     pub zero: TokenStream,
-    /// `let d = ..;`
-    pub first: TokenStream,
-    /// The constants of dead bands, with the effects known or not.
-    pub bands: [TokenStream; 2],
+    /// `let d = ..;`: what comes first, with the effects known or not.
+    pub first: [TokenStream; 2],
 }
 
 /// An entry of the result: its place and its sum.
@@ -37,13 +35,13 @@ pub struct Place<'a> {
 impl Function<'_> {
     /// The statements of the function; what they call goes to `shared`.
     pub fn body(&self, places: &[Place], shared: &mut Vec<TokenStream>) -> TokenStream {
-        let Function { name, takes, given, returns, zero, first, bands: [bands, any_bands] } = self;
+        let Function { name, takes, given, returns, zero, first: [first, first_of_any] } = self;
         if places.iter().map(|p| p.sum.len()).sum::<usize>() <= LARGE {
             let set = places.iter().filter(|p| !p.sum.is_empty()).map(|Place { at, sum }| {
                 let value = block(sum, Ask::Compiled);
                 quote!(#at = #value;)
             });
-            return quote!(#bands #first let mut v = #zero; #(#set)* v);
+            return quote!(#first let mut v = #zero; #(#set)* v);
         }
         let mut conditions: Vec<Option<Ident>> = vec![];
         for term in places.iter().flat_map(|p| p.sum) {
@@ -62,7 +60,7 @@ impl Function<'_> {
                     let terms = sum.iter().filter(|term| term.condition == *condition).map(|term| &term.value);
                     terms.map(move |value| quote!(#at += #value;))
                 });
-                shared.push(quote!(fn #part(&self, #takes v: &mut #returns) { #any_bands #first #(#add)* }));
+                shared.push(quote!(fn #part(&self, #takes v: &mut #returns) { #first_of_any #(#add)* }));
                 let call = quote!(self.#part(#given &mut v););
                 match condition.as_ref().map(|c| Ask::Compiled.tell(c)) {
                     Some(met) => quote!(if #met { #call }),

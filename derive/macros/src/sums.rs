@@ -43,7 +43,8 @@ pub fn body(sum: &Sum, ask: Ask) -> TokenStream {
         [] => return quote!(0.0),
         [Term { condition: None, value }] => return quote!(#value),
         [Term { condition: None, value }, rest @ ..] => (quote!(#value), rest),
-        all => (quote!(0.0), all),
+        // What is added to -0.0 is itself, and costs nothing; what is added to 0.0 does.
+        all => (quote!(-0.0), all),
     };
     let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(|c| ask.tell(c)) {
         Some(met) => quote!(if #met { sum += #value; }),

@@ -13,6 +13,7 @@ pub fn varies(m: &Model, parameter: &Ident) -> bool {
 
     let mut apart = terms(&[&m.kinetic, &m.potential, &m.dissipation]);
     apart.extend(terms(&m.torques.iter().map(|t| &t.power).collect::<Vec<_>>()));
+    apart.extend(rows(&m.forces));
     apart.extend(m.constants.iter().chain(&m.deflections).map(|a| a.value.clone()));
     apart.extend(m.motions.iter().flat_map(|motion| motion.speeds.iter().map(|s| s.value.clone())));
     for matrix in [&m.mass, &m.stiffness, &m.damping].into_iter().chain(&m.mobility).chain(&m.jacobian) {
@@ -23,7 +24,7 @@ pub fn varies(m: &Model, parameter: &Ident) -> bool {
         apart.extend(terms(&jump.compliance.iter().chain(&jump.step).collect::<Vec<_>>()));
     }
     let mut forces = terms(&m.torques.iter().map(|t| &t.work).collect::<Vec<_>>());
-    for vector in [&m.work, &m.load].into_iter().chain(&m.force).chain(&m.acceleration) {
+    for vector in [&m.work, &m.load].into_iter().chain(&m.force) {
         forces.extend(rows(vector));
     }
     let degree = |e: &Expr| degree(e, parameter);

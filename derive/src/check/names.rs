@@ -6,9 +6,9 @@ use crate::expr::{Kind, is_word, speed_name};
 use crate::model::{CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
-/// Words that generated code cannot have as names: keywords of Rust, and two names of that code itself.
+/// Words that generated code cannot have as names: keywords of Rust, and names of that code itself.
 const RUST: &str = "\
-    Self abstract as async await become box break const continue crate do dyn else enum extern false final fn \
+    Self abstract as async await become box break coefficients const continue crate do dyn else enum extern false final fn \
     for gen if impl in let loop macro match mids mod move mut override parameters priv pub ref return self \
     static struct super trait true try type typeof unsafe unsized use virtual where while yield";
 
@@ -24,6 +24,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Law => "a law",
         Kind::Error => "a transmission error",
         Kind::Friction => "a law of friction",
+        Kind::Force => "a force",
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",
@@ -74,6 +75,7 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
         declare(&format!("d{}", law.name), known(Slope), true)?;
         declare(&format!("dd{}", law.name), known(Curvature), true)?;
     }
+    model.forces.iter().try_for_each(|force| declare(&force.name, known(Force), false))?;
     model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;

@@ -16,7 +16,7 @@ use Kind::*;
 const USABLE: [Kind; 12] =
     [Constant, Parameter, Mid, Law, Error, Friction, Touch, Damp, Deflection, Coordinate, Rate, Speed];
 /// What a torque may depend on, and what besides where it is friction.
-const TORQUE: [Kind; 5] = [Constant, Parameter, Mid, Rate, Speed];
+const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
 const RUBBING: [Kind; 4] = [Law, Friction, Touch, Deflection];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
@@ -81,6 +81,10 @@ impl Places<'_> {
     }
 
     fn torques(&self) -> Result<(), Slip> {
+        for force in &self.model.forces {
+            let why = "a force depends on what torques may depend on";
+            self.check(force.value, &format!("the force `{}`", force.name), &[&TORQUE[..], &RUBBING].concat(), why)?;
+        }
         for torque in &self.model.torques {
             let place = format!("the torque `{}`", torque.name);
             let rubs = self.rubs(torque);
@@ -95,7 +99,7 @@ impl Places<'_> {
                      what else depends on positions is an energy",
                 ),
             };
-            self.check(torque.value, &place, &allowed, why)?;
+            self.check(Expr::new(self.model.written_out(&torque.value.atom())), &place, &allowed, why)?;
             let place = format!("the displacement of {place}");
             let why = "a displacement depends on coordinates";
             self.check(torque.through, &place, &[Constant, Parameter, Deflection, Coordinate], why)?;
@@ -105,7 +109,7 @@ impl Places<'_> {
 
     /// Whether a torque has a law of friction as a factor, in the effect of that law.
     fn rubs(&self, torque: &Torque) -> bool {
-        let value = torque.value.atom();
+        let value = self.model.written_out(&torque.value.atom());
         let laws = self.model.laws.iter().filter(|law| law.kind() == Friction);
         let vanishes = |law: &crate::model::Law| {
             let at_zero = |kind, name: &str| {

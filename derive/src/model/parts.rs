@@ -134,6 +134,14 @@ impl Effect {
     }
 }
 
+/// A name for what torques are made of.
+pub(crate) struct Force {
+    pub name: String,
+    pub value: Expr,
+    /// The effect in whose closure it was named.
+    pub with: Option<String>,
+}
+
 pub(crate) struct Torque {
     pub name: String,
     pub value: Expr,

@@ -52,13 +52,9 @@ equations! {
         theta { jump_terms => -dk*phi.powi(2); }
         phi { _ => -2.0*k*phi; torques => 2.0*T0; }
     }
-    acceleration {
-        theta { _ => -M1*k*phi; torques => M1*T0; jump_terms => -M2*dk*phi.powi(2)/2.0; }
-        phi { _ => -M2*k*phi; torques => M2*T0; jump_terms => -M1*dk*phi.powi(2)/2.0; }
-    }
     jacobian {
-        theta phi { _ => -M1*k; jump_terms => -M2*dk*phi; }
-        phi phi { _ => -M2*k; jump_terms => -M1*dk*phi; }
+        theta phi { jump_terms => -2.0*dk*phi; }
+        phi phi { _ => -2.0*k; }
     }
     cell {
         stiffness { phi phi { _ => 2.0*k; } }

@@ -5,9 +5,10 @@
 //! which counts what happens in `measured`, and nothing else.
 
 mod bare;
+mod by_hand;
 mod paths;
+mod sides;
 mod table;
-mod written;
 
 use std::path::PathBuf;
 use std::process::Command;

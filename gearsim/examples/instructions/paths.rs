@@ -7,8 +7,7 @@ use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
 
-use crate::bare::BarePair;
-use crate::written::{Exact, Free, Pair, RightHandSide, Rigid, Undamped};
+use crate::sides;
 
 /// One path.
 pub struct Path {
@@ -42,29 +41,33 @@ pub const PATHS: &[Path] = &[
         cells("spectrum_4500rpm_exact", &["run.precision=compensated"])
     }),
     path("cell_in_a_lane", "a cell change at 4500 rpm, one of eight side by side", Some("cell_4500rpm"), lanes),
-    path("exact_by_hand", "right-hand side, Eqs. (2), (3), damped", None, || written(Exact(PAIR))),
-    path("exact_generated", "the same, generated", Some("exact_by_hand"), || {
-        generated("stiffness_step damping torques")
-    }),
-    path("rigid_by_hand", "right-hand side, Eqs. (4), (5), damped", None, || written(Rigid(PAIR))),
-    path("rigid_generated", "the same, generated", Some("rigid_by_hand"), || {
-        generated("stiffness_step rigid_kinematics damping torques")
-    }),
-    path("free_by_hand", "right-hand side, no effects", None, || written(Free(PAIR))),
-    path("free_generated", "the same, generated", Some("free_by_hand"), || generated("")),
-    path("undamped_by_hand", "right-hand side, Eqs. (2), (3), without damping", None, || written(Undamped(PAIR))),
-    path("undamped_generated", "the same, generated: damping not named", Some("undamped_by_hand"), || {
-        generated("stiffness_step torques")
-    }),
-    path("undamped_undeclared", "the same, of a model that never declared damping", Some("undamped_generated"), || {
-        right_hand_side(BarePair::equations(0b11, &[24.0, 96.0, 2.89e-3, 0.7402, 10.0], &[2105.0]))
-    }),
+    path("exact_by_hand", "right-hand side, Eqs. (2), (3), damped", None, || sides::exact().by_hand()),
+    path("exact_generated", "the same, generated", Some("exact_by_hand"), || sides::exact().generated()),
+    path("rigid_by_hand", "right-hand side, Eqs. (4), (5), damped", None, || sides::rigid().by_hand()),
+    path("rigid_generated", "the same, generated", Some("rigid_by_hand"), || sides::rigid().generated()),
+    path("free_by_hand", "right-hand side, no effects", None, || sides::free().by_hand()),
+    path("free_generated", "the same, generated", Some("free_by_hand"), || sides::free().generated()),
+    path("undamped_by_hand", "right-hand side, Eqs. (2), (3), without damping", None, || sides::undamped().by_hand()),
+    path("undamped_generated", "the same, generated: damping not named", Some("undamped_by_hand"), || sides::undamped().generated()),
+    path(
+        "undamped_undeclared",
+        "the same, of a model that never declared damping, errors, play and friction",
+        Some("undamped_generated"),
+        || sides::undeclared().generated(),
+    ),
+    path("error_by_hand", "right-hand side, Eqs. (2), (3) with a transmission error", None, || sides::with_error().by_hand()),
+    path("error_generated", "the same, generated", Some("error_by_hand"), || sides::with_error().generated()),
+    path("play_by_hand", "right-hand side, Eqs. (2), (3) with backlash, damped", None, || sides::with_play().by_hand()),
+    path("play_generated", "the same, generated", Some("play_by_hand"), || sides::with_play().generated()),
+    path("friction_by_hand", "right-hand side, Eqs. (2), (3) with sliding friction", None, || sides::with_friction().by_hand()),
+    path("friction_generated", "the same, generated", Some("friction_by_hand"), || sides::with_friction().generated()),
+    path("chain_5_by_hand", "forces on a chain of 5 discs, damped", None, || sides::chain().by_hand()),
+    path("chain_5_generated", "the same, generated", Some("chain_5_by_hand"), || sides::chain().generated()),
+    path("idler_by_hand", "forces on an idler train, damped", None, || sides::idler().by_hand()),
+    path("idler_generated", "the same, generated", Some("idler_by_hand"), || sides::idler().generated()),
+    path("planetary_3_by_hand", "forces on a planetary stage with 3 planets", None, || sides::planetary().by_hand()),
+    path("planetary_3_generated", "the same, generated", Some("planetary_3_by_hand"), || sides::planetary().generated()),
 ];
-
-/// The pair of the paper, zeta 0.05, 10 N m.
-const PAIR: Pair = Pair { m1: 93_429.0, m2: 105_881.0, c: 0.0141, t0: 10.0 };
-/// Evaluations of a right-hand side.
-const EVALUATIONS: u64 = 10_000;
 
 fn scene(name: &str, overrides: &[&str]) -> Scene {
     let path = format!("{}/../models/scenes/oh2005/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -116,35 +119,5 @@ fn lanes() -> Job {
     Box::new(move || {
         assert!(ensemble::run(&mut all).iter().all(Result::is_ok));
         all.iter().map(|simulation| simulation.counts.cell_changes).sum()
-    })
-}
-
-fn generated(effects: &str) -> Job {
-    let names: Vec<_> = effects.split_whitespace().map(|name| format!("\"{name}\"")).collect();
-    let scene = scene("spectrum_4500rpm_exact", &[&format!("effects=[{}]", names.join(", "))]);
-    right_hand_side(GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]))
-}
-
-fn right_hand_side(equations: Option<Box<dyn Equations<2>>>) -> Job {
-    let equations = equations.expect("effects that go together");
-    evaluated(move |q, v, k, dk| equations.acceleration(q, v, k, dk))
-}
-
-fn written(by_hand: impl RightHandSide + 'static) -> Job {
-    // Behind a pointer, as the generated ones are.
-    let by_hand: Box<dyn RightHandSide> = Box::new(by_hand);
-    evaluated(move |q, v, k, dk| by_hand.acceleration(q, v, k, dk))
-}
-
-fn evaluated(f: impl Fn(&[f64; 2], &[f64; 2], &[f64], &[f64]) -> [f64; 2] + 'static) -> Job {
-    Box::new(move || {
-        let (mut q, mut v) = ([0.1, 7e-3], [1800.0, 0.3]);
-        let (k, dk) = (std::hint::black_box(vec![1430.0]), std::hint::black_box(vec![7.0]));
-        for _ in 0..EVALUATIONS {
-            let a = f(&q, &v, &k, &dk);
-            (q[1], v[1]) = (q[1] + 1e-12 * a[0], v[1] + 1e-12 * a[1]);
-        }
-        std::hint::black_box((q, v));
-        EVALUATIONS
     })
 }

@@ -35,11 +35,11 @@ pub trait Equations<const N: usize>: Send + Sync {
 
     /// Generalised forces F of M q'' = F [SI], with the laws' slopes `dk` = dk/ds along their phases.
     fn force(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N];
-    /// Accelerations q'' = M⁻¹F [SI].
+    /// Accelerations q'' = M⁻¹F [SI]; what asks for them again and again has M⁻¹ by itself, and [`product`].
     fn acceleration(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N] {
-        solve(&self.mass(), &self.force(q, q_dot, k, dk))
+        product(&self.mobility(), &self.force(q, q_dot, k, dk))
     }
-    /// Derivatives of the accelerations by q and by q' (N x N each, row = equation); `ddk` = d²k/ds².
+    /// Derivatives of the generalised forces by q and by q' (N x N each, row = equation); `ddk` = d²k/ds².
     fn jacobian(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64], ddk: &[f64]) -> [[[f64; N]; N]; 2];
 
     /// Mass matrix M (N x N).
@@ -131,16 +131,24 @@ pub struct Matrices<const N: usize, R> {
     pub load: [R; N],
 }
 
-/// Derivatives of accelerations (as [`Equations::jacobian`]) from those of the forces: M⁻¹ times each.
-///
-/// # Panics
-/// Where M is not positive definite, which no kinetic energy allows.
-pub fn accelerated<const N: usize>(mass: &[[f64; N]; N], of_force: &[[[f64; N]; N]; 2]) -> [[[f64; N]; N]; 2] {
-    let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j]);
-    let cholesky = m.cholesky().expect("the mass matrix is positive definite");
+/// M⁻¹F (N) of a symmetric M⁻¹.
+#[inline]
+pub fn product<const N: usize>(mobility: &[[f64; N]; N], force: &[f64; N]) -> [f64; N] {
+    // Column by column, which vectors can hold; what is added to -0.0 is itself, at no cost.
+    let mut a = [-0.0; N];
+    for (column, f) in mobility.iter().zip(force) {
+        for (a, w) in a.iter_mut().zip(column) {
+            *a += w * f;
+        }
+    }
+    a
+}
+
+/// Derivatives of accelerations from those of the forces, [`Equations::jacobian`]: M⁻¹ times each.
+pub fn accelerated<const N: usize>(mobility: &[[f64; N]; N], of_force: &[[[f64; N]; N]; 2]) -> [[[f64; N]; N]; 2] {
     of_force.map(|by| {
-        let by = cholesky.solve(&SMatrix::<f64, N, N>::from_fn(|i, j| by[i][j]));
-        std::array::from_fn(|i| std::array::from_fn(|j| by[(i, j)]))
+        let entry = |i: usize, j: usize| (0..N).map(|l| mobility[i][l] * by[l][j]).sum();
+        std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     })
 }
 
@@ -154,15 +162,13 @@ pub fn solve<const N: usize>(mass: &[[f64; N]; N], f: &[f64; N]) -> [f64; N] {
     cholesky.solve(&SVector::from(*f)).into()
 }
 
-/// M⁻¹ (N x N), for equations too large to be inverted symbolically.
-///
-/// # Panics
-/// Where M is not positive definite, which no kinetic energy allows.
+/// M⁻¹ (N x N), for equations too large to be inverted symbolically; not a number where M is not positive definite, which
+/// [`Cell::new`](crate::engine::cell::Cell::new) refuses by name.
 pub fn mobility<const N: usize>(mass: &[[f64; N]; N]) -> [[f64; N]; N] {
     // In units in which the diagonal is one, inertias of any size neither overflow nor underflow in the products.
     let unit: [f64; N] = std::array::from_fn(|i| mass[i][i].sqrt());
     let m = SMatrix::<f64, N, N>::from_fn(|i, j| mass[i][j] / unit[i] / unit[j]);
-    let inverse = m.cholesky().expect("the mass matrix is positive definite").inverse();
+    let inverse = m.cholesky().map_or(SMatrix::repeat(f64::NAN), |cholesky| cholesky.inverse());
     // Rounding must not make it asymmetric: the lower triangle stands for both.
     let lower = |i: usize, j: usize| inverse[(i, j)] / unit[i] / unit[j];
     std::array::from_fn(|i| std::array::from_fn(|j| lower(i.max(j), i.min(j))))

@@ -128,20 +128,13 @@ equations! {
             damping => -d*damp*over_dot;
         }
     }
-    acceleration {
-        phi {
-            _ => -c*touch*over/I;
-            backlash => -c*touch*clip*over/I;
-            damping => -d*damp*over_dot/I;
-        }
-    }
     jacobian {
         phi phi {
-            _ => -c*touch/I;
-            backlash => -c*touch*clip/I;
+            _ => -c*touch;
+            backlash => -c*touch*clip;
         }
         phi phi_dot {
-            damping => -d*damp/I;
+            damping => -d*damp;
         }
     }
     cell {

@@ -8,17 +8,23 @@
 //!
 //! ```text
 //! T = (I1*theta1_dot^2 + I2*theta2_dot^2)/2
-//! V = k1*(theta1 - theta2)^2/2
-//! D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2)/2 [damping]
+//! V = k1*twist1^2/2
+//! D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + beta_K*k1*twist1_dot^2)/2 [damping]
 //! Q_theta1 = T_motor [torques]
 //! Q_theta2 = -T_load [torques]
+//! ```
+//!
+//! # Deflections
+//!
+//! ```text
+//! twist1 = theta1 - theta2
 //! ```
 //!
 //! # Equations of motion
 //!
 //! ```text
-//! theta1'' = k1*theta2/I1 - k1*theta1/I1 + T_motor/I1 [torques] + beta_K*k1*theta2_dot/I1 - alpha_M*theta1_dot - beta_K*k1*theta1_dot/I1 [damping]
-//! theta2'' = k1*theta1/I2 - k1*theta2/I2 - T_load/I2 [torques] + beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2 [damping]
+//! theta1'' = -k1*twist1/I1 + T_motor/I1 [torques] - alpha_M*theta1_dot - beta_K*k1*twist1_dot/I1 [damping]
+//! theta2'' = k1*twist1/I2 - T_load/I2 [torques] + beta_K*k1*twist1_dot/I2 - alpha_M*theta2_dot [damping]
 //! ```
 //!
 //! # Between two steps
@@ -31,12 +37,13 @@
 //!
 //! ```latex
 //! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + I_{2}\, \dot{\theta_{2}}^{2})
-//! V = \frac{k_{1}\, \left(\theta_{1} - \theta_{2}\right)^{2}}{2}
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + \beta_{K}\, k_{1}\, \left(\dot{\theta_{1}} - \dot{\theta_{2}}\right)^{2})\ [\text{damping}]
+//! V = \frac{k_{1}\, \mathrm{twist}_{1}^{2}}{2}
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}^{2})\ [\text{damping}]
 //! Q_{\theta_{1}} = T_{motor}\ [\text{torques}]
 //! Q_{\theta_{2}} = -T_{load}\ [\text{torques}]
-//! \ddot{\theta_{1}} = \frac{k_{1}\, \theta_{2}}{I_{1}} - \frac{k_{1}\, \theta_{1}}{I_{1}} + \frac{T_{motor}}{I_{1}}\ [\text{torques}] + \frac{\beta_{K}\, k_{1}\, \dot{\theta_{2}}}{I_{1}} - \alpha_{M}\, \dot{\theta_{1}} - \frac{\beta_{K}\, k_{1}\, \dot{\theta_{1}}}{I_{1}}\ [\text{damping}]
-//! \ddot{\theta_{2}} = \frac{k_{1}\, \theta_{1}}{I_{2}} - \frac{k_{1}\, \theta_{2}}{I_{2}} - \frac{T_{load}}{I_{2}}\ [\text{torques}] + \frac{\beta_{K}\, k_{1}\, \dot{\theta_{1}}}{I_{2}} - \alpha_{M}\, \dot{\theta_{2}} - \frac{\beta_{K}\, k_{1}\, \dot{\theta_{2}}}{I_{2}}\ [\text{damping}]
+//! \mathrm{twist}_{1} = \theta_{1} - \theta_{2}
+//! \ddot{\theta_{1}} = -\frac{k_{1}\, \mathrm{twist}_{1}}{I_{1}} + \frac{T_{motor}}{I_{1}}\ [\text{torques}] - \alpha_{M}\, \dot{\theta_{1}} - \frac{\beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}}{I_{1}}\ [\text{damping}]
+//! \ddot{\theta_{2}} = \frac{k_{1}\, \mathrm{twist}_{1}}{I_{2}} - \frac{T_{load}}{I_{2}}\ [\text{torques}] + \frac{\beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}}{I_{2}} - \alpha_{M}\, \dot{\theta_{2}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
@@ -44,14 +51,15 @@
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | force | 6 | 16 | 0 |
-//! | acceleration | 6 | 24 | 0 |
+//! | force | 2 | 10 | 0 |
+//! | acceleration | 2 | 14 | 0 |
 
 use gearsim_macros::equations;
 
@@ -84,15 +92,18 @@ equations! {
     conditions {
     }
 
+    deflections {
+        twist1 = theta1 - theta2;
+    }
     energies {
         kinetic {
             _ => (I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2))/2.0;
         }
         potential {
-            _ => k1*(theta1 - theta2).powi(2)/2.0;
+            _ => k1*twist1.powi(2)/2.0;
         }
         dissipation {
-            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + beta_K*k1*(theta1_dot - theta2_dot).powi(2))/2.0;
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + beta_K*k1*twist1_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -129,52 +140,40 @@ equations! {
     }
     force {
         theta1 {
-            _ => k1*theta2 - k1*theta1;
+            _ => -k1*twist1;
             torques => T_motor;
-            damping => beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot;
+            damping => -I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot;
         }
         theta2 {
-            _ => k1*theta1 - k1*theta2;
+            _ => k1*twist1;
             torques => -T_load;
-            damping => beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot;
-        }
-    }
-    acceleration {
-        theta1 {
-            _ => k1*theta2/I1 - k1*theta1/I1;
-            torques => T_motor/I1;
-            damping => beta_K*k1*theta2_dot/I1 - alpha_M*theta1_dot - beta_K*k1*theta1_dot/I1;
-        }
-        theta2 {
-            _ => k1*theta1/I2 - k1*theta2/I2;
-            torques => -T_load/I2;
-            damping => beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2;
+            damping => beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot;
         }
     }
     jacobian {
         theta1 theta1 {
-            _ => -k1/I1;
+            _ => -k1;
         }
         theta1 theta2 {
-            _ => k1/I1;
+            _ => k1;
         }
         theta1 theta1_dot {
-            damping => -alpha_M - beta_K*k1/I1;
+            damping => -I1*alpha_M - beta_K*k1;
         }
         theta1 theta2_dot {
-            damping => beta_K*k1/I1;
+            damping => beta_K*k1;
         }
         theta2 theta1 {
-            _ => k1/I2;
+            _ => k1;
         }
         theta2 theta2 {
-            _ => -k1/I2;
+            _ => -k1;
         }
         theta2 theta1_dot {
-            damping => beta_K*k1/I2;
+            damping => beta_K*k1;
         }
         theta2 theta2_dot {
-            damping => -alpha_M - beta_K*k1/I2;
+            damping => -I2*alpha_M - beta_K*k1;
         }
     }
     cell {
@@ -212,21 +211,23 @@ equations! {
 
     text {
         "T = (I1*theta1_dot^2 + I2*theta2_dot^2)/2";
-        "V = k1*(theta1 - theta2)^2/2";
-        "D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2)/2 [damping]";
+        "V = k1*twist1^2/2";
+        "D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + beta_K*k1*twist1_dot^2)/2 [damping]";
         "Q_theta1 = T_motor [torques]";
         "Q_theta2 = -T_load [torques]";
-        "theta1'' = k1*theta2/I1 - k1*theta1/I1 + T_motor/I1 [torques] + beta_K*k1*theta2_dot/I1 - alpha_M*theta1_dot - beta_K*k1*theta1_dot/I1 [damping]";
-        "theta2'' = k1*theta1/I2 - k1*theta2/I2 - T_load/I2 [torques] + beta_K*k1*theta1_dot/I2 - alpha_M*theta2_dot - beta_K*k1*theta2_dot/I2 [damping]";
+        "twist1 = theta1 - theta2";
+        "theta1'' = -k1*twist1/I1 + T_motor/I1 [torques] - alpha_M*theta1_dot - beta_K*k1*twist1_dot/I1 [damping]";
+        "theta2'' = k1*twist1/I2 - T_load/I2 [torques] + beta_K*k1*twist1_dot/I2 - alpha_M*theta2_dot [damping]";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\dot{\\theta_{2}}^{2})";
-        "V = \\frac{k_{1}\\, \\left(\\theta_{1} - \\theta_{2}\\right)^{2}}{2}";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + \\beta_{K}\\, k_{1}\\, \\left(\\dot{\\theta_{1}} - \\dot{\\theta_{2}}\\right)^{2})\\ [\\text{damping}]";
+        "V = \\frac{k_{1}\\, \\mathrm{twist}_{1}^{2}}{2}";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}^{2})\\ [\\text{damping}]";
         "Q_{\\theta_{1}} = T_{motor}\\ [\\text{torques}]";
         "Q_{\\theta_{2}} = -T_{load}\\ [\\text{torques}]";
-        "\\ddot{\\theta_{1}} = \\frac{k_{1}\\, \\theta_{2}}{I_{1}} - \\frac{k_{1}\\, \\theta_{1}}{I_{1}} + \\frac{T_{motor}}{I_{1}}\\ [\\text{torques}] + \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}}}{I_{1}} - \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}}}{I_{1}}\\ [\\text{damping}]";
-        "\\ddot{\\theta_{2}} = \\frac{k_{1}\\, \\theta_{1}}{I_{2}} - \\frac{k_{1}\\, \\theta_{2}}{I_{2}} - \\frac{T_{load}}{I_{2}}\\ [\\text{torques}] + \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}}}{I_{2}} - \\alpha_{M}\\, \\dot{\\theta_{2}} - \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}}}{I_{2}}\\ [\\text{damping}]";
+        "\\mathrm{twist}_{1} = \\theta_{1} - \\theta_{2}";
+        "\\ddot{\\theta_{1}} = -\\frac{k_{1}\\, \\mathrm{twist}_{1}}{I_{1}} + \\frac{T_{motor}}{I_{1}}\\ [\\text{torques}] - \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}}{I_{1}}\\ [\\text{damping}]";
+        "\\ddot{\\theta_{2}} = \\frac{k_{1}\\, \\mathrm{twist}_{1}}{I_{2}} - \\frac{T_{load}}{I_{2}}\\ [\\text{torques}] + \\frac{\\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}}{I_{2}} - \\alpha_{M}\\, \\dot{\\theta_{2}}\\ [\\text{damping}]";
     }
 }

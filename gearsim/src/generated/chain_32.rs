@@ -8,8 +8,8 @@
 //!
 //! ```text
 //! T = (I1*theta1_dot^2 + I10*theta10_dot^2 + I11*theta11_dot^2 + I12*theta12_dot^2 + I13*theta13_dot^2 + I14*theta14_dot^2 + I15*theta15_dot^2 + I16*theta16_dot^2 + I17*theta17_dot^2 + I18*theta18_dot^2 + I19*theta19_dot^2 + I2*theta2_dot^2 + I20*theta20_dot^2 + I21*theta21_dot^2 + I22*theta22_dot^2 + I23*theta23_dot^2 + I24*theta24_dot^2 + I25*theta25_dot^2 + I26*theta26_dot^2 + I27*theta27_dot^2 + I28*theta28_dot^2 + I29*theta29_dot^2 + I3*theta3_dot^2 + I30*theta30_dot^2 + I31*theta31_dot^2 + I32*theta32_dot^2 + I4*theta4_dot^2 + I5*theta5_dot^2 + I6*theta6_dot^2 + I7*theta7_dot^2 + I8*theta8_dot^2 + I9*theta9_dot^2)/2
-//! V = (k1*(theta1 - theta2)^2 + k10*(theta10 - theta11)^2 + k11*(theta11 - theta12)^2 + k12*(theta12 - theta13)^2 + k13*(theta13 - theta14)^2 + k14*(theta14 - theta15)^2 + k15*(theta15 - theta16)^2 + k16*(theta16 - theta17)^2 + k17*(theta17 - theta18)^2 + k18*(theta18 - theta19)^2 + k19*(theta19 - theta20)^2 + k2*(theta2 - theta3)^2 + k20*(theta20 - theta21)^2 + k21*(theta21 - theta22)^2 + k22*(theta22 - theta23)^2 + k23*(theta23 - theta24)^2 + k24*(theta24 - theta25)^2 + k25*(theta25 - theta26)^2 + k26*(theta26 - theta27)^2 + k27*(theta27 - theta28)^2 + k28*(theta28 - theta29)^2 + k29*(theta29 - theta30)^2 + k3*(theta3 - theta4)^2 + k30*(theta30 - theta31)^2 + k31*(theta31 - theta32)^2 + k4*(theta4 - theta5)^2 + k5*(theta5 - theta6)^2 + k6*(theta6 - theta7)^2 + k7*(theta7 - theta8)^2 + k8*(theta8 - theta9)^2 + k9*(theta9 - theta10)^2)/2
-//! D = (I1*alpha_M*theta1_dot^2 + I10*alpha_M*theta10_dot^2 + I11*alpha_M*theta11_dot^2 + I12*alpha_M*theta12_dot^2 + I13*alpha_M*theta13_dot^2 + I14*alpha_M*theta14_dot^2 + I15*alpha_M*theta15_dot^2 + I16*alpha_M*theta16_dot^2 + I17*alpha_M*theta17_dot^2 + I18*alpha_M*theta18_dot^2 + I19*alpha_M*theta19_dot^2 + I2*alpha_M*theta2_dot^2 + I20*alpha_M*theta20_dot^2 + I21*alpha_M*theta21_dot^2 + I22*alpha_M*theta22_dot^2 + I23*alpha_M*theta23_dot^2 + I24*alpha_M*theta24_dot^2 + I25*alpha_M*theta25_dot^2 + I26*alpha_M*theta26_dot^2 + I27*alpha_M*theta27_dot^2 + I28*alpha_M*theta28_dot^2 + I29*alpha_M*theta29_dot^2 + I3*alpha_M*theta3_dot^2 + I30*alpha_M*theta30_dot^2 + I31*alpha_M*theta31_dot^2 + I32*alpha_M*theta32_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + I6*alpha_M*theta6_dot^2 + I7*alpha_M*theta7_dot^2 + I8*alpha_M*theta8_dot^2 + I9*alpha_M*theta9_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2 + beta_K*k10*(theta10_dot - theta11_dot)^2 + beta_K*k11*(theta11_dot - theta12_dot)^2 + beta_K*k12*(theta12_dot - theta13_dot)^2 + beta_K*k13*(theta13_dot - theta14_dot)^2 + beta_K*k14*(theta14_dot - theta15_dot)^2 + beta_K*k15*(theta15_dot - theta16_dot)^2 + beta_K*k16*(theta16_dot - theta17_dot)^2 + beta_K*k17*(theta17_dot - theta18_dot)^2 + beta_K*k18*(theta18_dot - theta19_dot)^2 + beta_K*k19*(theta19_dot - theta20_dot)^2 + beta_K*k2*(theta2_dot - theta3_dot)^2 + beta_K*k20*(theta20_dot - theta21_dot)^2 + beta_K*k21*(theta21_dot - theta22_dot)^2 + beta_K*k22*(theta22_dot - theta23_dot)^2 + beta_K*k23*(theta23_dot - theta24_dot)^2 + beta_K*k24*(theta24_dot - theta25_dot)^2 + beta_K*k25*(theta25_dot - theta26_dot)^2 + beta_K*k26*(theta26_dot - theta27_dot)^2 + beta_K*k27*(theta27_dot - theta28_dot)^2 + beta_K*k28*(theta28_dot - theta29_dot)^2 + beta_K*k29*(theta29_dot - theta30_dot)^2 + beta_K*k3*(theta3_dot - theta4_dot)^2 + beta_K*k30*(theta30_dot - theta31_dot)^2 + beta_K*k31*(theta31_dot - theta32_dot)^2 + beta_K*k4*(theta4_dot - theta5_dot)^2 + beta_K*k5*(theta5_dot - theta6_dot)^2 + beta_K*k6*(theta6_dot - theta7_dot)^2 + beta_K*k7*(theta7_dot - theta8_dot)^2 + beta_K*k8*(theta8_dot - theta9_dot)^2 + beta_K*k9*(theta9_dot - theta10_dot)^2)/2 [damping]
+//! V = (k1*twist1^2 + k10*twist10^2 + k11*twist11^2 + k12*twist12^2 + k13*twist13^2 + k14*twist14^2 + k15*twist15^2 + k16*twist16^2 + k17*twist17^2 + k18*twist18^2 + k19*twist19^2 + k2*twist2^2 + k20*twist20^2 + k21*twist21^2 + k22*twist22^2 + k23*twist23^2 + k24*twist24^2 + k25*twist25^2 + k26*twist26^2 + k27*twist27^2 + k28*twist28^2 + k29*twist29^2 + k3*twist3^2 + k30*twist30^2 + k31*twist31^2 + k4*twist4^2 + k5*twist5^2 + k6*twist6^2 + k7*twist7^2 + k8*twist8^2 + k9*twist9^2)/2
+//! D = (I1*alpha_M*theta1_dot^2 + I10*alpha_M*theta10_dot^2 + I11*alpha_M*theta11_dot^2 + I12*alpha_M*theta12_dot^2 + I13*alpha_M*theta13_dot^2 + I14*alpha_M*theta14_dot^2 + I15*alpha_M*theta15_dot^2 + I16*alpha_M*theta16_dot^2 + I17*alpha_M*theta17_dot^2 + I18*alpha_M*theta18_dot^2 + I19*alpha_M*theta19_dot^2 + I2*alpha_M*theta2_dot^2 + I20*alpha_M*theta20_dot^2 + I21*alpha_M*theta21_dot^2 + I22*alpha_M*theta22_dot^2 + I23*alpha_M*theta23_dot^2 + I24*alpha_M*theta24_dot^2 + I25*alpha_M*theta25_dot^2 + I26*alpha_M*theta26_dot^2 + I27*alpha_M*theta27_dot^2 + I28*alpha_M*theta28_dot^2 + I29*alpha_M*theta29_dot^2 + I3*alpha_M*theta3_dot^2 + I30*alpha_M*theta30_dot^2 + I31*alpha_M*theta31_dot^2 + I32*alpha_M*theta32_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + I6*alpha_M*theta6_dot^2 + I7*alpha_M*theta7_dot^2 + I8*alpha_M*theta8_dot^2 + I9*alpha_M*theta9_dot^2 + beta_K*k1*twist1_dot^2 + beta_K*k10*twist10_dot^2 + beta_K*k11*twist11_dot^2 + beta_K*k12*twist12_dot^2 + beta_K*k13*twist13_dot^2 + beta_K*k14*twist14_dot^2 + beta_K*k15*twist15_dot^2 + beta_K*k16*twist16_dot^2 + beta_K*k17*twist17_dot^2 + beta_K*k18*twist18_dot^2 + beta_K*k19*twist19_dot^2 + beta_K*k2*twist2_dot^2 + beta_K*k20*twist20_dot^2 + beta_K*k21*twist21_dot^2 + beta_K*k22*twist22_dot^2 + beta_K*k23*twist23_dot^2 + beta_K*k24*twist24_dot^2 + beta_K*k25*twist25_dot^2 + beta_K*k26*twist26_dot^2 + beta_K*k27*twist27_dot^2 + beta_K*k28*twist28_dot^2 + beta_K*k29*twist29_dot^2 + beta_K*k3*twist3_dot^2 + beta_K*k30*twist30_dot^2 + beta_K*k31*twist31_dot^2 + beta_K*k4*twist4_dot^2 + beta_K*k5*twist5_dot^2 + beta_K*k6*twist6_dot^2 + beta_K*k7*twist7_dot^2 + beta_K*k8*twist8_dot^2 + beta_K*k9*twist9_dot^2)/2 [damping]
 //! Q_theta1 = T_motor [torques]
 //! Q_theta2 = 0
 //! Q_theta3 = 0
@@ -44,41 +44,77 @@
 //! Q_theta32 = -T_load [torques]
 //! ```
 //!
+//! # Deflections
+//!
+//! ```text
+//! twist1 = theta1 - theta2
+//! twist2 = theta2 - theta3
+//! twist3 = theta3 - theta4
+//! twist4 = theta4 - theta5
+//! twist5 = theta5 - theta6
+//! twist6 = theta6 - theta7
+//! twist7 = theta7 - theta8
+//! twist8 = theta8 - theta9
+//! twist9 = theta9 - theta10
+//! twist10 = theta10 - theta11
+//! twist11 = theta11 - theta12
+//! twist12 = theta12 - theta13
+//! twist13 = theta13 - theta14
+//! twist14 = theta14 - theta15
+//! twist15 = theta15 - theta16
+//! twist16 = theta16 - theta17
+//! twist17 = theta17 - theta18
+//! twist18 = theta18 - theta19
+//! twist19 = theta19 - theta20
+//! twist20 = theta20 - theta21
+//! twist21 = theta21 - theta22
+//! twist22 = theta22 - theta23
+//! twist23 = theta23 - theta24
+//! twist24 = theta24 - theta25
+//! twist25 = theta25 - theta26
+//! twist26 = theta26 - theta27
+//! twist27 = theta27 - theta28
+//! twist28 = theta28 - theta29
+//! twist29 = theta29 - theta30
+//! twist30 = theta30 - theta31
+//! twist31 = theta31 - theta32
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! (I1) theta1'' = k1*theta2 - k1*theta1 + T_motor [torques] + beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot [damping]
-//! (I2) theta2'' = k1*theta1 - k1*theta2 - k2*theta2 + k2*theta3 + beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot - beta_K*k2*theta2_dot + beta_K*k2*theta3_dot [damping]
-//! (I3) theta3'' = k2*theta2 - k2*theta3 - k3*theta3 + k3*theta4 + beta_K*k2*theta2_dot - I3*alpha_M*theta3_dot - beta_K*k2*theta3_dot - beta_K*k3*theta3_dot + beta_K*k3*theta4_dot [damping]
-//! (I4) theta4'' = k3*theta3 - k3*theta4 - k4*theta4 + k4*theta5 + beta_K*k3*theta3_dot - I4*alpha_M*theta4_dot - beta_K*k3*theta4_dot - beta_K*k4*theta4_dot + beta_K*k4*theta5_dot [damping]
-//! (I5) theta5'' = k4*theta4 - k4*theta5 - k5*theta5 + k5*theta6 + beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot - beta_K*k5*theta5_dot + beta_K*k5*theta6_dot [damping]
-//! (I6) theta6'' = k5*theta5 - k5*theta6 - k6*theta6 + k6*theta7 + beta_K*k5*theta5_dot - I6*alpha_M*theta6_dot - beta_K*k5*theta6_dot - beta_K*k6*theta6_dot + beta_K*k6*theta7_dot [damping]
-//! (I7) theta7'' = k6*theta6 - k6*theta7 - k7*theta7 + k7*theta8 + beta_K*k6*theta6_dot - I7*alpha_M*theta7_dot - beta_K*k6*theta7_dot - beta_K*k7*theta7_dot + beta_K*k7*theta8_dot [damping]
-//! (I8) theta8'' = k7*theta7 - k7*theta8 - k8*theta8 + k8*theta9 + beta_K*k7*theta7_dot - I8*alpha_M*theta8_dot - beta_K*k7*theta8_dot - beta_K*k8*theta8_dot + beta_K*k8*theta9_dot [damping]
-//! (I9) theta9'' = k8*theta8 - k8*theta9 + k9*theta10 - k9*theta9 + beta_K*k8*theta8_dot - I9*alpha_M*theta9_dot - beta_K*k8*theta9_dot + beta_K*k9*theta10_dot - beta_K*k9*theta9_dot [damping]
-//! (I10) theta10'' = k10*theta11 - k10*theta10 - k9*theta10 + k9*theta9 + beta_K*k10*theta11_dot - I10*alpha_M*theta10_dot - beta_K*k10*theta10_dot - beta_K*k9*theta10_dot + beta_K*k9*theta9_dot [damping]
-//! (I11) theta11'' = k10*theta10 - k10*theta11 - k11*theta11 + k11*theta12 + beta_K*k10*theta10_dot - I11*alpha_M*theta11_dot - beta_K*k10*theta11_dot - beta_K*k11*theta11_dot + beta_K*k11*theta12_dot [damping]
-//! (I12) theta12'' = k11*theta11 - k11*theta12 - k12*theta12 + k12*theta13 + beta_K*k11*theta11_dot - I12*alpha_M*theta12_dot - beta_K*k11*theta12_dot - beta_K*k12*theta12_dot + beta_K*k12*theta13_dot [damping]
-//! (I13) theta13'' = k12*theta12 - k12*theta13 - k13*theta13 + k13*theta14 + beta_K*k12*theta12_dot - I13*alpha_M*theta13_dot - beta_K*k12*theta13_dot - beta_K*k13*theta13_dot + beta_K*k13*theta14_dot [damping]
-//! (I14) theta14'' = k13*theta13 - k13*theta14 - k14*theta14 + k14*theta15 + beta_K*k13*theta13_dot - I14*alpha_M*theta14_dot - beta_K*k13*theta14_dot - beta_K*k14*theta14_dot + beta_K*k14*theta15_dot [damping]
-//! (I15) theta15'' = k14*theta14 - k14*theta15 - k15*theta15 + k15*theta16 + beta_K*k14*theta14_dot - I15*alpha_M*theta15_dot - beta_K*k14*theta15_dot - beta_K*k15*theta15_dot + beta_K*k15*theta16_dot [damping]
-//! (I16) theta16'' = k15*theta15 - k15*theta16 - k16*theta16 + k16*theta17 + beta_K*k15*theta15_dot - I16*alpha_M*theta16_dot - beta_K*k15*theta16_dot - beta_K*k16*theta16_dot + beta_K*k16*theta17_dot [damping]
-//! (I17) theta17'' = k16*theta16 - k16*theta17 - k17*theta17 + k17*theta18 + beta_K*k16*theta16_dot - I17*alpha_M*theta17_dot - beta_K*k16*theta17_dot - beta_K*k17*theta17_dot + beta_K*k17*theta18_dot [damping]
-//! (I18) theta18'' = k17*theta17 - k17*theta18 - k18*theta18 + k18*theta19 + beta_K*k17*theta17_dot - I18*alpha_M*theta18_dot - beta_K*k17*theta18_dot - beta_K*k18*theta18_dot + beta_K*k18*theta19_dot [damping]
-//! (I19) theta19'' = k18*theta18 - k18*theta19 - k19*theta19 + k19*theta20 + beta_K*k18*theta18_dot - I19*alpha_M*theta19_dot - beta_K*k18*theta19_dot - beta_K*k19*theta19_dot + beta_K*k19*theta20_dot [damping]
-//! (I20) theta20'' = k19*theta19 - k19*theta20 - k20*theta20 + k20*theta21 + beta_K*k19*theta19_dot - I20*alpha_M*theta20_dot - beta_K*k19*theta20_dot - beta_K*k20*theta20_dot + beta_K*k20*theta21_dot [damping]
-//! (I21) theta21'' = k20*theta20 - k20*theta21 - k21*theta21 + k21*theta22 + beta_K*k20*theta20_dot - I21*alpha_M*theta21_dot - beta_K*k20*theta21_dot - beta_K*k21*theta21_dot + beta_K*k21*theta22_dot [damping]
-//! (I22) theta22'' = k21*theta21 - k21*theta22 - k22*theta22 + k22*theta23 + beta_K*k21*theta21_dot - I22*alpha_M*theta22_dot - beta_K*k21*theta22_dot - beta_K*k22*theta22_dot + beta_K*k22*theta23_dot [damping]
-//! (I23) theta23'' = k22*theta22 - k22*theta23 - k23*theta23 + k23*theta24 + beta_K*k22*theta22_dot - I23*alpha_M*theta23_dot - beta_K*k22*theta23_dot - beta_K*k23*theta23_dot + beta_K*k23*theta24_dot [damping]
-//! (I24) theta24'' = k23*theta23 - k23*theta24 - k24*theta24 + k24*theta25 + beta_K*k23*theta23_dot - I24*alpha_M*theta24_dot - beta_K*k23*theta24_dot - beta_K*k24*theta24_dot + beta_K*k24*theta25_dot [damping]
-//! (I25) theta25'' = k24*theta24 - k24*theta25 - k25*theta25 + k25*theta26 + beta_K*k24*theta24_dot - I25*alpha_M*theta25_dot - beta_K*k24*theta25_dot - beta_K*k25*theta25_dot + beta_K*k25*theta26_dot [damping]
-//! (I26) theta26'' = k25*theta25 - k25*theta26 - k26*theta26 + k26*theta27 + beta_K*k25*theta25_dot - I26*alpha_M*theta26_dot - beta_K*k25*theta26_dot - beta_K*k26*theta26_dot + beta_K*k26*theta27_dot [damping]
-//! (I27) theta27'' = k26*theta26 - k26*theta27 - k27*theta27 + k27*theta28 + beta_K*k26*theta26_dot - I27*alpha_M*theta27_dot - beta_K*k26*theta27_dot - beta_K*k27*theta27_dot + beta_K*k27*theta28_dot [damping]
-//! (I28) theta28'' = k27*theta27 - k27*theta28 - k28*theta28 + k28*theta29 + beta_K*k27*theta27_dot - I28*alpha_M*theta28_dot - beta_K*k27*theta28_dot - beta_K*k28*theta28_dot + beta_K*k28*theta29_dot [damping]
-//! (I29) theta29'' = k28*theta28 - k28*theta29 - k29*theta29 + k29*theta30 + beta_K*k28*theta28_dot - I29*alpha_M*theta29_dot - beta_K*k28*theta29_dot - beta_K*k29*theta29_dot + beta_K*k29*theta30_dot [damping]
-//! (I30) theta30'' = k29*theta29 - k29*theta30 - k30*theta30 + k30*theta31 + beta_K*k29*theta29_dot - I30*alpha_M*theta30_dot - beta_K*k29*theta30_dot - beta_K*k30*theta30_dot + beta_K*k30*theta31_dot [damping]
-//! (I31) theta31'' = k30*theta30 - k30*theta31 - k31*theta31 + k31*theta32 + beta_K*k30*theta30_dot - I31*alpha_M*theta31_dot - beta_K*k30*theta31_dot - beta_K*k31*theta31_dot + beta_K*k31*theta32_dot [damping]
-//! (I32) theta32'' = k31*theta31 - k31*theta32 - T_load [torques] + beta_K*k31*theta31_dot - I32*alpha_M*theta32_dot - beta_K*k31*theta32_dot [damping]
+//! (I1) theta1'' = -k1*twist1 + T_motor [torques] - I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot [damping]
+//! (I2) theta2'' = k1*twist1 - k2*twist2 + beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot [damping]
+//! (I3) theta3'' = k2*twist2 - k3*twist3 + beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot [damping]
+//! (I4) theta4'' = k3*twist3 - k4*twist4 + beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot [damping]
+//! (I5) theta5'' = k4*twist4 - k5*twist5 + beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot - beta_K*k5*twist5_dot [damping]
+//! (I6) theta6'' = k5*twist5 - k6*twist6 + beta_K*k5*twist5_dot - I6*alpha_M*theta6_dot - beta_K*k6*twist6_dot [damping]
+//! (I7) theta7'' = k6*twist6 - k7*twist7 + beta_K*k6*twist6_dot - I7*alpha_M*theta7_dot - beta_K*k7*twist7_dot [damping]
+//! (I8) theta8'' = k7*twist7 - k8*twist8 + beta_K*k7*twist7_dot - I8*alpha_M*theta8_dot - beta_K*k8*twist8_dot [damping]
+//! (I9) theta9'' = k8*twist8 - k9*twist9 + beta_K*k8*twist8_dot - I9*alpha_M*theta9_dot - beta_K*k9*twist9_dot [damping]
+//! (I10) theta10'' = k9*twist9 - k10*twist10 + beta_K*k9*twist9_dot - I10*alpha_M*theta10_dot - beta_K*k10*twist10_dot [damping]
+//! (I11) theta11'' = k10*twist10 - k11*twist11 + beta_K*k10*twist10_dot - I11*alpha_M*theta11_dot - beta_K*k11*twist11_dot [damping]
+//! (I12) theta12'' = k11*twist11 - k12*twist12 + beta_K*k11*twist11_dot - I12*alpha_M*theta12_dot - beta_K*k12*twist12_dot [damping]
+//! (I13) theta13'' = k12*twist12 - k13*twist13 + beta_K*k12*twist12_dot - I13*alpha_M*theta13_dot - beta_K*k13*twist13_dot [damping]
+//! (I14) theta14'' = k13*twist13 - k14*twist14 + beta_K*k13*twist13_dot - I14*alpha_M*theta14_dot - beta_K*k14*twist14_dot [damping]
+//! (I15) theta15'' = k14*twist14 - k15*twist15 + beta_K*k14*twist14_dot - I15*alpha_M*theta15_dot - beta_K*k15*twist15_dot [damping]
+//! (I16) theta16'' = k15*twist15 - k16*twist16 + beta_K*k15*twist15_dot - I16*alpha_M*theta16_dot - beta_K*k16*twist16_dot [damping]
+//! (I17) theta17'' = k16*twist16 - k17*twist17 + beta_K*k16*twist16_dot - I17*alpha_M*theta17_dot - beta_K*k17*twist17_dot [damping]
+//! (I18) theta18'' = k17*twist17 - k18*twist18 + beta_K*k17*twist17_dot - I18*alpha_M*theta18_dot - beta_K*k18*twist18_dot [damping]
+//! (I19) theta19'' = k18*twist18 - k19*twist19 + beta_K*k18*twist18_dot - I19*alpha_M*theta19_dot - beta_K*k19*twist19_dot [damping]
+//! (I20) theta20'' = k19*twist19 - k20*twist20 + beta_K*k19*twist19_dot - I20*alpha_M*theta20_dot - beta_K*k20*twist20_dot [damping]
+//! (I21) theta21'' = k20*twist20 - k21*twist21 + beta_K*k20*twist20_dot - I21*alpha_M*theta21_dot - beta_K*k21*twist21_dot [damping]
+//! (I22) theta22'' = k21*twist21 - k22*twist22 + beta_K*k21*twist21_dot - I22*alpha_M*theta22_dot - beta_K*k22*twist22_dot [damping]
+//! (I23) theta23'' = k22*twist22 - k23*twist23 + beta_K*k22*twist22_dot - I23*alpha_M*theta23_dot - beta_K*k23*twist23_dot [damping]
+//! (I24) theta24'' = k23*twist23 - k24*twist24 + beta_K*k23*twist23_dot - I24*alpha_M*theta24_dot - beta_K*k24*twist24_dot [damping]
+//! (I25) theta25'' = k24*twist24 - k25*twist25 + beta_K*k24*twist24_dot - I25*alpha_M*theta25_dot - beta_K*k25*twist25_dot [damping]
+//! (I26) theta26'' = k25*twist25 - k26*twist26 + beta_K*k25*twist25_dot - I26*alpha_M*theta26_dot - beta_K*k26*twist26_dot [damping]
+//! (I27) theta27'' = k26*twist26 - k27*twist27 + beta_K*k26*twist26_dot - I27*alpha_M*theta27_dot - beta_K*k27*twist27_dot [damping]
+//! (I28) theta28'' = k27*twist27 - k28*twist28 + beta_K*k27*twist27_dot - I28*alpha_M*theta28_dot - beta_K*k28*twist28_dot [damping]
+//! (I29) theta29'' = k28*twist28 - k29*twist29 + beta_K*k28*twist28_dot - I29*alpha_M*theta29_dot - beta_K*k29*twist29_dot [damping]
+//! (I30) theta30'' = k29*twist29 - k30*twist30 + beta_K*k29*twist29_dot - I30*alpha_M*theta30_dot - beta_K*k30*twist30_dot [damping]
+//! (I31) theta31'' = k30*twist30 - k31*twist31 + beta_K*k30*twist30_dot - I31*alpha_M*theta31_dot - beta_K*k31*twist31_dot [damping]
+//! (I32) theta32'' = k31*twist31 - T_load [torques] + beta_K*k31*twist31_dot - I32*alpha_M*theta32_dot [damping]
 //! ```
 //!
 //! # Between two steps
@@ -91,8 +127,8 @@
 //!
 //! ```latex
 //! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + I_{10}\, \dot{\theta_{10}}^{2} + I_{11}\, \dot{\theta_{11}}^{2} + I_{12}\, \dot{\theta_{12}}^{2} + I_{13}\, \dot{\theta_{13}}^{2} + I_{14}\, \dot{\theta_{14}}^{2} + I_{15}\, \dot{\theta_{15}}^{2} + I_{16}\, \dot{\theta_{16}}^{2} + I_{17}\, \dot{\theta_{17}}^{2} + I_{18}\, \dot{\theta_{18}}^{2} + I_{19}\, \dot{\theta_{19}}^{2} + I_{2}\, \dot{\theta_{2}}^{2} + I_{20}\, \dot{\theta_{20}}^{2} + I_{21}\, \dot{\theta_{21}}^{2} + I_{22}\, \dot{\theta_{22}}^{2} + I_{23}\, \dot{\theta_{23}}^{2} + I_{24}\, \dot{\theta_{24}}^{2} + I_{25}\, \dot{\theta_{25}}^{2} + I_{26}\, \dot{\theta_{26}}^{2} + I_{27}\, \dot{\theta_{27}}^{2} + I_{28}\, \dot{\theta_{28}}^{2} + I_{29}\, \dot{\theta_{29}}^{2} + I_{3}\, \dot{\theta_{3}}^{2} + I_{30}\, \dot{\theta_{30}}^{2} + I_{31}\, \dot{\theta_{31}}^{2} + I_{32}\, \dot{\theta_{32}}^{2} + I_{4}\, \dot{\theta_{4}}^{2} + I_{5}\, \dot{\theta_{5}}^{2} + I_{6}\, \dot{\theta_{6}}^{2} + I_{7}\, \dot{\theta_{7}}^{2} + I_{8}\, \dot{\theta_{8}}^{2} + I_{9}\, \dot{\theta_{9}}^{2})
-//! V = \frac{1}{2} (k_{1}\, \left(\theta_{1} - \theta_{2}\right)^{2} + k_{10}\, \left(\theta_{10} - \theta_{11}\right)^{2} + k_{11}\, \left(\theta_{11} - \theta_{12}\right)^{2} + k_{12}\, \left(\theta_{12} - \theta_{13}\right)^{2} + k_{13}\, \left(\theta_{13} - \theta_{14}\right)^{2} + k_{14}\, \left(\theta_{14} - \theta_{15}\right)^{2} + k_{15}\, \left(\theta_{15} - \theta_{16}\right)^{2} + k_{16}\, \left(\theta_{16} - \theta_{17}\right)^{2} + k_{17}\, \left(\theta_{17} - \theta_{18}\right)^{2} + k_{18}\, \left(\theta_{18} - \theta_{19}\right)^{2} + k_{19}\, \left(\theta_{19} - \theta_{20}\right)^{2} + k_{2}\, \left(\theta_{2} - \theta_{3}\right)^{2} + k_{20}\, \left(\theta_{20} - \theta_{21}\right)^{2} + k_{21}\, \left(\theta_{21} - \theta_{22}\right)^{2} + k_{22}\, \left(\theta_{22} - \theta_{23}\right)^{2} + k_{23}\, \left(\theta_{23} - \theta_{24}\right)^{2} + k_{24}\, \left(\theta_{24} - \theta_{25}\right)^{2} + k_{25}\, \left(\theta_{25} - \theta_{26}\right)^{2} + k_{26}\, \left(\theta_{26} - \theta_{27}\right)^{2} + k_{27}\, \left(\theta_{27} - \theta_{28}\right)^{2} + k_{28}\, \left(\theta_{28} - \theta_{29}\right)^{2} + k_{29}\, \left(\theta_{29} - \theta_{30}\right)^{2} + k_{3}\, \left(\theta_{3} - \theta_{4}\right)^{2} + k_{30}\, \left(\theta_{30} - \theta_{31}\right)^{2} + k_{31}\, \left(\theta_{31} - \theta_{32}\right)^{2} + k_{4}\, \left(\theta_{4} - \theta_{5}\right)^{2} + k_{5}\, \left(\theta_{5} - \theta_{6}\right)^{2} + k_{6}\, \left(\theta_{6} - \theta_{7}\right)^{2} + k_{7}\, \left(\theta_{7} - \theta_{8}\right)^{2} + k_{8}\, \left(\theta_{8} - \theta_{9}\right)^{2} + k_{9}\, \left(\theta_{9} - \theta_{10}\right)^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{10}\, \alpha_{M}\, \dot{\theta_{10}}^{2} + I_{11}\, \alpha_{M}\, \dot{\theta_{11}}^{2} + I_{12}\, \alpha_{M}\, \dot{\theta_{12}}^{2} + I_{13}\, \alpha_{M}\, \dot{\theta_{13}}^{2} + I_{14}\, \alpha_{M}\, \dot{\theta_{14}}^{2} + I_{15}\, \alpha_{M}\, \dot{\theta_{15}}^{2} + I_{16}\, \alpha_{M}\, \dot{\theta_{16}}^{2} + I_{17}\, \alpha_{M}\, \dot{\theta_{17}}^{2} + I_{18}\, \alpha_{M}\, \dot{\theta_{18}}^{2} + I_{19}\, \alpha_{M}\, \dot{\theta_{19}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + I_{20}\, \alpha_{M}\, \dot{\theta_{20}}^{2} + I_{21}\, \alpha_{M}\, \dot{\theta_{21}}^{2} + I_{22}\, \alpha_{M}\, \dot{\theta_{22}}^{2} + I_{23}\, \alpha_{M}\, \dot{\theta_{23}}^{2} + I_{24}\, \alpha_{M}\, \dot{\theta_{24}}^{2} + I_{25}\, \alpha_{M}\, \dot{\theta_{25}}^{2} + I_{26}\, \alpha_{M}\, \dot{\theta_{26}}^{2} + I_{27}\, \alpha_{M}\, \dot{\theta_{27}}^{2} + I_{28}\, \alpha_{M}\, \dot{\theta_{28}}^{2} + I_{29}\, \alpha_{M}\, \dot{\theta_{29}}^{2} + I_{3}\, \alpha_{M}\, \dot{\theta_{3}}^{2} + I_{30}\, \alpha_{M}\, \dot{\theta_{30}}^{2} + I_{31}\, \alpha_{M}\, \dot{\theta_{31}}^{2} + I_{32}\, \alpha_{M}\, \dot{\theta_{32}}^{2} + I_{4}\, \alpha_{M}\, \dot{\theta_{4}}^{2} + I_{5}\, \alpha_{M}\, \dot{\theta_{5}}^{2} + I_{6}\, \alpha_{M}\, \dot{\theta_{6}}^{2} + I_{7}\, \alpha_{M}\, \dot{\theta_{7}}^{2} + I_{8}\, \alpha_{M}\, \dot{\theta_{8}}^{2} + I_{9}\, \alpha_{M}\, \dot{\theta_{9}}^{2} + \beta_{K}\, k_{1}\, \left(\dot{\theta_{1}} - \dot{\theta_{2}}\right)^{2} + \beta_{K}\, k_{10}\, \left(\dot{\theta_{10}} - \dot{\theta_{11}}\right)^{2} + \beta_{K}\, k_{11}\, \left(\dot{\theta_{11}} - \dot{\theta_{12}}\right)^{2} + \beta_{K}\, k_{12}\, \left(\dot{\theta_{12}} - \dot{\theta_{13}}\right)^{2} + \beta_{K}\, k_{13}\, \left(\dot{\theta_{13}} - \dot{\theta_{14}}\right)^{2} + \beta_{K}\, k_{14}\, \left(\dot{\theta_{14}} - \dot{\theta_{15}}\right)^{2} + \beta_{K}\, k_{15}\, \left(\dot{\theta_{15}} - \dot{\theta_{16}}\right)^{2} + \beta_{K}\, k_{16}\, \left(\dot{\theta_{16}} - \dot{\theta_{17}}\right)^{2} + \beta_{K}\, k_{17}\, \left(\dot{\theta_{17}} - \dot{\theta_{18}}\right)^{2} + \beta_{K}\, k_{18}\, \left(\dot{\theta_{18}} - \dot{\theta_{19}}\right)^{2} + \beta_{K}\, k_{19}\, \left(\dot{\theta_{19}} - \dot{\theta_{20}}\right)^{2} + \beta_{K}\, k_{2}\, \left(\dot{\theta_{2}} - \dot{\theta_{3}}\right)^{2} + \beta_{K}\, k_{20}\, \left(\dot{\theta_{20}} - \dot{\theta_{21}}\right)^{2} + \beta_{K}\, k_{21}\, \left(\dot{\theta_{21}} - \dot{\theta_{22}}\right)^{2} + \beta_{K}\, k_{22}\, \left(\dot{\theta_{22}} - \dot{\theta_{23}}\right)^{2} + \beta_{K}\, k_{23}\, \left(\dot{\theta_{23}} - \dot{\theta_{24}}\right)^{2} + \beta_{K}\, k_{24}\, \left(\dot{\theta_{24}} - \dot{\theta_{25}}\right)^{2} + \beta_{K}\, k_{25}\, \left(\dot{\theta_{25}} - \dot{\theta_{26}}\right)^{2} + \beta_{K}\, k_{26}\, \left(\dot{\theta_{26}} - \dot{\theta_{27}}\right)^{2} + \beta_{K}\, k_{27}\, \left(\dot{\theta_{27}} - \dot{\theta_{28}}\right)^{2} + \beta_{K}\, k_{28}\, \left(\dot{\theta_{28}} - \dot{\theta_{29}}\right)^{2} + \beta_{K}\, k_{29}\, \left(\dot{\theta_{29}} - \dot{\theta_{30}}\right)^{2} + \beta_{K}\, k_{3}\, \left(\dot{\theta_{3}} - \dot{\theta_{4}}\right)^{2} + \beta_{K}\, k_{30}\, \left(\dot{\theta_{30}} - \dot{\theta_{31}}\right)^{2} + \beta_{K}\, k_{31}\, \left(\dot{\theta_{31}} - \dot{\theta_{32}}\right)^{2} + \beta_{K}\, k_{4}\, \left(\dot{\theta_{4}} - \dot{\theta_{5}}\right)^{2} + \beta_{K}\, k_{5}\, \left(\dot{\theta_{5}} - \dot{\theta_{6}}\right)^{2} + \beta_{K}\, k_{6}\, \left(\dot{\theta_{6}} - \dot{\theta_{7}}\right)^{2} + \beta_{K}\, k_{7}\, \left(\dot{\theta_{7}} - \dot{\theta_{8}}\right)^{2} + \beta_{K}\, k_{8}\, \left(\dot{\theta_{8}} - \dot{\theta_{9}}\right)^{2} + \beta_{K}\, k_{9}\, \left(\dot{\theta_{9}} - \dot{\theta_{10}}\right)^{2})\ [\text{damping}]
+//! V = \frac{1}{2} (k_{1}\, \mathrm{twist}_{1}^{2} + k_{10}\, \mathrm{twist}_{10}^{2} + k_{11}\, \mathrm{twist}_{11}^{2} + k_{12}\, \mathrm{twist}_{12}^{2} + k_{13}\, \mathrm{twist}_{13}^{2} + k_{14}\, \mathrm{twist}_{14}^{2} + k_{15}\, \mathrm{twist}_{15}^{2} + k_{16}\, \mathrm{twist}_{16}^{2} + k_{17}\, \mathrm{twist}_{17}^{2} + k_{18}\, \mathrm{twist}_{18}^{2} + k_{19}\, \mathrm{twist}_{19}^{2} + k_{2}\, \mathrm{twist}_{2}^{2} + k_{20}\, \mathrm{twist}_{20}^{2} + k_{21}\, \mathrm{twist}_{21}^{2} + k_{22}\, \mathrm{twist}_{22}^{2} + k_{23}\, \mathrm{twist}_{23}^{2} + k_{24}\, \mathrm{twist}_{24}^{2} + k_{25}\, \mathrm{twist}_{25}^{2} + k_{26}\, \mathrm{twist}_{26}^{2} + k_{27}\, \mathrm{twist}_{27}^{2} + k_{28}\, \mathrm{twist}_{28}^{2} + k_{29}\, \mathrm{twist}_{29}^{2} + k_{3}\, \mathrm{twist}_{3}^{2} + k_{30}\, \mathrm{twist}_{30}^{2} + k_{31}\, \mathrm{twist}_{31}^{2} + k_{4}\, \mathrm{twist}_{4}^{2} + k_{5}\, \mathrm{twist}_{5}^{2} + k_{6}\, \mathrm{twist}_{6}^{2} + k_{7}\, \mathrm{twist}_{7}^{2} + k_{8}\, \mathrm{twist}_{8}^{2} + k_{9}\, \mathrm{twist}_{9}^{2})
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{10}\, \alpha_{M}\, \dot{\theta_{10}}^{2} + I_{11}\, \alpha_{M}\, \dot{\theta_{11}}^{2} + I_{12}\, \alpha_{M}\, \dot{\theta_{12}}^{2} + I_{13}\, \alpha_{M}\, \dot{\theta_{13}}^{2} + I_{14}\, \alpha_{M}\, \dot{\theta_{14}}^{2} + I_{15}\, \alpha_{M}\, \dot{\theta_{15}}^{2} + I_{16}\, \alpha_{M}\, \dot{\theta_{16}}^{2} + I_{17}\, \alpha_{M}\, \dot{\theta_{17}}^{2} + I_{18}\, \alpha_{M}\, \dot{\theta_{18}}^{2} + I_{19}\, \alpha_{M}\, \dot{\theta_{19}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + I_{20}\, \alpha_{M}\, \dot{\theta_{20}}^{2} + I_{21}\, \alpha_{M}\, \dot{\theta_{21}}^{2} + I_{22}\, \alpha_{M}\, \dot{\theta_{22}}^{2} + I_{23}\, \alpha_{M}\, \dot{\theta_{23}}^{2} + I_{24}\, \alpha_{M}\, \dot{\theta_{24}}^{2} + I_{25}\, \alpha_{M}\, \dot{\theta_{25}}^{2} + I_{26}\, \alpha_{M}\, \dot{\theta_{26}}^{2} + I_{27}\, \alpha_{M}\, \dot{\theta_{27}}^{2} + I_{28}\, \alpha_{M}\, \dot{\theta_{28}}^{2} + I_{29}\, \alpha_{M}\, \dot{\theta_{29}}^{2} + I_{3}\, \alpha_{M}\, \dot{\theta_{3}}^{2} + I_{30}\, \alpha_{M}\, \dot{\theta_{30}}^{2} + I_{31}\, \alpha_{M}\, \dot{\theta_{31}}^{2} + I_{32}\, \alpha_{M}\, \dot{\theta_{32}}^{2} + I_{4}\, \alpha_{M}\, \dot{\theta_{4}}^{2} + I_{5}\, \alpha_{M}\, \dot{\theta_{5}}^{2} + I_{6}\, \alpha_{M}\, \dot{\theta_{6}}^{2} + I_{7}\, \alpha_{M}\, \dot{\theta_{7}}^{2} + I_{8}\, \alpha_{M}\, \dot{\theta_{8}}^{2} + I_{9}\, \alpha_{M}\, \dot{\theta_{9}}^{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}^{2} + \beta_{K}\, k_{10}\, \dot{\mathrm{twist}_{10}}^{2} + \beta_{K}\, k_{11}\, \dot{\mathrm{twist}_{11}}^{2} + \beta_{K}\, k_{12}\, \dot{\mathrm{twist}_{12}}^{2} + \beta_{K}\, k_{13}\, \dot{\mathrm{twist}_{13}}^{2} + \beta_{K}\, k_{14}\, \dot{\mathrm{twist}_{14}}^{2} + \beta_{K}\, k_{15}\, \dot{\mathrm{twist}_{15}}^{2} + \beta_{K}\, k_{16}\, \dot{\mathrm{twist}_{16}}^{2} + \beta_{K}\, k_{17}\, \dot{\mathrm{twist}_{17}}^{2} + \beta_{K}\, k_{18}\, \dot{\mathrm{twist}_{18}}^{2} + \beta_{K}\, k_{19}\, \dot{\mathrm{twist}_{19}}^{2} + \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}}^{2} + \beta_{K}\, k_{20}\, \dot{\mathrm{twist}_{20}}^{2} + \beta_{K}\, k_{21}\, \dot{\mathrm{twist}_{21}}^{2} + \beta_{K}\, k_{22}\, \dot{\mathrm{twist}_{22}}^{2} + \beta_{K}\, k_{23}\, \dot{\mathrm{twist}_{23}}^{2} + \beta_{K}\, k_{24}\, \dot{\mathrm{twist}_{24}}^{2} + \beta_{K}\, k_{25}\, \dot{\mathrm{twist}_{25}}^{2} + \beta_{K}\, k_{26}\, \dot{\mathrm{twist}_{26}}^{2} + \beta_{K}\, k_{27}\, \dot{\mathrm{twist}_{27}}^{2} + \beta_{K}\, k_{28}\, \dot{\mathrm{twist}_{28}}^{2} + \beta_{K}\, k_{29}\, \dot{\mathrm{twist}_{29}}^{2} + \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}}^{2} + \beta_{K}\, k_{30}\, \dot{\mathrm{twist}_{30}}^{2} + \beta_{K}\, k_{31}\, \dot{\mathrm{twist}_{31}}^{2} + \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}}^{2} + \beta_{K}\, k_{5}\, \dot{\mathrm{twist}_{5}}^{2} + \beta_{K}\, k_{6}\, \dot{\mathrm{twist}_{6}}^{2} + \beta_{K}\, k_{7}\, \dot{\mathrm{twist}_{7}}^{2} + \beta_{K}\, k_{8}\, \dot{\mathrm{twist}_{8}}^{2} + \beta_{K}\, k_{9}\, \dot{\mathrm{twist}_{9}}^{2})\ [\text{damping}]
 //! Q_{\theta_{1}} = T_{motor}\ [\text{torques}]
 //! Q_{\theta_{2}} = 0
 //! Q_{\theta_{3}} = 0
@@ -125,51 +161,83 @@
 //! Q_{\theta_{30}} = 0
 //! Q_{\theta_{31}} = 0
 //! Q_{\theta_{32}} = -T_{load}\ [\text{torques}]
-//! (I_{1}) \ddot{\theta_{1}} = k_{1}\, \theta_{2} - k_{1}\, \theta_{1} + T_{motor}\ [\text{torques}] + \beta_{K}\, k_{1}\, \dot{\theta_{2}} - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \beta_{K}\, k_{1}\, \dot{\theta_{1}}\ [\text{damping}]
-//! (I_{2}) \ddot{\theta_{2}} = k_{1}\, \theta_{1} - k_{1}\, \theta_{2} - k_{2}\, \theta_{2} + k_{2}\, \theta_{3} + \beta_{K}\, k_{1}\, \dot{\theta_{1}} - I_{2}\, \alpha_{M}\, \dot{\theta_{2}} - \beta_{K}\, k_{1}\, \dot{\theta_{2}} - \beta_{K}\, k_{2}\, \dot{\theta_{2}} + \beta_{K}\, k_{2}\, \dot{\theta_{3}}\ [\text{damping}]
-//! (I_{3}) \ddot{\theta_{3}} = k_{2}\, \theta_{2} - k_{2}\, \theta_{3} - k_{3}\, \theta_{3} + k_{3}\, \theta_{4} + \beta_{K}\, k_{2}\, \dot{\theta_{2}} - I_{3}\, \alpha_{M}\, \dot{\theta_{3}} - \beta_{K}\, k_{2}\, \dot{\theta_{3}} - \beta_{K}\, k_{3}\, \dot{\theta_{3}} + \beta_{K}\, k_{3}\, \dot{\theta_{4}}\ [\text{damping}]
-//! (I_{4}) \ddot{\theta_{4}} = k_{3}\, \theta_{3} - k_{3}\, \theta_{4} - k_{4}\, \theta_{4} + k_{4}\, \theta_{5} + \beta_{K}\, k_{3}\, \dot{\theta_{3}} - I_{4}\, \alpha_{M}\, \dot{\theta_{4}} - \beta_{K}\, k_{3}\, \dot{\theta_{4}} - \beta_{K}\, k_{4}\, \dot{\theta_{4}} + \beta_{K}\, k_{4}\, \dot{\theta_{5}}\ [\text{damping}]
-//! (I_{5}) \ddot{\theta_{5}} = k_{4}\, \theta_{4} - k_{4}\, \theta_{5} - k_{5}\, \theta_{5} + k_{5}\, \theta_{6} + \beta_{K}\, k_{4}\, \dot{\theta_{4}} - I_{5}\, \alpha_{M}\, \dot{\theta_{5}} - \beta_{K}\, k_{4}\, \dot{\theta_{5}} - \beta_{K}\, k_{5}\, \dot{\theta_{5}} + \beta_{K}\, k_{5}\, \dot{\theta_{6}}\ [\text{damping}]
-//! (I_{6}) \ddot{\theta_{6}} = k_{5}\, \theta_{5} - k_{5}\, \theta_{6} - k_{6}\, \theta_{6} + k_{6}\, \theta_{7} + \beta_{K}\, k_{5}\, \dot{\theta_{5}} - I_{6}\, \alpha_{M}\, \dot{\theta_{6}} - \beta_{K}\, k_{5}\, \dot{\theta_{6}} - \beta_{K}\, k_{6}\, \dot{\theta_{6}} + \beta_{K}\, k_{6}\, \dot{\theta_{7}}\ [\text{damping}]
-//! (I_{7}) \ddot{\theta_{7}} = k_{6}\, \theta_{6} - k_{6}\, \theta_{7} - k_{7}\, \theta_{7} + k_{7}\, \theta_{8} + \beta_{K}\, k_{6}\, \dot{\theta_{6}} - I_{7}\, \alpha_{M}\, \dot{\theta_{7}} - \beta_{K}\, k_{6}\, \dot{\theta_{7}} - \beta_{K}\, k_{7}\, \dot{\theta_{7}} + \beta_{K}\, k_{7}\, \dot{\theta_{8}}\ [\text{damping}]
-//! (I_{8}) \ddot{\theta_{8}} = k_{7}\, \theta_{7} - k_{7}\, \theta_{8} - k_{8}\, \theta_{8} + k_{8}\, \theta_{9} + \beta_{K}\, k_{7}\, \dot{\theta_{7}} - I_{8}\, \alpha_{M}\, \dot{\theta_{8}} - \beta_{K}\, k_{7}\, \dot{\theta_{8}} - \beta_{K}\, k_{8}\, \dot{\theta_{8}} + \beta_{K}\, k_{8}\, \dot{\theta_{9}}\ [\text{damping}]
-//! (I_{9}) \ddot{\theta_{9}} = k_{8}\, \theta_{8} - k_{8}\, \theta_{9} + k_{9}\, \theta_{10} - k_{9}\, \theta_{9} + \beta_{K}\, k_{8}\, \dot{\theta_{8}} - I_{9}\, \alpha_{M}\, \dot{\theta_{9}} - \beta_{K}\, k_{8}\, \dot{\theta_{9}} + \beta_{K}\, k_{9}\, \dot{\theta_{10}} - \beta_{K}\, k_{9}\, \dot{\theta_{9}}\ [\text{damping}]
-//! (I_{10}) \ddot{\theta_{10}} = k_{10}\, \theta_{11} - k_{10}\, \theta_{10} - k_{9}\, \theta_{10} + k_{9}\, \theta_{9} + \beta_{K}\, k_{10}\, \dot{\theta_{11}} - I_{10}\, \alpha_{M}\, \dot{\theta_{10}} - \beta_{K}\, k_{10}\, \dot{\theta_{10}} - \beta_{K}\, k_{9}\, \dot{\theta_{10}} + \beta_{K}\, k_{9}\, \dot{\theta_{9}}\ [\text{damping}]
-//! (I_{11}) \ddot{\theta_{11}} = k_{10}\, \theta_{10} - k_{10}\, \theta_{11} - k_{11}\, \theta_{11} + k_{11}\, \theta_{12} + \beta_{K}\, k_{10}\, \dot{\theta_{10}} - I_{11}\, \alpha_{M}\, \dot{\theta_{11}} - \beta_{K}\, k_{10}\, \dot{\theta_{11}} - \beta_{K}\, k_{11}\, \dot{\theta_{11}} + \beta_{K}\, k_{11}\, \dot{\theta_{12}}\ [\text{damping}]
-//! (I_{12}) \ddot{\theta_{12}} = k_{11}\, \theta_{11} - k_{11}\, \theta_{12} - k_{12}\, \theta_{12} + k_{12}\, \theta_{13} + \beta_{K}\, k_{11}\, \dot{\theta_{11}} - I_{12}\, \alpha_{M}\, \dot{\theta_{12}} - \beta_{K}\, k_{11}\, \dot{\theta_{12}} - \beta_{K}\, k_{12}\, \dot{\theta_{12}} + \beta_{K}\, k_{12}\, \dot{\theta_{13}}\ [\text{damping}]
-//! (I_{13}) \ddot{\theta_{13}} = k_{12}\, \theta_{12} - k_{12}\, \theta_{13} - k_{13}\, \theta_{13} + k_{13}\, \theta_{14} + \beta_{K}\, k_{12}\, \dot{\theta_{12}} - I_{13}\, \alpha_{M}\, \dot{\theta_{13}} - \beta_{K}\, k_{12}\, \dot{\theta_{13}} - \beta_{K}\, k_{13}\, \dot{\theta_{13}} + \beta_{K}\, k_{13}\, \dot{\theta_{14}}\ [\text{damping}]
-//! (I_{14}) \ddot{\theta_{14}} = k_{13}\, \theta_{13} - k_{13}\, \theta_{14} - k_{14}\, \theta_{14} + k_{14}\, \theta_{15} + \beta_{K}\, k_{13}\, \dot{\theta_{13}} - I_{14}\, \alpha_{M}\, \dot{\theta_{14}} - \beta_{K}\, k_{13}\, \dot{\theta_{14}} - \beta_{K}\, k_{14}\, \dot{\theta_{14}} + \beta_{K}\, k_{14}\, \dot{\theta_{15}}\ [\text{damping}]
-//! (I_{15}) \ddot{\theta_{15}} = k_{14}\, \theta_{14} - k_{14}\, \theta_{15} - k_{15}\, \theta_{15} + k_{15}\, \theta_{16} + \beta_{K}\, k_{14}\, \dot{\theta_{14}} - I_{15}\, \alpha_{M}\, \dot{\theta_{15}} - \beta_{K}\, k_{14}\, \dot{\theta_{15}} - \beta_{K}\, k_{15}\, \dot{\theta_{15}} + \beta_{K}\, k_{15}\, \dot{\theta_{16}}\ [\text{damping}]
-//! (I_{16}) \ddot{\theta_{16}} = k_{15}\, \theta_{15} - k_{15}\, \theta_{16} - k_{16}\, \theta_{16} + k_{16}\, \theta_{17} + \beta_{K}\, k_{15}\, \dot{\theta_{15}} - I_{16}\, \alpha_{M}\, \dot{\theta_{16}} - \beta_{K}\, k_{15}\, \dot{\theta_{16}} - \beta_{K}\, k_{16}\, \dot{\theta_{16}} + \beta_{K}\, k_{16}\, \dot{\theta_{17}}\ [\text{damping}]
-//! (I_{17}) \ddot{\theta_{17}} = k_{16}\, \theta_{16} - k_{16}\, \theta_{17} - k_{17}\, \theta_{17} + k_{17}\, \theta_{18} + \beta_{K}\, k_{16}\, \dot{\theta_{16}} - I_{17}\, \alpha_{M}\, \dot{\theta_{17}} - \beta_{K}\, k_{16}\, \dot{\theta_{17}} - \beta_{K}\, k_{17}\, \dot{\theta_{17}} + \beta_{K}\, k_{17}\, \dot{\theta_{18}}\ [\text{damping}]
-//! (I_{18}) \ddot{\theta_{18}} = k_{17}\, \theta_{17} - k_{17}\, \theta_{18} - k_{18}\, \theta_{18} + k_{18}\, \theta_{19} + \beta_{K}\, k_{17}\, \dot{\theta_{17}} - I_{18}\, \alpha_{M}\, \dot{\theta_{18}} - \beta_{K}\, k_{17}\, \dot{\theta_{18}} - \beta_{K}\, k_{18}\, \dot{\theta_{18}} + \beta_{K}\, k_{18}\, \dot{\theta_{19}}\ [\text{damping}]
-//! (I_{19}) \ddot{\theta_{19}} = k_{18}\, \theta_{18} - k_{18}\, \theta_{19} - k_{19}\, \theta_{19} + k_{19}\, \theta_{20} + \beta_{K}\, k_{18}\, \dot{\theta_{18}} - I_{19}\, \alpha_{M}\, \dot{\theta_{19}} - \beta_{K}\, k_{18}\, \dot{\theta_{19}} - \beta_{K}\, k_{19}\, \dot{\theta_{19}} + \beta_{K}\, k_{19}\, \dot{\theta_{20}}\ [\text{damping}]
-//! (I_{20}) \ddot{\theta_{20}} = k_{19}\, \theta_{19} - k_{19}\, \theta_{20} - k_{20}\, \theta_{20} + k_{20}\, \theta_{21} + \beta_{K}\, k_{19}\, \dot{\theta_{19}} - I_{20}\, \alpha_{M}\, \dot{\theta_{20}} - \beta_{K}\, k_{19}\, \dot{\theta_{20}} - \beta_{K}\, k_{20}\, \dot{\theta_{20}} + \beta_{K}\, k_{20}\, \dot{\theta_{21}}\ [\text{damping}]
-//! (I_{21}) \ddot{\theta_{21}} = k_{20}\, \theta_{20} - k_{20}\, \theta_{21} - k_{21}\, \theta_{21} + k_{21}\, \theta_{22} + \beta_{K}\, k_{20}\, \dot{\theta_{20}} - I_{21}\, \alpha_{M}\, \dot{\theta_{21}} - \beta_{K}\, k_{20}\, \dot{\theta_{21}} - \beta_{K}\, k_{21}\, \dot{\theta_{21}} + \beta_{K}\, k_{21}\, \dot{\theta_{22}}\ [\text{damping}]
-//! (I_{22}) \ddot{\theta_{22}} = k_{21}\, \theta_{21} - k_{21}\, \theta_{22} - k_{22}\, \theta_{22} + k_{22}\, \theta_{23} + \beta_{K}\, k_{21}\, \dot{\theta_{21}} - I_{22}\, \alpha_{M}\, \dot{\theta_{22}} - \beta_{K}\, k_{21}\, \dot{\theta_{22}} - \beta_{K}\, k_{22}\, \dot{\theta_{22}} + \beta_{K}\, k_{22}\, \dot{\theta_{23}}\ [\text{damping}]
-//! (I_{23}) \ddot{\theta_{23}} = k_{22}\, \theta_{22} - k_{22}\, \theta_{23} - k_{23}\, \theta_{23} + k_{23}\, \theta_{24} + \beta_{K}\, k_{22}\, \dot{\theta_{22}} - I_{23}\, \alpha_{M}\, \dot{\theta_{23}} - \beta_{K}\, k_{22}\, \dot{\theta_{23}} - \beta_{K}\, k_{23}\, \dot{\theta_{23}} + \beta_{K}\, k_{23}\, \dot{\theta_{24}}\ [\text{damping}]
-//! (I_{24}) \ddot{\theta_{24}} = k_{23}\, \theta_{23} - k_{23}\, \theta_{24} - k_{24}\, \theta_{24} + k_{24}\, \theta_{25} + \beta_{K}\, k_{23}\, \dot{\theta_{23}} - I_{24}\, \alpha_{M}\, \dot{\theta_{24}} - \beta_{K}\, k_{23}\, \dot{\theta_{24}} - \beta_{K}\, k_{24}\, \dot{\theta_{24}} + \beta_{K}\, k_{24}\, \dot{\theta_{25}}\ [\text{damping}]
-//! (I_{25}) \ddot{\theta_{25}} = k_{24}\, \theta_{24} - k_{24}\, \theta_{25} - k_{25}\, \theta_{25} + k_{25}\, \theta_{26} + \beta_{K}\, k_{24}\, \dot{\theta_{24}} - I_{25}\, \alpha_{M}\, \dot{\theta_{25}} - \beta_{K}\, k_{24}\, \dot{\theta_{25}} - \beta_{K}\, k_{25}\, \dot{\theta_{25}} + \beta_{K}\, k_{25}\, \dot{\theta_{26}}\ [\text{damping}]
-//! (I_{26}) \ddot{\theta_{26}} = k_{25}\, \theta_{25} - k_{25}\, \theta_{26} - k_{26}\, \theta_{26} + k_{26}\, \theta_{27} + \beta_{K}\, k_{25}\, \dot{\theta_{25}} - I_{26}\, \alpha_{M}\, \dot{\theta_{26}} - \beta_{K}\, k_{25}\, \dot{\theta_{26}} - \beta_{K}\, k_{26}\, \dot{\theta_{26}} + \beta_{K}\, k_{26}\, \dot{\theta_{27}}\ [\text{damping}]
-//! (I_{27}) \ddot{\theta_{27}} = k_{26}\, \theta_{26} - k_{26}\, \theta_{27} - k_{27}\, \theta_{27} + k_{27}\, \theta_{28} + \beta_{K}\, k_{26}\, \dot{\theta_{26}} - I_{27}\, \alpha_{M}\, \dot{\theta_{27}} - \beta_{K}\, k_{26}\, \dot{\theta_{27}} - \beta_{K}\, k_{27}\, \dot{\theta_{27}} + \beta_{K}\, k_{27}\, \dot{\theta_{28}}\ [\text{damping}]
-//! (I_{28}) \ddot{\theta_{28}} = k_{27}\, \theta_{27} - k_{27}\, \theta_{28} - k_{28}\, \theta_{28} + k_{28}\, \theta_{29} + \beta_{K}\, k_{27}\, \dot{\theta_{27}} - I_{28}\, \alpha_{M}\, \dot{\theta_{28}} - \beta_{K}\, k_{27}\, \dot{\theta_{28}} - \beta_{K}\, k_{28}\, \dot{\theta_{28}} + \beta_{K}\, k_{28}\, \dot{\theta_{29}}\ [\text{damping}]
-//! (I_{29}) \ddot{\theta_{29}} = k_{28}\, \theta_{28} - k_{28}\, \theta_{29} - k_{29}\, \theta_{29} + k_{29}\, \theta_{30} + \beta_{K}\, k_{28}\, \dot{\theta_{28}} - I_{29}\, \alpha_{M}\, \dot{\theta_{29}} - \beta_{K}\, k_{28}\, \dot{\theta_{29}} - \beta_{K}\, k_{29}\, \dot{\theta_{29}} + \beta_{K}\, k_{29}\, \dot{\theta_{30}}\ [\text{damping}]
-//! (I_{30}) \ddot{\theta_{30}} = k_{29}\, \theta_{29} - k_{29}\, \theta_{30} - k_{30}\, \theta_{30} + k_{30}\, \theta_{31} + \beta_{K}\, k_{29}\, \dot{\theta_{29}} - I_{30}\, \alpha_{M}\, \dot{\theta_{30}} - \beta_{K}\, k_{29}\, \dot{\theta_{30}} - \beta_{K}\, k_{30}\, \dot{\theta_{30}} + \beta_{K}\, k_{30}\, \dot{\theta_{31}}\ [\text{damping}]
-//! (I_{31}) \ddot{\theta_{31}} = k_{30}\, \theta_{30} - k_{30}\, \theta_{31} - k_{31}\, \theta_{31} + k_{31}\, \theta_{32} + \beta_{K}\, k_{30}\, \dot{\theta_{30}} - I_{31}\, \alpha_{M}\, \dot{\theta_{31}} - \beta_{K}\, k_{30}\, \dot{\theta_{31}} - \beta_{K}\, k_{31}\, \dot{\theta_{31}} + \beta_{K}\, k_{31}\, \dot{\theta_{32}}\ [\text{damping}]
-//! (I_{32}) \ddot{\theta_{32}} = k_{31}\, \theta_{31} - k_{31}\, \theta_{32} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{31}\, \dot{\theta_{31}} - I_{32}\, \alpha_{M}\, \dot{\theta_{32}} - \beta_{K}\, k_{31}\, \dot{\theta_{32}}\ [\text{damping}]
+//! \mathrm{twist}_{1} = \theta_{1} - \theta_{2}
+//! \mathrm{twist}_{2} = \theta_{2} - \theta_{3}
+//! \mathrm{twist}_{3} = \theta_{3} - \theta_{4}
+//! \mathrm{twist}_{4} = \theta_{4} - \theta_{5}
+//! \mathrm{twist}_{5} = \theta_{5} - \theta_{6}
+//! \mathrm{twist}_{6} = \theta_{6} - \theta_{7}
+//! \mathrm{twist}_{7} = \theta_{7} - \theta_{8}
+//! \mathrm{twist}_{8} = \theta_{8} - \theta_{9}
+//! \mathrm{twist}_{9} = \theta_{9} - \theta_{10}
+//! \mathrm{twist}_{10} = \theta_{10} - \theta_{11}
+//! \mathrm{twist}_{11} = \theta_{11} - \theta_{12}
+//! \mathrm{twist}_{12} = \theta_{12} - \theta_{13}
+//! \mathrm{twist}_{13} = \theta_{13} - \theta_{14}
+//! \mathrm{twist}_{14} = \theta_{14} - \theta_{15}
+//! \mathrm{twist}_{15} = \theta_{15} - \theta_{16}
+//! \mathrm{twist}_{16} = \theta_{16} - \theta_{17}
+//! \mathrm{twist}_{17} = \theta_{17} - \theta_{18}
+//! \mathrm{twist}_{18} = \theta_{18} - \theta_{19}
+//! \mathrm{twist}_{19} = \theta_{19} - \theta_{20}
+//! \mathrm{twist}_{20} = \theta_{20} - \theta_{21}
+//! \mathrm{twist}_{21} = \theta_{21} - \theta_{22}
+//! \mathrm{twist}_{22} = \theta_{22} - \theta_{23}
+//! \mathrm{twist}_{23} = \theta_{23} - \theta_{24}
+//! \mathrm{twist}_{24} = \theta_{24} - \theta_{25}
+//! \mathrm{twist}_{25} = \theta_{25} - \theta_{26}
+//! \mathrm{twist}_{26} = \theta_{26} - \theta_{27}
+//! \mathrm{twist}_{27} = \theta_{27} - \theta_{28}
+//! \mathrm{twist}_{28} = \theta_{28} - \theta_{29}
+//! \mathrm{twist}_{29} = \theta_{29} - \theta_{30}
+//! \mathrm{twist}_{30} = \theta_{30} - \theta_{31}
+//! \mathrm{twist}_{31} = \theta_{31} - \theta_{32}
+//! (I_{1}) \ddot{\theta_{1}} = -k_{1}\, \mathrm{twist}_{1} + T_{motor}\ [\text{torques}] - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}\ [\text{damping}]
+//! (I_{2}) \ddot{\theta_{2}} = k_{1}\, \mathrm{twist}_{1} - k_{2}\, \mathrm{twist}_{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}} - I_{2}\, \alpha_{M}\, \dot{\theta_{2}} - \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}}\ [\text{damping}]
+//! (I_{3}) \ddot{\theta_{3}} = k_{2}\, \mathrm{twist}_{2} - k_{3}\, \mathrm{twist}_{3} + \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}} - I_{3}\, \alpha_{M}\, \dot{\theta_{3}} - \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}}\ [\text{damping}]
+//! (I_{4}) \ddot{\theta_{4}} = k_{3}\, \mathrm{twist}_{3} - k_{4}\, \mathrm{twist}_{4} + \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}} - I_{4}\, \alpha_{M}\, \dot{\theta_{4}} - \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}}\ [\text{damping}]
+//! (I_{5}) \ddot{\theta_{5}} = k_{4}\, \mathrm{twist}_{4} - k_{5}\, \mathrm{twist}_{5} + \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}} - I_{5}\, \alpha_{M}\, \dot{\theta_{5}} - \beta_{K}\, k_{5}\, \dot{\mathrm{twist}_{5}}\ [\text{damping}]
+//! (I_{6}) \ddot{\theta_{6}} = k_{5}\, \mathrm{twist}_{5} - k_{6}\, \mathrm{twist}_{6} + \beta_{K}\, k_{5}\, \dot{\mathrm{twist}_{5}} - I_{6}\, \alpha_{M}\, \dot{\theta_{6}} - \beta_{K}\, k_{6}\, \dot{\mathrm{twist}_{6}}\ [\text{damping}]
+//! (I_{7}) \ddot{\theta_{7}} = k_{6}\, \mathrm{twist}_{6} - k_{7}\, \mathrm{twist}_{7} + \beta_{K}\, k_{6}\, \dot{\mathrm{twist}_{6}} - I_{7}\, \alpha_{M}\, \dot{\theta_{7}} - \beta_{K}\, k_{7}\, \dot{\mathrm{twist}_{7}}\ [\text{damping}]
+//! (I_{8}) \ddot{\theta_{8}} = k_{7}\, \mathrm{twist}_{7} - k_{8}\, \mathrm{twist}_{8} + \beta_{K}\, k_{7}\, \dot{\mathrm{twist}_{7}} - I_{8}\, \alpha_{M}\, \dot{\theta_{8}} - \beta_{K}\, k_{8}\, \dot{\mathrm{twist}_{8}}\ [\text{damping}]
+//! (I_{9}) \ddot{\theta_{9}} = k_{8}\, \mathrm{twist}_{8} - k_{9}\, \mathrm{twist}_{9} + \beta_{K}\, k_{8}\, \dot{\mathrm{twist}_{8}} - I_{9}\, \alpha_{M}\, \dot{\theta_{9}} - \beta_{K}\, k_{9}\, \dot{\mathrm{twist}_{9}}\ [\text{damping}]
+//! (I_{10}) \ddot{\theta_{10}} = k_{9}\, \mathrm{twist}_{9} - k_{10}\, \mathrm{twist}_{10} + \beta_{K}\, k_{9}\, \dot{\mathrm{twist}_{9}} - I_{10}\, \alpha_{M}\, \dot{\theta_{10}} - \beta_{K}\, k_{10}\, \dot{\mathrm{twist}_{10}}\ [\text{damping}]
+//! (I_{11}) \ddot{\theta_{11}} = k_{10}\, \mathrm{twist}_{10} - k_{11}\, \mathrm{twist}_{11} + \beta_{K}\, k_{10}\, \dot{\mathrm{twist}_{10}} - I_{11}\, \alpha_{M}\, \dot{\theta_{11}} - \beta_{K}\, k_{11}\, \dot{\mathrm{twist}_{11}}\ [\text{damping}]
+//! (I_{12}) \ddot{\theta_{12}} = k_{11}\, \mathrm{twist}_{11} - k_{12}\, \mathrm{twist}_{12} + \beta_{K}\, k_{11}\, \dot{\mathrm{twist}_{11}} - I_{12}\, \alpha_{M}\, \dot{\theta_{12}} - \beta_{K}\, k_{12}\, \dot{\mathrm{twist}_{12}}\ [\text{damping}]
+//! (I_{13}) \ddot{\theta_{13}} = k_{12}\, \mathrm{twist}_{12} - k_{13}\, \mathrm{twist}_{13} + \beta_{K}\, k_{12}\, \dot{\mathrm{twist}_{12}} - I_{13}\, \alpha_{M}\, \dot{\theta_{13}} - \beta_{K}\, k_{13}\, \dot{\mathrm{twist}_{13}}\ [\text{damping}]
+//! (I_{14}) \ddot{\theta_{14}} = k_{13}\, \mathrm{twist}_{13} - k_{14}\, \mathrm{twist}_{14} + \beta_{K}\, k_{13}\, \dot{\mathrm{twist}_{13}} - I_{14}\, \alpha_{M}\, \dot{\theta_{14}} - \beta_{K}\, k_{14}\, \dot{\mathrm{twist}_{14}}\ [\text{damping}]
+//! (I_{15}) \ddot{\theta_{15}} = k_{14}\, \mathrm{twist}_{14} - k_{15}\, \mathrm{twist}_{15} + \beta_{K}\, k_{14}\, \dot{\mathrm{twist}_{14}} - I_{15}\, \alpha_{M}\, \dot{\theta_{15}} - \beta_{K}\, k_{15}\, \dot{\mathrm{twist}_{15}}\ [\text{damping}]
+//! (I_{16}) \ddot{\theta_{16}} = k_{15}\, \mathrm{twist}_{15} - k_{16}\, \mathrm{twist}_{16} + \beta_{K}\, k_{15}\, \dot{\mathrm{twist}_{15}} - I_{16}\, \alpha_{M}\, \dot{\theta_{16}} - \beta_{K}\, k_{16}\, \dot{\mathrm{twist}_{16}}\ [\text{damping}]
+//! (I_{17}) \ddot{\theta_{17}} = k_{16}\, \mathrm{twist}_{16} - k_{17}\, \mathrm{twist}_{17} + \beta_{K}\, k_{16}\, \dot{\mathrm{twist}_{16}} - I_{17}\, \alpha_{M}\, \dot{\theta_{17}} - \beta_{K}\, k_{17}\, \dot{\mathrm{twist}_{17}}\ [\text{damping}]
+//! (I_{18}) \ddot{\theta_{18}} = k_{17}\, \mathrm{twist}_{17} - k_{18}\, \mathrm{twist}_{18} + \beta_{K}\, k_{17}\, \dot{\mathrm{twist}_{17}} - I_{18}\, \alpha_{M}\, \dot{\theta_{18}} - \beta_{K}\, k_{18}\, \dot{\mathrm{twist}_{18}}\ [\text{damping}]
+//! (I_{19}) \ddot{\theta_{19}} = k_{18}\, \mathrm{twist}_{18} - k_{19}\, \mathrm{twist}_{19} + \beta_{K}\, k_{18}\, \dot{\mathrm{twist}_{18}} - I_{19}\, \alpha_{M}\, \dot{\theta_{19}} - \beta_{K}\, k_{19}\, \dot{\mathrm{twist}_{19}}\ [\text{damping}]
+//! (I_{20}) \ddot{\theta_{20}} = k_{19}\, \mathrm{twist}_{19} - k_{20}\, \mathrm{twist}_{20} + \beta_{K}\, k_{19}\, \dot{\mathrm{twist}_{19}} - I_{20}\, \alpha_{M}\, \dot{\theta_{20}} - \beta_{K}\, k_{20}\, \dot{\mathrm{twist}_{20}}\ [\text{damping}]
+//! (I_{21}) \ddot{\theta_{21}} = k_{20}\, \mathrm{twist}_{20} - k_{21}\, \mathrm{twist}_{21} + \beta_{K}\, k_{20}\, \dot{\mathrm{twist}_{20}} - I_{21}\, \alpha_{M}\, \dot{\theta_{21}} - \beta_{K}\, k_{21}\, \dot{\mathrm{twist}_{21}}\ [\text{damping}]
+//! (I_{22}) \ddot{\theta_{22}} = k_{21}\, \mathrm{twist}_{21} - k_{22}\, \mathrm{twist}_{22} + \beta_{K}\, k_{21}\, \dot{\mathrm{twist}_{21}} - I_{22}\, \alpha_{M}\, \dot{\theta_{22}} - \beta_{K}\, k_{22}\, \dot{\mathrm{twist}_{22}}\ [\text{damping}]
+//! (I_{23}) \ddot{\theta_{23}} = k_{22}\, \mathrm{twist}_{22} - k_{23}\, \mathrm{twist}_{23} + \beta_{K}\, k_{22}\, \dot{\mathrm{twist}_{22}} - I_{23}\, \alpha_{M}\, \dot{\theta_{23}} - \beta_{K}\, k_{23}\, \dot{\mathrm{twist}_{23}}\ [\text{damping}]
+//! (I_{24}) \ddot{\theta_{24}} = k_{23}\, \mathrm{twist}_{23} - k_{24}\, \mathrm{twist}_{24} + \beta_{K}\, k_{23}\, \dot{\mathrm{twist}_{23}} - I_{24}\, \alpha_{M}\, \dot{\theta_{24}} - \beta_{K}\, k_{24}\, \dot{\mathrm{twist}_{24}}\ [\text{damping}]
+//! (I_{25}) \ddot{\theta_{25}} = k_{24}\, \mathrm{twist}_{24} - k_{25}\, \mathrm{twist}_{25} + \beta_{K}\, k_{24}\, \dot{\mathrm{twist}_{24}} - I_{25}\, \alpha_{M}\, \dot{\theta_{25}} - \beta_{K}\, k_{25}\, \dot{\mathrm{twist}_{25}}\ [\text{damping}]
+//! (I_{26}) \ddot{\theta_{26}} = k_{25}\, \mathrm{twist}_{25} - k_{26}\, \mathrm{twist}_{26} + \beta_{K}\, k_{25}\, \dot{\mathrm{twist}_{25}} - I_{26}\, \alpha_{M}\, \dot{\theta_{26}} - \beta_{K}\, k_{26}\, \dot{\mathrm{twist}_{26}}\ [\text{damping}]
+//! (I_{27}) \ddot{\theta_{27}} = k_{26}\, \mathrm{twist}_{26} - k_{27}\, \mathrm{twist}_{27} + \beta_{K}\, k_{26}\, \dot{\mathrm{twist}_{26}} - I_{27}\, \alpha_{M}\, \dot{\theta_{27}} - \beta_{K}\, k_{27}\, \dot{\mathrm{twist}_{27}}\ [\text{damping}]
+//! (I_{28}) \ddot{\theta_{28}} = k_{27}\, \mathrm{twist}_{27} - k_{28}\, \mathrm{twist}_{28} + \beta_{K}\, k_{27}\, \dot{\mathrm{twist}_{27}} - I_{28}\, \alpha_{M}\, \dot{\theta_{28}} - \beta_{K}\, k_{28}\, \dot{\mathrm{twist}_{28}}\ [\text{damping}]
+//! (I_{29}) \ddot{\theta_{29}} = k_{28}\, \mathrm{twist}_{28} - k_{29}\, \mathrm{twist}_{29} + \beta_{K}\, k_{28}\, \dot{\mathrm{twist}_{28}} - I_{29}\, \alpha_{M}\, \dot{\theta_{29}} - \beta_{K}\, k_{29}\, \dot{\mathrm{twist}_{29}}\ [\text{damping}]
+//! (I_{30}) \ddot{\theta_{30}} = k_{29}\, \mathrm{twist}_{29} - k_{30}\, \mathrm{twist}_{30} + \beta_{K}\, k_{29}\, \dot{\mathrm{twist}_{29}} - I_{30}\, \alpha_{M}\, \dot{\theta_{30}} - \beta_{K}\, k_{30}\, \dot{\mathrm{twist}_{30}}\ [\text{damping}]
+//! (I_{31}) \ddot{\theta_{31}} = k_{30}\, \mathrm{twist}_{30} - k_{31}\, \mathrm{twist}_{31} + \beta_{K}\, k_{30}\, \dot{\mathrm{twist}_{30}} - I_{31}\, \alpha_{M}\, \dot{\theta_{31}} - \beta_{K}\, k_{31}\, \dot{\mathrm{twist}_{31}}\ [\text{damping}]
+//! (I_{32}) \ddot{\theta_{32}} = k_{31}\, \mathrm{twist}_{31} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{31}\, \dot{\mathrm{twist}_{31}} - I_{32}\, \alpha_{M}\, \dot{\theta_{32}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | force | 216 | 436 | 0 |
+//! | force | 92 | 250 | 0 |
 
 use gearsim_macros::equations;
 
@@ -292,15 +360,48 @@ equations! {
     conditions {
     }
 
+    deflections {
+        twist1 = theta1 - theta2;
+        twist2 = theta2 - theta3;
+        twist3 = theta3 - theta4;
+        twist4 = theta4 - theta5;
+        twist5 = theta5 - theta6;
+        twist6 = theta6 - theta7;
+        twist7 = theta7 - theta8;
+        twist8 = theta8 - theta9;
+        twist9 = theta9 - theta10;
+        twist10 = theta10 - theta11;
+        twist11 = theta11 - theta12;
+        twist12 = theta12 - theta13;
+        twist13 = theta13 - theta14;
+        twist14 = theta14 - theta15;
+        twist15 = theta15 - theta16;
+        twist16 = theta16 - theta17;
+        twist17 = theta17 - theta18;
+        twist18 = theta18 - theta19;
+        twist19 = theta19 - theta20;
+        twist20 = theta20 - theta21;
+        twist21 = theta21 - theta22;
+        twist22 = theta22 - theta23;
+        twist23 = theta23 - theta24;
+        twist24 = theta24 - theta25;
+        twist25 = theta25 - theta26;
+        twist26 = theta26 - theta27;
+        twist27 = theta27 - theta28;
+        twist28 = theta28 - theta29;
+        twist29 = theta29 - theta30;
+        twist30 = theta30 - theta31;
+        twist31 = theta31 - theta32;
+    }
     energies {
         kinetic {
             _ => (I1*theta1_dot.powi(2) + I10*theta10_dot.powi(2) + I11*theta11_dot.powi(2) + I12*theta12_dot.powi(2) + I13*theta13_dot.powi(2) + I14*theta14_dot.powi(2) + I15*theta15_dot.powi(2) + I16*theta16_dot.powi(2) + I17*theta17_dot.powi(2) + I18*theta18_dot.powi(2) + I19*theta19_dot.powi(2) + I2*theta2_dot.powi(2) + I20*theta20_dot.powi(2) + I21*theta21_dot.powi(2) + I22*theta22_dot.powi(2) + I23*theta23_dot.powi(2) + I24*theta24_dot.powi(2) + I25*theta25_dot.powi(2) + I26*theta26_dot.powi(2) + I27*theta27_dot.powi(2) + I28*theta28_dot.powi(2) + I29*theta29_dot.powi(2) + I3*theta3_dot.powi(2) + I30*theta30_dot.powi(2) + I31*theta31_dot.powi(2) + I32*theta32_dot.powi(2) + I4*theta4_dot.powi(2) + I5*theta5_dot.powi(2) + I6*theta6_dot.powi(2) + I7*theta7_dot.powi(2) + I8*theta8_dot.powi(2) + I9*theta9_dot.powi(2))/2.0;
         }
         potential {
-            _ => (k1*(theta1 - theta2).powi(2) + k10*(theta10 - theta11).powi(2) + k11*(theta11 - theta12).powi(2) + k12*(theta12 - theta13).powi(2) + k13*(theta13 - theta14).powi(2) + k14*(theta14 - theta15).powi(2) + k15*(theta15 - theta16).powi(2) + k16*(theta16 - theta17).powi(2) + k17*(theta17 - theta18).powi(2) + k18*(theta18 - theta19).powi(2) + k19*(theta19 - theta20).powi(2) + k2*(theta2 - theta3).powi(2) + k20*(theta20 - theta21).powi(2) + k21*(theta21 - theta22).powi(2) + k22*(theta22 - theta23).powi(2) + k23*(theta23 - theta24).powi(2) + k24*(theta24 - theta25).powi(2) + k25*(theta25 - theta26).powi(2) + k26*(theta26 - theta27).powi(2) + k27*(theta27 - theta28).powi(2) + k28*(theta28 - theta29).powi(2) + k29*(theta29 - theta30).powi(2) + k3*(theta3 - theta4).powi(2) + k30*(theta30 - theta31).powi(2) + k31*(theta31 - theta32).powi(2) + k4*(theta4 - theta5).powi(2) + k5*(theta5 - theta6).powi(2) + k6*(theta6 - theta7).powi(2) + k7*(theta7 - theta8).powi(2) + k8*(theta8 - theta9).powi(2) + k9*(theta9 - theta10).powi(2))/2.0;
+            _ => (k1*twist1.powi(2) + k10*twist10.powi(2) + k11*twist11.powi(2) + k12*twist12.powi(2) + k13*twist13.powi(2) + k14*twist14.powi(2) + k15*twist15.powi(2) + k16*twist16.powi(2) + k17*twist17.powi(2) + k18*twist18.powi(2) + k19*twist19.powi(2) + k2*twist2.powi(2) + k20*twist20.powi(2) + k21*twist21.powi(2) + k22*twist22.powi(2) + k23*twist23.powi(2) + k24*twist24.powi(2) + k25*twist25.powi(2) + k26*twist26.powi(2) + k27*twist27.powi(2) + k28*twist28.powi(2) + k29*twist29.powi(2) + k3*twist3.powi(2) + k30*twist30.powi(2) + k31*twist31.powi(2) + k4*twist4.powi(2) + k5*twist5.powi(2) + k6*twist6.powi(2) + k7*twist7.powi(2) + k8*twist8.powi(2) + k9*twist9.powi(2))/2.0;
         }
         dissipation {
-            damping => (I1*alpha_M*theta1_dot.powi(2) + I10*alpha_M*theta10_dot.powi(2) + I11*alpha_M*theta11_dot.powi(2) + I12*alpha_M*theta12_dot.powi(2) + I13*alpha_M*theta13_dot.powi(2) + I14*alpha_M*theta14_dot.powi(2) + I15*alpha_M*theta15_dot.powi(2) + I16*alpha_M*theta16_dot.powi(2) + I17*alpha_M*theta17_dot.powi(2) + I18*alpha_M*theta18_dot.powi(2) + I19*alpha_M*theta19_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + I20*alpha_M*theta20_dot.powi(2) + I21*alpha_M*theta21_dot.powi(2) + I22*alpha_M*theta22_dot.powi(2) + I23*alpha_M*theta23_dot.powi(2) + I24*alpha_M*theta24_dot.powi(2) + I25*alpha_M*theta25_dot.powi(2) + I26*alpha_M*theta26_dot.powi(2) + I27*alpha_M*theta27_dot.powi(2) + I28*alpha_M*theta28_dot.powi(2) + I29*alpha_M*theta29_dot.powi(2) + I3*alpha_M*theta3_dot.powi(2) + I30*alpha_M*theta30_dot.powi(2) + I31*alpha_M*theta31_dot.powi(2) + I32*alpha_M*theta32_dot.powi(2) + I4*alpha_M*theta4_dot.powi(2) + I5*alpha_M*theta5_dot.powi(2) + I6*alpha_M*theta6_dot.powi(2) + I7*alpha_M*theta7_dot.powi(2) + I8*alpha_M*theta8_dot.powi(2) + I9*alpha_M*theta9_dot.powi(2) + beta_K*k1*(theta1_dot - theta2_dot).powi(2) + beta_K*k10*(theta10_dot - theta11_dot).powi(2) + beta_K*k11*(theta11_dot - theta12_dot).powi(2) + beta_K*k12*(theta12_dot - theta13_dot).powi(2) + beta_K*k13*(theta13_dot - theta14_dot).powi(2) + beta_K*k14*(theta14_dot - theta15_dot).powi(2) + beta_K*k15*(theta15_dot - theta16_dot).powi(2) + beta_K*k16*(theta16_dot - theta17_dot).powi(2) + beta_K*k17*(theta17_dot - theta18_dot).powi(2) + beta_K*k18*(theta18_dot - theta19_dot).powi(2) + beta_K*k19*(theta19_dot - theta20_dot).powi(2) + beta_K*k2*(theta2_dot - theta3_dot).powi(2) + beta_K*k20*(theta20_dot - theta21_dot).powi(2) + beta_K*k21*(theta21_dot - theta22_dot).powi(2) + beta_K*k22*(theta22_dot - theta23_dot).powi(2) + beta_K*k23*(theta23_dot - theta24_dot).powi(2) + beta_K*k24*(theta24_dot - theta25_dot).powi(2) + beta_K*k25*(theta25_dot - theta26_dot).powi(2) + beta_K*k26*(theta26_dot - theta27_dot).powi(2) + beta_K*k27*(theta27_dot - theta28_dot).powi(2) + beta_K*k28*(theta28_dot - theta29_dot).powi(2) + beta_K*k29*(theta29_dot - theta30_dot).powi(2) + beta_K*k3*(theta3_dot - theta4_dot).powi(2) + beta_K*k30*(theta30_dot - theta31_dot).powi(2) + beta_K*k31*(theta31_dot - theta32_dot).powi(2) + beta_K*k4*(theta4_dot - theta5_dot).powi(2) + beta_K*k5*(theta5_dot - theta6_dot).powi(2) + beta_K*k6*(theta6_dot - theta7_dot).powi(2) + beta_K*k7*(theta7_dot - theta8_dot).powi(2) + beta_K*k8*(theta8_dot - theta9_dot).powi(2) + beta_K*k9*(theta9_dot - theta10_dot).powi(2))/2.0;
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I10*alpha_M*theta10_dot.powi(2) + I11*alpha_M*theta11_dot.powi(2) + I12*alpha_M*theta12_dot.powi(2) + I13*alpha_M*theta13_dot.powi(2) + I14*alpha_M*theta14_dot.powi(2) + I15*alpha_M*theta15_dot.powi(2) + I16*alpha_M*theta16_dot.powi(2) + I17*alpha_M*theta17_dot.powi(2) + I18*alpha_M*theta18_dot.powi(2) + I19*alpha_M*theta19_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + I20*alpha_M*theta20_dot.powi(2) + I21*alpha_M*theta21_dot.powi(2) + I22*alpha_M*theta22_dot.powi(2) + I23*alpha_M*theta23_dot.powi(2) + I24*alpha_M*theta24_dot.powi(2) + I25*alpha_M*theta25_dot.powi(2) + I26*alpha_M*theta26_dot.powi(2) + I27*alpha_M*theta27_dot.powi(2) + I28*alpha_M*theta28_dot.powi(2) + I29*alpha_M*theta29_dot.powi(2) + I3*alpha_M*theta3_dot.powi(2) + I30*alpha_M*theta30_dot.powi(2) + I31*alpha_M*theta31_dot.powi(2) + I32*alpha_M*theta32_dot.powi(2) + I4*alpha_M*theta4_dot.powi(2) + I5*alpha_M*theta5_dot.powi(2) + I6*alpha_M*theta6_dot.powi(2) + I7*alpha_M*theta7_dot.powi(2) + I8*alpha_M*theta8_dot.powi(2) + I9*alpha_M*theta9_dot.powi(2) + beta_K*k1*twist1_dot.powi(2) + beta_K*k10*twist10_dot.powi(2) + beta_K*k11*twist11_dot.powi(2) + beta_K*k12*twist12_dot.powi(2) + beta_K*k13*twist13_dot.powi(2) + beta_K*k14*twist14_dot.powi(2) + beta_K*k15*twist15_dot.powi(2) + beta_K*k16*twist16_dot.powi(2) + beta_K*k17*twist17_dot.powi(2) + beta_K*k18*twist18_dot.powi(2) + beta_K*k19*twist19_dot.powi(2) + beta_K*k2*twist2_dot.powi(2) + beta_K*k20*twist20_dot.powi(2) + beta_K*k21*twist21_dot.powi(2) + beta_K*k22*twist22_dot.powi(2) + beta_K*k23*twist23_dot.powi(2) + beta_K*k24*twist24_dot.powi(2) + beta_K*k25*twist25_dot.powi(2) + beta_K*k26*twist26_dot.powi(2) + beta_K*k27*twist27_dot.powi(2) + beta_K*k28*twist28_dot.powi(2) + beta_K*k29*twist29_dot.powi(2) + beta_K*k3*twist3_dot.powi(2) + beta_K*k30*twist30_dot.powi(2) + beta_K*k31*twist31_dot.powi(2) + beta_K*k4*twist4_dot.powi(2) + beta_K*k5*twist5_dot.powi(2) + beta_K*k6*twist6_dot.powi(2) + beta_K*k7*twist7_dot.powi(2) + beta_K*k8*twist8_dot.powi(2) + beta_K*k9*twist9_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -449,134 +550,134 @@ equations! {
     }
     force {
         theta1 {
-            _ => k1*theta2 - k1*theta1;
+            _ => -k1*twist1;
             torques => T_motor;
-            damping => beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot;
+            damping => -I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot;
         }
         theta2 {
-            _ => k1*theta1 - k1*theta2 - k2*theta2 + k2*theta3;
-            damping => beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot - beta_K*k2*theta2_dot + beta_K*k2*theta3_dot;
+            _ => k1*twist1 - k2*twist2;
+            damping => beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot;
         }
         theta3 {
-            _ => k2*theta2 - k2*theta3 - k3*theta3 + k3*theta4;
-            damping => beta_K*k2*theta2_dot - I3*alpha_M*theta3_dot - beta_K*k2*theta3_dot - beta_K*k3*theta3_dot + beta_K*k3*theta4_dot;
+            _ => k2*twist2 - k3*twist3;
+            damping => beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot;
         }
         theta4 {
-            _ => k3*theta3 - k3*theta4 - k4*theta4 + k4*theta5;
-            damping => beta_K*k3*theta3_dot - I4*alpha_M*theta4_dot - beta_K*k3*theta4_dot - beta_K*k4*theta4_dot + beta_K*k4*theta5_dot;
+            _ => k3*twist3 - k4*twist4;
+            damping => beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot;
         }
         theta5 {
-            _ => k4*theta4 - k4*theta5 - k5*theta5 + k5*theta6;
-            damping => beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot - beta_K*k5*theta5_dot + beta_K*k5*theta6_dot;
+            _ => k4*twist4 - k5*twist5;
+            damping => beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot - beta_K*k5*twist5_dot;
         }
         theta6 {
-            _ => k5*theta5 - k5*theta6 - k6*theta6 + k6*theta7;
-            damping => beta_K*k5*theta5_dot - I6*alpha_M*theta6_dot - beta_K*k5*theta6_dot - beta_K*k6*theta6_dot + beta_K*k6*theta7_dot;
+            _ => k5*twist5 - k6*twist6;
+            damping => beta_K*k5*twist5_dot - I6*alpha_M*theta6_dot - beta_K*k6*twist6_dot;
         }
         theta7 {
-            _ => k6*theta6 - k6*theta7 - k7*theta7 + k7*theta8;
-            damping => beta_K*k6*theta6_dot - I7*alpha_M*theta7_dot - beta_K*k6*theta7_dot - beta_K*k7*theta7_dot + beta_K*k7*theta8_dot;
+            _ => k6*twist6 - k7*twist7;
+            damping => beta_K*k6*twist6_dot - I7*alpha_M*theta7_dot - beta_K*k7*twist7_dot;
         }
         theta8 {
-            _ => k7*theta7 - k7*theta8 - k8*theta8 + k8*theta9;
-            damping => beta_K*k7*theta7_dot - I8*alpha_M*theta8_dot - beta_K*k7*theta8_dot - beta_K*k8*theta8_dot + beta_K*k8*theta9_dot;
+            _ => k7*twist7 - k8*twist8;
+            damping => beta_K*k7*twist7_dot - I8*alpha_M*theta8_dot - beta_K*k8*twist8_dot;
         }
         theta9 {
-            _ => k8*theta8 - k8*theta9 + k9*theta10 - k9*theta9;
-            damping => beta_K*k8*theta8_dot - I9*alpha_M*theta9_dot - beta_K*k8*theta9_dot + beta_K*k9*theta10_dot - beta_K*k9*theta9_dot;
+            _ => k8*twist8 - k9*twist9;
+            damping => beta_K*k8*twist8_dot - I9*alpha_M*theta9_dot - beta_K*k9*twist9_dot;
         }
         theta10 {
-            _ => k10*theta11 - k10*theta10 - k9*theta10 + k9*theta9;
-            damping => beta_K*k10*theta11_dot - I10*alpha_M*theta10_dot - beta_K*k10*theta10_dot - beta_K*k9*theta10_dot + beta_K*k9*theta9_dot;
+            _ => k9*twist9 - k10*twist10;
+            damping => beta_K*k9*twist9_dot - I10*alpha_M*theta10_dot - beta_K*k10*twist10_dot;
         }
         theta11 {
-            _ => k10*theta10 - k10*theta11 - k11*theta11 + k11*theta12;
-            damping => beta_K*k10*theta10_dot - I11*alpha_M*theta11_dot - beta_K*k10*theta11_dot - beta_K*k11*theta11_dot + beta_K*k11*theta12_dot;
+            _ => k10*twist10 - k11*twist11;
+            damping => beta_K*k10*twist10_dot - I11*alpha_M*theta11_dot - beta_K*k11*twist11_dot;
         }
         theta12 {
-            _ => k11*theta11 - k11*theta12 - k12*theta12 + k12*theta13;
-            damping => beta_K*k11*theta11_dot - I12*alpha_M*theta12_dot - beta_K*k11*theta12_dot - beta_K*k12*theta12_dot + beta_K*k12*theta13_dot;
+            _ => k11*twist11 - k12*twist12;
+            damping => beta_K*k11*twist11_dot - I12*alpha_M*theta12_dot - beta_K*k12*twist12_dot;
         }
         theta13 {
-            _ => k12*theta12 - k12*theta13 - k13*theta13 + k13*theta14;
-            damping => beta_K*k12*theta12_dot - I13*alpha_M*theta13_dot - beta_K*k12*theta13_dot - beta_K*k13*theta13_dot + beta_K*k13*theta14_dot;
+            _ => k12*twist12 - k13*twist13;
+            damping => beta_K*k12*twist12_dot - I13*alpha_M*theta13_dot - beta_K*k13*twist13_dot;
         }
         theta14 {
-            _ => k13*theta13 - k13*theta14 - k14*theta14 + k14*theta15;
-            damping => beta_K*k13*theta13_dot - I14*alpha_M*theta14_dot - beta_K*k13*theta14_dot - beta_K*k14*theta14_dot + beta_K*k14*theta15_dot;
+            _ => k13*twist13 - k14*twist14;
+            damping => beta_K*k13*twist13_dot - I14*alpha_M*theta14_dot - beta_K*k14*twist14_dot;
         }
         theta15 {
-            _ => k14*theta14 - k14*theta15 - k15*theta15 + k15*theta16;
-            damping => beta_K*k14*theta14_dot - I15*alpha_M*theta15_dot - beta_K*k14*theta15_dot - beta_K*k15*theta15_dot + beta_K*k15*theta16_dot;
+            _ => k14*twist14 - k15*twist15;
+            damping => beta_K*k14*twist14_dot - I15*alpha_M*theta15_dot - beta_K*k15*twist15_dot;
         }
         theta16 {
-            _ => k15*theta15 - k15*theta16 - k16*theta16 + k16*theta17;
-            damping => beta_K*k15*theta15_dot - I16*alpha_M*theta16_dot - beta_K*k15*theta16_dot - beta_K*k16*theta16_dot + beta_K*k16*theta17_dot;
+            _ => k15*twist15 - k16*twist16;
+            damping => beta_K*k15*twist15_dot - I16*alpha_M*theta16_dot - beta_K*k16*twist16_dot;
         }
         theta17 {
-            _ => k16*theta16 - k16*theta17 - k17*theta17 + k17*theta18;
-            damping => beta_K*k16*theta16_dot - I17*alpha_M*theta17_dot - beta_K*k16*theta17_dot - beta_K*k17*theta17_dot + beta_K*k17*theta18_dot;
+            _ => k16*twist16 - k17*twist17;
+            damping => beta_K*k16*twist16_dot - I17*alpha_M*theta17_dot - beta_K*k17*twist17_dot;
         }
         theta18 {
-            _ => k17*theta17 - k17*theta18 - k18*theta18 + k18*theta19;
-            damping => beta_K*k17*theta17_dot - I18*alpha_M*theta18_dot - beta_K*k17*theta18_dot - beta_K*k18*theta18_dot + beta_K*k18*theta19_dot;
+            _ => k17*twist17 - k18*twist18;
+            damping => beta_K*k17*twist17_dot - I18*alpha_M*theta18_dot - beta_K*k18*twist18_dot;
         }
         theta19 {
-            _ => k18*theta18 - k18*theta19 - k19*theta19 + k19*theta20;
-            damping => beta_K*k18*theta18_dot - I19*alpha_M*theta19_dot - beta_K*k18*theta19_dot - beta_K*k19*theta19_dot + beta_K*k19*theta20_dot;
+            _ => k18*twist18 - k19*twist19;
+            damping => beta_K*k18*twist18_dot - I19*alpha_M*theta19_dot - beta_K*k19*twist19_dot;
         }
         theta20 {
-            _ => k19*theta19 - k19*theta20 - k20*theta20 + k20*theta21;
-            damping => beta_K*k19*theta19_dot - I20*alpha_M*theta20_dot - beta_K*k19*theta20_dot - beta_K*k20*theta20_dot + beta_K*k20*theta21_dot;
+            _ => k19*twist19 - k20*twist20;
+            damping => beta_K*k19*twist19_dot - I20*alpha_M*theta20_dot - beta_K*k20*twist20_dot;
         }
         theta21 {
-            _ => k20*theta20 - k20*theta21 - k21*theta21 + k21*theta22;
-            damping => beta_K*k20*theta20_dot - I21*alpha_M*theta21_dot - beta_K*k20*theta21_dot - beta_K*k21*theta21_dot + beta_K*k21*theta22_dot;
+            _ => k20*twist20 - k21*twist21;
+            damping => beta_K*k20*twist20_dot - I21*alpha_M*theta21_dot - beta_K*k21*twist21_dot;
         }
         theta22 {
-            _ => k21*theta21 - k21*theta22 - k22*theta22 + k22*theta23;
-            damping => beta_K*k21*theta21_dot - I22*alpha_M*theta22_dot - beta_K*k21*theta22_dot - beta_K*k22*theta22_dot + beta_K*k22*theta23_dot;
+            _ => k21*twist21 - k22*twist22;
+            damping => beta_K*k21*twist21_dot - I22*alpha_M*theta22_dot - beta_K*k22*twist22_dot;
         }
         theta23 {
-            _ => k22*theta22 - k22*theta23 - k23*theta23 + k23*theta24;
-            damping => beta_K*k22*theta22_dot - I23*alpha_M*theta23_dot - beta_K*k22*theta23_dot - beta_K*k23*theta23_dot + beta_K*k23*theta24_dot;
+            _ => k22*twist22 - k23*twist23;
+            damping => beta_K*k22*twist22_dot - I23*alpha_M*theta23_dot - beta_K*k23*twist23_dot;
         }
         theta24 {
-            _ => k23*theta23 - k23*theta24 - k24*theta24 + k24*theta25;
-            damping => beta_K*k23*theta23_dot - I24*alpha_M*theta24_dot - beta_K*k23*theta24_dot - beta_K*k24*theta24_dot + beta_K*k24*theta25_dot;
+            _ => k23*twist23 - k24*twist24;
+            damping => beta_K*k23*twist23_dot - I24*alpha_M*theta24_dot - beta_K*k24*twist24_dot;
         }
         theta25 {
-            _ => k24*theta24 - k24*theta25 - k25*theta25 + k25*theta26;
-            damping => beta_K*k24*theta24_dot - I25*alpha_M*theta25_dot - beta_K*k24*theta25_dot - beta_K*k25*theta25_dot + beta_K*k25*theta26_dot;
+            _ => k24*twist24 - k25*twist25;
+            damping => beta_K*k24*twist24_dot - I25*alpha_M*theta25_dot - beta_K*k25*twist25_dot;
         }
         theta26 {
-            _ => k25*theta25 - k25*theta26 - k26*theta26 + k26*theta27;
-            damping => beta_K*k25*theta25_dot - I26*alpha_M*theta26_dot - beta_K*k25*theta26_dot - beta_K*k26*theta26_dot + beta_K*k26*theta27_dot;
+            _ => k25*twist25 - k26*twist26;
+            damping => beta_K*k25*twist25_dot - I26*alpha_M*theta26_dot - beta_K*k26*twist26_dot;
         }
         theta27 {
-            _ => k26*theta26 - k26*theta27 - k27*theta27 + k27*theta28;
-            damping => beta_K*k26*theta26_dot - I27*alpha_M*theta27_dot - beta_K*k26*theta27_dot - beta_K*k27*theta27_dot + beta_K*k27*theta28_dot;
+            _ => k26*twist26 - k27*twist27;
+            damping => beta_K*k26*twist26_dot - I27*alpha_M*theta27_dot - beta_K*k27*twist27_dot;
         }
         theta28 {
-            _ => k27*theta27 - k27*theta28 - k28*theta28 + k28*theta29;
-            damping => beta_K*k27*theta27_dot - I28*alpha_M*theta28_dot - beta_K*k27*theta28_dot - beta_K*k28*theta28_dot + beta_K*k28*theta29_dot;
+            _ => k27*twist27 - k28*twist28;
+            damping => beta_K*k27*twist27_dot - I28*alpha_M*theta28_dot - beta_K*k28*twist28_dot;
         }
         theta29 {
-            _ => k28*theta28 - k28*theta29 - k29*theta29 + k29*theta30;
-            damping => beta_K*k28*theta28_dot - I29*alpha_M*theta29_dot - beta_K*k28*theta29_dot - beta_K*k29*theta29_dot + beta_K*k29*theta30_dot;
+            _ => k28*twist28 - k29*twist29;
+            damping => beta_K*k28*twist28_dot - I29*alpha_M*theta29_dot - beta_K*k29*twist29_dot;
         }
         theta30 {
-            _ => k29*theta29 - k29*theta30 - k30*theta30 + k30*theta31;
-            damping => beta_K*k29*theta29_dot - I30*alpha_M*theta30_dot - beta_K*k29*theta30_dot - beta_K*k30*theta30_dot + beta_K*k30*theta31_dot;
+            _ => k29*twist29 - k30*twist30;
+            damping => beta_K*k29*twist29_dot - I30*alpha_M*theta30_dot - beta_K*k30*twist30_dot;
         }
         theta31 {
-            _ => k30*theta30 - k30*theta31 - k31*theta31 + k31*theta32;
-            damping => beta_K*k30*theta30_dot - I31*alpha_M*theta31_dot - beta_K*k30*theta31_dot - beta_K*k31*theta31_dot + beta_K*k31*theta32_dot;
+            _ => k30*twist30 - k31*twist31;
+            damping => beta_K*k30*twist30_dot - I31*alpha_M*theta31_dot - beta_K*k31*twist31_dot;
         }
         theta32 {
-            _ => k31*theta31 - k31*theta32;
+            _ => k31*twist31;
             torques => -T_load;
-            damping => beta_K*k31*theta31_dot - I32*alpha_M*theta32_dot - beta_K*k31*theta32_dot;
+            damping => beta_K*k31*twist31_dot - I32*alpha_M*theta32_dot;
         }
     }
     jacobian {
@@ -1540,8 +1641,8 @@ equations! {
 
     text {
         "T = (I1*theta1_dot^2 + I10*theta10_dot^2 + I11*theta11_dot^2 + I12*theta12_dot^2 + I13*theta13_dot^2 + I14*theta14_dot^2 + I15*theta15_dot^2 + I16*theta16_dot^2 + I17*theta17_dot^2 + I18*theta18_dot^2 + I19*theta19_dot^2 + I2*theta2_dot^2 + I20*theta20_dot^2 + I21*theta21_dot^2 + I22*theta22_dot^2 + I23*theta23_dot^2 + I24*theta24_dot^2 + I25*theta25_dot^2 + I26*theta26_dot^2 + I27*theta27_dot^2 + I28*theta28_dot^2 + I29*theta29_dot^2 + I3*theta3_dot^2 + I30*theta30_dot^2 + I31*theta31_dot^2 + I32*theta32_dot^2 + I4*theta4_dot^2 + I5*theta5_dot^2 + I6*theta6_dot^2 + I7*theta7_dot^2 + I8*theta8_dot^2 + I9*theta9_dot^2)/2";
-        "V = (k1*(theta1 - theta2)^2 + k10*(theta10 - theta11)^2 + k11*(theta11 - theta12)^2 + k12*(theta12 - theta13)^2 + k13*(theta13 - theta14)^2 + k14*(theta14 - theta15)^2 + k15*(theta15 - theta16)^2 + k16*(theta16 - theta17)^2 + k17*(theta17 - theta18)^2 + k18*(theta18 - theta19)^2 + k19*(theta19 - theta20)^2 + k2*(theta2 - theta3)^2 + k20*(theta20 - theta21)^2 + k21*(theta21 - theta22)^2 + k22*(theta22 - theta23)^2 + k23*(theta23 - theta24)^2 + k24*(theta24 - theta25)^2 + k25*(theta25 - theta26)^2 + k26*(theta26 - theta27)^2 + k27*(theta27 - theta28)^2 + k28*(theta28 - theta29)^2 + k29*(theta29 - theta30)^2 + k3*(theta3 - theta4)^2 + k30*(theta30 - theta31)^2 + k31*(theta31 - theta32)^2 + k4*(theta4 - theta5)^2 + k5*(theta5 - theta6)^2 + k6*(theta6 - theta7)^2 + k7*(theta7 - theta8)^2 + k8*(theta8 - theta9)^2 + k9*(theta9 - theta10)^2)/2";
-        "D = (I1*alpha_M*theta1_dot^2 + I10*alpha_M*theta10_dot^2 + I11*alpha_M*theta11_dot^2 + I12*alpha_M*theta12_dot^2 + I13*alpha_M*theta13_dot^2 + I14*alpha_M*theta14_dot^2 + I15*alpha_M*theta15_dot^2 + I16*alpha_M*theta16_dot^2 + I17*alpha_M*theta17_dot^2 + I18*alpha_M*theta18_dot^2 + I19*alpha_M*theta19_dot^2 + I2*alpha_M*theta2_dot^2 + I20*alpha_M*theta20_dot^2 + I21*alpha_M*theta21_dot^2 + I22*alpha_M*theta22_dot^2 + I23*alpha_M*theta23_dot^2 + I24*alpha_M*theta24_dot^2 + I25*alpha_M*theta25_dot^2 + I26*alpha_M*theta26_dot^2 + I27*alpha_M*theta27_dot^2 + I28*alpha_M*theta28_dot^2 + I29*alpha_M*theta29_dot^2 + I3*alpha_M*theta3_dot^2 + I30*alpha_M*theta30_dot^2 + I31*alpha_M*theta31_dot^2 + I32*alpha_M*theta32_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + I6*alpha_M*theta6_dot^2 + I7*alpha_M*theta7_dot^2 + I8*alpha_M*theta8_dot^2 + I9*alpha_M*theta9_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2 + beta_K*k10*(theta10_dot - theta11_dot)^2 + beta_K*k11*(theta11_dot - theta12_dot)^2 + beta_K*k12*(theta12_dot - theta13_dot)^2 + beta_K*k13*(theta13_dot - theta14_dot)^2 + beta_K*k14*(theta14_dot - theta15_dot)^2 + beta_K*k15*(theta15_dot - theta16_dot)^2 + beta_K*k16*(theta16_dot - theta17_dot)^2 + beta_K*k17*(theta17_dot - theta18_dot)^2 + beta_K*k18*(theta18_dot - theta19_dot)^2 + beta_K*k19*(theta19_dot - theta20_dot)^2 + beta_K*k2*(theta2_dot - theta3_dot)^2 + beta_K*k20*(theta20_dot - theta21_dot)^2 + beta_K*k21*(theta21_dot - theta22_dot)^2 + beta_K*k22*(theta22_dot - theta23_dot)^2 + beta_K*k23*(theta23_dot - theta24_dot)^2 + beta_K*k24*(theta24_dot - theta25_dot)^2 + beta_K*k25*(theta25_dot - theta26_dot)^2 + beta_K*k26*(theta26_dot - theta27_dot)^2 + beta_K*k27*(theta27_dot - theta28_dot)^2 + beta_K*k28*(theta28_dot - theta29_dot)^2 + beta_K*k29*(theta29_dot - theta30_dot)^2 + beta_K*k3*(theta3_dot - theta4_dot)^2 + beta_K*k30*(theta30_dot - theta31_dot)^2 + beta_K*k31*(theta31_dot - theta32_dot)^2 + beta_K*k4*(theta4_dot - theta5_dot)^2 + beta_K*k5*(theta5_dot - theta6_dot)^2 + beta_K*k6*(theta6_dot - theta7_dot)^2 + beta_K*k7*(theta7_dot - theta8_dot)^2 + beta_K*k8*(theta8_dot - theta9_dot)^2 + beta_K*k9*(theta9_dot - theta10_dot)^2)/2 [damping]";
+        "V = (k1*twist1^2 + k10*twist10^2 + k11*twist11^2 + k12*twist12^2 + k13*twist13^2 + k14*twist14^2 + k15*twist15^2 + k16*twist16^2 + k17*twist17^2 + k18*twist18^2 + k19*twist19^2 + k2*twist2^2 + k20*twist20^2 + k21*twist21^2 + k22*twist22^2 + k23*twist23^2 + k24*twist24^2 + k25*twist25^2 + k26*twist26^2 + k27*twist27^2 + k28*twist28^2 + k29*twist29^2 + k3*twist3^2 + k30*twist30^2 + k31*twist31^2 + k4*twist4^2 + k5*twist5^2 + k6*twist6^2 + k7*twist7^2 + k8*twist8^2 + k9*twist9^2)/2";
+        "D = (I1*alpha_M*theta1_dot^2 + I10*alpha_M*theta10_dot^2 + I11*alpha_M*theta11_dot^2 + I12*alpha_M*theta12_dot^2 + I13*alpha_M*theta13_dot^2 + I14*alpha_M*theta14_dot^2 + I15*alpha_M*theta15_dot^2 + I16*alpha_M*theta16_dot^2 + I17*alpha_M*theta17_dot^2 + I18*alpha_M*theta18_dot^2 + I19*alpha_M*theta19_dot^2 + I2*alpha_M*theta2_dot^2 + I20*alpha_M*theta20_dot^2 + I21*alpha_M*theta21_dot^2 + I22*alpha_M*theta22_dot^2 + I23*alpha_M*theta23_dot^2 + I24*alpha_M*theta24_dot^2 + I25*alpha_M*theta25_dot^2 + I26*alpha_M*theta26_dot^2 + I27*alpha_M*theta27_dot^2 + I28*alpha_M*theta28_dot^2 + I29*alpha_M*theta29_dot^2 + I3*alpha_M*theta3_dot^2 + I30*alpha_M*theta30_dot^2 + I31*alpha_M*theta31_dot^2 + I32*alpha_M*theta32_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + I6*alpha_M*theta6_dot^2 + I7*alpha_M*theta7_dot^2 + I8*alpha_M*theta8_dot^2 + I9*alpha_M*theta9_dot^2 + beta_K*k1*twist1_dot^2 + beta_K*k10*twist10_dot^2 + beta_K*k11*twist11_dot^2 + beta_K*k12*twist12_dot^2 + beta_K*k13*twist13_dot^2 + beta_K*k14*twist14_dot^2 + beta_K*k15*twist15_dot^2 + beta_K*k16*twist16_dot^2 + beta_K*k17*twist17_dot^2 + beta_K*k18*twist18_dot^2 + beta_K*k19*twist19_dot^2 + beta_K*k2*twist2_dot^2 + beta_K*k20*twist20_dot^2 + beta_K*k21*twist21_dot^2 + beta_K*k22*twist22_dot^2 + beta_K*k23*twist23_dot^2 + beta_K*k24*twist24_dot^2 + beta_K*k25*twist25_dot^2 + beta_K*k26*twist26_dot^2 + beta_K*k27*twist27_dot^2 + beta_K*k28*twist28_dot^2 + beta_K*k29*twist29_dot^2 + beta_K*k3*twist3_dot^2 + beta_K*k30*twist30_dot^2 + beta_K*k31*twist31_dot^2 + beta_K*k4*twist4_dot^2 + beta_K*k5*twist5_dot^2 + beta_K*k6*twist6_dot^2 + beta_K*k7*twist7_dot^2 + beta_K*k8*twist8_dot^2 + beta_K*k9*twist9_dot^2)/2 [damping]";
         "Q_theta1 = T_motor [torques]";
         "Q_theta2 = 0";
         "Q_theta3 = 0";
@@ -1574,44 +1675,75 @@ equations! {
         "Q_theta30 = 0";
         "Q_theta31 = 0";
         "Q_theta32 = -T_load [torques]";
-        "(I1) theta1'' = k1*theta2 - k1*theta1 + T_motor [torques] + beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot [damping]";
-        "(I2) theta2'' = k1*theta1 - k1*theta2 - k2*theta2 + k2*theta3 + beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot - beta_K*k2*theta2_dot + beta_K*k2*theta3_dot [damping]";
-        "(I3) theta3'' = k2*theta2 - k2*theta3 - k3*theta3 + k3*theta4 + beta_K*k2*theta2_dot - I3*alpha_M*theta3_dot - beta_K*k2*theta3_dot - beta_K*k3*theta3_dot + beta_K*k3*theta4_dot [damping]";
-        "(I4) theta4'' = k3*theta3 - k3*theta4 - k4*theta4 + k4*theta5 + beta_K*k3*theta3_dot - I4*alpha_M*theta4_dot - beta_K*k3*theta4_dot - beta_K*k4*theta4_dot + beta_K*k4*theta5_dot [damping]";
-        "(I5) theta5'' = k4*theta4 - k4*theta5 - k5*theta5 + k5*theta6 + beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot - beta_K*k5*theta5_dot + beta_K*k5*theta6_dot [damping]";
-        "(I6) theta6'' = k5*theta5 - k5*theta6 - k6*theta6 + k6*theta7 + beta_K*k5*theta5_dot - I6*alpha_M*theta6_dot - beta_K*k5*theta6_dot - beta_K*k6*theta6_dot + beta_K*k6*theta7_dot [damping]";
-        "(I7) theta7'' = k6*theta6 - k6*theta7 - k7*theta7 + k7*theta8 + beta_K*k6*theta6_dot - I7*alpha_M*theta7_dot - beta_K*k6*theta7_dot - beta_K*k7*theta7_dot + beta_K*k7*theta8_dot [damping]";
-        "(I8) theta8'' = k7*theta7 - k7*theta8 - k8*theta8 + k8*theta9 + beta_K*k7*theta7_dot - I8*alpha_M*theta8_dot - beta_K*k7*theta8_dot - beta_K*k8*theta8_dot + beta_K*k8*theta9_dot [damping]";
-        "(I9) theta9'' = k8*theta8 - k8*theta9 + k9*theta10 - k9*theta9 + beta_K*k8*theta8_dot - I9*alpha_M*theta9_dot - beta_K*k8*theta9_dot + beta_K*k9*theta10_dot - beta_K*k9*theta9_dot [damping]";
-        "(I10) theta10'' = k10*theta11 - k10*theta10 - k9*theta10 + k9*theta9 + beta_K*k10*theta11_dot - I10*alpha_M*theta10_dot - beta_K*k10*theta10_dot - beta_K*k9*theta10_dot + beta_K*k9*theta9_dot [damping]";
-        "(I11) theta11'' = k10*theta10 - k10*theta11 - k11*theta11 + k11*theta12 + beta_K*k10*theta10_dot - I11*alpha_M*theta11_dot - beta_K*k10*theta11_dot - beta_K*k11*theta11_dot + beta_K*k11*theta12_dot [damping]";
-        "(I12) theta12'' = k11*theta11 - k11*theta12 - k12*theta12 + k12*theta13 + beta_K*k11*theta11_dot - I12*alpha_M*theta12_dot - beta_K*k11*theta12_dot - beta_K*k12*theta12_dot + beta_K*k12*theta13_dot [damping]";
-        "(I13) theta13'' = k12*theta12 - k12*theta13 - k13*theta13 + k13*theta14 + beta_K*k12*theta12_dot - I13*alpha_M*theta13_dot - beta_K*k12*theta13_dot - beta_K*k13*theta13_dot + beta_K*k13*theta14_dot [damping]";
-        "(I14) theta14'' = k13*theta13 - k13*theta14 - k14*theta14 + k14*theta15 + beta_K*k13*theta13_dot - I14*alpha_M*theta14_dot - beta_K*k13*theta14_dot - beta_K*k14*theta14_dot + beta_K*k14*theta15_dot [damping]";
-        "(I15) theta15'' = k14*theta14 - k14*theta15 - k15*theta15 + k15*theta16 + beta_K*k14*theta14_dot - I15*alpha_M*theta15_dot - beta_K*k14*theta15_dot - beta_K*k15*theta15_dot + beta_K*k15*theta16_dot [damping]";
-        "(I16) theta16'' = k15*theta15 - k15*theta16 - k16*theta16 + k16*theta17 + beta_K*k15*theta15_dot - I16*alpha_M*theta16_dot - beta_K*k15*theta16_dot - beta_K*k16*theta16_dot + beta_K*k16*theta17_dot [damping]";
-        "(I17) theta17'' = k16*theta16 - k16*theta17 - k17*theta17 + k17*theta18 + beta_K*k16*theta16_dot - I17*alpha_M*theta17_dot - beta_K*k16*theta17_dot - beta_K*k17*theta17_dot + beta_K*k17*theta18_dot [damping]";
-        "(I18) theta18'' = k17*theta17 - k17*theta18 - k18*theta18 + k18*theta19 + beta_K*k17*theta17_dot - I18*alpha_M*theta18_dot - beta_K*k17*theta18_dot - beta_K*k18*theta18_dot + beta_K*k18*theta19_dot [damping]";
-        "(I19) theta19'' = k18*theta18 - k18*theta19 - k19*theta19 + k19*theta20 + beta_K*k18*theta18_dot - I19*alpha_M*theta19_dot - beta_K*k18*theta19_dot - beta_K*k19*theta19_dot + beta_K*k19*theta20_dot [damping]";
-        "(I20) theta20'' = k19*theta19 - k19*theta20 - k20*theta20 + k20*theta21 + beta_K*k19*theta19_dot - I20*alpha_M*theta20_dot - beta_K*k19*theta20_dot - beta_K*k20*theta20_dot + beta_K*k20*theta21_dot [damping]";
-        "(I21) theta21'' = k20*theta20 - k20*theta21 - k21*theta21 + k21*theta22 + beta_K*k20*theta20_dot - I21*alpha_M*theta21_dot - beta_K*k20*theta21_dot - beta_K*k21*theta21_dot + beta_K*k21*theta22_dot [damping]";
-        "(I22) theta22'' = k21*theta21 - k21*theta22 - k22*theta22 + k22*theta23 + beta_K*k21*theta21_dot - I22*alpha_M*theta22_dot - beta_K*k21*theta22_dot - beta_K*k22*theta22_dot + beta_K*k22*theta23_dot [damping]";
-        "(I23) theta23'' = k22*theta22 - k22*theta23 - k23*theta23 + k23*theta24 + beta_K*k22*theta22_dot - I23*alpha_M*theta23_dot - beta_K*k22*theta23_dot - beta_K*k23*theta23_dot + beta_K*k23*theta24_dot [damping]";
-        "(I24) theta24'' = k23*theta23 - k23*theta24 - k24*theta24 + k24*theta25 + beta_K*k23*theta23_dot - I24*alpha_M*theta24_dot - beta_K*k23*theta24_dot - beta_K*k24*theta24_dot + beta_K*k24*theta25_dot [damping]";
-        "(I25) theta25'' = k24*theta24 - k24*theta25 - k25*theta25 + k25*theta26 + beta_K*k24*theta24_dot - I25*alpha_M*theta25_dot - beta_K*k24*theta25_dot - beta_K*k25*theta25_dot + beta_K*k25*theta26_dot [damping]";
-        "(I26) theta26'' = k25*theta25 - k25*theta26 - k26*theta26 + k26*theta27 + beta_K*k25*theta25_dot - I26*alpha_M*theta26_dot - beta_K*k25*theta26_dot - beta_K*k26*theta26_dot + beta_K*k26*theta27_dot [damping]";
-        "(I27) theta27'' = k26*theta26 - k26*theta27 - k27*theta27 + k27*theta28 + beta_K*k26*theta26_dot - I27*alpha_M*theta27_dot - beta_K*k26*theta27_dot - beta_K*k27*theta27_dot + beta_K*k27*theta28_dot [damping]";
-        "(I28) theta28'' = k27*theta27 - k27*theta28 - k28*theta28 + k28*theta29 + beta_K*k27*theta27_dot - I28*alpha_M*theta28_dot - beta_K*k27*theta28_dot - beta_K*k28*theta28_dot + beta_K*k28*theta29_dot [damping]";
-        "(I29) theta29'' = k28*theta28 - k28*theta29 - k29*theta29 + k29*theta30 + beta_K*k28*theta28_dot - I29*alpha_M*theta29_dot - beta_K*k28*theta29_dot - beta_K*k29*theta29_dot + beta_K*k29*theta30_dot [damping]";
-        "(I30) theta30'' = k29*theta29 - k29*theta30 - k30*theta30 + k30*theta31 + beta_K*k29*theta29_dot - I30*alpha_M*theta30_dot - beta_K*k29*theta30_dot - beta_K*k30*theta30_dot + beta_K*k30*theta31_dot [damping]";
-        "(I31) theta31'' = k30*theta30 - k30*theta31 - k31*theta31 + k31*theta32 + beta_K*k30*theta30_dot - I31*alpha_M*theta31_dot - beta_K*k30*theta31_dot - beta_K*k31*theta31_dot + beta_K*k31*theta32_dot [damping]";
-        "(I32) theta32'' = k31*theta31 - k31*theta32 - T_load [torques] + beta_K*k31*theta31_dot - I32*alpha_M*theta32_dot - beta_K*k31*theta32_dot [damping]";
+        "twist1 = theta1 - theta2";
+        "twist2 = theta2 - theta3";
+        "twist3 = theta3 - theta4";
+        "twist4 = theta4 - theta5";
+        "twist5 = theta5 - theta6";
+        "twist6 = theta6 - theta7";
+        "twist7 = theta7 - theta8";
+        "twist8 = theta8 - theta9";
+        "twist9 = theta9 - theta10";
+        "twist10 = theta10 - theta11";
+        "twist11 = theta11 - theta12";
+        "twist12 = theta12 - theta13";
+        "twist13 = theta13 - theta14";
+        "twist14 = theta14 - theta15";
+        "twist15 = theta15 - theta16";
+        "twist16 = theta16 - theta17";
+        "twist17 = theta17 - theta18";
+        "twist18 = theta18 - theta19";
+        "twist19 = theta19 - theta20";
+        "twist20 = theta20 - theta21";
+        "twist21 = theta21 - theta22";
+        "twist22 = theta22 - theta23";
+        "twist23 = theta23 - theta24";
+        "twist24 = theta24 - theta25";
+        "twist25 = theta25 - theta26";
+        "twist26 = theta26 - theta27";
+        "twist27 = theta27 - theta28";
+        "twist28 = theta28 - theta29";
+        "twist29 = theta29 - theta30";
+        "twist30 = theta30 - theta31";
+        "twist31 = theta31 - theta32";
+        "(I1) theta1'' = -k1*twist1 + T_motor [torques] - I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot [damping]";
+        "(I2) theta2'' = k1*twist1 - k2*twist2 + beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot [damping]";
+        "(I3) theta3'' = k2*twist2 - k3*twist3 + beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot [damping]";
+        "(I4) theta4'' = k3*twist3 - k4*twist4 + beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot [damping]";
+        "(I5) theta5'' = k4*twist4 - k5*twist5 + beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot - beta_K*k5*twist5_dot [damping]";
+        "(I6) theta6'' = k5*twist5 - k6*twist6 + beta_K*k5*twist5_dot - I6*alpha_M*theta6_dot - beta_K*k6*twist6_dot [damping]";
+        "(I7) theta7'' = k6*twist6 - k7*twist7 + beta_K*k6*twist6_dot - I7*alpha_M*theta7_dot - beta_K*k7*twist7_dot [damping]";
+        "(I8) theta8'' = k7*twist7 - k8*twist8 + beta_K*k7*twist7_dot - I8*alpha_M*theta8_dot - beta_K*k8*twist8_dot [damping]";
+        "(I9) theta9'' = k8*twist8 - k9*twist9 + beta_K*k8*twist8_dot - I9*alpha_M*theta9_dot - beta_K*k9*twist9_dot [damping]";
+        "(I10) theta10'' = k9*twist9 - k10*twist10 + beta_K*k9*twist9_dot - I10*alpha_M*theta10_dot - beta_K*k10*twist10_dot [damping]";
+        "(I11) theta11'' = k10*twist10 - k11*twist11 + beta_K*k10*twist10_dot - I11*alpha_M*theta11_dot - beta_K*k11*twist11_dot [damping]";
+        "(I12) theta12'' = k11*twist11 - k12*twist12 + beta_K*k11*twist11_dot - I12*alpha_M*theta12_dot - beta_K*k12*twist12_dot [damping]";
+        "(I13) theta13'' = k12*twist12 - k13*twist13 + beta_K*k12*twist12_dot - I13*alpha_M*theta13_dot - beta_K*k13*twist13_dot [damping]";
+        "(I14) theta14'' = k13*twist13 - k14*twist14 + beta_K*k13*twist13_dot - I14*alpha_M*theta14_dot - beta_K*k14*twist14_dot [damping]";
+        "(I15) theta15'' = k14*twist14 - k15*twist15 + beta_K*k14*twist14_dot - I15*alpha_M*theta15_dot - beta_K*k15*twist15_dot [damping]";
+        "(I16) theta16'' = k15*twist15 - k16*twist16 + beta_K*k15*twist15_dot - I16*alpha_M*theta16_dot - beta_K*k16*twist16_dot [damping]";
+        "(I17) theta17'' = k16*twist16 - k17*twist17 + beta_K*k16*twist16_dot - I17*alpha_M*theta17_dot - beta_K*k17*twist17_dot [damping]";
+        "(I18) theta18'' = k17*twist17 - k18*twist18 + beta_K*k17*twist17_dot - I18*alpha_M*theta18_dot - beta_K*k18*twist18_dot [damping]";
+        "(I19) theta19'' = k18*twist18 - k19*twist19 + beta_K*k18*twist18_dot - I19*alpha_M*theta19_dot - beta_K*k19*twist19_dot [damping]";
+        "(I20) theta20'' = k19*twist19 - k20*twist20 + beta_K*k19*twist19_dot - I20*alpha_M*theta20_dot - beta_K*k20*twist20_dot [damping]";
+        "(I21) theta21'' = k20*twist20 - k21*twist21 + beta_K*k20*twist20_dot - I21*alpha_M*theta21_dot - beta_K*k21*twist21_dot [damping]";
+        "(I22) theta22'' = k21*twist21 - k22*twist22 + beta_K*k21*twist21_dot - I22*alpha_M*theta22_dot - beta_K*k22*twist22_dot [damping]";
+        "(I23) theta23'' = k22*twist22 - k23*twist23 + beta_K*k22*twist22_dot - I23*alpha_M*theta23_dot - beta_K*k23*twist23_dot [damping]";
+        "(I24) theta24'' = k23*twist23 - k24*twist24 + beta_K*k23*twist23_dot - I24*alpha_M*theta24_dot - beta_K*k24*twist24_dot [damping]";
+        "(I25) theta25'' = k24*twist24 - k25*twist25 + beta_K*k24*twist24_dot - I25*alpha_M*theta25_dot - beta_K*k25*twist25_dot [damping]";
+        "(I26) theta26'' = k25*twist25 - k26*twist26 + beta_K*k25*twist25_dot - I26*alpha_M*theta26_dot - beta_K*k26*twist26_dot [damping]";
+        "(I27) theta27'' = k26*twist26 - k27*twist27 + beta_K*k26*twist26_dot - I27*alpha_M*theta27_dot - beta_K*k27*twist27_dot [damping]";
+        "(I28) theta28'' = k27*twist27 - k28*twist28 + beta_K*k27*twist27_dot - I28*alpha_M*theta28_dot - beta_K*k28*twist28_dot [damping]";
+        "(I29) theta29'' = k28*twist28 - k29*twist29 + beta_K*k28*twist28_dot - I29*alpha_M*theta29_dot - beta_K*k29*twist29_dot [damping]";
+        "(I30) theta30'' = k29*twist29 - k30*twist30 + beta_K*k29*twist29_dot - I30*alpha_M*theta30_dot - beta_K*k30*twist30_dot [damping]";
+        "(I31) theta31'' = k30*twist30 - k31*twist31 + beta_K*k30*twist30_dot - I31*alpha_M*theta31_dot - beta_K*k31*twist31_dot [damping]";
+        "(I32) theta32'' = k31*twist31 - T_load [torques] + beta_K*k31*twist31_dot - I32*alpha_M*theta32_dot [damping]";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + I_{10}\\, \\dot{\\theta_{10}}^{2} + I_{11}\\, \\dot{\\theta_{11}}^{2} + I_{12}\\, \\dot{\\theta_{12}}^{2} + I_{13}\\, \\dot{\\theta_{13}}^{2} + I_{14}\\, \\dot{\\theta_{14}}^{2} + I_{15}\\, \\dot{\\theta_{15}}^{2} + I_{16}\\, \\dot{\\theta_{16}}^{2} + I_{17}\\, \\dot{\\theta_{17}}^{2} + I_{18}\\, \\dot{\\theta_{18}}^{2} + I_{19}\\, \\dot{\\theta_{19}}^{2} + I_{2}\\, \\dot{\\theta_{2}}^{2} + I_{20}\\, \\dot{\\theta_{20}}^{2} + I_{21}\\, \\dot{\\theta_{21}}^{2} + I_{22}\\, \\dot{\\theta_{22}}^{2} + I_{23}\\, \\dot{\\theta_{23}}^{2} + I_{24}\\, \\dot{\\theta_{24}}^{2} + I_{25}\\, \\dot{\\theta_{25}}^{2} + I_{26}\\, \\dot{\\theta_{26}}^{2} + I_{27}\\, \\dot{\\theta_{27}}^{2} + I_{28}\\, \\dot{\\theta_{28}}^{2} + I_{29}\\, \\dot{\\theta_{29}}^{2} + I_{3}\\, \\dot{\\theta_{3}}^{2} + I_{30}\\, \\dot{\\theta_{30}}^{2} + I_{31}\\, \\dot{\\theta_{31}}^{2} + I_{32}\\, \\dot{\\theta_{32}}^{2} + I_{4}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\dot{\\theta_{5}}^{2} + I_{6}\\, \\dot{\\theta_{6}}^{2} + I_{7}\\, \\dot{\\theta_{7}}^{2} + I_{8}\\, \\dot{\\theta_{8}}^{2} + I_{9}\\, \\dot{\\theta_{9}}^{2})";
-        "V = \\frac{1}{2} (k_{1}\\, \\left(\\theta_{1} - \\theta_{2}\\right)^{2} + k_{10}\\, \\left(\\theta_{10} - \\theta_{11}\\right)^{2} + k_{11}\\, \\left(\\theta_{11} - \\theta_{12}\\right)^{2} + k_{12}\\, \\left(\\theta_{12} - \\theta_{13}\\right)^{2} + k_{13}\\, \\left(\\theta_{13} - \\theta_{14}\\right)^{2} + k_{14}\\, \\left(\\theta_{14} - \\theta_{15}\\right)^{2} + k_{15}\\, \\left(\\theta_{15} - \\theta_{16}\\right)^{2} + k_{16}\\, \\left(\\theta_{16} - \\theta_{17}\\right)^{2} + k_{17}\\, \\left(\\theta_{17} - \\theta_{18}\\right)^{2} + k_{18}\\, \\left(\\theta_{18} - \\theta_{19}\\right)^{2} + k_{19}\\, \\left(\\theta_{19} - \\theta_{20}\\right)^{2} + k_{2}\\, \\left(\\theta_{2} - \\theta_{3}\\right)^{2} + k_{20}\\, \\left(\\theta_{20} - \\theta_{21}\\right)^{2} + k_{21}\\, \\left(\\theta_{21} - \\theta_{22}\\right)^{2} + k_{22}\\, \\left(\\theta_{22} - \\theta_{23}\\right)^{2} + k_{23}\\, \\left(\\theta_{23} - \\theta_{24}\\right)^{2} + k_{24}\\, \\left(\\theta_{24} - \\theta_{25}\\right)^{2} + k_{25}\\, \\left(\\theta_{25} - \\theta_{26}\\right)^{2} + k_{26}\\, \\left(\\theta_{26} - \\theta_{27}\\right)^{2} + k_{27}\\, \\left(\\theta_{27} - \\theta_{28}\\right)^{2} + k_{28}\\, \\left(\\theta_{28} - \\theta_{29}\\right)^{2} + k_{29}\\, \\left(\\theta_{29} - \\theta_{30}\\right)^{2} + k_{3}\\, \\left(\\theta_{3} - \\theta_{4}\\right)^{2} + k_{30}\\, \\left(\\theta_{30} - \\theta_{31}\\right)^{2} + k_{31}\\, \\left(\\theta_{31} - \\theta_{32}\\right)^{2} + k_{4}\\, \\left(\\theta_{4} - \\theta_{5}\\right)^{2} + k_{5}\\, \\left(\\theta_{5} - \\theta_{6}\\right)^{2} + k_{6}\\, \\left(\\theta_{6} - \\theta_{7}\\right)^{2} + k_{7}\\, \\left(\\theta_{7} - \\theta_{8}\\right)^{2} + k_{8}\\, \\left(\\theta_{8} - \\theta_{9}\\right)^{2} + k_{9}\\, \\left(\\theta_{9} - \\theta_{10}\\right)^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{10}\\, \\alpha_{M}\\, \\dot{\\theta_{10}}^{2} + I_{11}\\, \\alpha_{M}\\, \\dot{\\theta_{11}}^{2} + I_{12}\\, \\alpha_{M}\\, \\dot{\\theta_{12}}^{2} + I_{13}\\, \\alpha_{M}\\, \\dot{\\theta_{13}}^{2} + I_{14}\\, \\alpha_{M}\\, \\dot{\\theta_{14}}^{2} + I_{15}\\, \\alpha_{M}\\, \\dot{\\theta_{15}}^{2} + I_{16}\\, \\alpha_{M}\\, \\dot{\\theta_{16}}^{2} + I_{17}\\, \\alpha_{M}\\, \\dot{\\theta_{17}}^{2} + I_{18}\\, \\alpha_{M}\\, \\dot{\\theta_{18}}^{2} + I_{19}\\, \\alpha_{M}\\, \\dot{\\theta_{19}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + I_{20}\\, \\alpha_{M}\\, \\dot{\\theta_{20}}^{2} + I_{21}\\, \\alpha_{M}\\, \\dot{\\theta_{21}}^{2} + I_{22}\\, \\alpha_{M}\\, \\dot{\\theta_{22}}^{2} + I_{23}\\, \\alpha_{M}\\, \\dot{\\theta_{23}}^{2} + I_{24}\\, \\alpha_{M}\\, \\dot{\\theta_{24}}^{2} + I_{25}\\, \\alpha_{M}\\, \\dot{\\theta_{25}}^{2} + I_{26}\\, \\alpha_{M}\\, \\dot{\\theta_{26}}^{2} + I_{27}\\, \\alpha_{M}\\, \\dot{\\theta_{27}}^{2} + I_{28}\\, \\alpha_{M}\\, \\dot{\\theta_{28}}^{2} + I_{29}\\, \\alpha_{M}\\, \\dot{\\theta_{29}}^{2} + I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}}^{2} + I_{30}\\, \\alpha_{M}\\, \\dot{\\theta_{30}}^{2} + I_{31}\\, \\alpha_{M}\\, \\dot{\\theta_{31}}^{2} + I_{32}\\, \\alpha_{M}\\, \\dot{\\theta_{32}}^{2} + I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}^{2} + I_{6}\\, \\alpha_{M}\\, \\dot{\\theta_{6}}^{2} + I_{7}\\, \\alpha_{M}\\, \\dot{\\theta_{7}}^{2} + I_{8}\\, \\alpha_{M}\\, \\dot{\\theta_{8}}^{2} + I_{9}\\, \\alpha_{M}\\, \\dot{\\theta_{9}}^{2} + \\beta_{K}\\, k_{1}\\, \\left(\\dot{\\theta_{1}} - \\dot{\\theta_{2}}\\right)^{2} + \\beta_{K}\\, k_{10}\\, \\left(\\dot{\\theta_{10}} - \\dot{\\theta_{11}}\\right)^{2} + \\beta_{K}\\, k_{11}\\, \\left(\\dot{\\theta_{11}} - \\dot{\\theta_{12}}\\right)^{2} + \\beta_{K}\\, k_{12}\\, \\left(\\dot{\\theta_{12}} - \\dot{\\theta_{13}}\\right)^{2} + \\beta_{K}\\, k_{13}\\, \\left(\\dot{\\theta_{13}} - \\dot{\\theta_{14}}\\right)^{2} + \\beta_{K}\\, k_{14}\\, \\left(\\dot{\\theta_{14}} - \\dot{\\theta_{15}}\\right)^{2} + \\beta_{K}\\, k_{15}\\, \\left(\\dot{\\theta_{15}} - \\dot{\\theta_{16}}\\right)^{2} + \\beta_{K}\\, k_{16}\\, \\left(\\dot{\\theta_{16}} - \\dot{\\theta_{17}}\\right)^{2} + \\beta_{K}\\, k_{17}\\, \\left(\\dot{\\theta_{17}} - \\dot{\\theta_{18}}\\right)^{2} + \\beta_{K}\\, k_{18}\\, \\left(\\dot{\\theta_{18}} - \\dot{\\theta_{19}}\\right)^{2} + \\beta_{K}\\, k_{19}\\, \\left(\\dot{\\theta_{19}} - \\dot{\\theta_{20}}\\right)^{2} + \\beta_{K}\\, k_{2}\\, \\left(\\dot{\\theta_{2}} - \\dot{\\theta_{3}}\\right)^{2} + \\beta_{K}\\, k_{20}\\, \\left(\\dot{\\theta_{20}} - \\dot{\\theta_{21}}\\right)^{2} + \\beta_{K}\\, k_{21}\\, \\left(\\dot{\\theta_{21}} - \\dot{\\theta_{22}}\\right)^{2} + \\beta_{K}\\, k_{22}\\, \\left(\\dot{\\theta_{22}} - \\dot{\\theta_{23}}\\right)^{2} + \\beta_{K}\\, k_{23}\\, \\left(\\dot{\\theta_{23}} - \\dot{\\theta_{24}}\\right)^{2} + \\beta_{K}\\, k_{24}\\, \\left(\\dot{\\theta_{24}} - \\dot{\\theta_{25}}\\right)^{2} + \\beta_{K}\\, k_{25}\\, \\left(\\dot{\\theta_{25}} - \\dot{\\theta_{26}}\\right)^{2} + \\beta_{K}\\, k_{26}\\, \\left(\\dot{\\theta_{26}} - \\dot{\\theta_{27}}\\right)^{2} + \\beta_{K}\\, k_{27}\\, \\left(\\dot{\\theta_{27}} - \\dot{\\theta_{28}}\\right)^{2} + \\beta_{K}\\, k_{28}\\, \\left(\\dot{\\theta_{28}} - \\dot{\\theta_{29}}\\right)^{2} + \\beta_{K}\\, k_{29}\\, \\left(\\dot{\\theta_{29}} - \\dot{\\theta_{30}}\\right)^{2} + \\beta_{K}\\, k_{3}\\, \\left(\\dot{\\theta_{3}} - \\dot{\\theta_{4}}\\right)^{2} + \\beta_{K}\\, k_{30}\\, \\left(\\dot{\\theta_{30}} - \\dot{\\theta_{31}}\\right)^{2} + \\beta_{K}\\, k_{31}\\, \\left(\\dot{\\theta_{31}} - \\dot{\\theta_{32}}\\right)^{2} + \\beta_{K}\\, k_{4}\\, \\left(\\dot{\\theta_{4}} - \\dot{\\theta_{5}}\\right)^{2} + \\beta_{K}\\, k_{5}\\, \\left(\\dot{\\theta_{5}} - \\dot{\\theta_{6}}\\right)^{2} + \\beta_{K}\\, k_{6}\\, \\left(\\dot{\\theta_{6}} - \\dot{\\theta_{7}}\\right)^{2} + \\beta_{K}\\, k_{7}\\, \\left(\\dot{\\theta_{7}} - \\dot{\\theta_{8}}\\right)^{2} + \\beta_{K}\\, k_{8}\\, \\left(\\dot{\\theta_{8}} - \\dot{\\theta_{9}}\\right)^{2} + \\beta_{K}\\, k_{9}\\, \\left(\\dot{\\theta_{9}} - \\dot{\\theta_{10}}\\right)^{2})\\ [\\text{damping}]";
+        "V = \\frac{1}{2} (k_{1}\\, \\mathrm{twist}_{1}^{2} + k_{10}\\, \\mathrm{twist}_{10}^{2} + k_{11}\\, \\mathrm{twist}_{11}^{2} + k_{12}\\, \\mathrm{twist}_{12}^{2} + k_{13}\\, \\mathrm{twist}_{13}^{2} + k_{14}\\, \\mathrm{twist}_{14}^{2} + k_{15}\\, \\mathrm{twist}_{15}^{2} + k_{16}\\, \\mathrm{twist}_{16}^{2} + k_{17}\\, \\mathrm{twist}_{17}^{2} + k_{18}\\, \\mathrm{twist}_{18}^{2} + k_{19}\\, \\mathrm{twist}_{19}^{2} + k_{2}\\, \\mathrm{twist}_{2}^{2} + k_{20}\\, \\mathrm{twist}_{20}^{2} + k_{21}\\, \\mathrm{twist}_{21}^{2} + k_{22}\\, \\mathrm{twist}_{22}^{2} + k_{23}\\, \\mathrm{twist}_{23}^{2} + k_{24}\\, \\mathrm{twist}_{24}^{2} + k_{25}\\, \\mathrm{twist}_{25}^{2} + k_{26}\\, \\mathrm{twist}_{26}^{2} + k_{27}\\, \\mathrm{twist}_{27}^{2} + k_{28}\\, \\mathrm{twist}_{28}^{2} + k_{29}\\, \\mathrm{twist}_{29}^{2} + k_{3}\\, \\mathrm{twist}_{3}^{2} + k_{30}\\, \\mathrm{twist}_{30}^{2} + k_{31}\\, \\mathrm{twist}_{31}^{2} + k_{4}\\, \\mathrm{twist}_{4}^{2} + k_{5}\\, \\mathrm{twist}_{5}^{2} + k_{6}\\, \\mathrm{twist}_{6}^{2} + k_{7}\\, \\mathrm{twist}_{7}^{2} + k_{8}\\, \\mathrm{twist}_{8}^{2} + k_{9}\\, \\mathrm{twist}_{9}^{2})";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{10}\\, \\alpha_{M}\\, \\dot{\\theta_{10}}^{2} + I_{11}\\, \\alpha_{M}\\, \\dot{\\theta_{11}}^{2} + I_{12}\\, \\alpha_{M}\\, \\dot{\\theta_{12}}^{2} + I_{13}\\, \\alpha_{M}\\, \\dot{\\theta_{13}}^{2} + I_{14}\\, \\alpha_{M}\\, \\dot{\\theta_{14}}^{2} + I_{15}\\, \\alpha_{M}\\, \\dot{\\theta_{15}}^{2} + I_{16}\\, \\alpha_{M}\\, \\dot{\\theta_{16}}^{2} + I_{17}\\, \\alpha_{M}\\, \\dot{\\theta_{17}}^{2} + I_{18}\\, \\alpha_{M}\\, \\dot{\\theta_{18}}^{2} + I_{19}\\, \\alpha_{M}\\, \\dot{\\theta_{19}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + I_{20}\\, \\alpha_{M}\\, \\dot{\\theta_{20}}^{2} + I_{21}\\, \\alpha_{M}\\, \\dot{\\theta_{21}}^{2} + I_{22}\\, \\alpha_{M}\\, \\dot{\\theta_{22}}^{2} + I_{23}\\, \\alpha_{M}\\, \\dot{\\theta_{23}}^{2} + I_{24}\\, \\alpha_{M}\\, \\dot{\\theta_{24}}^{2} + I_{25}\\, \\alpha_{M}\\, \\dot{\\theta_{25}}^{2} + I_{26}\\, \\alpha_{M}\\, \\dot{\\theta_{26}}^{2} + I_{27}\\, \\alpha_{M}\\, \\dot{\\theta_{27}}^{2} + I_{28}\\, \\alpha_{M}\\, \\dot{\\theta_{28}}^{2} + I_{29}\\, \\alpha_{M}\\, \\dot{\\theta_{29}}^{2} + I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}}^{2} + I_{30}\\, \\alpha_{M}\\, \\dot{\\theta_{30}}^{2} + I_{31}\\, \\alpha_{M}\\, \\dot{\\theta_{31}}^{2} + I_{32}\\, \\alpha_{M}\\, \\dot{\\theta_{32}}^{2} + I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}^{2} + I_{6}\\, \\alpha_{M}\\, \\dot{\\theta_{6}}^{2} + I_{7}\\, \\alpha_{M}\\, \\dot{\\theta_{7}}^{2} + I_{8}\\, \\alpha_{M}\\, \\dot{\\theta_{8}}^{2} + I_{9}\\, \\alpha_{M}\\, \\dot{\\theta_{9}}^{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}^{2} + \\beta_{K}\\, k_{10}\\, \\dot{\\mathrm{twist}_{10}}^{2} + \\beta_{K}\\, k_{11}\\, \\dot{\\mathrm{twist}_{11}}^{2} + \\beta_{K}\\, k_{12}\\, \\dot{\\mathrm{twist}_{12}}^{2} + \\beta_{K}\\, k_{13}\\, \\dot{\\mathrm{twist}_{13}}^{2} + \\beta_{K}\\, k_{14}\\, \\dot{\\mathrm{twist}_{14}}^{2} + \\beta_{K}\\, k_{15}\\, \\dot{\\mathrm{twist}_{15}}^{2} + \\beta_{K}\\, k_{16}\\, \\dot{\\mathrm{twist}_{16}}^{2} + \\beta_{K}\\, k_{17}\\, \\dot{\\mathrm{twist}_{17}}^{2} + \\beta_{K}\\, k_{18}\\, \\dot{\\mathrm{twist}_{18}}^{2} + \\beta_{K}\\, k_{19}\\, \\dot{\\mathrm{twist}_{19}}^{2} + \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}}^{2} + \\beta_{K}\\, k_{20}\\, \\dot{\\mathrm{twist}_{20}}^{2} + \\beta_{K}\\, k_{21}\\, \\dot{\\mathrm{twist}_{21}}^{2} + \\beta_{K}\\, k_{22}\\, \\dot{\\mathrm{twist}_{22}}^{2} + \\beta_{K}\\, k_{23}\\, \\dot{\\mathrm{twist}_{23}}^{2} + \\beta_{K}\\, k_{24}\\, \\dot{\\mathrm{twist}_{24}}^{2} + \\beta_{K}\\, k_{25}\\, \\dot{\\mathrm{twist}_{25}}^{2} + \\beta_{K}\\, k_{26}\\, \\dot{\\mathrm{twist}_{26}}^{2} + \\beta_{K}\\, k_{27}\\, \\dot{\\mathrm{twist}_{27}}^{2} + \\beta_{K}\\, k_{28}\\, \\dot{\\mathrm{twist}_{28}}^{2} + \\beta_{K}\\, k_{29}\\, \\dot{\\mathrm{twist}_{29}}^{2} + \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}}^{2} + \\beta_{K}\\, k_{30}\\, \\dot{\\mathrm{twist}_{30}}^{2} + \\beta_{K}\\, k_{31}\\, \\dot{\\mathrm{twist}_{31}}^{2} + \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}}^{2} + \\beta_{K}\\, k_{5}\\, \\dot{\\mathrm{twist}_{5}}^{2} + \\beta_{K}\\, k_{6}\\, \\dot{\\mathrm{twist}_{6}}^{2} + \\beta_{K}\\, k_{7}\\, \\dot{\\mathrm{twist}_{7}}^{2} + \\beta_{K}\\, k_{8}\\, \\dot{\\mathrm{twist}_{8}}^{2} + \\beta_{K}\\, k_{9}\\, \\dot{\\mathrm{twist}_{9}}^{2})\\ [\\text{damping}]";
         "Q_{\\theta_{1}} = T_{motor}\\ [\\text{torques}]";
         "Q_{\\theta_{2}} = 0";
         "Q_{\\theta_{3}} = 0";
@@ -1644,37 +1776,68 @@ equations! {
         "Q_{\\theta_{30}} = 0";
         "Q_{\\theta_{31}} = 0";
         "Q_{\\theta_{32}} = -T_{load}\\ [\\text{torques}]";
-        "(I_{1}) \\ddot{\\theta_{1}} = k_{1}\\, \\theta_{2} - k_{1}\\, \\theta_{1} + T_{motor}\\ [\\text{torques}] + \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}}\\ [\\text{damping}]";
-        "(I_{2}) \\ddot{\\theta_{2}} = k_{1}\\, \\theta_{1} - k_{1}\\, \\theta_{2} - k_{2}\\, \\theta_{2} + k_{2}\\, \\theta_{3} + \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}} - I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{2}} + \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{3}}\\ [\\text{damping}]";
-        "(I_{3}) \\ddot{\\theta_{3}} = k_{2}\\, \\theta_{2} - k_{2}\\, \\theta_{3} - k_{3}\\, \\theta_{3} + k_{3}\\, \\theta_{4} + \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{2}} - I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{3}} + \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{4}}\\ [\\text{damping}]";
-        "(I_{4}) \\ddot{\\theta_{4}} = k_{3}\\, \\theta_{3} - k_{3}\\, \\theta_{4} - k_{4}\\, \\theta_{4} + k_{4}\\, \\theta_{5} + \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{3}} - I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{4}} + \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{5}}\\ [\\text{damping}]";
-        "(I_{5}) \\ddot{\\theta_{5}} = k_{4}\\, \\theta_{4} - k_{4}\\, \\theta_{5} - k_{5}\\, \\theta_{5} + k_{5}\\, \\theta_{6} + \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{4}} - I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}} - \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{5}} - \\beta_{K}\\, k_{5}\\, \\dot{\\theta_{5}} + \\beta_{K}\\, k_{5}\\, \\dot{\\theta_{6}}\\ [\\text{damping}]";
-        "(I_{6}) \\ddot{\\theta_{6}} = k_{5}\\, \\theta_{5} - k_{5}\\, \\theta_{6} - k_{6}\\, \\theta_{6} + k_{6}\\, \\theta_{7} + \\beta_{K}\\, k_{5}\\, \\dot{\\theta_{5}} - I_{6}\\, \\alpha_{M}\\, \\dot{\\theta_{6}} - \\beta_{K}\\, k_{5}\\, \\dot{\\theta_{6}} - \\beta_{K}\\, k_{6}\\, \\dot{\\theta_{6}} + \\beta_{K}\\, k_{6}\\, \\dot{\\theta_{7}}\\ [\\text{damping}]";
-        "(I_{7}) \\ddot{\\theta_{7}} = k_{6}\\, \\theta_{6} - k_{6}\\, \\theta_{7} - k_{7}\\, \\theta_{7} + k_{7}\\, \\theta_{8} + \\beta_{K}\\, k_{6}\\, \\dot{\\theta_{6}} - I_{7}\\, \\alpha_{M}\\, \\dot{\\theta_{7}} - \\beta_{K}\\, k_{6}\\, \\dot{\\theta_{7}} - \\beta_{K}\\, k_{7}\\, \\dot{\\theta_{7}} + \\beta_{K}\\, k_{7}\\, \\dot{\\theta_{8}}\\ [\\text{damping}]";
-        "(I_{8}) \\ddot{\\theta_{8}} = k_{7}\\, \\theta_{7} - k_{7}\\, \\theta_{8} - k_{8}\\, \\theta_{8} + k_{8}\\, \\theta_{9} + \\beta_{K}\\, k_{7}\\, \\dot{\\theta_{7}} - I_{8}\\, \\alpha_{M}\\, \\dot{\\theta_{8}} - \\beta_{K}\\, k_{7}\\, \\dot{\\theta_{8}} - \\beta_{K}\\, k_{8}\\, \\dot{\\theta_{8}} + \\beta_{K}\\, k_{8}\\, \\dot{\\theta_{9}}\\ [\\text{damping}]";
-        "(I_{9}) \\ddot{\\theta_{9}} = k_{8}\\, \\theta_{8} - k_{8}\\, \\theta_{9} + k_{9}\\, \\theta_{10} - k_{9}\\, \\theta_{9} + \\beta_{K}\\, k_{8}\\, \\dot{\\theta_{8}} - I_{9}\\, \\alpha_{M}\\, \\dot{\\theta_{9}} - \\beta_{K}\\, k_{8}\\, \\dot{\\theta_{9}} + \\beta_{K}\\, k_{9}\\, \\dot{\\theta_{10}} - \\beta_{K}\\, k_{9}\\, \\dot{\\theta_{9}}\\ [\\text{damping}]";
-        "(I_{10}) \\ddot{\\theta_{10}} = k_{10}\\, \\theta_{11} - k_{10}\\, \\theta_{10} - k_{9}\\, \\theta_{10} + k_{9}\\, \\theta_{9} + \\beta_{K}\\, k_{10}\\, \\dot{\\theta_{11}} - I_{10}\\, \\alpha_{M}\\, \\dot{\\theta_{10}} - \\beta_{K}\\, k_{10}\\, \\dot{\\theta_{10}} - \\beta_{K}\\, k_{9}\\, \\dot{\\theta_{10}} + \\beta_{K}\\, k_{9}\\, \\dot{\\theta_{9}}\\ [\\text{damping}]";
-        "(I_{11}) \\ddot{\\theta_{11}} = k_{10}\\, \\theta_{10} - k_{10}\\, \\theta_{11} - k_{11}\\, \\theta_{11} + k_{11}\\, \\theta_{12} + \\beta_{K}\\, k_{10}\\, \\dot{\\theta_{10}} - I_{11}\\, \\alpha_{M}\\, \\dot{\\theta_{11}} - \\beta_{K}\\, k_{10}\\, \\dot{\\theta_{11}} - \\beta_{K}\\, k_{11}\\, \\dot{\\theta_{11}} + \\beta_{K}\\, k_{11}\\, \\dot{\\theta_{12}}\\ [\\text{damping}]";
-        "(I_{12}) \\ddot{\\theta_{12}} = k_{11}\\, \\theta_{11} - k_{11}\\, \\theta_{12} - k_{12}\\, \\theta_{12} + k_{12}\\, \\theta_{13} + \\beta_{K}\\, k_{11}\\, \\dot{\\theta_{11}} - I_{12}\\, \\alpha_{M}\\, \\dot{\\theta_{12}} - \\beta_{K}\\, k_{11}\\, \\dot{\\theta_{12}} - \\beta_{K}\\, k_{12}\\, \\dot{\\theta_{12}} + \\beta_{K}\\, k_{12}\\, \\dot{\\theta_{13}}\\ [\\text{damping}]";
-        "(I_{13}) \\ddot{\\theta_{13}} = k_{12}\\, \\theta_{12} - k_{12}\\, \\theta_{13} - k_{13}\\, \\theta_{13} + k_{13}\\, \\theta_{14} + \\beta_{K}\\, k_{12}\\, \\dot{\\theta_{12}} - I_{13}\\, \\alpha_{M}\\, \\dot{\\theta_{13}} - \\beta_{K}\\, k_{12}\\, \\dot{\\theta_{13}} - \\beta_{K}\\, k_{13}\\, \\dot{\\theta_{13}} + \\beta_{K}\\, k_{13}\\, \\dot{\\theta_{14}}\\ [\\text{damping}]";
-        "(I_{14}) \\ddot{\\theta_{14}} = k_{13}\\, \\theta_{13} - k_{13}\\, \\theta_{14} - k_{14}\\, \\theta_{14} + k_{14}\\, \\theta_{15} + \\beta_{K}\\, k_{13}\\, \\dot{\\theta_{13}} - I_{14}\\, \\alpha_{M}\\, \\dot{\\theta_{14}} - \\beta_{K}\\, k_{13}\\, \\dot{\\theta_{14}} - \\beta_{K}\\, k_{14}\\, \\dot{\\theta_{14}} + \\beta_{K}\\, k_{14}\\, \\dot{\\theta_{15}}\\ [\\text{damping}]";
-        "(I_{15}) \\ddot{\\theta_{15}} = k_{14}\\, \\theta_{14} - k_{14}\\, \\theta_{15} - k_{15}\\, \\theta_{15} + k_{15}\\, \\theta_{16} + \\beta_{K}\\, k_{14}\\, \\dot{\\theta_{14}} - I_{15}\\, \\alpha_{M}\\, \\dot{\\theta_{15}} - \\beta_{K}\\, k_{14}\\, \\dot{\\theta_{15}} - \\beta_{K}\\, k_{15}\\, \\dot{\\theta_{15}} + \\beta_{K}\\, k_{15}\\, \\dot{\\theta_{16}}\\ [\\text{damping}]";
-        "(I_{16}) \\ddot{\\theta_{16}} = k_{15}\\, \\theta_{15} - k_{15}\\, \\theta_{16} - k_{16}\\, \\theta_{16} + k_{16}\\, \\theta_{17} + \\beta_{K}\\, k_{15}\\, \\dot{\\theta_{15}} - I_{16}\\, \\alpha_{M}\\, \\dot{\\theta_{16}} - \\beta_{K}\\, k_{15}\\, \\dot{\\theta_{16}} - \\beta_{K}\\, k_{16}\\, \\dot{\\theta_{16}} + \\beta_{K}\\, k_{16}\\, \\dot{\\theta_{17}}\\ [\\text{damping}]";
-        "(I_{17}) \\ddot{\\theta_{17}} = k_{16}\\, \\theta_{16} - k_{16}\\, \\theta_{17} - k_{17}\\, \\theta_{17} + k_{17}\\, \\theta_{18} + \\beta_{K}\\, k_{16}\\, \\dot{\\theta_{16}} - I_{17}\\, \\alpha_{M}\\, \\dot{\\theta_{17}} - \\beta_{K}\\, k_{16}\\, \\dot{\\theta_{17}} - \\beta_{K}\\, k_{17}\\, \\dot{\\theta_{17}} + \\beta_{K}\\, k_{17}\\, \\dot{\\theta_{18}}\\ [\\text{damping}]";
-        "(I_{18}) \\ddot{\\theta_{18}} = k_{17}\\, \\theta_{17} - k_{17}\\, \\theta_{18} - k_{18}\\, \\theta_{18} + k_{18}\\, \\theta_{19} + \\beta_{K}\\, k_{17}\\, \\dot{\\theta_{17}} - I_{18}\\, \\alpha_{M}\\, \\dot{\\theta_{18}} - \\beta_{K}\\, k_{17}\\, \\dot{\\theta_{18}} - \\beta_{K}\\, k_{18}\\, \\dot{\\theta_{18}} + \\beta_{K}\\, k_{18}\\, \\dot{\\theta_{19}}\\ [\\text{damping}]";
-        "(I_{19}) \\ddot{\\theta_{19}} = k_{18}\\, \\theta_{18} - k_{18}\\, \\theta_{19} - k_{19}\\, \\theta_{19} + k_{19}\\, \\theta_{20} + \\beta_{K}\\, k_{18}\\, \\dot{\\theta_{18}} - I_{19}\\, \\alpha_{M}\\, \\dot{\\theta_{19}} - \\beta_{K}\\, k_{18}\\, \\dot{\\theta_{19}} - \\beta_{K}\\, k_{19}\\, \\dot{\\theta_{19}} + \\beta_{K}\\, k_{19}\\, \\dot{\\theta_{20}}\\ [\\text{damping}]";
-        "(I_{20}) \\ddot{\\theta_{20}} = k_{19}\\, \\theta_{19} - k_{19}\\, \\theta_{20} - k_{20}\\, \\theta_{20} + k_{20}\\, \\theta_{21} + \\beta_{K}\\, k_{19}\\, \\dot{\\theta_{19}} - I_{20}\\, \\alpha_{M}\\, \\dot{\\theta_{20}} - \\beta_{K}\\, k_{19}\\, \\dot{\\theta_{20}} - \\beta_{K}\\, k_{20}\\, \\dot{\\theta_{20}} + \\beta_{K}\\, k_{20}\\, \\dot{\\theta_{21}}\\ [\\text{damping}]";
-        "(I_{21}) \\ddot{\\theta_{21}} = k_{20}\\, \\theta_{20} - k_{20}\\, \\theta_{21} - k_{21}\\, \\theta_{21} + k_{21}\\, \\theta_{22} + \\beta_{K}\\, k_{20}\\, \\dot{\\theta_{20}} - I_{21}\\, \\alpha_{M}\\, \\dot{\\theta_{21}} - \\beta_{K}\\, k_{20}\\, \\dot{\\theta_{21}} - \\beta_{K}\\, k_{21}\\, \\dot{\\theta_{21}} + \\beta_{K}\\, k_{21}\\, \\dot{\\theta_{22}}\\ [\\text{damping}]";
-        "(I_{22}) \\ddot{\\theta_{22}} = k_{21}\\, \\theta_{21} - k_{21}\\, \\theta_{22} - k_{22}\\, \\theta_{22} + k_{22}\\, \\theta_{23} + \\beta_{K}\\, k_{21}\\, \\dot{\\theta_{21}} - I_{22}\\, \\alpha_{M}\\, \\dot{\\theta_{22}} - \\beta_{K}\\, k_{21}\\, \\dot{\\theta_{22}} - \\beta_{K}\\, k_{22}\\, \\dot{\\theta_{22}} + \\beta_{K}\\, k_{22}\\, \\dot{\\theta_{23}}\\ [\\text{damping}]";
-        "(I_{23}) \\ddot{\\theta_{23}} = k_{22}\\, \\theta_{22} - k_{22}\\, \\theta_{23} - k_{23}\\, \\theta_{23} + k_{23}\\, \\theta_{24} + \\beta_{K}\\, k_{22}\\, \\dot{\\theta_{22}} - I_{23}\\, \\alpha_{M}\\, \\dot{\\theta_{23}} - \\beta_{K}\\, k_{22}\\, \\dot{\\theta_{23}} - \\beta_{K}\\, k_{23}\\, \\dot{\\theta_{23}} + \\beta_{K}\\, k_{23}\\, \\dot{\\theta_{24}}\\ [\\text{damping}]";
-        "(I_{24}) \\ddot{\\theta_{24}} = k_{23}\\, \\theta_{23} - k_{23}\\, \\theta_{24} - k_{24}\\, \\theta_{24} + k_{24}\\, \\theta_{25} + \\beta_{K}\\, k_{23}\\, \\dot{\\theta_{23}} - I_{24}\\, \\alpha_{M}\\, \\dot{\\theta_{24}} - \\beta_{K}\\, k_{23}\\, \\dot{\\theta_{24}} - \\beta_{K}\\, k_{24}\\, \\dot{\\theta_{24}} + \\beta_{K}\\, k_{24}\\, \\dot{\\theta_{25}}\\ [\\text{damping}]";
-        "(I_{25}) \\ddot{\\theta_{25}} = k_{24}\\, \\theta_{24} - k_{24}\\, \\theta_{25} - k_{25}\\, \\theta_{25} + k_{25}\\, \\theta_{26} + \\beta_{K}\\, k_{24}\\, \\dot{\\theta_{24}} - I_{25}\\, \\alpha_{M}\\, \\dot{\\theta_{25}} - \\beta_{K}\\, k_{24}\\, \\dot{\\theta_{25}} - \\beta_{K}\\, k_{25}\\, \\dot{\\theta_{25}} + \\beta_{K}\\, k_{25}\\, \\dot{\\theta_{26}}\\ [\\text{damping}]";
-        "(I_{26}) \\ddot{\\theta_{26}} = k_{25}\\, \\theta_{25} - k_{25}\\, \\theta_{26} - k_{26}\\, \\theta_{26} + k_{26}\\, \\theta_{27} + \\beta_{K}\\, k_{25}\\, \\dot{\\theta_{25}} - I_{26}\\, \\alpha_{M}\\, \\dot{\\theta_{26}} - \\beta_{K}\\, k_{25}\\, \\dot{\\theta_{26}} - \\beta_{K}\\, k_{26}\\, \\dot{\\theta_{26}} + \\beta_{K}\\, k_{26}\\, \\dot{\\theta_{27}}\\ [\\text{damping}]";
-        "(I_{27}) \\ddot{\\theta_{27}} = k_{26}\\, \\theta_{26} - k_{26}\\, \\theta_{27} - k_{27}\\, \\theta_{27} + k_{27}\\, \\theta_{28} + \\beta_{K}\\, k_{26}\\, \\dot{\\theta_{26}} - I_{27}\\, \\alpha_{M}\\, \\dot{\\theta_{27}} - \\beta_{K}\\, k_{26}\\, \\dot{\\theta_{27}} - \\beta_{K}\\, k_{27}\\, \\dot{\\theta_{27}} + \\beta_{K}\\, k_{27}\\, \\dot{\\theta_{28}}\\ [\\text{damping}]";
-        "(I_{28}) \\ddot{\\theta_{28}} = k_{27}\\, \\theta_{27} - k_{27}\\, \\theta_{28} - k_{28}\\, \\theta_{28} + k_{28}\\, \\theta_{29} + \\beta_{K}\\, k_{27}\\, \\dot{\\theta_{27}} - I_{28}\\, \\alpha_{M}\\, \\dot{\\theta_{28}} - \\beta_{K}\\, k_{27}\\, \\dot{\\theta_{28}} - \\beta_{K}\\, k_{28}\\, \\dot{\\theta_{28}} + \\beta_{K}\\, k_{28}\\, \\dot{\\theta_{29}}\\ [\\text{damping}]";
-        "(I_{29}) \\ddot{\\theta_{29}} = k_{28}\\, \\theta_{28} - k_{28}\\, \\theta_{29} - k_{29}\\, \\theta_{29} + k_{29}\\, \\theta_{30} + \\beta_{K}\\, k_{28}\\, \\dot{\\theta_{28}} - I_{29}\\, \\alpha_{M}\\, \\dot{\\theta_{29}} - \\beta_{K}\\, k_{28}\\, \\dot{\\theta_{29}} - \\beta_{K}\\, k_{29}\\, \\dot{\\theta_{29}} + \\beta_{K}\\, k_{29}\\, \\dot{\\theta_{30}}\\ [\\text{damping}]";
-        "(I_{30}) \\ddot{\\theta_{30}} = k_{29}\\, \\theta_{29} - k_{29}\\, \\theta_{30} - k_{30}\\, \\theta_{30} + k_{30}\\, \\theta_{31} + \\beta_{K}\\, k_{29}\\, \\dot{\\theta_{29}} - I_{30}\\, \\alpha_{M}\\, \\dot{\\theta_{30}} - \\beta_{K}\\, k_{29}\\, \\dot{\\theta_{30}} - \\beta_{K}\\, k_{30}\\, \\dot{\\theta_{30}} + \\beta_{K}\\, k_{30}\\, \\dot{\\theta_{31}}\\ [\\text{damping}]";
-        "(I_{31}) \\ddot{\\theta_{31}} = k_{30}\\, \\theta_{30} - k_{30}\\, \\theta_{31} - k_{31}\\, \\theta_{31} + k_{31}\\, \\theta_{32} + \\beta_{K}\\, k_{30}\\, \\dot{\\theta_{30}} - I_{31}\\, \\alpha_{M}\\, \\dot{\\theta_{31}} - \\beta_{K}\\, k_{30}\\, \\dot{\\theta_{31}} - \\beta_{K}\\, k_{31}\\, \\dot{\\theta_{31}} + \\beta_{K}\\, k_{31}\\, \\dot{\\theta_{32}}\\ [\\text{damping}]";
-        "(I_{32}) \\ddot{\\theta_{32}} = k_{31}\\, \\theta_{31} - k_{31}\\, \\theta_{32} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{31}\\, \\dot{\\theta_{31}} - I_{32}\\, \\alpha_{M}\\, \\dot{\\theta_{32}} - \\beta_{K}\\, k_{31}\\, \\dot{\\theta_{32}}\\ [\\text{damping}]";
+        "\\mathrm{twist}_{1} = \\theta_{1} - \\theta_{2}";
+        "\\mathrm{twist}_{2} = \\theta_{2} - \\theta_{3}";
+        "\\mathrm{twist}_{3} = \\theta_{3} - \\theta_{4}";
+        "\\mathrm{twist}_{4} = \\theta_{4} - \\theta_{5}";
+        "\\mathrm{twist}_{5} = \\theta_{5} - \\theta_{6}";
+        "\\mathrm{twist}_{6} = \\theta_{6} - \\theta_{7}";
+        "\\mathrm{twist}_{7} = \\theta_{7} - \\theta_{8}";
+        "\\mathrm{twist}_{8} = \\theta_{8} - \\theta_{9}";
+        "\\mathrm{twist}_{9} = \\theta_{9} - \\theta_{10}";
+        "\\mathrm{twist}_{10} = \\theta_{10} - \\theta_{11}";
+        "\\mathrm{twist}_{11} = \\theta_{11} - \\theta_{12}";
+        "\\mathrm{twist}_{12} = \\theta_{12} - \\theta_{13}";
+        "\\mathrm{twist}_{13} = \\theta_{13} - \\theta_{14}";
+        "\\mathrm{twist}_{14} = \\theta_{14} - \\theta_{15}";
+        "\\mathrm{twist}_{15} = \\theta_{15} - \\theta_{16}";
+        "\\mathrm{twist}_{16} = \\theta_{16} - \\theta_{17}";
+        "\\mathrm{twist}_{17} = \\theta_{17} - \\theta_{18}";
+        "\\mathrm{twist}_{18} = \\theta_{18} - \\theta_{19}";
+        "\\mathrm{twist}_{19} = \\theta_{19} - \\theta_{20}";
+        "\\mathrm{twist}_{20} = \\theta_{20} - \\theta_{21}";
+        "\\mathrm{twist}_{21} = \\theta_{21} - \\theta_{22}";
+        "\\mathrm{twist}_{22} = \\theta_{22} - \\theta_{23}";
+        "\\mathrm{twist}_{23} = \\theta_{23} - \\theta_{24}";
+        "\\mathrm{twist}_{24} = \\theta_{24} - \\theta_{25}";
+        "\\mathrm{twist}_{25} = \\theta_{25} - \\theta_{26}";
+        "\\mathrm{twist}_{26} = \\theta_{26} - \\theta_{27}";
+        "\\mathrm{twist}_{27} = \\theta_{27} - \\theta_{28}";
+        "\\mathrm{twist}_{28} = \\theta_{28} - \\theta_{29}";
+        "\\mathrm{twist}_{29} = \\theta_{29} - \\theta_{30}";
+        "\\mathrm{twist}_{30} = \\theta_{30} - \\theta_{31}";
+        "\\mathrm{twist}_{31} = \\theta_{31} - \\theta_{32}";
+        "(I_{1}) \\ddot{\\theta_{1}} = -k_{1}\\, \\mathrm{twist}_{1} + T_{motor}\\ [\\text{torques}] - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}\\ [\\text{damping}]";
+        "(I_{2}) \\ddot{\\theta_{2}} = k_{1}\\, \\mathrm{twist}_{1} - k_{2}\\, \\mathrm{twist}_{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}} - I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}}\\ [\\text{damping}]";
+        "(I_{3}) \\ddot{\\theta_{3}} = k_{2}\\, \\mathrm{twist}_{2} - k_{3}\\, \\mathrm{twist}_{3} + \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}} - I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}}\\ [\\text{damping}]";
+        "(I_{4}) \\ddot{\\theta_{4}} = k_{3}\\, \\mathrm{twist}_{3} - k_{4}\\, \\mathrm{twist}_{4} + \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}} - I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}}\\ [\\text{damping}]";
+        "(I_{5}) \\ddot{\\theta_{5}} = k_{4}\\, \\mathrm{twist}_{4} - k_{5}\\, \\mathrm{twist}_{5} + \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}} - I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}} - \\beta_{K}\\, k_{5}\\, \\dot{\\mathrm{twist}_{5}}\\ [\\text{damping}]";
+        "(I_{6}) \\ddot{\\theta_{6}} = k_{5}\\, \\mathrm{twist}_{5} - k_{6}\\, \\mathrm{twist}_{6} + \\beta_{K}\\, k_{5}\\, \\dot{\\mathrm{twist}_{5}} - I_{6}\\, \\alpha_{M}\\, \\dot{\\theta_{6}} - \\beta_{K}\\, k_{6}\\, \\dot{\\mathrm{twist}_{6}}\\ [\\text{damping}]";
+        "(I_{7}) \\ddot{\\theta_{7}} = k_{6}\\, \\mathrm{twist}_{6} - k_{7}\\, \\mathrm{twist}_{7} + \\beta_{K}\\, k_{6}\\, \\dot{\\mathrm{twist}_{6}} - I_{7}\\, \\alpha_{M}\\, \\dot{\\theta_{7}} - \\beta_{K}\\, k_{7}\\, \\dot{\\mathrm{twist}_{7}}\\ [\\text{damping}]";
+        "(I_{8}) \\ddot{\\theta_{8}} = k_{7}\\, \\mathrm{twist}_{7} - k_{8}\\, \\mathrm{twist}_{8} + \\beta_{K}\\, k_{7}\\, \\dot{\\mathrm{twist}_{7}} - I_{8}\\, \\alpha_{M}\\, \\dot{\\theta_{8}} - \\beta_{K}\\, k_{8}\\, \\dot{\\mathrm{twist}_{8}}\\ [\\text{damping}]";
+        "(I_{9}) \\ddot{\\theta_{9}} = k_{8}\\, \\mathrm{twist}_{8} - k_{9}\\, \\mathrm{twist}_{9} + \\beta_{K}\\, k_{8}\\, \\dot{\\mathrm{twist}_{8}} - I_{9}\\, \\alpha_{M}\\, \\dot{\\theta_{9}} - \\beta_{K}\\, k_{9}\\, \\dot{\\mathrm{twist}_{9}}\\ [\\text{damping}]";
+        "(I_{10}) \\ddot{\\theta_{10}} = k_{9}\\, \\mathrm{twist}_{9} - k_{10}\\, \\mathrm{twist}_{10} + \\beta_{K}\\, k_{9}\\, \\dot{\\mathrm{twist}_{9}} - I_{10}\\, \\alpha_{M}\\, \\dot{\\theta_{10}} - \\beta_{K}\\, k_{10}\\, \\dot{\\mathrm{twist}_{10}}\\ [\\text{damping}]";
+        "(I_{11}) \\ddot{\\theta_{11}} = k_{10}\\, \\mathrm{twist}_{10} - k_{11}\\, \\mathrm{twist}_{11} + \\beta_{K}\\, k_{10}\\, \\dot{\\mathrm{twist}_{10}} - I_{11}\\, \\alpha_{M}\\, \\dot{\\theta_{11}} - \\beta_{K}\\, k_{11}\\, \\dot{\\mathrm{twist}_{11}}\\ [\\text{damping}]";
+        "(I_{12}) \\ddot{\\theta_{12}} = k_{11}\\, \\mathrm{twist}_{11} - k_{12}\\, \\mathrm{twist}_{12} + \\beta_{K}\\, k_{11}\\, \\dot{\\mathrm{twist}_{11}} - I_{12}\\, \\alpha_{M}\\, \\dot{\\theta_{12}} - \\beta_{K}\\, k_{12}\\, \\dot{\\mathrm{twist}_{12}}\\ [\\text{damping}]";
+        "(I_{13}) \\ddot{\\theta_{13}} = k_{12}\\, \\mathrm{twist}_{12} - k_{13}\\, \\mathrm{twist}_{13} + \\beta_{K}\\, k_{12}\\, \\dot{\\mathrm{twist}_{12}} - I_{13}\\, \\alpha_{M}\\, \\dot{\\theta_{13}} - \\beta_{K}\\, k_{13}\\, \\dot{\\mathrm{twist}_{13}}\\ [\\text{damping}]";
+        "(I_{14}) \\ddot{\\theta_{14}} = k_{13}\\, \\mathrm{twist}_{13} - k_{14}\\, \\mathrm{twist}_{14} + \\beta_{K}\\, k_{13}\\, \\dot{\\mathrm{twist}_{13}} - I_{14}\\, \\alpha_{M}\\, \\dot{\\theta_{14}} - \\beta_{K}\\, k_{14}\\, \\dot{\\mathrm{twist}_{14}}\\ [\\text{damping}]";
+        "(I_{15}) \\ddot{\\theta_{15}} = k_{14}\\, \\mathrm{twist}_{14} - k_{15}\\, \\mathrm{twist}_{15} + \\beta_{K}\\, k_{14}\\, \\dot{\\mathrm{twist}_{14}} - I_{15}\\, \\alpha_{M}\\, \\dot{\\theta_{15}} - \\beta_{K}\\, k_{15}\\, \\dot{\\mathrm{twist}_{15}}\\ [\\text{damping}]";
+        "(I_{16}) \\ddot{\\theta_{16}} = k_{15}\\, \\mathrm{twist}_{15} - k_{16}\\, \\mathrm{twist}_{16} + \\beta_{K}\\, k_{15}\\, \\dot{\\mathrm{twist}_{15}} - I_{16}\\, \\alpha_{M}\\, \\dot{\\theta_{16}} - \\beta_{K}\\, k_{16}\\, \\dot{\\mathrm{twist}_{16}}\\ [\\text{damping}]";
+        "(I_{17}) \\ddot{\\theta_{17}} = k_{16}\\, \\mathrm{twist}_{16} - k_{17}\\, \\mathrm{twist}_{17} + \\beta_{K}\\, k_{16}\\, \\dot{\\mathrm{twist}_{16}} - I_{17}\\, \\alpha_{M}\\, \\dot{\\theta_{17}} - \\beta_{K}\\, k_{17}\\, \\dot{\\mathrm{twist}_{17}}\\ [\\text{damping}]";
+        "(I_{18}) \\ddot{\\theta_{18}} = k_{17}\\, \\mathrm{twist}_{17} - k_{18}\\, \\mathrm{twist}_{18} + \\beta_{K}\\, k_{17}\\, \\dot{\\mathrm{twist}_{17}} - I_{18}\\, \\alpha_{M}\\, \\dot{\\theta_{18}} - \\beta_{K}\\, k_{18}\\, \\dot{\\mathrm{twist}_{18}}\\ [\\text{damping}]";
+        "(I_{19}) \\ddot{\\theta_{19}} = k_{18}\\, \\mathrm{twist}_{18} - k_{19}\\, \\mathrm{twist}_{19} + \\beta_{K}\\, k_{18}\\, \\dot{\\mathrm{twist}_{18}} - I_{19}\\, \\alpha_{M}\\, \\dot{\\theta_{19}} - \\beta_{K}\\, k_{19}\\, \\dot{\\mathrm{twist}_{19}}\\ [\\text{damping}]";
+        "(I_{20}) \\ddot{\\theta_{20}} = k_{19}\\, \\mathrm{twist}_{19} - k_{20}\\, \\mathrm{twist}_{20} + \\beta_{K}\\, k_{19}\\, \\dot{\\mathrm{twist}_{19}} - I_{20}\\, \\alpha_{M}\\, \\dot{\\theta_{20}} - \\beta_{K}\\, k_{20}\\, \\dot{\\mathrm{twist}_{20}}\\ [\\text{damping}]";
+        "(I_{21}) \\ddot{\\theta_{21}} = k_{20}\\, \\mathrm{twist}_{20} - k_{21}\\, \\mathrm{twist}_{21} + \\beta_{K}\\, k_{20}\\, \\dot{\\mathrm{twist}_{20}} - I_{21}\\, \\alpha_{M}\\, \\dot{\\theta_{21}} - \\beta_{K}\\, k_{21}\\, \\dot{\\mathrm{twist}_{21}}\\ [\\text{damping}]";
+        "(I_{22}) \\ddot{\\theta_{22}} = k_{21}\\, \\mathrm{twist}_{21} - k_{22}\\, \\mathrm{twist}_{22} + \\beta_{K}\\, k_{21}\\, \\dot{\\mathrm{twist}_{21}} - I_{22}\\, \\alpha_{M}\\, \\dot{\\theta_{22}} - \\beta_{K}\\, k_{22}\\, \\dot{\\mathrm{twist}_{22}}\\ [\\text{damping}]";
+        "(I_{23}) \\ddot{\\theta_{23}} = k_{22}\\, \\mathrm{twist}_{22} - k_{23}\\, \\mathrm{twist}_{23} + \\beta_{K}\\, k_{22}\\, \\dot{\\mathrm{twist}_{22}} - I_{23}\\, \\alpha_{M}\\, \\dot{\\theta_{23}} - \\beta_{K}\\, k_{23}\\, \\dot{\\mathrm{twist}_{23}}\\ [\\text{damping}]";
+        "(I_{24}) \\ddot{\\theta_{24}} = k_{23}\\, \\mathrm{twist}_{23} - k_{24}\\, \\mathrm{twist}_{24} + \\beta_{K}\\, k_{23}\\, \\dot{\\mathrm{twist}_{23}} - I_{24}\\, \\alpha_{M}\\, \\dot{\\theta_{24}} - \\beta_{K}\\, k_{24}\\, \\dot{\\mathrm{twist}_{24}}\\ [\\text{damping}]";
+        "(I_{25}) \\ddot{\\theta_{25}} = k_{24}\\, \\mathrm{twist}_{24} - k_{25}\\, \\mathrm{twist}_{25} + \\beta_{K}\\, k_{24}\\, \\dot{\\mathrm{twist}_{24}} - I_{25}\\, \\alpha_{M}\\, \\dot{\\theta_{25}} - \\beta_{K}\\, k_{25}\\, \\dot{\\mathrm{twist}_{25}}\\ [\\text{damping}]";
+        "(I_{26}) \\ddot{\\theta_{26}} = k_{25}\\, \\mathrm{twist}_{25} - k_{26}\\, \\mathrm{twist}_{26} + \\beta_{K}\\, k_{25}\\, \\dot{\\mathrm{twist}_{25}} - I_{26}\\, \\alpha_{M}\\, \\dot{\\theta_{26}} - \\beta_{K}\\, k_{26}\\, \\dot{\\mathrm{twist}_{26}}\\ [\\text{damping}]";
+        "(I_{27}) \\ddot{\\theta_{27}} = k_{26}\\, \\mathrm{twist}_{26} - k_{27}\\, \\mathrm{twist}_{27} + \\beta_{K}\\, k_{26}\\, \\dot{\\mathrm{twist}_{26}} - I_{27}\\, \\alpha_{M}\\, \\dot{\\theta_{27}} - \\beta_{K}\\, k_{27}\\, \\dot{\\mathrm{twist}_{27}}\\ [\\text{damping}]";
+        "(I_{28}) \\ddot{\\theta_{28}} = k_{27}\\, \\mathrm{twist}_{27} - k_{28}\\, \\mathrm{twist}_{28} + \\beta_{K}\\, k_{27}\\, \\dot{\\mathrm{twist}_{27}} - I_{28}\\, \\alpha_{M}\\, \\dot{\\theta_{28}} - \\beta_{K}\\, k_{28}\\, \\dot{\\mathrm{twist}_{28}}\\ [\\text{damping}]";
+        "(I_{29}) \\ddot{\\theta_{29}} = k_{28}\\, \\mathrm{twist}_{28} - k_{29}\\, \\mathrm{twist}_{29} + \\beta_{K}\\, k_{28}\\, \\dot{\\mathrm{twist}_{28}} - I_{29}\\, \\alpha_{M}\\, \\dot{\\theta_{29}} - \\beta_{K}\\, k_{29}\\, \\dot{\\mathrm{twist}_{29}}\\ [\\text{damping}]";
+        "(I_{30}) \\ddot{\\theta_{30}} = k_{29}\\, \\mathrm{twist}_{29} - k_{30}\\, \\mathrm{twist}_{30} + \\beta_{K}\\, k_{29}\\, \\dot{\\mathrm{twist}_{29}} - I_{30}\\, \\alpha_{M}\\, \\dot{\\theta_{30}} - \\beta_{K}\\, k_{30}\\, \\dot{\\mathrm{twist}_{30}}\\ [\\text{damping}]";
+        "(I_{31}) \\ddot{\\theta_{31}} = k_{30}\\, \\mathrm{twist}_{30} - k_{31}\\, \\mathrm{twist}_{31} + \\beta_{K}\\, k_{30}\\, \\dot{\\mathrm{twist}_{30}} - I_{31}\\, \\alpha_{M}\\, \\dot{\\theta_{31}} - \\beta_{K}\\, k_{31}\\, \\dot{\\mathrm{twist}_{31}}\\ [\\text{damping}]";
+        "(I_{32}) \\ddot{\\theta_{32}} = k_{31}\\, \\mathrm{twist}_{31} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{31}\\, \\dot{\\mathrm{twist}_{31}} - I_{32}\\, \\alpha_{M}\\, \\dot{\\theta_{32}}\\ [\\text{damping}]";
     }
 }

@@ -8,8 +8,8 @@
 //!
 //! ```text
 //! T = (I1*theta1_dot^2 + I2*theta2_dot^2 + I3*theta3_dot^2 + I4*theta4_dot^2 + I5*theta5_dot^2)/2
-//! V = (k1*(theta1 - theta2)^2 + k2*(theta2 - theta3)^2 + k3*(theta3 - theta4)^2 + k4*(theta4 - theta5)^2)/2
-//! D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + I3*alpha_M*theta3_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2 + beta_K*k2*(theta2_dot - theta3_dot)^2 + beta_K*k3*(theta3_dot - theta4_dot)^2 + beta_K*k4*(theta4_dot - theta5_dot)^2)/2 [damping]
+//! V = (k1*twist1^2 + k2*twist2^2 + k3*twist3^2 + k4*twist4^2)/2
+//! D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + I3*alpha_M*theta3_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + beta_K*k1*twist1_dot^2 + beta_K*k2*twist2_dot^2 + beta_K*k3*twist3_dot^2 + beta_K*k4*twist4_dot^2)/2 [damping]
 //! Q_theta1 = T_motor [torques]
 //! Q_theta2 = 0
 //! Q_theta3 = 0
@@ -17,14 +17,23 @@
 //! Q_theta5 = -T_load [torques]
 //! ```
 //!
+//! # Deflections
+//!
+//! ```text
+//! twist1 = theta1 - theta2
+//! twist2 = theta2 - theta3
+//! twist3 = theta3 - theta4
+//! twist4 = theta4 - theta5
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! (I1) theta1'' = k1*theta2 - k1*theta1 + T_motor [torques] + beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot [damping]
-//! (I2) theta2'' = k1*theta1 - k1*theta2 - k2*theta2 + k2*theta3 + beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot - beta_K*k2*theta2_dot + beta_K*k2*theta3_dot [damping]
-//! (I3) theta3'' = k2*theta2 - k2*theta3 - k3*theta3 + k3*theta4 + beta_K*k2*theta2_dot - I3*alpha_M*theta3_dot - beta_K*k2*theta3_dot - beta_K*k3*theta3_dot + beta_K*k3*theta4_dot [damping]
-//! (I4) theta4'' = k3*theta3 - k3*theta4 - k4*theta4 + k4*theta5 + beta_K*k3*theta3_dot - I4*alpha_M*theta4_dot - beta_K*k3*theta4_dot - beta_K*k4*theta4_dot + beta_K*k4*theta5_dot [damping]
-//! (I5) theta5'' = k4*theta4 - k4*theta5 - T_load [torques] + beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot [damping]
+//! (I1) theta1'' = -k1*twist1 + T_motor [torques] - I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot [damping]
+//! (I2) theta2'' = k1*twist1 - k2*twist2 + beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot [damping]
+//! (I3) theta3'' = k2*twist2 - k3*twist3 + beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot [damping]
+//! (I4) theta4'' = k3*twist3 - k4*twist4 + beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot [damping]
+//! (I5) theta5'' = k4*twist4 - T_load [torques] + beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot [damping]
 //! ```
 //!
 //! # Between two steps
@@ -37,31 +46,36 @@
 //!
 //! ```latex
 //! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + I_{2}\, \dot{\theta_{2}}^{2} + I_{3}\, \dot{\theta_{3}}^{2} + I_{4}\, \dot{\theta_{4}}^{2} + I_{5}\, \dot{\theta_{5}}^{2})
-//! V = \frac{1}{2} (k_{1}\, \left(\theta_{1} - \theta_{2}\right)^{2} + k_{2}\, \left(\theta_{2} - \theta_{3}\right)^{2} + k_{3}\, \left(\theta_{3} - \theta_{4}\right)^{2} + k_{4}\, \left(\theta_{4} - \theta_{5}\right)^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + I_{3}\, \alpha_{M}\, \dot{\theta_{3}}^{2} + I_{4}\, \alpha_{M}\, \dot{\theta_{4}}^{2} + I_{5}\, \alpha_{M}\, \dot{\theta_{5}}^{2} + \beta_{K}\, k_{1}\, \left(\dot{\theta_{1}} - \dot{\theta_{2}}\right)^{2} + \beta_{K}\, k_{2}\, \left(\dot{\theta_{2}} - \dot{\theta_{3}}\right)^{2} + \beta_{K}\, k_{3}\, \left(\dot{\theta_{3}} - \dot{\theta_{4}}\right)^{2} + \beta_{K}\, k_{4}\, \left(\dot{\theta_{4}} - \dot{\theta_{5}}\right)^{2})\ [\text{damping}]
+//! V = \frac{1}{2} (k_{1}\, \mathrm{twist}_{1}^{2} + k_{2}\, \mathrm{twist}_{2}^{2} + k_{3}\, \mathrm{twist}_{3}^{2} + k_{4}\, \mathrm{twist}_{4}^{2})
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + I_{3}\, \alpha_{M}\, \dot{\theta_{3}}^{2} + I_{4}\, \alpha_{M}\, \dot{\theta_{4}}^{2} + I_{5}\, \alpha_{M}\, \dot{\theta_{5}}^{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}^{2} + \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}}^{2} + \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}}^{2} + \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}}^{2})\ [\text{damping}]
 //! Q_{\theta_{1}} = T_{motor}\ [\text{torques}]
 //! Q_{\theta_{2}} = 0
 //! Q_{\theta_{3}} = 0
 //! Q_{\theta_{4}} = 0
 //! Q_{\theta_{5}} = -T_{load}\ [\text{torques}]
-//! (I_{1}) \ddot{\theta_{1}} = k_{1}\, \theta_{2} - k_{1}\, \theta_{1} + T_{motor}\ [\text{torques}] + \beta_{K}\, k_{1}\, \dot{\theta_{2}} - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \beta_{K}\, k_{1}\, \dot{\theta_{1}}\ [\text{damping}]
-//! (I_{2}) \ddot{\theta_{2}} = k_{1}\, \theta_{1} - k_{1}\, \theta_{2} - k_{2}\, \theta_{2} + k_{2}\, \theta_{3} + \beta_{K}\, k_{1}\, \dot{\theta_{1}} - I_{2}\, \alpha_{M}\, \dot{\theta_{2}} - \beta_{K}\, k_{1}\, \dot{\theta_{2}} - \beta_{K}\, k_{2}\, \dot{\theta_{2}} + \beta_{K}\, k_{2}\, \dot{\theta_{3}}\ [\text{damping}]
-//! (I_{3}) \ddot{\theta_{3}} = k_{2}\, \theta_{2} - k_{2}\, \theta_{3} - k_{3}\, \theta_{3} + k_{3}\, \theta_{4} + \beta_{K}\, k_{2}\, \dot{\theta_{2}} - I_{3}\, \alpha_{M}\, \dot{\theta_{3}} - \beta_{K}\, k_{2}\, \dot{\theta_{3}} - \beta_{K}\, k_{3}\, \dot{\theta_{3}} + \beta_{K}\, k_{3}\, \dot{\theta_{4}}\ [\text{damping}]
-//! (I_{4}) \ddot{\theta_{4}} = k_{3}\, \theta_{3} - k_{3}\, \theta_{4} - k_{4}\, \theta_{4} + k_{4}\, \theta_{5} + \beta_{K}\, k_{3}\, \dot{\theta_{3}} - I_{4}\, \alpha_{M}\, \dot{\theta_{4}} - \beta_{K}\, k_{3}\, \dot{\theta_{4}} - \beta_{K}\, k_{4}\, \dot{\theta_{4}} + \beta_{K}\, k_{4}\, \dot{\theta_{5}}\ [\text{damping}]
-//! (I_{5}) \ddot{\theta_{5}} = k_{4}\, \theta_{4} - k_{4}\, \theta_{5} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{4}\, \dot{\theta_{4}} - I_{5}\, \alpha_{M}\, \dot{\theta_{5}} - \beta_{K}\, k_{4}\, \dot{\theta_{5}}\ [\text{damping}]
+//! \mathrm{twist}_{1} = \theta_{1} - \theta_{2}
+//! \mathrm{twist}_{2} = \theta_{2} - \theta_{3}
+//! \mathrm{twist}_{3} = \theta_{3} - \theta_{4}
+//! \mathrm{twist}_{4} = \theta_{4} - \theta_{5}
+//! (I_{1}) \ddot{\theta_{1}} = -k_{1}\, \mathrm{twist}_{1} + T_{motor}\ [\text{torques}] - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}\ [\text{damping}]
+//! (I_{2}) \ddot{\theta_{2}} = k_{1}\, \mathrm{twist}_{1} - k_{2}\, \mathrm{twist}_{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}} - I_{2}\, \alpha_{M}\, \dot{\theta_{2}} - \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}}\ [\text{damping}]
+//! (I_{3}) \ddot{\theta_{3}} = k_{2}\, \mathrm{twist}_{2} - k_{3}\, \mathrm{twist}_{3} + \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}} - I_{3}\, \alpha_{M}\, \dot{\theta_{3}} - \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}}\ [\text{damping}]
+//! (I_{4}) \ddot{\theta_{4}} = k_{3}\, \mathrm{twist}_{3} - k_{4}\, \mathrm{twist}_{4} + \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}} - I_{4}\, \alpha_{M}\, \dot{\theta_{4}} - \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}}\ [\text{damping}]
+//! (I_{5}) \ddot{\theta_{5}} = k_{4}\, \mathrm{twist}_{4} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}} - I_{5}\, \alpha_{M}\, \dot{\theta_{5}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | force | 27 | 58 | 0 |
+//! | force | 11 | 34 | 0 |
 
 use gearsim_macros::equations;
 
@@ -103,15 +117,21 @@ equations! {
     conditions {
     }
 
+    deflections {
+        twist1 = theta1 - theta2;
+        twist2 = theta2 - theta3;
+        twist3 = theta3 - theta4;
+        twist4 = theta4 - theta5;
+    }
     energies {
         kinetic {
             _ => (I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2) + I3*theta3_dot.powi(2) + I4*theta4_dot.powi(2) + I5*theta5_dot.powi(2))/2.0;
         }
         potential {
-            _ => (k1*(theta1 - theta2).powi(2) + k2*(theta2 - theta3).powi(2) + k3*(theta3 - theta4).powi(2) + k4*(theta4 - theta5).powi(2))/2.0;
+            _ => (k1*twist1.powi(2) + k2*twist2.powi(2) + k3*twist3.powi(2) + k4*twist4.powi(2))/2.0;
         }
         dissipation {
-            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + I3*alpha_M*theta3_dot.powi(2) + I4*alpha_M*theta4_dot.powi(2) + I5*alpha_M*theta5_dot.powi(2) + beta_K*k1*(theta1_dot - theta2_dot).powi(2) + beta_K*k2*(theta2_dot - theta3_dot).powi(2) + beta_K*k3*(theta3_dot - theta4_dot).powi(2) + beta_K*k4*(theta4_dot - theta5_dot).powi(2))/2.0;
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + I3*alpha_M*theta3_dot.powi(2) + I4*alpha_M*theta4_dot.powi(2) + I5*alpha_M*theta5_dot.powi(2) + beta_K*k1*twist1_dot.powi(2) + beta_K*k2*twist2_dot.powi(2) + beta_K*k3*twist3_dot.powi(2) + beta_K*k4*twist4_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -152,26 +172,26 @@ equations! {
     }
     force {
         theta1 {
-            _ => k1*theta2 - k1*theta1;
+            _ => -k1*twist1;
             torques => T_motor;
-            damping => beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot;
+            damping => -I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot;
         }
         theta2 {
-            _ => k1*theta1 - k1*theta2 - k2*theta2 + k2*theta3;
-            damping => beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot - beta_K*k2*theta2_dot + beta_K*k2*theta3_dot;
+            _ => k1*twist1 - k2*twist2;
+            damping => beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot;
         }
         theta3 {
-            _ => k2*theta2 - k2*theta3 - k3*theta3 + k3*theta4;
-            damping => beta_K*k2*theta2_dot - I3*alpha_M*theta3_dot - beta_K*k2*theta3_dot - beta_K*k3*theta3_dot + beta_K*k3*theta4_dot;
+            _ => k2*twist2 - k3*twist3;
+            damping => beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot;
         }
         theta4 {
-            _ => k3*theta3 - k3*theta4 - k4*theta4 + k4*theta5;
-            damping => beta_K*k3*theta3_dot - I4*alpha_M*theta4_dot - beta_K*k3*theta4_dot - beta_K*k4*theta4_dot + beta_K*k4*theta5_dot;
+            _ => k3*twist3 - k4*twist4;
+            damping => beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot;
         }
         theta5 {
-            _ => k4*theta4 - k4*theta5;
+            _ => k4*twist4;
             torques => -T_load;
-            damping => beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot;
+            damping => beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot;
         }
     }
     jacobian {
@@ -325,33 +345,41 @@ equations! {
 
     text {
         "T = (I1*theta1_dot^2 + I2*theta2_dot^2 + I3*theta3_dot^2 + I4*theta4_dot^2 + I5*theta5_dot^2)/2";
-        "V = (k1*(theta1 - theta2)^2 + k2*(theta2 - theta3)^2 + k3*(theta3 - theta4)^2 + k4*(theta4 - theta5)^2)/2";
-        "D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + I3*alpha_M*theta3_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + beta_K*k1*(theta1_dot - theta2_dot)^2 + beta_K*k2*(theta2_dot - theta3_dot)^2 + beta_K*k3*(theta3_dot - theta4_dot)^2 + beta_K*k4*(theta4_dot - theta5_dot)^2)/2 [damping]";
+        "V = (k1*twist1^2 + k2*twist2^2 + k3*twist3^2 + k4*twist4^2)/2";
+        "D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + I3*alpha_M*theta3_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + beta_K*k1*twist1_dot^2 + beta_K*k2*twist2_dot^2 + beta_K*k3*twist3_dot^2 + beta_K*k4*twist4_dot^2)/2 [damping]";
         "Q_theta1 = T_motor [torques]";
         "Q_theta2 = 0";
         "Q_theta3 = 0";
         "Q_theta4 = 0";
         "Q_theta5 = -T_load [torques]";
-        "(I1) theta1'' = k1*theta2 - k1*theta1 + T_motor [torques] + beta_K*k1*theta2_dot - I1*alpha_M*theta1_dot - beta_K*k1*theta1_dot [damping]";
-        "(I2) theta2'' = k1*theta1 - k1*theta2 - k2*theta2 + k2*theta3 + beta_K*k1*theta1_dot - I2*alpha_M*theta2_dot - beta_K*k1*theta2_dot - beta_K*k2*theta2_dot + beta_K*k2*theta3_dot [damping]";
-        "(I3) theta3'' = k2*theta2 - k2*theta3 - k3*theta3 + k3*theta4 + beta_K*k2*theta2_dot - I3*alpha_M*theta3_dot - beta_K*k2*theta3_dot - beta_K*k3*theta3_dot + beta_K*k3*theta4_dot [damping]";
-        "(I4) theta4'' = k3*theta3 - k3*theta4 - k4*theta4 + k4*theta5 + beta_K*k3*theta3_dot - I4*alpha_M*theta4_dot - beta_K*k3*theta4_dot - beta_K*k4*theta4_dot + beta_K*k4*theta5_dot [damping]";
-        "(I5) theta5'' = k4*theta4 - k4*theta5 - T_load [torques] + beta_K*k4*theta4_dot - I5*alpha_M*theta5_dot - beta_K*k4*theta5_dot [damping]";
+        "twist1 = theta1 - theta2";
+        "twist2 = theta2 - theta3";
+        "twist3 = theta3 - theta4";
+        "twist4 = theta4 - theta5";
+        "(I1) theta1'' = -k1*twist1 + T_motor [torques] - I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot [damping]";
+        "(I2) theta2'' = k1*twist1 - k2*twist2 + beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot [damping]";
+        "(I3) theta3'' = k2*twist2 - k3*twist3 + beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot [damping]";
+        "(I4) theta4'' = k3*twist3 - k4*twist4 + beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot [damping]";
+        "(I5) theta5'' = k4*twist4 - T_load [torques] + beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot [damping]";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\dot{\\theta_{2}}^{2} + I_{3}\\, \\dot{\\theta_{3}}^{2} + I_{4}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\dot{\\theta_{5}}^{2})";
-        "V = \\frac{1}{2} (k_{1}\\, \\left(\\theta_{1} - \\theta_{2}\\right)^{2} + k_{2}\\, \\left(\\theta_{2} - \\theta_{3}\\right)^{2} + k_{3}\\, \\left(\\theta_{3} - \\theta_{4}\\right)^{2} + k_{4}\\, \\left(\\theta_{4} - \\theta_{5}\\right)^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}}^{2} + I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}^{2} + \\beta_{K}\\, k_{1}\\, \\left(\\dot{\\theta_{1}} - \\dot{\\theta_{2}}\\right)^{2} + \\beta_{K}\\, k_{2}\\, \\left(\\dot{\\theta_{2}} - \\dot{\\theta_{3}}\\right)^{2} + \\beta_{K}\\, k_{3}\\, \\left(\\dot{\\theta_{3}} - \\dot{\\theta_{4}}\\right)^{2} + \\beta_{K}\\, k_{4}\\, \\left(\\dot{\\theta_{4}} - \\dot{\\theta_{5}}\\right)^{2})\\ [\\text{damping}]";
+        "V = \\frac{1}{2} (k_{1}\\, \\mathrm{twist}_{1}^{2} + k_{2}\\, \\mathrm{twist}_{2}^{2} + k_{3}\\, \\mathrm{twist}_{3}^{2} + k_{4}\\, \\mathrm{twist}_{4}^{2})";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}}^{2} + I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}^{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}^{2} + \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}}^{2} + \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}}^{2} + \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}}^{2})\\ [\\text{damping}]";
         "Q_{\\theta_{1}} = T_{motor}\\ [\\text{torques}]";
         "Q_{\\theta_{2}} = 0";
         "Q_{\\theta_{3}} = 0";
         "Q_{\\theta_{4}} = 0";
         "Q_{\\theta_{5}} = -T_{load}\\ [\\text{torques}]";
-        "(I_{1}) \\ddot{\\theta_{1}} = k_{1}\\, \\theta_{2} - k_{1}\\, \\theta_{1} + T_{motor}\\ [\\text{torques}] + \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}}\\ [\\text{damping}]";
-        "(I_{2}) \\ddot{\\theta_{2}} = k_{1}\\, \\theta_{1} - k_{1}\\, \\theta_{2} - k_{2}\\, \\theta_{2} + k_{2}\\, \\theta_{3} + \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{1}} - I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{1}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{2}} + \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{3}}\\ [\\text{damping}]";
-        "(I_{3}) \\ddot{\\theta_{3}} = k_{2}\\, \\theta_{2} - k_{2}\\, \\theta_{3} - k_{3}\\, \\theta_{3} + k_{3}\\, \\theta_{4} + \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{2}} - I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{2}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{3}} + \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{4}}\\ [\\text{damping}]";
-        "(I_{4}) \\ddot{\\theta_{4}} = k_{3}\\, \\theta_{3} - k_{3}\\, \\theta_{4} - k_{4}\\, \\theta_{4} + k_{4}\\, \\theta_{5} + \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{3}} - I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{3}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{4}} + \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{5}}\\ [\\text{damping}]";
-        "(I_{5}) \\ddot{\\theta_{5}} = k_{4}\\, \\theta_{4} - k_{4}\\, \\theta_{5} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{4}} - I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}} - \\beta_{K}\\, k_{4}\\, \\dot{\\theta_{5}}\\ [\\text{damping}]";
+        "\\mathrm{twist}_{1} = \\theta_{1} - \\theta_{2}";
+        "\\mathrm{twist}_{2} = \\theta_{2} - \\theta_{3}";
+        "\\mathrm{twist}_{3} = \\theta_{3} - \\theta_{4}";
+        "\\mathrm{twist}_{4} = \\theta_{4} - \\theta_{5}";
+        "(I_{1}) \\ddot{\\theta_{1}} = -k_{1}\\, \\mathrm{twist}_{1} + T_{motor}\\ [\\text{torques}] - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}\\ [\\text{damping}]";
+        "(I_{2}) \\ddot{\\theta_{2}} = k_{1}\\, \\mathrm{twist}_{1} - k_{2}\\, \\mathrm{twist}_{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}} - I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}}\\ [\\text{damping}]";
+        "(I_{3}) \\ddot{\\theta_{3}} = k_{2}\\, \\mathrm{twist}_{2} - k_{3}\\, \\mathrm{twist}_{3} + \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}} - I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}}\\ [\\text{damping}]";
+        "(I_{4}) \\ddot{\\theta_{4}} = k_{3}\\, \\mathrm{twist}_{3} - k_{4}\\, \\mathrm{twist}_{4} + \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}} - I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}}\\ [\\text{damping}]";
+        "(I_{5}) \\ddot{\\theta_{5}} = k_{4}\\, \\mathrm{twist}_{4} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}} - I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}\\ [\\text{damping}]";
     }
 }

@@ -10,8 +10,8 @@
 //! T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2
 //! V = k*touch*over^2
 //! D = C*damp*over_dot^2 [damping]
-//! Q_theta = -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]
-//! Q_phi = 2*T0 [torques] + mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) - 2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]
+//! Q_theta = -arm*F_mu/N1 - arm*F_mu/N2 [sliding friction]
+//! Q_phi = 2*T0 [torques] + arm*F_mu/N2 - 2*tan_a*side*F_mu - arm*F_mu/N1 [sliding friction]
 //! ```
 //!
 //! # Constants
@@ -39,11 +39,17 @@
 //!   clip = -1 where it would pull more than the spring pushes, the contact has no force
 //! ```
 //!
+//! # Forces
+//!
+//! ```text
+//! F_mu = mu*k*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) [sliding friction]
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]
-//! phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]
+//! theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*arm*F_mu/(2*N2) - M1*tan_a*side*F_mu - M1*arm*F_mu/(2*N1) - M2*arm*F_mu/(2*N1) - M2*arm*F_mu/(2*N2) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]
+//! phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*arm*F_mu/(2*N2) - M1*arm*F_mu/(2*N1) - M1*arm*F_mu/(2*N2) - M2*tan_a*side*F_mu - M2*arm*F_mu/(2*N1) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]
 //! ```
 //!
 //! # At a step of a stiffness or a transmission error
@@ -75,8 +81,8 @@
 //! T = \frac{1}{2} (\frac{I_{1}\, \left(\dot{\varphi} + \dot{\theta}\right)^{2}}{N_{1}^{2}} + \frac{I_{2}\, \left(\dot{\theta} - \dot{\varphi}\right)^{2}}{N_{2}^{2}})
 //! V = k\, \mathrm{touch}\, \mathrm{over}^{2}
 //! D = C\, \mathrm{damp}\, \dot{\mathrm{over}}^{2}\ [\text{damping}]
-//! Q_{\theta} = -\frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}]
-//! Q_{\varphi} = 2\, T_{0}\ [\text{torques}] + \frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{2\, \mathrm{tan}_{a}\, \mu\, k\, \mathrm{side}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{\mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}]
+//! Q_{\theta} = -\frac{\mathrm{arm}\, F_{mu}}{N_{1}} - \frac{\mathrm{arm}\, F_{mu}}{N_{2}}\ [\text{sliding friction}]
+//! Q_{\varphi} = 2\, T_{0}\ [\text{torques}] + \frac{\mathrm{arm}\, F_{mu}}{N_{2}} - 2\, \mathrm{tan}_{a}\, \mathrm{side}\, F_{mu} - \frac{\mathrm{arm}\, F_{mu}}{N_{1}}\ [\text{sliding friction}]
 //! M_{1} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} - \frac{N_{2}^{2}}{I_{2}})
 //! M_{2} = \frac{1}{2} (\frac{N_{1}^{2}}{I_{1}} + \frac{N_{2}^{2}}{I_{2}})
 //! C = 2\, \zeta\, \sqrt{\frac{\bar{k}}{M_{2}}}
@@ -85,8 +91,9 @@
 //! \mathrm{over} = \varphi - \mathrm{edge} - e
 //! \tau = 2\, \mathrm{tan}_{a}\, \varphi
 //! \psi = \frac{\varphi}{N_{1}} + \frac{\theta}{N_{1}} - \frac{\varphi}{N_{2}} + \frac{\theta}{N_{2}}
-//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} + M_{2}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] + \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mathrm{tan}_{a}\, \mu\, k\, \mathrm{side}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
-//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} + M_{1}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] + \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{1}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{2}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mathrm{tan}_{a}\, \mu\, k\, \mathrm{side}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}} - \frac{M_{2}\, \mu\, k\, \mathrm{arm}\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{2\, N_{1}\, \sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}\ [\text{sliding friction}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! F_{mu} = \frac{\mu\, k\, \mathrm{touch}\, \dot{\psi}\, \sqrt{\mathrm{tiny}^{2} + \mathrm{over}^{2}}}{\sqrt{w_{mix}^{2} + \dot{\psi}^{2}}}
+//! \ddot{\theta} = -M_{1}\, k\, \mathrm{touch}\, \mathrm{over} + M_{2}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{1}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{1}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{1}\, T_{0}\ [\text{torques}] + \frac{M_{1}\, \mathrm{arm}\, F_{mu}}{2\, N_{2}} - M_{1}\, \mathrm{tan}_{a}\, \mathrm{side}\, F_{mu} - \frac{M_{1}\, \mathrm{arm}\, F_{mu}}{2\, N_{1}} - \frac{M_{2}\, \mathrm{arm}\, F_{mu}}{2\, N_{1}} - \frac{M_{2}\, \mathrm{arm}\, F_{mu}}{2\, N_{2}}\ [\text{sliding friction}] - \frac{M_{2}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
+//! \ddot{\varphi} = -M_{2}\, k\, \mathrm{touch}\, \mathrm{over} + M_{1}\, k\, e'\, \mathrm{touch}\, \mathrm{over}\ [\text{transmission error, jump terms}] - M_{2}\, k\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}\ [\text{backlash}] - C\, M_{2}\, \mathrm{damp}\, \dot{\mathrm{over}}\ [\text{damping}] + M_{2}\, T_{0}\ [\text{torques}] + \frac{M_{2}\, \mathrm{arm}\, F_{mu}}{2\, N_{2}} - \frac{M_{1}\, \mathrm{arm}\, F_{mu}}{2\, N_{1}} - \frac{M_{1}\, \mathrm{arm}\, F_{mu}}{2\, N_{2}} - M_{2}\, \mathrm{tan}_{a}\, \mathrm{side}\, F_{mu} - \frac{M_{2}\, \mathrm{arm}\, F_{mu}}{2\, N_{1}}\ [\text{sliding friction}] - \frac{M_{1}\, k'\, \mathrm{touch}\, \mathrm{over}^{2}}{2}\ [\text{jump terms}]
 //! \dot{\theta}_+^2 = \dot{\theta}_-^2 - M_{2}\, \Delta k\, \mathrm{touch}\, \mathrm{over}^{2}
 //! \dot{\varphi}_+ - \dot{\varphi}_- = \frac{M_{1}}{M_{2}} \left(\dot{\theta}_+ - \dot{\theta}_-\right)
 //! \dot{\theta}_+^2 = \dot{\theta}_-^2 - (M_{2}\, k\, \Delta e^{2}\, \mathrm{touch} - 2\, M_{2}\, k\, \Delta e\, \mathrm{touch}\, \mathrm{over})
@@ -113,8 +120,9 @@
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 2 | 16 | 3 |
-//! | force | 13 | 74 | 10 |
-//! | acceleration | 28 | 168 | 20 |
+//! | named forces | 2 | 9 | 2 |
+//! | force | 3 | 29 | 0 |
+//! | acceleration | 8 | 78 | 0 |
 //! | energy step of k | 0 | 3 | 0 |
 //! | energy step of e | 1 | 7 | 0 |
 //! | energy step of side | 0 | 0 | 0 |
@@ -165,11 +173,11 @@ equations! {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
         transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
         transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
+        sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
+        transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
         transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
         backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
-        sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -183,6 +191,9 @@ equations! {
         over = phi - edge - e;
         tau = 2.0*tan_a*phi;
         psi = phi/N1 + theta/N1 - phi/N2 + theta/N2;
+    }
+    forces {
+        F_mu { sliding_friction => mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
     }
     dead_bands {
         over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the mesh, in phi";
@@ -207,11 +218,11 @@ equations! {
         }
         slide "friction of the mesh, over what the flanks slide at the pitch point" {}
         power {
-            sliding_friction => -mu*k*side*touch*psi_dot*tau_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+            sliding_friction => -side*F_mu*tau_dot;
         }
         roll "friction of the mesh, over their rolling" {}
         power {
-            sliding_friction => -mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+            sliding_friction => -arm*F_mu*psi_dot;
         }
     }
     work {
@@ -245,7 +256,7 @@ equations! {
     force {
         theta {
             transmission_error_and_jump_terms => 2.0*k*de*touch*over;
-            sliding_friction => -mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            sliding_friction => -arm*F_mu/N1 - arm*F_mu/N2;
             jump_terms => -dk*touch*over.powi(2);
         }
         phi {
@@ -253,77 +264,46 @@ equations! {
             backlash => -2.0*k*touch*clip*over;
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
-            sliding_friction => mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - 2.0*tan_a*mu*k*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-        }
-    }
-    acceleration {
-        theta {
-            _ => -M1*k*touch*over;
-            transmission_error_and_jump_terms => M2*k*de*touch*over;
-            backlash => -M1*k*touch*clip*over;
-            damping => -C*M1*damp*over_dot;
-            torques => M1*T0;
-            sliding_friction => M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            jump_terms => -M2*dk*touch*over.powi(2)/2.0;
-        }
-        phi {
-            _ => -M2*k*touch*over;
-            transmission_error_and_jump_terms => M1*k*de*touch*over;
-            backlash => -M2*k*touch*clip*over;
-            damping => -C*M2*damp*over_dot;
-            torques => M2*T0;
-            sliding_friction => M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M2*mu*k*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            jump_terms => -M1*dk*touch*over.powi(2)/2.0;
+            sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_mu - arm*F_mu/N1;
         }
     }
     jacobian {
         theta theta {
-            transmission_error_and_backlash_and_moving_phase => M1*k*de*touch*clip;
-            transmission_error_and_sliding_friction_and_moving_phase => M1*tan_a*mu*k*de*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            transmission_error_and_jump_terms => M2*k*dde*touch*over - M2*k*de.powi(2)*touch + 2.0*M2*de*dk*touch*over;
-            transmission_error_and_moving_phase => M1*k*de*touch;
-            backlash_and_moving_phase => -M1*dk*touch*clip*over;
-            sliding_friction_and_moving_phase => M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*dside*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M1*tan_a*mu*dk*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            jump_terms => -M2*ddk*touch*over.powi(2)/2.0;
-            moving_phase => -M1*dk*touch*over;
+            transmission_error_and_sliding_friction_and_moving_phase => mu*k*de*arm*touch*over*psi_dot/(N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*k*de*arm*touch*over*psi_dot/(N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            transmission_error_and_jump_terms => 2.0*k*dde*touch*over - 2.0*k*de.powi(2)*touch + 4.0*de*dk*touch*over;
+            sliding_friction_and_moving_phase => -mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            jump_terms => -ddk*touch*over.powi(2);
         }
         theta phi {
-            _ => -M1*k*touch;
-            transmission_error_and_jump_terms => M2*k*de*touch;
-            backlash => -M1*k*touch*clip;
-            sliding_friction => M1*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            jump_terms => -M2*dk*touch*over;
+            transmission_error_and_jump_terms => 2.0*k*de*touch;
+            sliding_friction => -mu*k*arm*touch*over*psi_dot/(N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*arm*touch*over*psi_dot/(N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            jump_terms => -2.0*dk*touch*over;
         }
         theta theta_dot {
-            sliding_friction => M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            sliding_friction => mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + 2.0*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - 2.0*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         theta phi_dot {
-            damping => -C*M1*damp;
-            sliding_friction => M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            sliding_friction => mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         phi theta {
-            transmission_error_and_backlash_and_moving_phase => M2*k*de*touch*clip;
-            transmission_error_and_sliding_friction_and_moving_phase => M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*de*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*de*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            transmission_error_and_jump_terms => M1*k*dde*touch*over - M1*k*de.powi(2)*touch + 2.0*M1*de*dk*touch*over;
-            transmission_error_and_moving_phase => M2*k*de*touch;
-            backlash_and_moving_phase => -M2*dk*touch*clip*over;
-            sliding_friction_and_moving_phase => M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*dside*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M2*tan_a*mu*dk*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - M2*mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            jump_terms => -M1*ddk*touch*over.powi(2)/2.0;
-            moving_phase => -M2*dk*touch*over;
+            transmission_error_and_backlash_and_moving_phase => 2.0*k*de*touch*clip;
+            transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*mu*k*de*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*k*de*arm*touch*over*psi_dot/(N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*de*arm*touch*over*psi_dot/(N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            transmission_error_and_moving_phase => 2.0*k*de*touch;
+            backlash_and_moving_phase => -2.0*dk*touch*clip*over;
+            sliding_friction_and_moving_phase => mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - 2.0*tan_a*mu*k*dside*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - 2.0*tan_a*mu*dk*side*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt() - mu*k*darm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*dk*arm*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            moving_phase => -2.0*dk*touch*over;
         }
         phi phi {
-            _ => -M2*k*touch;
-            transmission_error_and_jump_terms => M1*k*de*touch;
-            backlash => -M2*k*touch*clip;
-            sliding_friction => M2*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*over*psi_dot/(2.0*N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*over*psi_dot/(2.0*N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-            jump_terms => -M1*dk*touch*over;
+            _ => -2.0*k*touch;
+            backlash => -2.0*k*touch*clip;
+            sliding_friction => mu*k*arm*touch*over*psi_dot/(N2*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - 2.0*tan_a*mu*k*side*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*arm*touch*over*psi_dot/(N1*(tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         phi theta_dot {
-            sliding_friction => M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            sliding_friction => 2.0*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - 2.0*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + 2.0*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - 2.0*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         phi phi_dot {
-            damping => -C*M2*damp;
-            sliding_friction => M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M1*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M1*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + M2*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - M2*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(2.0*N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            damping => -2.0*C*damp;
+            sliding_friction => 2.0*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - 2.0*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - 2.0*tan_a*mu*k*side*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + 2.0*tan_a*mu*k*side*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) - 2.0*mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) + 2.0*mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N1*N2*(w_mix.powi(2) + psi_dot.powi(2)).sqrt()) + mu*k*arm*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)) - mu*k*arm*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(N2.powi(2)*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
     }
     cell {
@@ -435,8 +415,8 @@ equations! {
         "T = (I1*(phi_dot + theta_dot)^2/N1^2 + I2*(theta_dot - phi_dot)^2/N2^2)/2";
         "V = k*touch*over^2";
         "D = C*damp*over_dot^2 [damping]";
-        "Q_theta = -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]";
-        "Q_phi = 2*T0 [torques] + mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N2*sqrt(w_mix^2 + psi_dot^2)) - 2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction]";
+        "Q_theta = -arm*F_mu/N1 - arm*F_mu/N2 [sliding friction]";
+        "Q_phi = 2*T0 [torques] + arm*F_mu/N2 - 2*tan_a*side*F_mu - arm*F_mu/N1 [sliding friction]";
         "M1 = (N1^2/I1 - N2^2/I2)/2";
         "M2 = (N1^2/I1 + N2^2/I2)/2";
         "C = 2*zeta*sqrt(k_mid/M2)";
@@ -452,8 +432,9 @@ equations! {
         "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
         "  clip = 1 where it would push more than the spring does, it pushes as much";
         "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
-        "theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]";
-        "phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) - M1*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N2*sqrt(w_mix^2 + psi_dot^2)) - M2*tan_a*mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) - M2*mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/(2*N1*sqrt(w_mix^2 + psi_dot^2)) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]";
+        "F_mu = mu*k*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) [sliding friction]";
+        "theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*arm*F_mu/(2*N2) - M1*tan_a*side*F_mu - M1*arm*F_mu/(2*N1) - M2*arm*F_mu/(2*N1) - M2*arm*F_mu/(2*N2) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]";
+        "phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*arm*F_mu/(2*N2) - M1*arm*F_mu/(2*N1) - M1*arm*F_mu/(2*N2) - M2*tan_a*side*F_mu - M2*arm*F_mu/(2*N1) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]";
         "at a step dk of k in theta, where energy allows:";
         "theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
@@ -472,8 +453,8 @@ equations! {
         "T = \\frac{1}{2} (\\frac{I_{1}\\, \\left(\\dot{\\varphi} + \\dot{\\theta}\\right)^{2}}{N_{1}^{2}} + \\frac{I_{2}\\, \\left(\\dot{\\theta} - \\dot{\\varphi}\\right)^{2}}{N_{2}^{2}})";
         "V = k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
         "D = C\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}^{2}\\ [\\text{damping}]";
-        "Q_{\\theta} = -\\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}]";
-        "Q_{\\varphi} = 2\\, T_{0}\\ [\\text{torques}] + \\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{2\\, \\mathrm{tan}_{a}\\, \\mu\\, k\\, \\mathrm{side}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{\\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}]";
+        "Q_{\\theta} = -\\frac{\\mathrm{arm}\\, F_{mu}}{N_{1}} - \\frac{\\mathrm{arm}\\, F_{mu}}{N_{2}}\\ [\\text{sliding friction}]";
+        "Q_{\\varphi} = 2\\, T_{0}\\ [\\text{torques}] + \\frac{\\mathrm{arm}\\, F_{mu}}{N_{2}} - 2\\, \\mathrm{tan}_{a}\\, \\mathrm{side}\\, F_{mu} - \\frac{\\mathrm{arm}\\, F_{mu}}{N_{1}}\\ [\\text{sliding friction}]";
         "M_{1} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} - \\frac{N_{2}^{2}}{I_{2}})";
         "M_{2} = \\frac{1}{2} (\\frac{N_{1}^{2}}{I_{1}} + \\frac{N_{2}^{2}}{I_{2}})";
         "C = 2\\, \\zeta\\, \\sqrt{\\frac{\\bar{k}}{M_{2}}}";
@@ -482,8 +463,9 @@ equations! {
         "\\mathrm{over} = \\varphi - \\mathrm{edge} - e";
         "\\tau = 2\\, \\mathrm{tan}_{a}\\, \\varphi";
         "\\psi = \\frac{\\varphi}{N_{1}} + \\frac{\\theta}{N_{1}} - \\frac{\\varphi}{N_{2}} + \\frac{\\theta}{N_{2}}";
-        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{2}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] + \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mathrm{tan}_{a}\\, \\mu\\, k\\, \\mathrm{side}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
-        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{1}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] + \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{1}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{2}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mathrm{tan}_{a}\\, \\mu\\, k\\, \\mathrm{side}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}} - \\frac{M_{2}\\, \\mu\\, k\\, \\mathrm{arm}\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{2\\, N_{1}\\, \\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}\\ [\\text{sliding friction}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "F_{mu} = \\frac{\\mu\\, k\\, \\mathrm{touch}\\, \\dot{\\psi}\\, \\sqrt{\\mathrm{tiny}^{2} + \\mathrm{over}^{2}}}{\\sqrt{w_{mix}^{2} + \\dot{\\psi}^{2}}}";
+        "\\ddot{\\theta} = -M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{2}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{1}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{1}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{1}\\, T_{0}\\ [\\text{torques}] + \\frac{M_{1}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{2}} - M_{1}\\, \\mathrm{tan}_{a}\\, \\mathrm{side}\\, F_{mu} - \\frac{M_{1}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{1}} - \\frac{M_{2}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{1}} - \\frac{M_{2}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{2}}\\ [\\text{sliding friction}] - \\frac{M_{2}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
+        "\\ddot{\\varphi} = -M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{over} + M_{1}\\, k\\, e'\\, \\mathrm{touch}\\, \\mathrm{over}\\ [\\text{transmission error, jump terms}] - M_{2}\\, k\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}\\ [\\text{backlash}] - C\\, M_{2}\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}\\ [\\text{damping}] + M_{2}\\, T_{0}\\ [\\text{torques}] + \\frac{M_{2}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{2}} - \\frac{M_{1}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{1}} - \\frac{M_{1}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{2}} - M_{2}\\, \\mathrm{tan}_{a}\\, \\mathrm{side}\\, F_{mu} - \\frac{M_{2}\\, \\mathrm{arm}\\, F_{mu}}{2\\, N_{1}}\\ [\\text{sliding friction}] - \\frac{M_{1}\\, k'\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}\\ [\\text{jump terms}]";
         "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - M_{2}\\, \\Delta k\\, \\mathrm{touch}\\, \\mathrm{over}^{2}";
         "\\dot{\\varphi}_+ - \\dot{\\varphi}_- = \\frac{M_{1}}{M_{2}} \\left(\\dot{\\theta}_+ - \\dot{\\theta}_-\\right)";
         "\\dot{\\theta}_+^2 = \\dot{\\theta}_-^2 - (M_{2}\\, k\\, \\Delta e^{2}\\, \\mathrm{touch} - 2\\, M_{2}\\, k\\, \\Delta e\\, \\mathrm{touch}\\, \\mathrm{over})";

@@ -8,21 +8,29 @@
 //!
 //! ```text
 //! T = (I1*theta1_dot^2 + I2*N1^2*theta1_dot^2/N2^2 + I_a*theta_a_dot^2 + I_b*theta_b_dot^2 + I_m*theta_m_dot^2)/2
-//! V = (k_a*(theta1 - theta_a)^2 + k_b*(N1*theta1/N2 - theta_b)^2 + k_m*(theta_m - theta1)^2)/2
-//! D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*(theta1_dot - theta_a_dot)^2 + beta_K*k_b*(N1*theta1_dot/N2 - theta_b_dot)^2 + beta_K*k_m*(theta_m_dot - theta1_dot)^2)/2 [damping]
+//! V = (k_a*twist_a^2 + k_b*twist_b^2 + k_m*twist_m^2)/2
+//! D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*twist_a_dot^2 + beta_K*k_b*twist_b_dot^2 + beta_K*k_m*twist_m_dot^2)/2 [damping]
 //! Q_theta1 = 0
 //! Q_theta_m = T_motor [torques]
 //! Q_theta_a = 0
 //! Q_theta_b = -T_load [torques]
 //! ```
 //!
+//! # Deflections
+//!
+//! ```text
+//! twist_m = theta_m - theta1
+//! twist_a = theta1 - theta_a
+//! twist_b = N1*theta1/N2 - theta_b
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! (I1 + I2*N1^2/N2^2) theta1'' = N1*k_b*theta_b/N2 - k_a*theta1 + k_a*theta_a - k_m*theta1 + k_m*theta_m - N1^2*k_b*theta1/N2^2 + N1*beta_K*k_b*theta_b_dot/N2 - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - beta_K*k_a*theta1_dot + beta_K*k_a*theta_a_dot - beta_K*k_m*theta1_dot + beta_K*k_m*theta_m_dot - N1^2*beta_K*k_b*theta1_dot/N2^2 [damping]
-//! (I_m) theta_m'' = k_m*theta1 - k_m*theta_m + T_motor [torques] + beta_K*k_m*theta1_dot - I_m*alpha_M*theta_m_dot - beta_K*k_m*theta_m_dot [damping]
-//! (I_a) theta_a'' = k_a*theta1 - k_a*theta_a + beta_K*k_a*theta1_dot - I_a*alpha_M*theta_a_dot - beta_K*k_a*theta_a_dot [damping]
-//! (I_b) theta_b'' = N1*k_b*theta1/N2 - k_b*theta_b - T_load [torques] + N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot [damping]
+//! (I1 + I2*N1^2/N2^2) theta1'' = k_m*twist_m - N1*k_b*twist_b/N2 - k_a*twist_a + beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot [damping]
+//! (I_m) theta_m'' = -k_m*twist_m + T_motor [torques] - I_m*alpha_M*theta_m_dot - beta_K*k_m*twist_m_dot [damping]
+//! (I_a) theta_a'' = k_a*twist_a + beta_K*k_a*twist_a_dot - I_a*alpha_M*theta_a_dot [damping]
+//! (I_b) theta_b'' = k_b*twist_b - T_load [torques] + beta_K*k_b*twist_b_dot - I_b*alpha_M*theta_b_dot [damping]
 //! ```
 //!
 //! # Between two steps
@@ -35,29 +43,33 @@
 //!
 //! ```latex
 //! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \dot{\theta_{a}}^{2} + I_{b}\, \dot{\theta_{b}}^{2} + I_{m}\, \dot{\theta_{m}}^{2})
-//! V = \frac{1}{2} (k_{a}\, \left(\theta_{1} - \theta_{a}\right)^{2} + k_{b}\, \left(\frac{N_{1}\, \theta_{1}}{N_{2}} - \theta_{b}\right)^{2} + k_{m}\, \left(\theta_{m} - \theta_{1}\right)^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \alpha_{M}\, \dot{\theta_{a}}^{2} + I_{b}\, \alpha_{M}\, \dot{\theta_{b}}^{2} + I_{m}\, \alpha_{M}\, \dot{\theta_{m}}^{2} + \beta_{K}\, k_{a}\, \left(\dot{\theta_{1}} - \dot{\theta_{a}}\right)^{2} + \beta_{K}\, k_{b}\, \left(\frac{N_{1}\, \dot{\theta_{1}}}{N_{2}} - \dot{\theta_{b}}\right)^{2} + \beta_{K}\, k_{m}\, \left(\dot{\theta_{m}} - \dot{\theta_{1}}\right)^{2})\ [\text{damping}]
+//! V = \frac{1}{2} (k_{a}\, \mathrm{twist}_{a}^{2} + k_{b}\, \mathrm{twist}_{b}^{2} + k_{m}\, \mathrm{twist}_{m}^{2})
+//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \alpha_{M}\, \dot{\theta_{a}}^{2} + I_{b}\, \alpha_{M}\, \dot{\theta_{b}}^{2} + I_{m}\, \alpha_{M}\, \dot{\theta_{m}}^{2} + \beta_{K}\, k_{a}\, \dot{\mathrm{twist}_{a}}^{2} + \beta_{K}\, k_{b}\, \dot{\mathrm{twist}_{b}}^{2} + \beta_{K}\, k_{m}\, \dot{\mathrm{twist}_{m}}^{2})\ [\text{damping}]
 //! Q_{\theta_{1}} = 0
 //! Q_{\theta_{m}} = T_{motor}\ [\text{torques}]
 //! Q_{\theta_{a}} = 0
 //! Q_{\theta_{b}} = -T_{load}\ [\text{torques}]
-//! (I_{1} + \frac{I_{2}\, N_{1}^{2}}{N_{2}^{2}}) \ddot{\theta_{1}} = \frac{N_{1}\, k_{b}\, \theta_{b}}{N_{2}} - k_{a}\, \theta_{1} + k_{a}\, \theta_{a} - k_{m}\, \theta_{1} + k_{m}\, \theta_{m} - \frac{N_{1}^{2}\, k_{b}\, \theta_{1}}{N_{2}^{2}} + \frac{N_{1}\, \beta_{K}\, k_{b}\, \dot{\theta_{b}}}{N_{2}} - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}}{N_{2}^{2}} - \beta_{K}\, k_{a}\, \dot{\theta_{1}} + \beta_{K}\, k_{a}\, \dot{\theta_{a}} - \beta_{K}\, k_{m}\, \dot{\theta_{1}} + \beta_{K}\, k_{m}\, \dot{\theta_{m}} - \frac{N_{1}^{2}\, \beta_{K}\, k_{b}\, \dot{\theta_{1}}}{N_{2}^{2}}\ [\text{damping}]
-//! (I_{m}) \ddot{\theta_{m}} = k_{m}\, \theta_{1} - k_{m}\, \theta_{m} + T_{motor}\ [\text{torques}] + \beta_{K}\, k_{m}\, \dot{\theta_{1}} - I_{m}\, \alpha_{M}\, \dot{\theta_{m}} - \beta_{K}\, k_{m}\, \dot{\theta_{m}}\ [\text{damping}]
-//! (I_{a}) \ddot{\theta_{a}} = k_{a}\, \theta_{1} - k_{a}\, \theta_{a} + \beta_{K}\, k_{a}\, \dot{\theta_{1}} - I_{a}\, \alpha_{M}\, \dot{\theta_{a}} - \beta_{K}\, k_{a}\, \dot{\theta_{a}}\ [\text{damping}]
-//! (I_{b}) \ddot{\theta_{b}} = \frac{N_{1}\, k_{b}\, \theta_{1}}{N_{2}} - k_{b}\, \theta_{b} - T_{load}\ [\text{torques}] + \frac{N_{1}\, \beta_{K}\, k_{b}\, \dot{\theta_{1}}}{N_{2}} - I_{b}\, \alpha_{M}\, \dot{\theta_{b}} - \beta_{K}\, k_{b}\, \dot{\theta_{b}}\ [\text{damping}]
+//! \mathrm{twist}_{m} = \theta_{m} - \theta_{1}
+//! \mathrm{twist}_{a} = \theta_{1} - \theta_{a}
+//! \mathrm{twist}_{b} = \frac{N_{1}\, \theta_{1}}{N_{2}} - \theta_{b}
+//! (I_{1} + \frac{I_{2}\, N_{1}^{2}}{N_{2}^{2}}) \ddot{\theta_{1}} = k_{m}\, \mathrm{twist}_{m} - \frac{N_{1}\, k_{b}\, \mathrm{twist}_{b}}{N_{2}} - k_{a}\, \mathrm{twist}_{a} + \beta_{K}\, k_{m}\, \dot{\mathrm{twist}_{m}} - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}}{N_{2}^{2}} - \frac{N_{1}\, \beta_{K}\, k_{b}\, \dot{\mathrm{twist}_{b}}}{N_{2}} - \beta_{K}\, k_{a}\, \dot{\mathrm{twist}_{a}}\ [\text{damping}]
+//! (I_{m}) \ddot{\theta_{m}} = -k_{m}\, \mathrm{twist}_{m} + T_{motor}\ [\text{torques}] - I_{m}\, \alpha_{M}\, \dot{\theta_{m}} - \beta_{K}\, k_{m}\, \dot{\mathrm{twist}_{m}}\ [\text{damping}]
+//! (I_{a}) \ddot{\theta_{a}} = k_{a}\, \mathrm{twist}_{a} + \beta_{K}\, k_{a}\, \dot{\mathrm{twist}_{a}} - I_{a}\, \alpha_{M}\, \dot{\theta_{a}}\ [\text{damping}]
+//! (I_{b}) \ddot{\theta_{b}} = k_{b}\, \mathrm{twist}_{b} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{b}\, \dot{\mathrm{twist}_{b}} - I_{b}\, \alpha_{M}\, \dot{\theta_{b}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
+//! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
-//! | force | 21 | 66 | 0 |
+//! | force | 9 | 36 | 0 |
 
 use gearsim_macros::equations;
 
@@ -99,15 +111,20 @@ equations! {
     conditions {
     }
 
+    deflections {
+        twist_m = theta_m - theta1;
+        twist_a = theta1 - theta_a;
+        twist_b = N1*theta1/N2 - theta_b;
+    }
     energies {
         kinetic {
             _ => (I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2) + I_b*theta_b_dot.powi(2) + I_m*theta_m_dot.powi(2))/2.0;
         }
         potential {
-            _ => (k_a*(theta1 - theta_a).powi(2) + k_b*(N1*theta1/N2 - theta_b).powi(2) + k_m*(theta_m - theta1).powi(2))/2.0;
+            _ => (k_a*twist_a.powi(2) + k_b*twist_b.powi(2) + k_m*twist_m.powi(2))/2.0;
         }
         dissipation {
-            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*N1.powi(2)*alpha_M*theta1_dot.powi(2)/N2.powi(2) + I_a*alpha_M*theta_a_dot.powi(2) + I_b*alpha_M*theta_b_dot.powi(2) + I_m*alpha_M*theta_m_dot.powi(2) + beta_K*k_a*(theta1_dot - theta_a_dot).powi(2) + beta_K*k_b*(N1*theta1_dot/N2 - theta_b_dot).powi(2) + beta_K*k_m*(theta_m_dot - theta1_dot).powi(2))/2.0;
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*N1.powi(2)*alpha_M*theta1_dot.powi(2)/N2.powi(2) + I_a*alpha_M*theta_a_dot.powi(2) + I_b*alpha_M*theta_b_dot.powi(2) + I_m*alpha_M*theta_m_dot.powi(2) + beta_K*k_a*twist_a_dot.powi(2) + beta_K*k_b*twist_b_dot.powi(2) + beta_K*k_m*twist_m_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -144,22 +161,22 @@ equations! {
     }
     force {
         theta1 {
-            _ => N1*k_b*theta_b/N2 - k_a*theta1 + k_a*theta_a - k_m*theta1 + k_m*theta_m - N1.powi(2)*k_b*theta1/N2.powi(2);
-            damping => N1*beta_K*k_b*theta_b_dot/N2 - I1*alpha_M*theta1_dot - I2*N1.powi(2)*alpha_M*theta1_dot/N2.powi(2) - beta_K*k_a*theta1_dot + beta_K*k_a*theta_a_dot - beta_K*k_m*theta1_dot + beta_K*k_m*theta_m_dot - N1.powi(2)*beta_K*k_b*theta1_dot/N2.powi(2);
+            _ => k_m*twist_m - N1*k_b*twist_b/N2 - k_a*twist_a;
+            damping => beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1.powi(2)*alpha_M*theta1_dot/N2.powi(2) - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot;
         }
         theta_m {
-            _ => k_m*theta1 - k_m*theta_m;
+            _ => -k_m*twist_m;
             torques => T_motor;
-            damping => beta_K*k_m*theta1_dot - I_m*alpha_M*theta_m_dot - beta_K*k_m*theta_m_dot;
+            damping => -I_m*alpha_M*theta_m_dot - beta_K*k_m*twist_m_dot;
         }
         theta_a {
-            _ => k_a*theta1 - k_a*theta_a;
-            damping => beta_K*k_a*theta1_dot - I_a*alpha_M*theta_a_dot - beta_K*k_a*theta_a_dot;
+            _ => k_a*twist_a;
+            damping => beta_K*k_a*twist_a_dot - I_a*alpha_M*theta_a_dot;
         }
         theta_b {
-            _ => N1*k_b*theta1/N2 - k_b*theta_b;
+            _ => k_b*twist_b;
             torques => -T_load;
-            damping => N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot;
+            damping => beta_K*k_b*twist_b_dot - I_b*alpha_M*theta_b_dot;
         }
     }
     jacobian {
@@ -283,29 +300,35 @@ equations! {
 
     text {
         "T = (I1*theta1_dot^2 + I2*N1^2*theta1_dot^2/N2^2 + I_a*theta_a_dot^2 + I_b*theta_b_dot^2 + I_m*theta_m_dot^2)/2";
-        "V = (k_a*(theta1 - theta_a)^2 + k_b*(N1*theta1/N2 - theta_b)^2 + k_m*(theta_m - theta1)^2)/2";
-        "D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*(theta1_dot - theta_a_dot)^2 + beta_K*k_b*(N1*theta1_dot/N2 - theta_b_dot)^2 + beta_K*k_m*(theta_m_dot - theta1_dot)^2)/2 [damping]";
+        "V = (k_a*twist_a^2 + k_b*twist_b^2 + k_m*twist_m^2)/2";
+        "D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*twist_a_dot^2 + beta_K*k_b*twist_b_dot^2 + beta_K*k_m*twist_m_dot^2)/2 [damping]";
         "Q_theta1 = 0";
         "Q_theta_m = T_motor [torques]";
         "Q_theta_a = 0";
         "Q_theta_b = -T_load [torques]";
-        "(I1 + I2*N1^2/N2^2) theta1'' = N1*k_b*theta_b/N2 - k_a*theta1 + k_a*theta_a - k_m*theta1 + k_m*theta_m - N1^2*k_b*theta1/N2^2 + N1*beta_K*k_b*theta_b_dot/N2 - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - beta_K*k_a*theta1_dot + beta_K*k_a*theta_a_dot - beta_K*k_m*theta1_dot + beta_K*k_m*theta_m_dot - N1^2*beta_K*k_b*theta1_dot/N2^2 [damping]";
-        "(I_m) theta_m'' = k_m*theta1 - k_m*theta_m + T_motor [torques] + beta_K*k_m*theta1_dot - I_m*alpha_M*theta_m_dot - beta_K*k_m*theta_m_dot [damping]";
-        "(I_a) theta_a'' = k_a*theta1 - k_a*theta_a + beta_K*k_a*theta1_dot - I_a*alpha_M*theta_a_dot - beta_K*k_a*theta_a_dot [damping]";
-        "(I_b) theta_b'' = N1*k_b*theta1/N2 - k_b*theta_b - T_load [torques] + N1*beta_K*k_b*theta1_dot/N2 - I_b*alpha_M*theta_b_dot - beta_K*k_b*theta_b_dot [damping]";
+        "twist_m = theta_m - theta1";
+        "twist_a = theta1 - theta_a";
+        "twist_b = N1*theta1/N2 - theta_b";
+        "(I1 + I2*N1^2/N2^2) theta1'' = k_m*twist_m - N1*k_b*twist_b/N2 - k_a*twist_a + beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot [damping]";
+        "(I_m) theta_m'' = -k_m*twist_m + T_motor [torques] - I_m*alpha_M*theta_m_dot - beta_K*k_m*twist_m_dot [damping]";
+        "(I_a) theta_a'' = k_a*twist_a + beta_K*k_a*twist_a_dot - I_a*alpha_M*theta_a_dot [damping]";
+        "(I_b) theta_b'' = k_b*twist_b - T_load [torques] + beta_K*k_b*twist_b_dot - I_b*alpha_M*theta_b_dot [damping]";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
         "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\dot{\\theta_{m}}^{2})";
-        "V = \\frac{1}{2} (k_{a}\\, \\left(\\theta_{1} - \\theta_{a}\\right)^{2} + k_{b}\\, \\left(\\frac{N_{1}\\, \\theta_{1}}{N_{2}} - \\theta_{b}\\right)^{2} + k_{m}\\, \\left(\\theta_{m} - \\theta_{1}\\right)^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}}^{2} + \\beta_{K}\\, k_{a}\\, \\left(\\dot{\\theta_{1}} - \\dot{\\theta_{a}}\\right)^{2} + \\beta_{K}\\, k_{b}\\, \\left(\\frac{N_{1}\\, \\dot{\\theta_{1}}}{N_{2}} - \\dot{\\theta_{b}}\\right)^{2} + \\beta_{K}\\, k_{m}\\, \\left(\\dot{\\theta_{m}} - \\dot{\\theta_{1}}\\right)^{2})\\ [\\text{damping}]";
+        "V = \\frac{1}{2} (k_{a}\\, \\mathrm{twist}_{a}^{2} + k_{b}\\, \\mathrm{twist}_{b}^{2} + k_{m}\\, \\mathrm{twist}_{m}^{2})";
+        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}}^{2} + \\beta_{K}\\, k_{a}\\, \\dot{\\mathrm{twist}_{a}}^{2} + \\beta_{K}\\, k_{b}\\, \\dot{\\mathrm{twist}_{b}}^{2} + \\beta_{K}\\, k_{m}\\, \\dot{\\mathrm{twist}_{m}}^{2})\\ [\\text{damping}]";
         "Q_{\\theta_{1}} = 0";
         "Q_{\\theta_{m}} = T_{motor}\\ [\\text{torques}]";
         "Q_{\\theta_{a}} = 0";
         "Q_{\\theta_{b}} = -T_{load}\\ [\\text{torques}]";
-        "(I_{1} + \\frac{I_{2}\\, N_{1}^{2}}{N_{2}^{2}}) \\ddot{\\theta_{1}} = \\frac{N_{1}\\, k_{b}\\, \\theta_{b}}{N_{2}} - k_{a}\\, \\theta_{1} + k_{a}\\, \\theta_{a} - k_{m}\\, \\theta_{1} + k_{m}\\, \\theta_{m} - \\frac{N_{1}^{2}\\, k_{b}\\, \\theta_{1}}{N_{2}^{2}} + \\frac{N_{1}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{b}}}{N_{2}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}}{N_{2}^{2}} - \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{1}} + \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{a}} - \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{1}} + \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{m}} - \\frac{N_{1}^{2}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{1}}}{N_{2}^{2}}\\ [\\text{damping}]";
-        "(I_{m}) \\ddot{\\theta_{m}} = k_{m}\\, \\theta_{1} - k_{m}\\, \\theta_{m} + T_{motor}\\ [\\text{torques}] + \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{1}} - I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}} - \\beta_{K}\\, k_{m}\\, \\dot{\\theta_{m}}\\ [\\text{damping}]";
-        "(I_{a}) \\ddot{\\theta_{a}} = k_{a}\\, \\theta_{1} - k_{a}\\, \\theta_{a} + \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{1}} - I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}} - \\beta_{K}\\, k_{a}\\, \\dot{\\theta_{a}}\\ [\\text{damping}]";
-        "(I_{b}) \\ddot{\\theta_{b}} = \\frac{N_{1}\\, k_{b}\\, \\theta_{1}}{N_{2}} - k_{b}\\, \\theta_{b} - T_{load}\\ [\\text{torques}] + \\frac{N_{1}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{1}}}{N_{2}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}} - \\beta_{K}\\, k_{b}\\, \\dot{\\theta_{b}}\\ [\\text{damping}]";
+        "\\mathrm{twist}_{m} = \\theta_{m} - \\theta_{1}";
+        "\\mathrm{twist}_{a} = \\theta_{1} - \\theta_{a}";
+        "\\mathrm{twist}_{b} = \\frac{N_{1}\\, \\theta_{1}}{N_{2}} - \\theta_{b}";
+        "(I_{1} + \\frac{I_{2}\\, N_{1}^{2}}{N_{2}^{2}}) \\ddot{\\theta_{1}} = k_{m}\\, \\mathrm{twist}_{m} - \\frac{N_{1}\\, k_{b}\\, \\mathrm{twist}_{b}}{N_{2}} - k_{a}\\, \\mathrm{twist}_{a} + \\beta_{K}\\, k_{m}\\, \\dot{\\mathrm{twist}_{m}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}}{N_{2}^{2}} - \\frac{N_{1}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\mathrm{twist}_{b}}}{N_{2}} - \\beta_{K}\\, k_{a}\\, \\dot{\\mathrm{twist}_{a}}\\ [\\text{damping}]";
+        "(I_{m}) \\ddot{\\theta_{m}} = -k_{m}\\, \\mathrm{twist}_{m} + T_{motor}\\ [\\text{torques}] - I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}} - \\beta_{K}\\, k_{m}\\, \\dot{\\mathrm{twist}_{m}}\\ [\\text{damping}]";
+        "(I_{a}) \\ddot{\\theta_{a}} = k_{a}\\, \\mathrm{twist}_{a} + \\beta_{K}\\, k_{a}\\, \\dot{\\mathrm{twist}_{a}} - I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}}\\ [\\text{damping}]";
+        "(I_{b}) \\ddot{\\theta_{b}} = k_{b}\\, \\mathrm{twist}_{b} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{b}\\, \\dot{\\mathrm{twist}_{b}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}}\\ [\\text{damping}]";
     }
 }

@@ -10,9 +10,9 @@
 //! T = (I1*(delta1_dot/(h*N1) + theta_dot/N1)^2 + I2*theta_dot^2/N2^2 + I3*(theta_dot/N3 - delta2_dot/(h*N3))^2)/2
 //! V = (k12*delta12^2 + k23*delta23^2)/2
 //! D = (I1*alpha_M*(delta1_dot/(h*N1) + theta_dot/N1)^2 + I2*alpha_M*theta_dot^2/N2^2 + I3*alpha_M*(theta_dot/N3 - delta2_dot/(h*N3))^2 + beta_K*k12_mid*delta12_dot^2 + beta_K*k23_mid*delta23_dot^2)/2 [damping]
-//! Q_theta = -mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N2*sqrt(w_mix23^2 + psi23_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N3*sqrt(w_mix23^2 + psi23_dot^2)) [sliding friction] + T_motor/N1 - T_load/N3 [torques]
-//! Q_delta1 = -tan_a*mu12*k12*side12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/(h*N1) [torques]
-//! Q_delta2 = mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(h*N3*sqrt(w_mix23^2 + psi23_dot^2)) - tan_a*mu23*k23*side23*psi23_dot*sqrt(tiny23^2 + delta23^2)/sqrt(w_mix23^2 + psi23_dot^2) [sliding friction] + T_load/(h*N3) [torques]
+//! Q_theta = -arm12*F_mu12/N1 - arm12*F_mu12/N2 - arm23*F_mu23/N2 - arm23*F_mu23/N3 [sliding friction] + T_motor/N1 - T_load/N3 [torques]
+//! Q_delta1 = -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1) [sliding friction] + T_motor/(h*N1) [torques]
+//! Q_delta2 = arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23 [sliding friction] + T_load/(h*N3) [torques]
 //! ```
 //!
 //! # Constants
@@ -41,12 +41,19 @@
 //! arm23 = 0 without sliding friction
 //! ```
 //!
+//! # Forces
+//!
+//! ```text
+//! F_mu12 = mu12*k12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]
+//! F_mu23 = mu23*k23*psi23_dot*sqrt(tiny23^2 + delta23^2)/sqrt(w_mix23^2 + psi23_dot^2) [sliding friction]
+//! ```
+//!
 //! # Equations of motion
 //!
 //! ```text
-//! (I1/N1^2 + I2/N2^2 + I3/N3^2) theta'' + (I1/(h*N1^2)) delta1'' + (-I3/(h*N3^2)) delta2'' = k12*de12*delta12 + k23*de23*delta23 [transmission error, jump terms] - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N2*sqrt(w_mix23^2 + psi23_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N3*sqrt(w_mix23^2 + psi23_dot^2)) [sliding friction] + T_motor/N1 - T_load/N3 [torques] + I3*alpha_M*delta2_dot/(h*N3^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I3*alpha_M*theta_dot/N3^2 - I1*alpha_M*delta1_dot/(h*N1^2) [damping] + (-dk12*delta12^2 - dk23*delta23^2)/2 [jump terms]
-//! (I1/(h*N1^2)) theta'' + (I1/(h^2*N1^2)) delta1'' = -k12*delta12 - tan_a*mu12*k12*side12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/(h*N1) [torques] - beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h^2*N1^2) - I1*alpha_M*theta_dot/(h*N1^2) [damping]
-//! (-I3/(h*N3^2)) theta'' + (I3/(h^2*N3^2)) delta2'' = -k23*delta23 + mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(h*N3*sqrt(w_mix23^2 + psi23_dot^2)) - tan_a*mu23*k23*side23*psi23_dot*sqrt(tiny23^2 + delta23^2)/sqrt(w_mix23^2 + psi23_dot^2) [sliding friction] + T_load/(h*N3) [torques] + I3*alpha_M*theta_dot/(h*N3^2) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h^2*N3^2) [damping]
+//! (I1/N1^2 + I2/N2^2 + I3/N3^2) theta'' + (I1/(h*N1^2)) delta1'' + (-I3/(h*N3^2)) delta2'' = k12*de12*delta12 + k23*de23*delta23 [transmission error, jump terms] - arm12*F_mu12/N1 - arm12*F_mu12/N2 - arm23*F_mu23/N2 - arm23*F_mu23/N3 [sliding friction] + T_motor/N1 - T_load/N3 [torques] + I3*alpha_M*delta2_dot/(h*N3^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I3*alpha_M*theta_dot/N3^2 - I1*alpha_M*delta1_dot/(h*N1^2) [damping] + (-dk12*delta12^2 - dk23*delta23^2)/2 [jump terms]
+//! (I1/(h*N1^2)) theta'' + (I1/(h^2*N1^2)) delta1'' = -k12*delta12 - tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1) [sliding friction] + T_motor/(h*N1) [torques] - beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h^2*N1^2) - I1*alpha_M*theta_dot/(h*N1^2) [damping]
+//! (-I3/(h*N3^2)) theta'' + (I3/(h^2*N3^2)) delta2'' = -k23*delta23 + arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23 [sliding friction] + T_load/(h*N3) [torques] + I3*alpha_M*theta_dot/(h*N3^2) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h^2*N3^2) [damping]
 //! ```
 //!
 //! # At a step of a stiffness or a transmission error
@@ -78,9 +85,9 @@
 //! T = \frac{1}{2} (I_{1}\, \left(\frac{\dot{\delta_{1}}}{h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + \frac{I_{2}\, \dot{\theta}^{2}}{N_{2}^{2}} + I_{3}\, \left(\frac{\dot{\theta}}{N_{3}} - \frac{\dot{\delta_{2}}}{h\, N_{3}}\right)^{2})
 //! V = \frac{1}{2} (k_{12}\, \delta_{12}^{2} + k_{23}\, \delta_{23}^{2})
 //! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \left(\frac{\dot{\delta_{1}}}{h\, N_{1}} + \frac{\dot{\theta}}{N_{1}}\right)^{2} + \frac{I_{2}\, \alpha_{M}\, \dot{\theta}^{2}}{N_{2}^{2}} + I_{3}\, \alpha_{M}\, \left(\frac{\dot{\theta}}{N_{3}} - \frac{\dot{\delta_{2}}}{h\, N_{3}}\right)^{2} + \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}}^{2} + \beta_{K}\, \bar{k_{23}}\, \dot{\delta_{23}}^{2})\ [\text{damping}]
-//! Q_{\theta} = -\frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{N_{2}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{23}\, k_{23}\, \mathrm{arm}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{N_{2}\, \sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}} - \frac{\mu_{23}\, k_{23}\, \mathrm{arm}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{N_{3}\, \sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}}\ [\text{sliding friction}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{3}}\ [\text{torques}]
-//! Q_{\delta_{1}} = -\frac{\mathrm{tan}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{h\, N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \frac{T_{motor}}{h\, N_{1}}\ [\text{torques}]
-//! Q_{\delta_{2}} = \frac{\mu_{23}\, k_{23}\, \mathrm{arm}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{h\, N_{3}\, \sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}} - \frac{\mathrm{tan}_{a}\, \mu_{23}\, k_{23}\, \mathrm{side}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{\sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}}\ [\text{sliding friction}] + \frac{T_{load}}{h\, N_{3}}\ [\text{torques}]
+//! Q_{\theta} = -\frac{\mathrm{arm}_{12}\, F_{mu12}}{N_{1}} - \frac{\mathrm{arm}_{12}\, F_{mu12}}{N_{2}} - \frac{\mathrm{arm}_{23}\, F_{mu23}}{N_{2}} - \frac{\mathrm{arm}_{23}\, F_{mu23}}{N_{3}}\ [\text{sliding friction}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{3}}\ [\text{torques}]
+//! Q_{\delta_{1}} = -\mathrm{tan}_{a}\, \mathrm{side}_{12}\, F_{mu12} - \frac{\mathrm{arm}_{12}\, F_{mu12}}{h\, N_{1}}\ [\text{sliding friction}] + \frac{T_{motor}}{h\, N_{1}}\ [\text{torques}]
+//! Q_{\delta_{2}} = \frac{\mathrm{arm}_{23}\, F_{mu23}}{h\, N_{3}} - \mathrm{tan}_{a}\, \mathrm{side}_{23}\, F_{mu23}\ [\text{sliding friction}] + \frac{T_{load}}{h\, N_{3}}\ [\text{torques}]
 //! h = \frac{r_{2}}{N_{2}}
 //! \mathrm{tan}_{a} = \frac{\sin\left(\alpha\right)}{\cos\left(\alpha\right)}
 //! \mathrm{tiny}_{12} = \frac{1}{1000000000000}
@@ -91,9 +98,11 @@
 //! \psi_{12} = \frac{\delta_{1}}{h\, N_{1}} + \frac{\theta}{N_{1}} + \frac{\theta}{N_{2}}
 //! \tau_{23} = \mathrm{tan}_{a}\, \delta_{2}
 //! \psi_{23} = \frac{\theta}{N_{2}} - \frac{\delta_{2}}{h\, N_{3}} + \frac{\theta}{N_{3}}
-//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}} + \frac{I_{3}}{N_{3}^{2}}) \ddot{\theta} + (\frac{I_{1}}{h\, N_{1}^{2}}) \ddot{\delta_{1}} + (-\frac{I_{3}}{h\, N_{3}^{2}}) \ddot{\delta_{2}} = k_{12}\, e_{12}'\, \delta_{12} + k_{23}\, e_{23}'\, \delta_{23}\ [\text{transmission error, jump terms}] - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{N_{2}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{23}\, k_{23}\, \mathrm{arm}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{N_{2}\, \sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}} - \frac{\mu_{23}\, k_{23}\, \mathrm{arm}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{N_{3}\, \sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}}\ [\text{sliding friction}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{3}}\ [\text{torques}] + \frac{I_{3}\, \alpha_{M}\, \dot{\delta_{2}}}{h\, N_{3}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{3}\, \alpha_{M}\, \dot{\theta}}{N_{3}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\delta_{1}}}{h\, N_{1}^{2}}\ [\text{damping}] + \frac{1}{2} (-k_{12}'\, \delta_{12}^{2} - k_{23}'\, \delta_{23}^{2})\ [\text{jump terms}]
-//! (\frac{I_{1}}{h\, N_{1}^{2}}) \ddot{\theta} + (\frac{I_{1}}{h^{2}\, N_{1}^{2}}) \ddot{\delta_{1}} = -k_{12}\, \delta_{12} - \frac{\mathrm{tan}_{a}\, \mu_{12}\, k_{12}\, \mathrm{side}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}} - \frac{\mu_{12}\, k_{12}\, \mathrm{arm}_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{h\, N_{1}\, \sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}\ [\text{sliding friction}] + \frac{T_{motor}}{h\, N_{1}}\ [\text{torques}] - \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{\delta_{1}}}{h^{2}\, N_{1}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{h\, N_{1}^{2}}\ [\text{damping}]
-//! (-\frac{I_{3}}{h\, N_{3}^{2}}) \ddot{\theta} + (\frac{I_{3}}{h^{2}\, N_{3}^{2}}) \ddot{\delta_{2}} = -k_{23}\, \delta_{23} + \frac{\mu_{23}\, k_{23}\, \mathrm{arm}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{h\, N_{3}\, \sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}} - \frac{\mathrm{tan}_{a}\, \mu_{23}\, k_{23}\, \mathrm{side}_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{\sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}}\ [\text{sliding friction}] + \frac{T_{load}}{h\, N_{3}}\ [\text{torques}] + \frac{I_{3}\, \alpha_{M}\, \dot{\theta}}{h\, N_{3}^{2}} - \beta_{K}\, \bar{k_{23}}\, \dot{\delta_{23}} - \frac{I_{3}\, \alpha_{M}\, \dot{\delta_{2}}}{h^{2}\, N_{3}^{2}}\ [\text{damping}]
+//! F_{mu12} = \frac{\mu_{12}\, k_{12}\, \dot{\psi_{12}}\, \sqrt{\mathrm{tiny}_{12}^{2} + \delta_{12}^{2}}}{\sqrt{w_{mix12}^{2} + \dot{\psi_{12}}^{2}}}
+//! F_{mu23} = \frac{\mu_{23}\, k_{23}\, \dot{\psi_{23}}\, \sqrt{\mathrm{tiny}_{23}^{2} + \delta_{23}^{2}}}{\sqrt{w_{mix23}^{2} + \dot{\psi_{23}}^{2}}}
+//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}} + \frac{I_{3}}{N_{3}^{2}}) \ddot{\theta} + (\frac{I_{1}}{h\, N_{1}^{2}}) \ddot{\delta_{1}} + (-\frac{I_{3}}{h\, N_{3}^{2}}) \ddot{\delta_{2}} = k_{12}\, e_{12}'\, \delta_{12} + k_{23}\, e_{23}'\, \delta_{23}\ [\text{transmission error, jump terms}] - \frac{\mathrm{arm}_{12}\, F_{mu12}}{N_{1}} - \frac{\mathrm{arm}_{12}\, F_{mu12}}{N_{2}} - \frac{\mathrm{arm}_{23}\, F_{mu23}}{N_{2}} - \frac{\mathrm{arm}_{23}\, F_{mu23}}{N_{3}}\ [\text{sliding friction}] + \frac{T_{motor}}{N_{1}} - \frac{T_{load}}{N_{3}}\ [\text{torques}] + \frac{I_{3}\, \alpha_{M}\, \dot{\delta_{2}}}{h\, N_{3}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta}}{N_{2}^{2}} - \frac{I_{3}\, \alpha_{M}\, \dot{\theta}}{N_{3}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\delta_{1}}}{h\, N_{1}^{2}}\ [\text{damping}] + \frac{1}{2} (-k_{12}'\, \delta_{12}^{2} - k_{23}'\, \delta_{23}^{2})\ [\text{jump terms}]
+//! (\frac{I_{1}}{h\, N_{1}^{2}}) \ddot{\theta} + (\frac{I_{1}}{h^{2}\, N_{1}^{2}}) \ddot{\delta_{1}} = -k_{12}\, \delta_{12} - \mathrm{tan}_{a}\, \mathrm{side}_{12}\, F_{mu12} - \frac{\mathrm{arm}_{12}\, F_{mu12}}{h\, N_{1}}\ [\text{sliding friction}] + \frac{T_{motor}}{h\, N_{1}}\ [\text{torques}] - \beta_{K}\, \bar{k_{12}}\, \dot{\delta_{12}} - \frac{I_{1}\, \alpha_{M}\, \dot{\delta_{1}}}{h^{2}\, N_{1}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta}}{h\, N_{1}^{2}}\ [\text{damping}]
+//! (-\frac{I_{3}}{h\, N_{3}^{2}}) \ddot{\theta} + (\frac{I_{3}}{h^{2}\, N_{3}^{2}}) \ddot{\delta_{2}} = -k_{23}\, \delta_{23} + \frac{\mathrm{arm}_{23}\, F_{mu23}}{h\, N_{3}} - \mathrm{tan}_{a}\, \mathrm{side}_{23}\, F_{mu23}\ [\text{sliding friction}] + \frac{T_{load}}{h\, N_{3}}\ [\text{torques}] + \frac{I_{3}\, \alpha_{M}\, \dot{\theta}}{h\, N_{3}^{2}} - \beta_{K}\, \bar{k_{23}}\, \dot{\delta_{23}} - \frac{I_{3}\, \alpha_{M}\, \dot{\delta_{2}}}{h^{2}\, N_{3}^{2}}\ [\text{damping}]
 //! ```
 //!
 //! # Proved
@@ -115,7 +124,8 @@
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 0 | 2 | 2 |
-//! | force | 32 | 148 | 16 |
+//! | named forces | 4 | 16 | 4 |
+//! | force | 16 | 84 | 0 |
 //! | energy step of k12 | 0 | 3 | 0 |
 //! | energy step of k23 | 0 | 3 | 0 |
 //! | energy step of e12 | 1 | 5 | 0 |
@@ -199,6 +209,10 @@ equations! {
         tau23 = tan_a*delta2;
         psi23 = theta/N2 - delta2/(h*N3) + theta/N3;
     }
+    forces {
+        F_mu12 { sliding_friction => mu12*k12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt(); }
+        F_mu23 { sliding_friction => mu23*k23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt(); }
+    }
     energies {
         kinetic {
             _ => (I1*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*theta_dot.powi(2)/N2.powi(2) + I3*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2))/2.0;
@@ -213,19 +227,19 @@ equations! {
     torques {
         slide12 "friction of the mesh of gears 1 and 2, over what the flanks slide at the pitch point" {}
         power {
-            sliding_friction => -mu12*k12*side12*psi12_dot*tau12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            sliding_friction => -side12*F_mu12*tau12_dot;
         }
         roll12 "friction of the mesh of gears 1 and 2, over their rolling" {}
         power {
-            sliding_friction => -mu12*k12*arm12*psi12_dot.powi(2)*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            sliding_friction => -arm12*F_mu12*psi12_dot;
         }
         slide23 "friction of the mesh of gears 2 and 3, over what the flanks slide at the pitch point" {}
         power {
-            sliding_friction => -mu23*k23*side23*psi23_dot*tau23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            sliding_friction => -side23*F_mu23*tau23_dot;
         }
         roll23 "friction of the mesh of gears 2 and 3, over their rolling" {}
         power {
-            sliding_friction => -mu23*k23*arm23*psi23_dot.powi(2)*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            sliding_friction => -arm23*F_mu23*psi23_dot;
         }
         motor "driving torque of the driving gear" {
             torques => T_motor*(delta1/(h*N1) + theta/N1);
@@ -265,20 +279,20 @@ equations! {
     force {
         theta {
             transmission_error_and_jump_terms => k12*de12*delta12 + k23*de23*delta23;
-            sliding_friction => -mu12*k12*arm12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu12*k12*arm12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(N2*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()) - mu23*k23*arm23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(N2*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()) - mu23*k23*arm23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(N3*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
+            sliding_friction => -arm12*F_mu12/N1 - arm12*F_mu12/N2 - arm23*F_mu23/N2 - arm23*F_mu23/N3;
             torques => T_motor/N1 - T_load/N3;
             damping => I3*alpha_M*delta2_dot/(h*N3.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2) - I3*alpha_M*theta_dot/N3.powi(2) - I1*alpha_M*delta1_dot/(h*N1.powi(2));
             jump_terms => (-dk12*delta12.powi(2) - dk23*delta23.powi(2))/2.0;
         }
         delta1 {
             _ => -k12*delta12;
-            sliding_friction => -tan_a*mu12*k12*side12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt() - mu12*k12*arm12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(h*N1*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+            sliding_friction => -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1);
             torques => T_motor/(h*N1);
             damping => -beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h.powi(2)*N1.powi(2)) - I1*alpha_M*theta_dot/(h*N1.powi(2));
         }
         delta2 {
             _ => -k23*delta23;
-            sliding_friction => mu23*k23*arm23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(h*N3*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()) - tan_a*mu23*k23*side23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            sliding_friction => arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23;
             torques => T_load/(h*N3);
             damping => I3*alpha_M*theta_dot/(h*N3.powi(2)) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h.powi(2)*N3.powi(2));
         }
@@ -472,9 +486,9 @@ equations! {
         "T = (I1*(delta1_dot/(h*N1) + theta_dot/N1)^2 + I2*theta_dot^2/N2^2 + I3*(theta_dot/N3 - delta2_dot/(h*N3))^2)/2";
         "V = (k12*delta12^2 + k23*delta23^2)/2";
         "D = (I1*alpha_M*(delta1_dot/(h*N1) + theta_dot/N1)^2 + I2*alpha_M*theta_dot^2/N2^2 + I3*alpha_M*(theta_dot/N3 - delta2_dot/(h*N3))^2 + beta_K*k12_mid*delta12_dot^2 + beta_K*k23_mid*delta23_dot^2)/2 [damping]";
-        "Q_theta = -mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N2*sqrt(w_mix23^2 + psi23_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N3*sqrt(w_mix23^2 + psi23_dot^2)) [sliding friction] + T_motor/N1 - T_load/N3 [torques]";
-        "Q_delta1 = -tan_a*mu12*k12*side12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/(h*N1) [torques]";
-        "Q_delta2 = mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(h*N3*sqrt(w_mix23^2 + psi23_dot^2)) - tan_a*mu23*k23*side23*psi23_dot*sqrt(tiny23^2 + delta23^2)/sqrt(w_mix23^2 + psi23_dot^2) [sliding friction] + T_load/(h*N3) [torques]";
+        "Q_theta = -arm12*F_mu12/N1 - arm12*F_mu12/N2 - arm23*F_mu23/N2 - arm23*F_mu23/N3 [sliding friction] + T_motor/N1 - T_load/N3 [torques]";
+        "Q_delta1 = -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1) [sliding friction] + T_motor/(h*N1) [torques]";
+        "Q_delta2 = arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23 [sliding friction] + T_load/(h*N3) [torques]";
         "h = r2/N2";
         "tan_a = sin(alpha)/cos(alpha)";
         "tiny12 = 1/1000000000000";
@@ -491,9 +505,11 @@ equations! {
         "arm12 = 0 without sliding friction";
         "side23 = 0 without sliding friction";
         "arm23 = 0 without sliding friction";
-        "(I1/N1^2 + I2/N2^2 + I3/N3^2) theta'' + (I1/(h*N1^2)) delta1'' + (-I3/(h*N3^2)) delta2'' = k12*de12*delta12 + k23*de23*delta23 [transmission error, jump terms] - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N1*sqrt(w_mix12^2 + psi12_dot^2)) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(N2*sqrt(w_mix12^2 + psi12_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N2*sqrt(w_mix23^2 + psi23_dot^2)) - mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(N3*sqrt(w_mix23^2 + psi23_dot^2)) [sliding friction] + T_motor/N1 - T_load/N3 [torques] + I3*alpha_M*delta2_dot/(h*N3^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I3*alpha_M*theta_dot/N3^2 - I1*alpha_M*delta1_dot/(h*N1^2) [damping] + (-dk12*delta12^2 - dk23*delta23^2)/2 [jump terms]";
-        "(I1/(h*N1^2)) theta'' + (I1/(h^2*N1^2)) delta1'' = -k12*delta12 - tan_a*mu12*k12*side12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) - mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/(h*N1*sqrt(w_mix12^2 + psi12_dot^2)) [sliding friction] + T_motor/(h*N1) [torques] - beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h^2*N1^2) - I1*alpha_M*theta_dot/(h*N1^2) [damping]";
-        "(-I3/(h*N3^2)) theta'' + (I3/(h^2*N3^2)) delta2'' = -k23*delta23 + mu23*k23*arm23*psi23_dot*sqrt(tiny23^2 + delta23^2)/(h*N3*sqrt(w_mix23^2 + psi23_dot^2)) - tan_a*mu23*k23*side23*psi23_dot*sqrt(tiny23^2 + delta23^2)/sqrt(w_mix23^2 + psi23_dot^2) [sliding friction] + T_load/(h*N3) [torques] + I3*alpha_M*theta_dot/(h*N3^2) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h^2*N3^2) [damping]";
+        "F_mu12 = mu12*k12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]";
+        "F_mu23 = mu23*k23*psi23_dot*sqrt(tiny23^2 + delta23^2)/sqrt(w_mix23^2 + psi23_dot^2) [sliding friction]";
+        "(I1/N1^2 + I2/N2^2 + I3/N3^2) theta'' + (I1/(h*N1^2)) delta1'' + (-I3/(h*N3^2)) delta2'' = k12*de12*delta12 + k23*de23*delta23 [transmission error, jump terms] - arm12*F_mu12/N1 - arm12*F_mu12/N2 - arm23*F_mu23/N2 - arm23*F_mu23/N3 [sliding friction] + T_motor/N1 - T_load/N3 [torques] + I3*alpha_M*delta2_dot/(h*N3^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I3*alpha_M*theta_dot/N3^2 - I1*alpha_M*delta1_dot/(h*N1^2) [damping] + (-dk12*delta12^2 - dk23*delta23^2)/2 [jump terms]";
+        "(I1/(h*N1^2)) theta'' + (I1/(h^2*N1^2)) delta1'' = -k12*delta12 - tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1) [sliding friction] + T_motor/(h*N1) [torques] - beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h^2*N1^2) - I1*alpha_M*theta_dot/(h*N1^2) [damping]";
+        "(-I3/(h*N3^2)) theta'' + (I3/(h^2*N3^2)) delta2'' = -k23*delta23 + arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23 [sliding friction] + T_load/(h*N3) [torques] + I3*alpha_M*theta_dot/(h*N3^2) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h^2*N3^2) [damping]";
         "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*delta12^2/2)";
         "at a step dk23 of k23 in theta: v+^2 = v-^2 - 2*G*(dk23*delta23^2/2)";
         "at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2/2 - k12*de12*delta12)";
@@ -512,9 +528,9 @@ equations! {
         "T = \\frac{1}{2} (I_{1}\\, \\left(\\frac{\\dot{\\delta_{1}}}{h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + \\frac{I_{2}\\, \\dot{\\theta}^{2}}{N_{2}^{2}} + I_{3}\\, \\left(\\frac{\\dot{\\theta}}{N_{3}} - \\frac{\\dot{\\delta_{2}}}{h\\, N_{3}}\\right)^{2})";
         "V = \\frac{1}{2} (k_{12}\\, \\delta_{12}^{2} + k_{23}\\, \\delta_{23}^{2})";
         "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\delta_{1}}}{h\\, N_{1}} + \\frac{\\dot{\\theta}}{N_{1}}\\right)^{2} + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}^{2}}{N_{2}^{2}} + I_{3}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta}}{N_{3}} - \\frac{\\dot{\\delta_{2}}}{h\\, N_{3}}\\right)^{2} + \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}}^{2} + \\beta_{K}\\, \\bar{k_{23}}\\, \\dot{\\delta_{23}}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta} = -\\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{N_{2}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{23}\\, k_{23}\\, \\mathrm{arm}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{N_{2}\\, \\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}} - \\frac{\\mu_{23}\\, k_{23}\\, \\mathrm{arm}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{N_{3}\\, \\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{3}}\\ [\\text{torques}]";
-        "Q_{\\delta_{1}} = -\\frac{\\mathrm{tan}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{h\\, N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{h\\, N_{1}}\\ [\\text{torques}]";
-        "Q_{\\delta_{2}} = \\frac{\\mu_{23}\\, k_{23}\\, \\mathrm{arm}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{h\\, N_{3}\\, \\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}} - \\frac{\\mathrm{tan}_{a}\\, \\mu_{23}\\, k_{23}\\, \\mathrm{side}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{\\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{load}}{h\\, N_{3}}\\ [\\text{torques}]";
+        "Q_{\\theta} = -\\frac{\\mathrm{arm}_{12}\\, F_{mu12}}{N_{1}} - \\frac{\\mathrm{arm}_{12}\\, F_{mu12}}{N_{2}} - \\frac{\\mathrm{arm}_{23}\\, F_{mu23}}{N_{2}} - \\frac{\\mathrm{arm}_{23}\\, F_{mu23}}{N_{3}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{3}}\\ [\\text{torques}]";
+        "Q_{\\delta_{1}} = -\\mathrm{tan}_{a}\\, \\mathrm{side}_{12}\\, F_{mu12} - \\frac{\\mathrm{arm}_{12}\\, F_{mu12}}{h\\, N_{1}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{h\\, N_{1}}\\ [\\text{torques}]";
+        "Q_{\\delta_{2}} = \\frac{\\mathrm{arm}_{23}\\, F_{mu23}}{h\\, N_{3}} - \\mathrm{tan}_{a}\\, \\mathrm{side}_{23}\\, F_{mu23}\\ [\\text{sliding friction}] + \\frac{T_{load}}{h\\, N_{3}}\\ [\\text{torques}]";
         "h = \\frac{r_{2}}{N_{2}}";
         "\\mathrm{tan}_{a} = \\frac{\\sin\\left(\\alpha\\right)}{\\cos\\left(\\alpha\\right)}";
         "\\mathrm{tiny}_{12} = \\frac{1}{1000000000000}";
@@ -525,8 +541,10 @@ equations! {
         "\\psi_{12} = \\frac{\\delta_{1}}{h\\, N_{1}} + \\frac{\\theta}{N_{1}} + \\frac{\\theta}{N_{2}}";
         "\\tau_{23} = \\mathrm{tan}_{a}\\, \\delta_{2}";
         "\\psi_{23} = \\frac{\\theta}{N_{2}} - \\frac{\\delta_{2}}{h\\, N_{3}} + \\frac{\\theta}{N_{3}}";
-        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}} + \\frac{I_{3}}{N_{3}^{2}}) \\ddot{\\theta} + (\\frac{I_{1}}{h\\, N_{1}^{2}}) \\ddot{\\delta_{1}} + (-\\frac{I_{3}}{h\\, N_{3}^{2}}) \\ddot{\\delta_{2}} = k_{12}\\, e_{12}'\\, \\delta_{12} + k_{23}\\, e_{23}'\\, \\delta_{23}\\ [\\text{transmission error, jump terms}] - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{N_{2}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{23}\\, k_{23}\\, \\mathrm{arm}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{N_{2}\\, \\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}} - \\frac{\\mu_{23}\\, k_{23}\\, \\mathrm{arm}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{N_{3}\\, \\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{3}}\\ [\\text{torques}] + \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\delta_{2}}}{h\\, N_{3}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{3}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\delta_{1}}}{h\\, N_{1}^{2}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{12}'\\, \\delta_{12}^{2} - k_{23}'\\, \\delta_{23}^{2})\\ [\\text{jump terms}]";
-        "(\\frac{I_{1}}{h\\, N_{1}^{2}}) \\ddot{\\theta} + (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}}) \\ddot{\\delta_{1}} = -k_{12}\\, \\delta_{12} - \\frac{\\mathrm{tan}_{a}\\, \\mu_{12}\\, k_{12}\\, \\mathrm{side}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}} - \\frac{\\mu_{12}\\, k_{12}\\, \\mathrm{arm}_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{h\\, N_{1}\\, \\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{h\\, N_{1}}\\ [\\text{torques}] - \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\delta_{1}}}{h^{2}\\, N_{1}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{h\\, N_{1}^{2}}\\ [\\text{damping}]";
-        "(-\\frac{I_{3}}{h\\, N_{3}^{2}}) \\ddot{\\theta} + (\\frac{I_{3}}{h^{2}\\, N_{3}^{2}}) \\ddot{\\delta_{2}} = -k_{23}\\, \\delta_{23} + \\frac{\\mu_{23}\\, k_{23}\\, \\mathrm{arm}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{h\\, N_{3}\\, \\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}} - \\frac{\\mathrm{tan}_{a}\\, \\mu_{23}\\, k_{23}\\, \\mathrm{side}_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{\\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}}\\ [\\text{sliding friction}] + \\frac{T_{load}}{h\\, N_{3}}\\ [\\text{torques}] + \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\theta}}{h\\, N_{3}^{2}} - \\beta_{K}\\, \\bar{k_{23}}\\, \\dot{\\delta_{23}} - \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\delta_{2}}}{h^{2}\\, N_{3}^{2}}\\ [\\text{damping}]";
+        "F_{mu12} = \\frac{\\mu_{12}\\, k_{12}\\, \\dot{\\psi_{12}}\\, \\sqrt{\\mathrm{tiny}_{12}^{2} + \\delta_{12}^{2}}}{\\sqrt{w_{mix12}^{2} + \\dot{\\psi_{12}}^{2}}}";
+        "F_{mu23} = \\frac{\\mu_{23}\\, k_{23}\\, \\dot{\\psi_{23}}\\, \\sqrt{\\mathrm{tiny}_{23}^{2} + \\delta_{23}^{2}}}{\\sqrt{w_{mix23}^{2} + \\dot{\\psi_{23}}^{2}}}";
+        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}} + \\frac{I_{3}}{N_{3}^{2}}) \\ddot{\\theta} + (\\frac{I_{1}}{h\\, N_{1}^{2}}) \\ddot{\\delta_{1}} + (-\\frac{I_{3}}{h\\, N_{3}^{2}}) \\ddot{\\delta_{2}} = k_{12}\\, e_{12}'\\, \\delta_{12} + k_{23}\\, e_{23}'\\, \\delta_{23}\\ [\\text{transmission error, jump terms}] - \\frac{\\mathrm{arm}_{12}\\, F_{mu12}}{N_{1}} - \\frac{\\mathrm{arm}_{12}\\, F_{mu12}}{N_{2}} - \\frac{\\mathrm{arm}_{23}\\, F_{mu23}}{N_{2}} - \\frac{\\mathrm{arm}_{23}\\, F_{mu23}}{N_{3}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{N_{1}} - \\frac{T_{load}}{N_{3}}\\ [\\text{torques}] + \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\delta_{2}}}{h\\, N_{3}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{2}^{2}} - \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\theta}}{N_{3}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\delta_{1}}}{h\\, N_{1}^{2}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{12}'\\, \\delta_{12}^{2} - k_{23}'\\, \\delta_{23}^{2})\\ [\\text{jump terms}]";
+        "(\\frac{I_{1}}{h\\, N_{1}^{2}}) \\ddot{\\theta} + (\\frac{I_{1}}{h^{2}\\, N_{1}^{2}}) \\ddot{\\delta_{1}} = -k_{12}\\, \\delta_{12} - \\mathrm{tan}_{a}\\, \\mathrm{side}_{12}\\, F_{mu12} - \\frac{\\mathrm{arm}_{12}\\, F_{mu12}}{h\\, N_{1}}\\ [\\text{sliding friction}] + \\frac{T_{motor}}{h\\, N_{1}}\\ [\\text{torques}] - \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{\\delta_{12}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\delta_{1}}}{h^{2}\\, N_{1}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}}{h\\, N_{1}^{2}}\\ [\\text{damping}]";
+        "(-\\frac{I_{3}}{h\\, N_{3}^{2}}) \\ddot{\\theta} + (\\frac{I_{3}}{h^{2}\\, N_{3}^{2}}) \\ddot{\\delta_{2}} = -k_{23}\\, \\delta_{23} + \\frac{\\mathrm{arm}_{23}\\, F_{mu23}}{h\\, N_{3}} - \\mathrm{tan}_{a}\\, \\mathrm{side}_{23}\\, F_{mu23}\\ [\\text{sliding friction}] + \\frac{T_{load}}{h\\, N_{3}}\\ [\\text{torques}] + \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\theta}}{h\\, N_{3}^{2}} - \\beta_{K}\\, \\bar{k_{23}}\\, \\dot{\\delta_{23}} - \\frac{I_{3}\\, \\alpha_{M}\\, \\dot{\\delta_{2}}}{h^{2}\\, N_{3}^{2}}\\ [\\text{damping}]";
     }
 }

@@ -233,7 +233,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             let (t, side) = law.next_switch()?;
             Some((self.clock.until(t).max(0.0), Due::Switch(i, side)))
         });
-        let next = self.field.forcing.iter().map(|f| f.0.next()).filter(|next| next.is_finite());
+        let next = self.field.forcing.iter().map(|f| f.next()).filter(|next| next.is_finite());
         let breaks = next.map(|next| (self.clock.until(next).max(0.0), Due::Break));
         let switches = switches.chain(breaks);
         let end = (self.clock.until(self.t_end), Due::End);

@@ -1,10 +1,10 @@
 //! The right-hand side that methods integrate, smooth within a cell: q'' = M⁻¹F(q, q', k(s), dk/ds, t), and what damping takes.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use crate::engine::cells;
 use crate::engine::dead_band::{DeadBand, Elastic};
-use crate::engine::equations::Equations;
+use crate::engine::equations::{Equations, accelerated, product};
 use crate::engine::forcing::Forcing;
 use crate::engine::law::Law;
 use crate::engine::record::State;
@@ -20,8 +20,10 @@ pub struct Field<'a, const N: usize> {
     /// Where the dead bands stand; what their dampers do is asked of each state.
     pub bands: Vec<DeadBand<N>>,
     elastic: Vec<Elastic>,
-    /// What varies in time, if anything does, and M⁻¹.
-    pub forcing: Option<Box<(Forcing<N>, SMatrix<f64, N, N>)>>,
+    /// What varies in time, if anything does.
+    pub forcing: Option<Box<Forcing<N>>>,
+    /// M⁻¹ (N x N).
+    mobility: Box<[[f64; N]; N]>,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
@@ -41,10 +43,6 @@ impl<'a, const N: usize> Field<'a, N> {
         (laws, bands): (Vec<Law<N>>, Vec<DeadBand<N>>),
         forcing: Option<Forcing<N>>,
     ) -> Self {
-        let forcing = forcing.map(|forcing| {
-            let mobility = equations.mobility();
-            Box::new((forcing, SMatrix::from_fn(|i, j| mobility[i][j])))
-        });
         let none = vec![0.0; laws.len()];
         let in_contact = model.in_contact(none.iter().copied());
         let steps_only = laws.iter().all(|law| law.pitch.steps_only());
@@ -54,7 +52,8 @@ impl<'a, const N: usize> Field<'a, N> {
             laws,
             bands,
             elastic: vec![],
-            forcing,
+            forcing: forcing.map(Box::new),
+            mobility: Box::new(equations.mobility()),
             begins: 0.0,
             evaluations: 0,
             steps_only,
@@ -95,11 +94,11 @@ impl<'a, const N: usize> Field<'a, N> {
     pub fn rate(&mut self, t: f64, y: &Flow<N>) -> Flow<N> {
         self.evaluations += 1;
         self.set(t, y);
-        let a = self.equations.acceleration(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk);
-        let mut a = SVector::from(a);
+        let mut force = self.equations.force(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk);
         if let Some(forcing) = &self.forcing {
-            a += forcing.1 * forcing.0.load(self.begins + t);
+            force = (SVector::from(force) + forcing.load(self.begins + t)).into();
         }
+        let a = product(&self.mobility, &force).into();
         let dissipation = self.equations.dissipation(&y.v.data.0[0], &self.k);
         Flow { q: y.v, v: a, lost: 2.0 * dissipation + self.clipped(y) }
     }
@@ -107,7 +106,8 @@ impl<'a, const N: usize> Field<'a, N> {
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
     pub fn jacobian(&mut self, t: f64, y: &Flow<N>) -> [[[f64; N]; N]; 2] {
         self.set(t, y);
-        self.equations.jacobian(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk, &self.ddk)
+        let of_force = self.equations.jacobian(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk, &self.ddk);
+        accelerated(&self.mobility, &of_force)
     }
 
     #[inline]

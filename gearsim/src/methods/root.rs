@@ -7,6 +7,8 @@
 
 /// Coefficients of a method's dense output, at most.
 const DENSE: usize = 8;
+/// Rounding of the states, as coefficients of dense outputs have it: differences of these, times numbers up to some tens.
+const NOISE: f64 = 16.0;
 /// Halvings after which an interval is a point.
 const DEEPEST: u32 = 52;
 
@@ -23,7 +25,7 @@ pub struct Found {
 
 /// The first x in \[0, 1\] at which the polynomial sum c_j x^j, positive from there on down to 0, turns negative.
 ///
-/// A root at 0 is one only if the polynomial is negative right after it; then 0 is found. One at 1 is found where the next
+/// A root at 0 is one only if the polynomial is negative right after it, and not by rounding alone; then 0 is found. One at 1 is found where the next
 /// step begins. Values within `tolerance` of zero are told from it only by where they lead.
 pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
     first_of::<DENSE>(coefficients, tolerance)
@@ -38,6 +40,10 @@ pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Foun
     }
     // A root at 0 is taken out: what is left has the same sign from there on.
     let Some(order) = c.iter().position(|c| *c != 0.0) else { return Found::default() };
+    // A step that is all within the rounding of its values tells nothing but whether it ends beyond.
+    if c.iter().all(|c| c.abs() <= NOISE * tolerance) && evaluate(&c, 1.0) >= -tolerance {
+        return Found { root: None, steps: 1, grazes: 0 };
+    }
     if c[order] < 0.0 {
         return Found { root: Some(0.0), steps: 1, grazes: 0 };
     }
@@ -208,6 +214,10 @@ mod tests {
         assert_eq!(first(&[1.0, -1.0], 1e-15).root, None);
         // Beyond by rounding, and coming back.
         assert_eq!(first(&[-1e-16, 1.0], 1e-15).root, None);
+        // All of the step within rounding: only its end tells.
+        assert_eq!(first(&[0.0, -3e-15, 3e-15, 0.0], 1e-15).root, None);
+        assert_eq!(first(&[-2e-16, -5e-16, 4e-16], 1e-15).root, None);
+        assert_eq!(first(&[0.0, -3e-15, 1e-15], 1e-15).root, Some(0.0));
     }
 
     /// Against a scan: random polynomials of every degree; where the scan sees a change of sign, the root is no later than it.

@@ -59,6 +59,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let psi = m.deflection(&named("psi", part), psi);
         let direction = psi.dot() / (psi.dot().sq() + mixed.sq()).sqrt();
         let friction = mu * mesh.stiffness * (mesh.delta.sq() + tiny.sq()).sqrt() * direction;
+        let friction = m.force(&named("F_mu", part), friction);
         let doc = format!("friction of the {what}, over what the flanks slide at the pitch point");
         m.torque(&named("slide", part), -side * friction, tau, &doc);
         let doc = format!("friction of the {what}, over their rolling");

@@ -8,6 +8,7 @@ use super::named;
 pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
     let doc = format!("torsional stiffness of the {what}");
     let k = m.parameter(&named("k", part), "N*m/rad", None, Range::NotNegative, &doc);
+    let twist = m.deflection(&named("twist", part), twist);
     m.potential(half(k * twist.sq()));
 }
 

@@ -141,27 +141,18 @@ equations! {
             _ => -k*beta;
         }
     }
-    acceleration {
-        alpha {
-            torque => T1/J1;
-            jump_terms => -dk*beta.powi(2)/(2.0*J1);
-        }
-        beta {
-            _ => -k*beta/J2;
-        }
-    }
     jacobian {
         alpha alpha {
-            jump_terms => -ddk*beta.powi(2)/(2.0*J1);
+            jump_terms => -ddk*beta.powi(2)/2.0;
         }
         alpha beta {
-            jump_terms => -dk*beta/J1;
+            jump_terms => -dk*beta;
         }
         beta alpha {
-            moving_phase => -dk*beta/J2;
+            moving_phase => -dk*beta;
         }
         beta beta {
-            _ => -k/J2;
+            _ => -k;
         }
     }
     cell {

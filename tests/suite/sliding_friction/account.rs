@@ -94,7 +94,7 @@ fn friction_goes_with_play_and_with_errors() {
 #[test]
 fn an_idler_rubs_twice() {
     let effects = r#"effects=["stiffness_step", "sliding_friction", "torques"]"#;
-    let mut set = vec![effects.to_string(), "run.t_end=\"20 ms\"".into()];
+    let mut set = vec![effects.to_string(), "run={t_end=\"20 ms\", tolerance=1e-11}".into()];
     for mesh in ["12", "23"] {
         set.push(format!("parameters.mu{mesh}=0.05"));
         set.push(format!(r#"laws.side{mesh}={{teeth=[24, 40], module="3 mm", face_width="20 mm"}}"#));

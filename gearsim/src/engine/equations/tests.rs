@@ -1,6 +1,6 @@
 //! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
 
-use crate::engine::equations::{Derived, Equations, Switching, compliance, direction, mobility, solve};
+use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility, solve};
 use nalgebra::SVector;
 
 use crate::generated::gear_pair::GearPair;
@@ -77,7 +77,7 @@ fn accelerations() {
 #[test]
 fn jacobian() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
-    let [by_q, by_v] = e.jacobian(&Q, &V, &K, &DK, &DDK);
+    let [by_q, by_v] = accelerated(&e.mobility(), &e.jacobian(&Q, &V, &K, &DK, &DDK));
     let at = |theta: f64, phi: f64, phi_dot: f64| {
         let k = [K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0]];
         e.acceleration(&[Q[0], Q[1] + phi], &[V[0], V[1] + phi_dot], &k, &[DK[0] + theta * DDK[0]])
@@ -121,6 +121,7 @@ fn jacobian_of_a_larger_model() {
         SVector::from(e.acceleration(&q, &v, &law(0, s), &law(1, s)))
     };
     let found = e.jacobian(&q, &v, &law(0, 0.0), &law(1, 0.0), &courses.map(|c| c[2]));
+    let found = accelerated(&e.mobility(), &found);
     let h = 1e-5;
     for j in 0..3 {
         let moved = |x: [f64; 3], by: f64| std::array::from_fn(|i| if i == j { x[i] + by } else { x[i] });
@@ -188,9 +189,9 @@ fn absent_terms_are_absent() {
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
         close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
         assert_eq!([e.dissipation(&V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
-        // Rigid kinematics keeps the moving phase: there the accelerations change with theta by the slope of k.
+        // Rigid kinematics keeps the moving phase: there the forces change with theta by the slope of k.
         let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
-        let [by_q, by_v] = e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]);
+        let [by_q, by_v] = accelerated(&e.mobility(), &e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]));
         close(by_q.as_flattened(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
         assert_eq!(by_v, [[0.0; 2]; 2]);
         assert_eq!((e.damping(&K), e.load(&K)), ([[0.0; 2]; 2], [0.0; 2]));
@@ -284,7 +285,6 @@ fn inverse_of_a_mass_matrix_in_odd_units() {
 }
 
 #[test]
-#[should_panic(expected = "the mass matrix is positive definite")]
 fn no_inverse_of_an_indefinite_matrix() {
-    mobility(&[[-1.0, 0.0], [0.0, 1.0]]);
+    assert!(mobility(&[[-1.0, 0.0], [0.0, 1.0]]).iter().flatten().all(|x| x.is_nan()));
 }

@@ -209,11 +209,30 @@ fn play_goes_with_torques_that_vary() {
     let exact = run(&keys);
     assert!(exact.counts.impacts > 4 && exact.counts.cell_changes > 4, "{:?}", exact.counts);
     assert!(residual(&exact) < 1e-13, "{:e}", residual(&exact));
-    let steps = run(&[&keys[..], &["run.method=dop853", "run.tolerance=1e-12"]].concat());
+    // Where a damper begins to be clipped the force has a kink within a step, which costs digits: two more are asked for.
+    let steps = run(&[&keys[..], &["run.method=dop853", "run.tolerance=1e-13"]].concat());
     assert_eq!(steps.counts.cell_changes, exact.counts.cell_changes);
     assert_eq!(steps.counts.impacts, exact.counts.impacts);
     let off = crate::methods::tests::difference(&steps.trajectory, &exact.trajectory);
     assert!(off < 1e-8 && residual(&steps) < 1e-9, "{off:e} {:e}", residual(&steps));
+}
+
+/// A pair at rest, its flanks just touching at a boundary of the stiffness, under a torque that begins from nothing: what it
+/// moves at first is below the rounding of its state, in which no flank must be seen to part.
+#[test]
+fn flanks_at_rest_do_not_rattle() {
+    for (phase, impacts) in [("90 deg", 3), ("-90 deg", 0)] {
+        let swing =
+            format!("parameters.T0={{mean=\"0 N*m\", harmonics=[{{amplitude=\"5 N*m\", frequency=\"200 Hz\", phase=\"{phase}\"}}]}}");
+        let play = "effects=[\"stiffness_step\", \"torques\", \"damping\", \"backlash\"]";
+        let rest = [play, "parameters.b=\"31.5e-3 rad\"", "start.speed=0 rpm", "run.t_end=2 ms", "output.events=false"];
+        let keys = [&ALL[1..3], &rest, &[&swing]].concat();
+        let exact = run(&keys);
+        let steps = run(&[&keys[..], &["run.method=dop853", "run.tolerance=1e-11"]].concat());
+        assert_eq!((exact.counts.impacts, steps.counts.impacts), (impacts, impacts), "{phase}");
+        let off = crate::methods::tests::difference(&steps.trajectory, &exact.trajectory);
+        assert!(off < 1e-8, "{phase}: {off:e}");
+    }
 }
 
 /// At rest, flanks just touching at a boundary of the stiffness, under a torque that begins from nothing: what is pushed

@@ -8,9 +8,9 @@ impl<const N: usize> Advance<'_, N> {
     /// Goes on into the next pieces of the courses.
     pub(super) fn enter_course(&mut self) {
         if let Some(forcing) = &mut self.field.forcing {
-            let t = forcing.0.next();
+            let t = forcing.next();
             self.clock.set(t);
-            forcing.0.enter(t);
+            forcing.enter(t);
         }
         self.field.begins = self.clock.now();
         self.rate = self.field.rate(0.0, &self.y);
@@ -26,7 +26,7 @@ impl<const N: usize> Advance<'_, N> {
             for node in [-node, node] {
                 let at = 0.5 * to * (1.0 + node);
                 let y = dense.at(at / h);
-                let varying = self.field.forcing.as_ref().map(|f| f.0.power(self.field.begins + at, &y.v));
+                let varying = self.field.forcing.as_ref().map(|f| f.power(self.field.begins + at, &y.v));
                 let equations = self.field.equations;
                 let k = self.field.levels(at, &y);
                 for (i, work) in work.iter_mut().enumerate() {

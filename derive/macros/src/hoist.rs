@@ -1,0 +1,260 @@
+//! Constant factors, worked out once a scene. A file says `-I1*alpha_M*theta_dot/N1.powi(2)`, term by term as derived; what is
+//! called at every step has one number in the place of all that does not move, and terms that differ in it only are one.
+
+use quote::quote;
+use syn::{BinOp, Expr, Index, Lit, parse_quote};
+
+use crate::model::{Model, Sum};
+
+/// Replaces the constant factors in what is called at every step. What comes back are these, in parameters, mid values and
+/// constants; in the equations they are `self.coefficients`, in that order.
+pub fn hoist(m: &mut Model) -> Vec<Expr> {
+    let mut hoist = Hoist::default();
+    for term in m.force.iter().flatten().flat_map(|row| &row.sum) {
+        hoist.count(&term.value);
+    }
+    m.deflections.iter_mut().chain(&mut m.rates).for_each(|d| hoist.replace(&mut d.value));
+    let rows = m.force.iter_mut().flatten().chain(&mut m.forces);
+    rows.for_each(|row| hoist.sum(&mut row.sum));
+    hoist.sum(&mut m.dissipation);
+    hoist.coefficients
+}
+
+#[derive(Default)]
+struct Hoist {
+    coefficients: Vec<Expr>,
+    /// Factors of the forces, and in how many products each is.
+    counts: Vec<(Expr, usize)>,
+}
+
+/// A product: whether it is negative, its factors and its divisors.
+#[derive(Default)]
+struct Product {
+    negative: bool,
+    above: Vec<Expr>,
+    below: Vec<Expr>,
+}
+
+/// Terms that differ in constant factors only.
+struct Group {
+    /// What moves; `None` where nothing does.
+    moving: Option<Expr>,
+    constants: Vec<Product>,
+}
+
+impl Hoist {
+    fn sum(&mut self, sum: &mut Sum) {
+        sum.iter_mut().for_each(|term| self.replace(&mut term.value));
+    }
+
+    fn replace(&mut self, e: &mut Expr) {
+        *e = self.expression(e);
+    }
+
+    fn count(&mut self, e: &Expr) {
+        let mut products = vec![];
+        flatten(e, false, &mut products);
+        for factor in products.into_iter().flat_map(|p| p.above) {
+            match self.counts.iter_mut().find(|(counted, _)| *counted == factor) {
+                Some((_, n)) => *n += 1,
+                None => self.counts.push((factor, 1)),
+            }
+        }
+    }
+
+    fn expression(&mut self, e: &Expr) -> Expr {
+        match e {
+            Expr::MethodCall(call) => {
+                let mut call = call.clone();
+                *call.receiver = atom(self.expression(&call.receiver));
+                Expr::MethodCall(call)
+            }
+            Expr::Paren(_) | Expr::Group(_) | Expr::Unary(_) | Expr::Binary(_) => self.terms(e),
+            _ => e.clone(),
+        }
+    }
+
+    /// A sum, or one product.
+    fn terms(&mut self, e: &Expr) -> Expr {
+        let mut products = vec![];
+        flatten(e, false, &mut products);
+        products.retain(|p| !p.above.iter().any(is_zero));
+        let mut groups: Vec<Group> = vec![];
+        for p in products {
+            let (moving, constants) = self.split(p);
+            match groups.iter_mut().find(|group| group.moving == moving) {
+                Some(group) => group.constants.push(constants),
+                None => groups.push(Group { moving, constants: vec![constants] }),
+            }
+        }
+        // A sign by itself is added or taken away, so that rows can share the product; the first has it in its number.
+        let first = groups.iter().position(|group| !group.is_taken_away()).unwrap_or(0);
+        if let Some(front) = groups.get_mut(..=first) {
+            front.rotate_right(1);
+        }
+        let mut whole: Option<Expr> = None;
+        for group in groups {
+            let minus = whole.is_some() && group.is_taken_away();
+            let Group { moving, mut constants } = group;
+            if minus {
+                constants[0].negative = false;
+            }
+            let term = match moving {
+                Some(moving) if matches!(&constants[..], [one] if one.is_one()) => moving,
+                Some(moving) => {
+                    let number = self.number(&constants);
+                    parse_quote!(#moving * #number)
+                }
+                None => self.number(&constants),
+            };
+            whole = Some(match (whole, minus) {
+                (None, _) => term,
+                (Some(sum), false) => parse_quote!(#sum + #term),
+                (Some(sum), true) => parse_quote!(#sum - #term),
+            });
+        }
+        whole.unwrap_or_else(|| parse_quote!(0.0))
+    }
+
+    /// What moves of a product, and what does not.
+    fn split(&mut self, mut p: Product) -> (Option<Expr>, Product) {
+        // Those that many products have come first, so that these begin alike, and what is alike is worked out once.
+        p.above.sort_by_key(|e| self.counts.iter().find(|(counted, _)| counted == e).map_or(usize::MAX, |(_, n)| usize::MAX - n));
+        let mut of = |factors: Vec<Expr>| -> (Vec<Expr>, Vec<Expr>) {
+            let (still, moving): (Vec<_>, Vec<_>) = factors.into_iter().partition(constant);
+            (still, moving.iter().map(|e| atom(self.expression(e))).collect())
+        };
+        let ((above, moving), (below, divisors)) = (of(p.above), of(p.below));
+        let moving = match (&moving[..], &divisors[..]) {
+            ([], []) => None,
+            ([], divisors) => Some(parse_quote!(1.0 #(/ #divisors)*)),
+            ([first, rest @ ..], divisors) => Some(parse_quote!(#first #(* #rest)* #(/ #divisors)*)),
+        };
+        (moving, Product { negative: p.negative, above, below })
+    }
+
+    /// A sum of constant products: itself, if it is a name or numbers alone, else a coefficient.
+    fn number(&mut self, constants: &[Product]) -> Expr {
+        if let [Product { negative: false, above, below }] = constants
+            && let ([one @ Expr::Field(_)], []) = (&above[..], &below[..])
+        {
+            return one.clone();
+        }
+        let products = constants.iter().map(|p| {
+            let sign = p.negative.then(|| quote!(-));
+            let below = p.below.iter().map(in_numbers);
+            match &p.above.iter().map(in_numbers).collect::<Vec<_>>()[..] {
+                [] => quote!(#sign 1.0 #(/ #below)*),
+                [first, rest @ ..] => quote!(#sign #first #(* #rest)* #(/ #below)*),
+            }
+        });
+        let value: Expr = parse_quote!(#(#products)+*);
+        if constants.iter().all(|p| p.above.iter().chain(&p.below).all(|e| matches!(e, Expr::Lit(_)))) {
+            return parse_quote!((#value));
+        }
+        let i = self.coefficients.iter().position(|c| *c == value).unwrap_or_else(|| {
+            self.coefficients.push(value);
+            self.coefficients.len() - 1
+        });
+        let i = Index::from(i);
+        parse_quote!(self.coefficients[#i])
+    }
+}
+
+/// Whether nothing in it moves: names of numbers (`self.I1`), and literals.
+fn constant(e: &Expr) -> bool {
+    match e {
+        Expr::Lit(_) | Expr::Field(_) => true,
+        Expr::Paren(e) => constant(&e.expr),
+        Expr::Group(e) => constant(&e.expr),
+        Expr::Unary(e) => constant(&e.expr),
+        Expr::Binary(e) => constant(&e.left) && constant(&e.right),
+        Expr::MethodCall(e) => constant(&e.receiver) && e.args.iter().all(constant),
+        _ => false,
+    }
+}
+
+fn is_zero(e: &Expr) -> bool {
+    matches!(e, Expr::Lit(lit) if matches!(&lit.lit, Lit::Float(x) if x.base10_parse::<f64>().is_ok_and(|x| x == 0.0)))
+}
+
+/// The terms of a sum, as products.
+fn flatten(e: &Expr, negative: bool, products: &mut Vec<Product>) {
+    match e {
+        Expr::Paren(e) => flatten(&e.expr, negative, products),
+        Expr::Group(e) => flatten(&e.expr, negative, products),
+        Expr::Binary(e) if matches!(e.op, BinOp::Add(_) | BinOp::Sub(_)) => {
+            flatten(&e.left, negative, products);
+            flatten(&e.right, negative ^ matches!(e.op, BinOp::Sub(_)), products);
+        }
+        _ => {
+            let mut product = Product { negative, ..Product::default() };
+            product.take(e, false);
+            products.push(product);
+        }
+    }
+}
+
+impl Group {
+    /// Whether it is one product with a minus.
+    fn is_taken_away(&self) -> bool {
+        matches!(&self.constants[..], [one] if one.negative)
+    }
+}
+
+impl Product {
+    /// Whether it has no factor, and no minus.
+    fn is_one(&self) -> bool {
+        !self.negative && self.above.is_empty() && self.below.is_empty()
+    }
+
+    /// Takes up the factors of an expression, or divides by them.
+    fn take(&mut self, e: &Expr, inverse: bool) {
+        match bare(e) {
+            Expr::Unary(e) => {
+                self.negative ^= true;
+                self.take(&e.expr, inverse);
+            }
+            Expr::Binary(e) if matches!(e.op, BinOp::Mul(_) | BinOp::Div(_)) => {
+                self.take(&e.left, inverse);
+                self.take(&e.right, inverse ^ matches!(e.op, BinOp::Div(_)));
+            }
+            e => if inverse { &mut self.below } else { &mut self.above }.push(atom(e.clone())),
+        }
+    }
+}
+
+/// Without parentheses.
+fn bare(e: &Expr) -> &Expr {
+    match e {
+        Expr::Paren(e) => bare(&e.expr),
+        Expr::Group(e) => bare(&e.expr),
+        _ => e,
+    }
+}
+
+/// As a factor: sums and signs in parentheses.
+fn atom(e: Expr) -> Expr {
+    if matches!(e, Expr::Binary(_) | Expr::Unary(_)) { parse_quote!((#e)) } else { e }
+}
+
+/// With the names of numbers by themselves, as they are where coefficients are worked out: `I1` for `self.I1`.
+fn in_numbers(e: &Expr) -> Expr {
+    let mut e = e.clone();
+    match &mut e {
+        Expr::Field(field) => {
+            let name = &field.member;
+            return parse_quote!(#name);
+        }
+        Expr::Paren(e) => *e.expr = in_numbers(&e.expr),
+        Expr::Group(e) => *e.expr = in_numbers(&e.expr),
+        Expr::Unary(e) => *e.expr = in_numbers(&e.expr),
+        Expr::Binary(e) => (*e.left, *e.right) = (in_numbers(&e.left), in_numbers(&e.right)),
+        Expr::MethodCall(call) => {
+            *call.receiver = in_numbers(&call.receiver);
+            call.args = call.args.iter().map(in_numbers).collect();
+        }
+        _ => {}
+    }
+    e
+}
