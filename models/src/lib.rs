@@ -27,8 +27,8 @@
 //!      written in what comes back.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect;
 //!      a parameter declared inside is asked only of them.
-//!    - `m.constant(name, value)`, `m.deflection(name, value)`: a name for a recurring constant, or for a sum of
-//!      coordinates that a spring feels, where you want to see it in the equations.
+//!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: a name for a recurring constant, for a sum of
+//!      coordinates that a spring feels, or for what torques have in common, where you want to see it in the equations.
 //!    - `m.motion(name, unit, speeds, doc)`: how a scene may state its speed in one number.
 //! 2. Declare it below, `pub mod my_train;`, and add it to [`MODELS`]: one line. A model with a number of equal parts is one
 //!    function of that number, and one line a number: `("my_train_3", |m| my_train::my_train(m, 3))`.

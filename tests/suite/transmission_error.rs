@@ -1,8 +1,10 @@
-//! Transmission errors, V = k (phi - e)²: closed forms, equations by hand, another method, the energy account.
+//! Transmission errors, V = k (phi - e)²: closed forms, equations by hand, another method, the phases of planets, the energy account.
 
 #[path = "transmission_error/by_hand.rs"]
 mod by_hand;
 mod common;
+#[path = "transmission_error/planets.rs"]
+mod planets;
 #[path = "transmission_error/smooth.rs"]
 mod smooth;
 #[path = "transmission_error/steps.rs"]

@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// Scenes, by their paths under models/scenes, and the plot that shows each best.
-const SCENES: [(&str, &str); 17] = [
+const SCENES: [(&str, &str); 18] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "motion"),
@@ -22,6 +22,7 @@ const SCENES: [(&str, &str); 17] = [
     ("rattle", "motion"),
     ("sliding_friction", "motion"),
     ("transmission_error", "motion"),
+    ("planetary_errors", "spectrum"),
     ("two_stage", "motion"),
     ("belt_drive", "motion"),
     ("chain_5", "motion"),

@@ -29,7 +29,9 @@ pub fn check(model: &mut Model) -> syn::Result<()> {
 /// No name means two things.
 fn names(m: &Model, errors: &mut Vec<Error>) {
     // `new` holds parameters and constants beside these.
-    let mut taken = HashMap::from(["parameters", "mids", "coefficients"].map(|n| (n.to_string(), "the generated code".to_string())));
+    let mut taken = HashMap::from(
+        ["parameters", "mids", "coefficients"].map(|n| (n.to_string(), "the generated code".to_string())),
+    );
     let mut claim = |kind: &str, name: &Ident, derived: Vec<String>| {
         let all = std::iter::once(name.to_string()).chain(derived);
         for one in all {

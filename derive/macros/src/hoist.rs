@@ -119,7 +119,9 @@ impl Hoist {
     /// What moves of a product, and what does not.
     fn split(&mut self, mut p: Product) -> (Option<Expr>, Product) {
         // Those that many products have come first, so that these begin alike, and what is alike is worked out once.
-        p.above.sort_by_key(|e| self.counts.iter().find(|(counted, _)| counted == e).map_or(usize::MAX, |(_, n)| usize::MAX - n));
+        p.above.sort_by_key(|e| {
+            self.counts.iter().find(|(counted, _)| counted == e).map_or(usize::MAX, |(_, n)| usize::MAX - n)
+        });
         let mut of = |factors: Vec<Expr>| -> (Vec<Expr>, Vec<Expr>) {
             let (still, moving): (Vec<_>, Vec<_>) = factors.into_iter().partition(constant);
             (still, moving.iter().map(|e| atom(self.expression(e))).collect())

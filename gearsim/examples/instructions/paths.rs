@@ -48,25 +48,33 @@ pub const PATHS: &[Path] = &[
     path("free_by_hand", "right-hand side, no effects", None, || sides::free().by_hand()),
     path("free_generated", "the same, generated", Some("free_by_hand"), || sides::free().generated()),
     path("undamped_by_hand", "right-hand side, Eqs. (2), (3), without damping", None, || sides::undamped().by_hand()),
-    path("undamped_generated", "the same, generated: damping not named", Some("undamped_by_hand"), || sides::undamped().generated()),
+    path("undamped_generated", "the same, generated: damping not named", Some("undamped_by_hand"), || {
+        sides::undamped().generated()
+    }),
     path(
         "undamped_undeclared",
         "the same, of a model that never declared damping, errors, play and friction",
         Some("undamped_generated"),
         || sides::undeclared().generated(),
     ),
-    path("error_by_hand", "right-hand side, Eqs. (2), (3) with a transmission error", None, || sides::with_error().by_hand()),
+    path("error_by_hand", "right-hand side, Eqs. (2), (3) with a transmission error", None, || {
+        sides::with_error().by_hand()
+    }),
     path("error_generated", "the same, generated", Some("error_by_hand"), || sides::with_error().generated()),
     path("play_by_hand", "right-hand side, Eqs. (2), (3) with backlash, damped", None, || sides::with_play().by_hand()),
     path("play_generated", "the same, generated", Some("play_by_hand"), || sides::with_play().generated()),
-    path("friction_by_hand", "right-hand side, Eqs. (2), (3) with sliding friction", None, || sides::with_friction().by_hand()),
+    path("friction_by_hand", "right-hand side, Eqs. (2), (3) with sliding friction", None, || {
+        sides::with_friction().by_hand()
+    }),
     path("friction_generated", "the same, generated", Some("friction_by_hand"), || sides::with_friction().generated()),
     path("chain_5_by_hand", "forces on a chain of 5 discs, damped", None, || sides::chain().by_hand()),
     path("chain_5_generated", "the same, generated", Some("chain_5_by_hand"), || sides::chain().generated()),
     path("idler_by_hand", "forces on an idler train, damped", None, || sides::idler().by_hand()),
     path("idler_generated", "the same, generated", Some("idler_by_hand"), || sides::idler().generated()),
     path("planetary_3_by_hand", "forces on a planetary stage with 3 planets", None, || sides::planetary().by_hand()),
-    path("planetary_3_generated", "the same, generated", Some("planetary_3_by_hand"), || sides::planetary().generated()),
+    path("planetary_3_generated", "the same, generated", Some("planetary_3_by_hand"), || {
+        sides::planetary().generated()
+    }),
 ];
 
 fn scene(name: &str, overrides: &[&str]) -> Scene {

@@ -72,26 +72,34 @@
 //! ```text
 //! radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c
 //! tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c
-//! delta_s1 = u1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s
-//! delta_r1 = cos_r1*y_r - u1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r
+//! delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s
+//! delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r
 //! radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c
 //! tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c
-//! delta_s2 = u2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s
-//! delta_r2 = cos_r2*y_r - u2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r
+//! delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s
+//! delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r
 //! radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c
 //! tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c
-//! delta_s3 = u3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s
-//! delta_r3 = cos_r3*y_r - u3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r
+//! delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s
+//! delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r
 //! radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c
 //! tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c
-//! delta_s4 = u4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s
-//! delta_r4 = cos_r4*y_r - u4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r
+//! delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s
+//! delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r
+//! e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1
+//! e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1
+//! e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2
+//! e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2
+//! e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3
+//! e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3
+//! e_s4 = 0 without transmission error; the rates are those of the coordinates, without that of e_s4
+//! e_r4 = 0 without transmission error; the rates are those of the coordinates, without that of e_r4
 //! ```
 //!
 //! # Equations of motion
 //!
 //! ```text
-//! (I_c/Z_r^2 - 8*h*I_p/(r_p*Z_r) + 4*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 4*a^2*m_p/Z_r^2 + 4*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 4*h*I_p/r_p + 4*I_p/Z_r + I_s/Z_r + I_s/Z_s + 4*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + 4*h*I_p*alpha_M*theta_c_dot/r_p + 8*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 4*I_p*alpha_M*theta_dot/Z_r^2 - 4*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 4*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 4*a^2*alpha_M*m_p*theta_c_dot/Z_r - 4*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2)/2 [jump terms]
+//! (I_c/Z_r^2 - 8*h*I_p/(r_p*Z_r) + 4*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 4*a^2*m_p/Z_r^2 + 4*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 4*h*I_p/r_p + 4*I_p/Z_r + I_s/Z_r + I_s/Z_s + 4*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + 4*h*I_p*alpha_M*theta_c_dot/r_p + 8*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 4*I_p*alpha_M*theta_dot/Z_r^2 - 4*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 4*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 4*a^2*alpha_M*m_p*theta_c_dot/Z_r - 4*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2)/2 [jump terms]
 //! (I_c/Z_r - 4*h*I_p/r_p + 4*I_p/Z_r + I_s/Z_r + I_s/Z_s + 4*a^2*m_p/Z_r) theta'' + (I_c + 4*I_p + I_s + 4*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' + (a*m_p) eta4'' + (I_p/r_p) u4'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot - a*alpha_M*m_p*eta4_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + 4*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 4*I_p*alpha_M*theta_c_dot - 4*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 4*a^2*alpha_M*m_p*theta_c_dot - 4*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p [damping]
 //! (I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]
 //! (m_s) x_s'' = sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 + sin_s4*k_s4*delta_s4 - kb_s*x_s + sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot + sin_s4*beta_K*k_s4_mid*delta_s4_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot [damping]
@@ -114,7 +122,7 @@
 //! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u4'' = k_r4*delta_r4 - k_s4*delta_s4 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r4_mid*delta_r4_dot - beta_K*k_s4_mid*delta_s4_dot - I_p*alpha_M*u4_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
 //! ```
 //!
-//! # At a step of a stiffness
+//! # At a step of a stiffness or a transmission error
 //!
 //! ```text
 //! at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*delta_s1^2/2)
@@ -125,6 +133,14 @@
 //! at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)
 //! at a step dk_s4 of k_s4 in theta: v+^2 = v-^2 - 2*G*(dk_s4*delta_s4^2/2)
 //! at a step dk_r4 of k_r4 in theta: v+^2 = v-^2 - 2*G*(dk_r4*delta_r4^2/2)
+//! at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)
+//! at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)
+//! at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)
+//! at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)
+//! at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)
+//! at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)
+//! at a step de_s4 of e_s4 in theta: v+^2 = v-^2 - 2*G*(k_s4*de_s4^2/2 - k_s4*de_s4*delta_s4)
+//! at a step de_r4 of e_r4 in theta: v+^2 = v-^2 - 2*G*(k_r4*de_r4^2/2 - k_r4*de_r4*delta_r4)
 //! ```
 //!
 //! # Between two steps
@@ -191,21 +207,21 @@
 //! \mathrm{sin}_{r4} = \sin\left(\alpha + \psi_{4}\right)
 //! \mathrm{radial}_{1} = \mathrm{cos}_{c1}\, x_{c} - \zeta_{1} + \mathrm{sin}_{c1}\, y_{c}
 //! \mathrm{tangential}_{1} = \mathrm{cos}_{c1}\, y_{c} - \eta_{1} - \mathrm{sin}_{c1}\, x_{c}
-//! \delta_{s1} = u_{1} - \mathrm{cos}_{a}\, \eta_{1} + \mathrm{cos}_{s1}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{s1}\, x_{s}
-//! \delta_{r1} = \mathrm{cos}_{r1}\, y_{r} - u_{1} - \mathrm{cos}_{a}\, \eta_{1} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{r1}\, x_{r}
+//! \delta_{s1} = u_{1} - e_{s1} - \mathrm{cos}_{a}\, \eta_{1} + \mathrm{cos}_{s1}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{s1}\, x_{s}
+//! \delta_{r1} = \mathrm{cos}_{r1}\, y_{r} - u_{1} - e_{r1} - \mathrm{cos}_{a}\, \eta_{1} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{r1}\, x_{r}
 //! \mathrm{radial}_{2} = \mathrm{cos}_{c2}\, x_{c} - \zeta_{2} + \mathrm{sin}_{c2}\, y_{c}
 //! \mathrm{tangential}_{2} = \mathrm{cos}_{c2}\, y_{c} - \eta_{2} - \mathrm{sin}_{c2}\, x_{c}
-//! \delta_{s2} = u_{2} - \mathrm{cos}_{a}\, \eta_{2} + \mathrm{cos}_{s2}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{s2}\, x_{s}
-//! \delta_{r2} = \mathrm{cos}_{r2}\, y_{r} - u_{2} - \mathrm{cos}_{a}\, \eta_{2} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{r2}\, x_{r}
+//! \delta_{s2} = u_{2} - e_{s2} - \mathrm{cos}_{a}\, \eta_{2} + \mathrm{cos}_{s2}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{s2}\, x_{s}
+//! \delta_{r2} = \mathrm{cos}_{r2}\, y_{r} - u_{2} - e_{r2} - \mathrm{cos}_{a}\, \eta_{2} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{r2}\, x_{r}
 //! \mathrm{radial}_{3} = \mathrm{cos}_{c3}\, x_{c} - \zeta_{3} + \mathrm{sin}_{c3}\, y_{c}
 //! \mathrm{tangential}_{3} = \mathrm{cos}_{c3}\, y_{c} - \eta_{3} - \mathrm{sin}_{c3}\, x_{c}
-//! \delta_{s3} = u_{3} - \mathrm{cos}_{a}\, \eta_{3} + \mathrm{cos}_{s3}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{s3}\, x_{s}
-//! \delta_{r3} = \mathrm{cos}_{r3}\, y_{r} - u_{3} - \mathrm{cos}_{a}\, \eta_{3} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{r3}\, x_{r}
+//! \delta_{s3} = u_{3} - e_{s3} - \mathrm{cos}_{a}\, \eta_{3} + \mathrm{cos}_{s3}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{s3}\, x_{s}
+//! \delta_{r3} = \mathrm{cos}_{r3}\, y_{r} - u_{3} - e_{r3} - \mathrm{cos}_{a}\, \eta_{3} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{r3}\, x_{r}
 //! \mathrm{radial}_{4} = \mathrm{cos}_{c4}\, x_{c} - \zeta_{4} + \mathrm{sin}_{c4}\, y_{c}
 //! \mathrm{tangential}_{4} = \mathrm{cos}_{c4}\, y_{c} - \eta_{4} - \mathrm{sin}_{c4}\, x_{c}
-//! \delta_{s4} = u_{4} - \mathrm{cos}_{a}\, \eta_{4} + \mathrm{cos}_{s4}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{s4}\, x_{s}
-//! \delta_{r4} = \mathrm{cos}_{r4}\, y_{r} - u_{4} - \mathrm{cos}_{a}\, \eta_{4} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{r4}\, x_{r}
-//! (\frac{I_{c}}{Z_{r}^{2}} - \frac{8\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{4\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{4\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{4\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{c}}{Z_{r}} - \frac{4\, h\, I_{p}}{r_{p}} + \frac{4\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{4\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{4}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{4}} = \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{4}}}{Z_{r}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}^{2}} + \frac{4\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{8\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{4\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{4\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{4\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{4\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{4\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}\, Z_{r}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{r4}'\, \delta_{r4}^{2} - k_{s1}'\, \delta_{s1}^{2} - k_{s2}'\, \delta_{s2}^{2} - k_{s3}'\, \delta_{s3}^{2} - k_{s4}'\, \delta_{s4}^{2})\ [\text{jump terms}]
+//! \delta_{s4} = u_{4} - e_{s4} - \mathrm{cos}_{a}\, \eta_{4} + \mathrm{cos}_{s4}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{s4}\, x_{s}
+//! \delta_{r4} = \mathrm{cos}_{r4}\, y_{r} - u_{4} - e_{r4} - \mathrm{cos}_{a}\, \eta_{4} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{r4}\, x_{r}
+//! (\frac{I_{c}}{Z_{r}^{2}} - \frac{8\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{4\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{4\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{4\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{c}}{Z_{r}} - \frac{4\, h\, I_{p}}{r_{p}} + \frac{4\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{4\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{4}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{4}} = k_{r1}\, e_{r1}'\, \delta_{r1} + k_{r2}\, e_{r2}'\, \delta_{r2} + k_{r3}\, e_{r3}'\, \delta_{r3} + k_{r4}\, e_{r4}'\, \delta_{r4} + k_{s1}\, e_{s1}'\, \delta_{s1} + k_{s2}\, e_{s2}'\, \delta_{s2} + k_{s3}\, e_{s3}'\, \delta_{s3} + k_{s4}\, e_{s4}'\, \delta_{s4}\ [\text{transmission error, jump terms}] + \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{4}}}{Z_{r}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}^{2}} + \frac{4\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{8\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{4\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{4\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{4\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{4\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{4\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}\, Z_{r}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{r4}'\, \delta_{r4}^{2} - k_{s1}'\, \delta_{s1}^{2} - k_{s2}'\, \delta_{s2}^{2} - k_{s3}'\, \delta_{s3}^{2} - k_{s4}'\, \delta_{s4}^{2})\ [\text{jump terms}]
 //! (\frac{I_{c}}{Z_{r}} - \frac{4\, h\, I_{p}}{r_{p}} + \frac{4\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{4\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta} + (I_{c} + 4\, I_{p} + I_{s} + 4\, a^{2}\, m_{p}) \ddot{\theta_{c}} + (a\, m_{p}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{1}} + (a\, m_{p}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{2}} + (a\, m_{p}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{3}} + (a\, m_{p}) \ddot{\eta_{4}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{4}} = h\, Z_{r}\, k_{r1}\, \delta_{r1} + h\, Z_{r}\, k_{r2}\, \delta_{r2} + h\, Z_{r}\, k_{r3}\, \delta_{r3} + h\, Z_{r}\, k_{r4}\, \delta_{r4} + T_{motor} - T_{load}\ [\text{torques}] + h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{4}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} + \frac{4\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}} - I_{c}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - 4\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{4\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{s}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}} - 4\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{4\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}}\ [\text{damping}]
 //! (I_{r}) \ddot{\theta_{r}} = -h\, Z_{r}\, k_{r1}\, \delta_{r1} - h\, Z_{r}\, k_{r2}\, \delta_{r2} - h\, Z_{r}\, k_{r3}\, \delta_{r3} - h\, Z_{r}\, k_{r4}\, \delta_{r4} - k_{r}\, \theta_{r} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} - I_{r}\, \alpha_{M}\, \dot{\theta_{r}} - \beta_{K}\, k_{r}\, \dot{\theta_{r}}\ [\text{damping}]
 //! (m_{s}) \ddot{x_{s}} = \mathrm{sin}_{s1}\, k_{s1}\, \delta_{s1} + \mathrm{sin}_{s2}\, k_{s2}\, \delta_{s2} + \mathrm{sin}_{s3}\, k_{s3}\, \delta_{s3} + \mathrm{sin}_{s4}\, k_{s4}\, \delta_{s4} - \mathrm{kb}_{s}\, x_{s} + \mathrm{sin}_{s1}\, \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} + \mathrm{sin}_{s2}\, \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} + \mathrm{sin}_{s3}\, \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} + \mathrm{sin}_{s4}\, \beta_{K}\, \bar{k_{s4}}\, \dot{\delta_{s4}} - \alpha_{M}\, m_{s}\, \dot{x_{s}} - \beta_{K}\, \mathrm{kb}_{s}\, \dot{x_{s}}\ [\text{damping}]
@@ -234,14 +250,14 @@
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
-//! - without the jump terms the balance fails: energy is created at the rate (dk_r1*delta_r1^2*theta_dot + dk_r2*delta_r2^2*theta_dot + dk_r3*delta_r3^2*theta_dot + dk_r4*delta_r4^2*theta_dot + dk_s1*delta_s1^2*theta_dot + dk_s2*delta_s2^2*theta_dot + dk_s3*delta_s3^2*theta_dot + dk_s4*delta_s4^2*theta_dot)/2
+//! - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_r4*de_r4*delta_r4*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot - k_s4*de_s4*delta_s4*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_r4*delta_r4^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2 + dk_s4*delta_s4^2*theta_dot/2
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 18 | 11 | 26 |
-//! | force | 210 | 692 | 0 |
+//! | force | 217 | 708 | 0 |
 //! | energy step of k_s1 | 0 | 3 | 0 |
 //! | energy step of k_r1 | 0 | 3 | 0 |
 //! | energy step of k_s2 | 0 | 3 | 0 |
@@ -250,6 +266,14 @@
 //! | energy step of k_r3 | 0 | 3 | 0 |
 //! | energy step of k_s4 | 0 | 3 | 0 |
 //! | energy step of k_r4 | 0 | 3 | 0 |
+//! | energy step of e_s1 | 1 | 5 | 0 |
+//! | energy step of e_r1 | 1 | 5 | 0 |
+//! | energy step of e_s2 | 1 | 5 | 0 |
+//! | energy step of e_r2 | 1 | 5 | 0 |
+//! | energy step of e_s3 | 1 | 5 | 0 |
+//! | energy step of e_r3 | 1 | 5 | 0 |
+//! | energy step of e_s4 | 1 | 5 | 0 |
+//! | energy step of e_r4 | 1 | 5 | 0 |
 
 use gearsim_macros::equations;
 
@@ -316,6 +340,14 @@ equations! {
         k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
         k_s4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 4 along the line of action";
         k_r4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 4 along the line of action";
+        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 1 along the line of action";
+        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 1 along the line of action";
+        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 2 along the line of action";
+        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 2 along the line of action";
+        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 3 along the line of action";
+        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 3 along the line of action";
+        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 4 along the line of action";
+        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 4 along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest";
@@ -324,12 +356,15 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -366,20 +401,20 @@ equations! {
     deflections {
         radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c;
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
-        delta_s1 = u1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
-        delta_r1 = cos_r1*y_r - u1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
+        delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
+        delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
         radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c;
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
-        delta_s2 = u2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
-        delta_r2 = cos_r2*y_r - u2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
+        delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
+        delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
         radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c;
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
-        delta_s3 = u3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
-        delta_r3 = cos_r3*y_r - u3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
+        delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
+        delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
         radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c;
         tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c;
-        delta_s4 = u4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
-        delta_r4 = cos_r4*y_r - u4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
+        delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
+        delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
     }
     energies {
         kinetic {
@@ -545,6 +580,7 @@ equations! {
     }
     force {
         theta {
+            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2) + h*I_p*alpha_M*u4_dot/r_p.powi(2) + 4.0*h*I_p*alpha_M*theta_c_dot/r_p + 8.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2) - I_c*alpha_M*theta_c_dot/Z_r - 4.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 4.0*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 4.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2) - 4.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 4.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r);
             jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_r4*delta_r4.powi(2) - dk_s1*delta_s1.powi(2) - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2) - dk_s4*delta_s4.powi(2))/2.0;
@@ -633,60 +669,79 @@ equations! {
     }
     jacobian {
         theta theta {
+            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + k_s4*dde_s4*delta_s4 - k_s4*de_s4.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2 + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_r4*dk_r4*delta_r4 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3 + 2.0*de_s4*dk_s4*delta_s4;
             jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_r4*delta_r4.powi(2) - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2) - ddk_s4*delta_s4.powi(2))/2.0;
         }
         theta theta_c {
+            transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4;
         }
         theta theta_r {
+            transmission_error_and_jump_terms => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4;
             jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4;
         }
         theta x_s {
+            transmission_error_and_jump_terms => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3 - sin_s4*k_s4*de_s4;
             jump_terms => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4;
         }
         theta y_s {
+            transmission_error_and_jump_terms => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3 + cos_s4*k_s4*de_s4;
             jump_terms => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4;
         }
         theta x_r {
+            transmission_error_and_jump_terms => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3 - sin_r4*k_r4*de_r4;
             jump_terms => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4;
         }
         theta y_r {
+            transmission_error_and_jump_terms => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3 + cos_r4*k_r4*de_r4;
             jump_terms => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4;
         }
         theta zeta1 {
+            transmission_error_and_jump_terms => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
             jump_terms => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         theta eta1 {
+            transmission_error_and_jump_terms => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
             jump_terms => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         theta u1 {
+            transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         theta zeta2 {
+            transmission_error_and_jump_terms => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
             jump_terms => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         theta eta2 {
+            transmission_error_and_jump_terms => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
             jump_terms => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         theta u2 {
+            transmission_error_and_jump_terms => k_s2*de_s2 - k_r2*de_r2;
             jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         theta zeta3 {
+            transmission_error_and_jump_terms => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
             jump_terms => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         theta eta3 {
+            transmission_error_and_jump_terms => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
             jump_terms => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         theta u3 {
+            transmission_error_and_jump_terms => k_s3*de_s3 - k_r3*de_r3;
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta zeta4 {
+            transmission_error_and_jump_terms => sin_a*k_r4*de_r4 - sin_a*k_s4*de_s4;
             jump_terms => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
         }
         theta eta4 {
+            transmission_error_and_jump_terms => -cos_a*k_r4*de_r4 - cos_a*k_s4*de_s4;
             jump_terms => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
         }
         theta u4 {
+            transmission_error_and_jump_terms => k_s4*de_s4 - k_r4*de_r4;
             jump_terms => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         theta theta_dot {
@@ -720,6 +775,7 @@ equations! {
             damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
         }
         theta_c theta {
+            transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4;
         }
         theta_c theta_c {
@@ -822,6 +878,7 @@ equations! {
             damping => -h*Z_r*beta_K*k_r4_mid - I_p*alpha_M/r_p;
         }
         theta_r theta {
+            transmission_error_and_moving_phase => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4;
             moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4;
         }
         theta_r theta_c {
@@ -921,6 +978,7 @@ equations! {
             damping => h*Z_r*beta_K*k_r4_mid;
         }
         x_s theta {
+            transmission_error_and_moving_phase => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3 - sin_s4*k_s4*de_s4;
             moving_phase => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4;
         }
         x_s x_s {
@@ -1008,6 +1066,7 @@ equations! {
             damping => sin_s4*beta_K*k_s4_mid;
         }
         y_s theta {
+            transmission_error_and_moving_phase => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3 + cos_s4*k_s4*de_s4;
             moving_phase => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4;
         }
         y_s x_s {
@@ -1203,6 +1262,7 @@ equations! {
             damping => cos_c4*beta_K*kb_p;
         }
         x_r theta {
+            transmission_error_and_moving_phase => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3 - sin_r4*k_r4*de_r4;
             moving_phase => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4;
         }
         x_r theta_c {
@@ -1302,6 +1362,7 @@ equations! {
             damping => -sin_r4*beta_K*k_r4_mid;
         }
         y_r theta {
+            transmission_error_and_moving_phase => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3 + cos_r4*k_r4*de_r4;
             moving_phase => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4;
         }
         y_r theta_c {
@@ -1401,6 +1462,7 @@ equations! {
             damping => cos_r4*beta_K*k_r4_mid;
         }
         zeta1 theta {
+            transmission_error_and_moving_phase => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
             moving_phase => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         zeta1 theta_c {
@@ -1470,6 +1532,7 @@ equations! {
             damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid;
         }
         eta1 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
             moving_phase => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         eta1 theta_c {
@@ -1542,6 +1605,7 @@ equations! {
             damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid;
         }
         u1 theta {
+            transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         u1 theta_c {
@@ -1602,6 +1666,7 @@ equations! {
             damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta2 theta {
+            transmission_error_and_moving_phase => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
             moving_phase => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         zeta2 theta_c {
@@ -1671,6 +1736,7 @@ equations! {
             damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid;
         }
         eta2 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
             moving_phase => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         eta2 theta_c {
@@ -1743,6 +1809,7 @@ equations! {
             damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid;
         }
         u2 theta {
+            transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         u2 theta_c {
@@ -1803,6 +1870,7 @@ equations! {
             damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta3 theta {
+            transmission_error_and_moving_phase => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
             moving_phase => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         zeta3 theta_c {
@@ -1872,6 +1940,7 @@ equations! {
             damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid;
         }
         eta3 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
             moving_phase => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         eta3 theta_c {
@@ -1944,6 +2013,7 @@ equations! {
             damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid;
         }
         u3 theta {
+            transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         u3 theta_c {
@@ -2004,6 +2074,7 @@ equations! {
             damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta4 theta {
+            transmission_error_and_moving_phase => sin_a*k_r4*de_r4 - sin_a*k_s4*de_s4;
             moving_phase => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
         }
         zeta4 theta_c {
@@ -2073,6 +2144,7 @@ equations! {
             damping => sin_a*beta_K*k_r4_mid + sin_a*beta_K*k_s4_mid;
         }
         eta4 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r4*de_r4 - cos_a*k_s4*de_s4;
             moving_phase => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
         }
         eta4 theta_c {
@@ -2145,6 +2217,7 @@ equations! {
             damping => cos_a*beta_K*k_s4_mid - cos_a*beta_K*k_r4_mid;
         }
         u4 theta {
+            transmission_error_and_moving_phase => k_s4*de_s4 - k_r4*de_r4;
             moving_phase => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         u4 theta_c {
@@ -3007,7 +3080,59 @@ equations! {
                 torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             }
             theta_c {
+                _ => -h*Z_r*k_r1*e_r1 - h*Z_r*k_r2*e_r2 - h*Z_r*k_r3*e_r3 - h*Z_r*k_r4*e_r4;
                 torques => T_motor - T_load;
+            }
+            theta_r {
+                _ => h*Z_r*k_r1*e_r1 + h*Z_r*k_r2*e_r2 + h*Z_r*k_r3*e_r3 + h*Z_r*k_r4*e_r4;
+            }
+            x_s {
+                _ => -sin_s1*k_s1*e_s1 - sin_s2*k_s2*e_s2 - sin_s3*k_s3*e_s3 - sin_s4*k_s4*e_s4;
+            }
+            y_s {
+                _ => cos_s1*k_s1*e_s1 + cos_s2*k_s2*e_s2 + cos_s3*k_s3*e_s3 + cos_s4*k_s4*e_s4;
+            }
+            x_r {
+                _ => -sin_r1*k_r1*e_r1 - sin_r2*k_r2*e_r2 - sin_r3*k_r3*e_r3 - sin_r4*k_r4*e_r4;
+            }
+            y_r {
+                _ => cos_r1*k_r1*e_r1 + cos_r2*k_r2*e_r2 + cos_r3*k_r3*e_r3 + cos_r4*k_r4*e_r4;
+            }
+            zeta1 {
+                _ => sin_a*k_r1*e_r1 - sin_a*k_s1*e_s1;
+            }
+            eta1 {
+                _ => -cos_a*k_r1*e_r1 - cos_a*k_s1*e_s1;
+            }
+            u1 {
+                _ => k_s1*e_s1 - k_r1*e_r1;
+            }
+            zeta2 {
+                _ => sin_a*k_r2*e_r2 - sin_a*k_s2*e_s2;
+            }
+            eta2 {
+                _ => -cos_a*k_r2*e_r2 - cos_a*k_s2*e_s2;
+            }
+            u2 {
+                _ => k_s2*e_s2 - k_r2*e_r2;
+            }
+            zeta3 {
+                _ => sin_a*k_r3*e_r3 - sin_a*k_s3*e_s3;
+            }
+            eta3 {
+                _ => -cos_a*k_r3*e_r3 - cos_a*k_s3*e_s3;
+            }
+            u3 {
+                _ => k_s3*e_s3 - k_r3*e_r3;
+            }
+            zeta4 {
+                _ => sin_a*k_r4*e_r4 - sin_a*k_s4*e_s4;
+            }
+            eta4 {
+                _ => -cos_a*k_r4*e_r4 - cos_a*k_s4*e_s4;
+            }
+            u4 {
+                _ => k_s4*e_s4 - k_r4*e_r4;
             }
         }
     }
@@ -3091,6 +3216,86 @@ equations! {
             _ => dk_r4*delta_r4.powi(2)/2.0;
         }
     }
+    jump e_s1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1;
+        }
+    }
+    jump e_r1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1;
+        }
+    }
+    jump e_s2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2;
+        }
+    }
+    jump e_r2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2;
+        }
+    }
+    jump e_s3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3;
+        }
+    }
+    jump e_r3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3;
+        }
+    }
+    jump e_s4 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s4*de_s4.powi(2)/2.0 - k_s4*de_s4*delta_s4;
+        }
+    }
+    jump e_r4 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r4*de_r4.powi(2)/2.0 - k_r4*de_r4*delta_r4;
+        }
+    }
 
     text {
         "T = (I_c*(theta_c_dot + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_r*theta_r_dot^2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2 + m_c*x_c_dot^2 + m_c*y_c_dot^2 + m_p*zeta1_dot^2 + m_p*zeta2_dot^2 + m_p*zeta3_dot^2 + m_p*zeta4_dot^2 + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta4_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_r*x_r_dot^2 + m_r*y_r_dot^2 + m_s*x_s_dot^2 + m_s*y_s_dot^2)/2";
@@ -3148,21 +3353,29 @@ equations! {
         "sin_r4 = sin(alpha + psi4)";
         "radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c";
         "tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c";
-        "delta_s1 = u1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s";
-        "delta_r1 = cos_r1*y_r - u1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r";
+        "delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s";
+        "delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r";
         "radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c";
         "tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c";
-        "delta_s2 = u2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s";
-        "delta_r2 = cos_r2*y_r - u2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r";
+        "delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s";
+        "delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r";
         "radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c";
         "tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c";
-        "delta_s3 = u3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s";
-        "delta_r3 = cos_r3*y_r - u3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r";
+        "delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s";
+        "delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r";
         "radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c";
         "tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c";
-        "delta_s4 = u4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s";
-        "delta_r4 = cos_r4*y_r - u4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r";
-        "(I_c/Z_r^2 - 8*h*I_p/(r_p*Z_r) + 4*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 4*a^2*m_p/Z_r^2 + 4*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 4*h*I_p/r_p + 4*I_p/Z_r + I_s/Z_r + I_s/Z_s + 4*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + 4*h*I_p*alpha_M*theta_c_dot/r_p + 8*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 4*I_p*alpha_M*theta_dot/Z_r^2 - 4*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 4*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 4*a^2*alpha_M*m_p*theta_c_dot/Z_r - 4*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2)/2 [jump terms]";
+        "delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s";
+        "delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r";
+        "e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1";
+        "e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1";
+        "e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2";
+        "e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2";
+        "e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3";
+        "e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3";
+        "e_s4 = 0 without transmission error; the rates are those of the coordinates, without that of e_s4";
+        "e_r4 = 0 without transmission error; the rates are those of the coordinates, without that of e_r4";
+        "(I_c/Z_r^2 - 8*h*I_p/(r_p*Z_r) + 4*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 4*a^2*m_p/Z_r^2 + 4*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 4*h*I_p/r_p + 4*I_p/Z_r + I_s/Z_r + I_s/Z_s + 4*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + 4*h*I_p*alpha_M*theta_c_dot/r_p + 8*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 4*I_p*alpha_M*theta_dot/Z_r^2 - 4*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 4*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 4*a^2*alpha_M*m_p*theta_c_dot/Z_r - 4*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2)/2 [jump terms]";
         "(I_c/Z_r - 4*h*I_p/r_p + 4*I_p/Z_r + I_s/Z_r + I_s/Z_s + 4*a^2*m_p/Z_r) theta'' + (I_c + 4*I_p + I_s + 4*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' + (a*m_p) eta4'' + (I_p/r_p) u4'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot - a*alpha_M*m_p*eta4_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + 4*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 4*I_p*alpha_M*theta_c_dot - 4*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 4*a^2*alpha_M*m_p*theta_c_dot - 4*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p [damping]";
         "(I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]";
         "(m_s) x_s'' = sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 + sin_s4*k_s4*delta_s4 - kb_s*x_s + sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot + sin_s4*beta_K*k_s4_mid*delta_s4_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot [damping]";
@@ -3191,6 +3404,14 @@ equations! {
         "at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)";
         "at a step dk_s4 of k_s4 in theta: v+^2 = v-^2 - 2*G*(dk_s4*delta_s4^2/2)";
         "at a step dk_r4 of k_r4 in theta: v+^2 = v-^2 - 2*G*(dk_r4*delta_r4^2/2)";
+        "at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)";
+        "at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)";
+        "at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)";
+        "at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)";
+        "at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)";
+        "at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)";
+        "at a step de_s4 of e_s4 in theta: v+^2 = v-^2 - 2*G*(k_s4*de_s4^2/2 - k_s4*de_s4*delta_s4)";
+        "at a step de_r4 of e_r4 in theta: v+^2 = v-^2 - 2*G*(k_r4*de_r4^2/2 - k_r4*de_r4*delta_r4)";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
@@ -3249,21 +3470,21 @@ equations! {
         "\\mathrm{sin}_{r4} = \\sin\\left(\\alpha + \\psi_{4}\\right)";
         "\\mathrm{radial}_{1} = \\mathrm{cos}_{c1}\\, x_{c} - \\zeta_{1} + \\mathrm{sin}_{c1}\\, y_{c}";
         "\\mathrm{tangential}_{1} = \\mathrm{cos}_{c1}\\, y_{c} - \\eta_{1} - \\mathrm{sin}_{c1}\\, x_{c}";
-        "\\delta_{s1} = u_{1} - \\mathrm{cos}_{a}\\, \\eta_{1} + \\mathrm{cos}_{s1}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{s1}\\, x_{s}";
-        "\\delta_{r1} = \\mathrm{cos}_{r1}\\, y_{r} - u_{1} - \\mathrm{cos}_{a}\\, \\eta_{1} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{r1}\\, x_{r}";
+        "\\delta_{s1} = u_{1} - e_{s1} - \\mathrm{cos}_{a}\\, \\eta_{1} + \\mathrm{cos}_{s1}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{s1}\\, x_{s}";
+        "\\delta_{r1} = \\mathrm{cos}_{r1}\\, y_{r} - u_{1} - e_{r1} - \\mathrm{cos}_{a}\\, \\eta_{1} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{r1}\\, x_{r}";
         "\\mathrm{radial}_{2} = \\mathrm{cos}_{c2}\\, x_{c} - \\zeta_{2} + \\mathrm{sin}_{c2}\\, y_{c}";
         "\\mathrm{tangential}_{2} = \\mathrm{cos}_{c2}\\, y_{c} - \\eta_{2} - \\mathrm{sin}_{c2}\\, x_{c}";
-        "\\delta_{s2} = u_{2} - \\mathrm{cos}_{a}\\, \\eta_{2} + \\mathrm{cos}_{s2}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{s2}\\, x_{s}";
-        "\\delta_{r2} = \\mathrm{cos}_{r2}\\, y_{r} - u_{2} - \\mathrm{cos}_{a}\\, \\eta_{2} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{r2}\\, x_{r}";
+        "\\delta_{s2} = u_{2} - e_{s2} - \\mathrm{cos}_{a}\\, \\eta_{2} + \\mathrm{cos}_{s2}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{s2}\\, x_{s}";
+        "\\delta_{r2} = \\mathrm{cos}_{r2}\\, y_{r} - u_{2} - e_{r2} - \\mathrm{cos}_{a}\\, \\eta_{2} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{r2}\\, x_{r}";
         "\\mathrm{radial}_{3} = \\mathrm{cos}_{c3}\\, x_{c} - \\zeta_{3} + \\mathrm{sin}_{c3}\\, y_{c}";
         "\\mathrm{tangential}_{3} = \\mathrm{cos}_{c3}\\, y_{c} - \\eta_{3} - \\mathrm{sin}_{c3}\\, x_{c}";
-        "\\delta_{s3} = u_{3} - \\mathrm{cos}_{a}\\, \\eta_{3} + \\mathrm{cos}_{s3}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{s3}\\, x_{s}";
-        "\\delta_{r3} = \\mathrm{cos}_{r3}\\, y_{r} - u_{3} - \\mathrm{cos}_{a}\\, \\eta_{3} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{r3}\\, x_{r}";
+        "\\delta_{s3} = u_{3} - e_{s3} - \\mathrm{cos}_{a}\\, \\eta_{3} + \\mathrm{cos}_{s3}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{s3}\\, x_{s}";
+        "\\delta_{r3} = \\mathrm{cos}_{r3}\\, y_{r} - u_{3} - e_{r3} - \\mathrm{cos}_{a}\\, \\eta_{3} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{r3}\\, x_{r}";
         "\\mathrm{radial}_{4} = \\mathrm{cos}_{c4}\\, x_{c} - \\zeta_{4} + \\mathrm{sin}_{c4}\\, y_{c}";
         "\\mathrm{tangential}_{4} = \\mathrm{cos}_{c4}\\, y_{c} - \\eta_{4} - \\mathrm{sin}_{c4}\\, x_{c}";
-        "\\delta_{s4} = u_{4} - \\mathrm{cos}_{a}\\, \\eta_{4} + \\mathrm{cos}_{s4}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{s4}\\, x_{s}";
-        "\\delta_{r4} = \\mathrm{cos}_{r4}\\, y_{r} - u_{4} - \\mathrm{cos}_{a}\\, \\eta_{4} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{r4}\\, x_{r}";
-        "(\\frac{I_{c}}{Z_{r}^{2}} - \\frac{8\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{4\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{4\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{4\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{c}}{Z_{r}} - \\frac{4\\, h\\, I_{p}}{r_{p}} + \\frac{4\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{4\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{4}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{4}} = \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{4}}}{Z_{r}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}^{2}} + \\frac{4\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{8\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{4\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{4\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{4\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{4\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{4\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}\\, Z_{r}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{r4}'\\, \\delta_{r4}^{2} - k_{s1}'\\, \\delta_{s1}^{2} - k_{s2}'\\, \\delta_{s2}^{2} - k_{s3}'\\, \\delta_{s3}^{2} - k_{s4}'\\, \\delta_{s4}^{2})\\ [\\text{jump terms}]";
+        "\\delta_{s4} = u_{4} - e_{s4} - \\mathrm{cos}_{a}\\, \\eta_{4} + \\mathrm{cos}_{s4}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{s4}\\, x_{s}";
+        "\\delta_{r4} = \\mathrm{cos}_{r4}\\, y_{r} - u_{4} - e_{r4} - \\mathrm{cos}_{a}\\, \\eta_{4} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{r4}\\, x_{r}";
+        "(\\frac{I_{c}}{Z_{r}^{2}} - \\frac{8\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{4\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{4\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{4\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{c}}{Z_{r}} - \\frac{4\\, h\\, I_{p}}{r_{p}} + \\frac{4\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{4\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{4}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{4}} = k_{r1}\\, e_{r1}'\\, \\delta_{r1} + k_{r2}\\, e_{r2}'\\, \\delta_{r2} + k_{r3}\\, e_{r3}'\\, \\delta_{r3} + k_{r4}\\, e_{r4}'\\, \\delta_{r4} + k_{s1}\\, e_{s1}'\\, \\delta_{s1} + k_{s2}\\, e_{s2}'\\, \\delta_{s2} + k_{s3}\\, e_{s3}'\\, \\delta_{s3} + k_{s4}\\, e_{s4}'\\, \\delta_{s4}\\ [\\text{transmission error, jump terms}] + \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{4}}}{Z_{r}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}^{2}} + \\frac{4\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{8\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{4\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{4\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{4\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{4\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{4\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}\\, Z_{r}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{r4}'\\, \\delta_{r4}^{2} - k_{s1}'\\, \\delta_{s1}^{2} - k_{s2}'\\, \\delta_{s2}^{2} - k_{s3}'\\, \\delta_{s3}^{2} - k_{s4}'\\, \\delta_{s4}^{2})\\ [\\text{jump terms}]";
         "(\\frac{I_{c}}{Z_{r}} - \\frac{4\\, h\\, I_{p}}{r_{p}} + \\frac{4\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{4\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (I_{c} + 4\\, I_{p} + I_{s} + 4\\, a^{2}\\, m_{p}) \\ddot{\\theta_{c}} + (a\\, m_{p}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{1}} + (a\\, m_{p}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{2}} + (a\\, m_{p}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{3}} + (a\\, m_{p}) \\ddot{\\eta_{4}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{4}} = h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} + h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} + h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} + h\\, Z_{r}\\, k_{r4}\\, \\delta_{r4} + T_{motor} - T_{load}\\ [\\text{torques}] + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{4}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} + \\frac{4\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}} - I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - 4\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{4\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}} - 4\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{4\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}}\\ [\\text{damping}]";
         "(I_{r}) \\ddot{\\theta_{r}} = -h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} - h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} - h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} - h\\, Z_{r}\\, k_{r4}\\, \\delta_{r4} - k_{r}\\, \\theta_{r} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} - I_{r}\\, \\alpha_{M}\\, \\dot{\\theta_{r}} - \\beta_{K}\\, k_{r}\\, \\dot{\\theta_{r}}\\ [\\text{damping}]";
         "(m_{s}) \\ddot{x_{s}} = \\mathrm{sin}_{s1}\\, k_{s1}\\, \\delta_{s1} + \\mathrm{sin}_{s2}\\, k_{s2}\\, \\delta_{s2} + \\mathrm{sin}_{s3}\\, k_{s3}\\, \\delta_{s3} + \\mathrm{sin}_{s4}\\, k_{s4}\\, \\delta_{s4} - \\mathrm{kb}_{s}\\, x_{s} + \\mathrm{sin}_{s1}\\, \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} + \\mathrm{sin}_{s2}\\, \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} + \\mathrm{sin}_{s3}\\, \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} + \\mathrm{sin}_{s4}\\, \\beta_{K}\\, \\bar{k_{s4}}\\, \\dot{\\delta_{s4}} - \\alpha_{M}\\, m_{s}\\, \\dot{x_{s}} - \\beta_{K}\\, \\mathrm{kb}_{s}\\, \\dot{x_{s}}\\ [\\text{damping}]";

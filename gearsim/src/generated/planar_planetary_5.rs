@@ -81,30 +81,40 @@
 //! ```text
 //! radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c
 //! tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c
-//! delta_s1 = u1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s
-//! delta_r1 = cos_r1*y_r - u1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r
+//! delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s
+//! delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r
 //! radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c
 //! tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c
-//! delta_s2 = u2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s
-//! delta_r2 = cos_r2*y_r - u2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r
+//! delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s
+//! delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r
 //! radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c
 //! tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c
-//! delta_s3 = u3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s
-//! delta_r3 = cos_r3*y_r - u3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r
+//! delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s
+//! delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r
 //! radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c
 //! tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c
-//! delta_s4 = u4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s
-//! delta_r4 = cos_r4*y_r - u4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r
+//! delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s
+//! delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r
 //! radial5 = cos_c5*x_c - zeta5 + sin_c5*y_c
 //! tangential5 = cos_c5*y_c - eta5 - sin_c5*x_c
-//! delta_s5 = u5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s
-//! delta_r5 = cos_r5*y_r - u5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r
+//! delta_s5 = u5 - e_s5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s
+//! delta_r5 = cos_r5*y_r - u5 - e_r5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r
+//! e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1
+//! e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1
+//! e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2
+//! e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2
+//! e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3
+//! e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3
+//! e_s4 = 0 without transmission error; the rates are those of the coordinates, without that of e_s4
+//! e_r4 = 0 without transmission error; the rates are those of the coordinates, without that of e_r4
+//! e_s5 = 0 without transmission error; the rates are those of the coordinates, without that of e_s5
+//! e_r5 = 0 without transmission error; the rates are those of the coordinates, without that of e_r5
 //! ```
 //!
 //! # Equations of motion
 //!
 //! ```text
-//! (I_c/Z_r^2 - 10*h*I_p/(r_p*Z_r) + 5*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 5*a^2*m_p/Z_r^2 + 5*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (a*m_p/Z_r) eta5'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r - a*alpha_M*m_p*eta5_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + 5*h*I_p*alpha_M*theta_c_dot/r_p + 10*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 5*I_p*alpha_M*theta_dot/Z_r^2 - 5*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 5*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 5*a^2*alpha_M*m_p*theta_c_dot/Z_r - 5*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2 - dk_s5*delta_s5^2)/2 [jump terms]
+//! (I_c/Z_r^2 - 10*h*I_p/(r_p*Z_r) + 5*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 5*a^2*m_p/Z_r^2 + 5*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (a*m_p/Z_r) eta5'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_r5*de_r5*delta_r5 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4 + k_s5*de_s5*delta_s5 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r - a*alpha_M*m_p*eta5_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + 5*h*I_p*alpha_M*theta_c_dot/r_p + 10*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 5*I_p*alpha_M*theta_dot/Z_r^2 - 5*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 5*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 5*a^2*alpha_M*m_p*theta_c_dot/Z_r - 5*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2 - dk_s5*delta_s5^2)/2 [jump terms]
 //! (I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta'' + (I_c + 5*I_p + I_s + 5*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' + (a*m_p) eta4'' + (I_p/r_p) u4'' + (a*m_p) eta5'' + (I_p/r_p) u5'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot - a*alpha_M*m_p*eta4_dot - a*alpha_M*m_p*eta5_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot + 5*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 5*I_p*alpha_M*theta_c_dot - 5*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 5*a^2*alpha_M*m_p*theta_c_dot - 5*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p [damping]
 //! (I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]
 //! (m_s) x_s'' = sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 + sin_s4*k_s4*delta_s4 + sin_s5*k_s5*delta_s5 - kb_s*x_s + sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot + sin_s4*beta_K*k_s4_mid*delta_s4_dot + sin_s5*beta_K*k_s5_mid*delta_s5_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot [damping]
@@ -130,7 +140,7 @@
 //! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u5'' = k_r5*delta_r5 - k_s5*delta_s5 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r5_mid*delta_r5_dot - beta_K*k_s5_mid*delta_s5_dot - I_p*alpha_M*u5_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
 //! ```
 //!
-//! # At a step of a stiffness
+//! # At a step of a stiffness or a transmission error
 //!
 //! ```text
 //! at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*delta_s1^2/2)
@@ -143,6 +153,16 @@
 //! at a step dk_r4 of k_r4 in theta: v+^2 = v-^2 - 2*G*(dk_r4*delta_r4^2/2)
 //! at a step dk_s5 of k_s5 in theta: v+^2 = v-^2 - 2*G*(dk_s5*delta_s5^2/2)
 //! at a step dk_r5 of k_r5 in theta: v+^2 = v-^2 - 2*G*(dk_r5*delta_r5^2/2)
+//! at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)
+//! at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)
+//! at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)
+//! at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)
+//! at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)
+//! at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)
+//! at a step de_s4 of e_s4 in theta: v+^2 = v-^2 - 2*G*(k_s4*de_s4^2/2 - k_s4*de_s4*delta_s4)
+//! at a step de_r4 of e_r4 in theta: v+^2 = v-^2 - 2*G*(k_r4*de_r4^2/2 - k_r4*de_r4*delta_r4)
+//! at a step de_s5 of e_s5 in theta: v+^2 = v-^2 - 2*G*(k_s5*de_s5^2/2 - k_s5*de_s5*delta_s5)
+//! at a step de_r5 of e_r5 in theta: v+^2 = v-^2 - 2*G*(k_r5*de_r5^2/2 - k_r5*de_r5*delta_r5)
 //! ```
 //!
 //! # Between two steps
@@ -218,25 +238,25 @@
 //! \mathrm{sin}_{r5} = \sin\left(\alpha + \psi_{5}\right)
 //! \mathrm{radial}_{1} = \mathrm{cos}_{c1}\, x_{c} - \zeta_{1} + \mathrm{sin}_{c1}\, y_{c}
 //! \mathrm{tangential}_{1} = \mathrm{cos}_{c1}\, y_{c} - \eta_{1} - \mathrm{sin}_{c1}\, x_{c}
-//! \delta_{s1} = u_{1} - \mathrm{cos}_{a}\, \eta_{1} + \mathrm{cos}_{s1}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{s1}\, x_{s}
-//! \delta_{r1} = \mathrm{cos}_{r1}\, y_{r} - u_{1} - \mathrm{cos}_{a}\, \eta_{1} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{r1}\, x_{r}
+//! \delta_{s1} = u_{1} - e_{s1} - \mathrm{cos}_{a}\, \eta_{1} + \mathrm{cos}_{s1}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{s1}\, x_{s}
+//! \delta_{r1} = \mathrm{cos}_{r1}\, y_{r} - u_{1} - e_{r1} - \mathrm{cos}_{a}\, \eta_{1} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{r1}\, x_{r}
 //! \mathrm{radial}_{2} = \mathrm{cos}_{c2}\, x_{c} - \zeta_{2} + \mathrm{sin}_{c2}\, y_{c}
 //! \mathrm{tangential}_{2} = \mathrm{cos}_{c2}\, y_{c} - \eta_{2} - \mathrm{sin}_{c2}\, x_{c}
-//! \delta_{s2} = u_{2} - \mathrm{cos}_{a}\, \eta_{2} + \mathrm{cos}_{s2}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{s2}\, x_{s}
-//! \delta_{r2} = \mathrm{cos}_{r2}\, y_{r} - u_{2} - \mathrm{cos}_{a}\, \eta_{2} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{r2}\, x_{r}
+//! \delta_{s2} = u_{2} - e_{s2} - \mathrm{cos}_{a}\, \eta_{2} + \mathrm{cos}_{s2}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{s2}\, x_{s}
+//! \delta_{r2} = \mathrm{cos}_{r2}\, y_{r} - u_{2} - e_{r2} - \mathrm{cos}_{a}\, \eta_{2} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{r2}\, x_{r}
 //! \mathrm{radial}_{3} = \mathrm{cos}_{c3}\, x_{c} - \zeta_{3} + \mathrm{sin}_{c3}\, y_{c}
 //! \mathrm{tangential}_{3} = \mathrm{cos}_{c3}\, y_{c} - \eta_{3} - \mathrm{sin}_{c3}\, x_{c}
-//! \delta_{s3} = u_{3} - \mathrm{cos}_{a}\, \eta_{3} + \mathrm{cos}_{s3}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{s3}\, x_{s}
-//! \delta_{r3} = \mathrm{cos}_{r3}\, y_{r} - u_{3} - \mathrm{cos}_{a}\, \eta_{3} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{r3}\, x_{r}
+//! \delta_{s3} = u_{3} - e_{s3} - \mathrm{cos}_{a}\, \eta_{3} + \mathrm{cos}_{s3}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{s3}\, x_{s}
+//! \delta_{r3} = \mathrm{cos}_{r3}\, y_{r} - u_{3} - e_{r3} - \mathrm{cos}_{a}\, \eta_{3} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{r3}\, x_{r}
 //! \mathrm{radial}_{4} = \mathrm{cos}_{c4}\, x_{c} - \zeta_{4} + \mathrm{sin}_{c4}\, y_{c}
 //! \mathrm{tangential}_{4} = \mathrm{cos}_{c4}\, y_{c} - \eta_{4} - \mathrm{sin}_{c4}\, x_{c}
-//! \delta_{s4} = u_{4} - \mathrm{cos}_{a}\, \eta_{4} + \mathrm{cos}_{s4}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{s4}\, x_{s}
-//! \delta_{r4} = \mathrm{cos}_{r4}\, y_{r} - u_{4} - \mathrm{cos}_{a}\, \eta_{4} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{r4}\, x_{r}
+//! \delta_{s4} = u_{4} - e_{s4} - \mathrm{cos}_{a}\, \eta_{4} + \mathrm{cos}_{s4}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{s4}\, x_{s}
+//! \delta_{r4} = \mathrm{cos}_{r4}\, y_{r} - u_{4} - e_{r4} - \mathrm{cos}_{a}\, \eta_{4} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{4} - \mathrm{sin}_{r4}\, x_{r}
 //! \mathrm{radial}_{5} = \mathrm{cos}_{c5}\, x_{c} - \zeta_{5} + \mathrm{sin}_{c5}\, y_{c}
 //! \mathrm{tangential}_{5} = \mathrm{cos}_{c5}\, y_{c} - \eta_{5} - \mathrm{sin}_{c5}\, x_{c}
-//! \delta_{s5} = u_{5} - \mathrm{cos}_{a}\, \eta_{5} + \mathrm{cos}_{s5}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{5} - \mathrm{sin}_{s5}\, x_{s}
-//! \delta_{r5} = \mathrm{cos}_{r5}\, y_{r} - u_{5} - \mathrm{cos}_{a}\, \eta_{5} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{5} - \mathrm{sin}_{r5}\, x_{r}
-//! (\frac{I_{c}}{Z_{r}^{2}} - \frac{10\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{5\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{5\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{5\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{c}}{Z_{r}} - \frac{5\, h\, I_{p}}{r_{p}} + \frac{5\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{5\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{4}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{4}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{5}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{5}} = \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{4}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{5}}}{Z_{r}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}^{2}} + \frac{5\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{10\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{5\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{5\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{5\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{5\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{5\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}\, Z_{r}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{r4}'\, \delta_{r4}^{2} - k_{r5}'\, \delta_{r5}^{2} - k_{s1}'\, \delta_{s1}^{2} - k_{s2}'\, \delta_{s2}^{2} - k_{s3}'\, \delta_{s3}^{2} - k_{s4}'\, \delta_{s4}^{2} - k_{s5}'\, \delta_{s5}^{2})\ [\text{jump terms}]
+//! \delta_{s5} = u_{5} - e_{s5} - \mathrm{cos}_{a}\, \eta_{5} + \mathrm{cos}_{s5}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{5} - \mathrm{sin}_{s5}\, x_{s}
+//! \delta_{r5} = \mathrm{cos}_{r5}\, y_{r} - u_{5} - e_{r5} - \mathrm{cos}_{a}\, \eta_{5} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{5} - \mathrm{sin}_{r5}\, x_{r}
+//! (\frac{I_{c}}{Z_{r}^{2}} - \frac{10\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{5\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{5\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{5\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{c}}{Z_{r}} - \frac{5\, h\, I_{p}}{r_{p}} + \frac{5\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{5\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{4}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{4}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{5}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{5}} = k_{r1}\, e_{r1}'\, \delta_{r1} + k_{r2}\, e_{r2}'\, \delta_{r2} + k_{r3}\, e_{r3}'\, \delta_{r3} + k_{r4}\, e_{r4}'\, \delta_{r4} + k_{r5}\, e_{r5}'\, \delta_{r5} + k_{s1}\, e_{s1}'\, \delta_{s1} + k_{s2}\, e_{s2}'\, \delta_{s2} + k_{s3}\, e_{s3}'\, \delta_{s3} + k_{s4}\, e_{s4}'\, \delta_{s4} + k_{s5}\, e_{s5}'\, \delta_{s5}\ [\text{transmission error, jump terms}] + \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{4}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{5}}}{Z_{r}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}^{2}} + \frac{5\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{10\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{5\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{5\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{5\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{5\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{5\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}\, Z_{r}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{r4}'\, \delta_{r4}^{2} - k_{r5}'\, \delta_{r5}^{2} - k_{s1}'\, \delta_{s1}^{2} - k_{s2}'\, \delta_{s2}^{2} - k_{s3}'\, \delta_{s3}^{2} - k_{s4}'\, \delta_{s4}^{2} - k_{s5}'\, \delta_{s5}^{2})\ [\text{jump terms}]
 //! (\frac{I_{c}}{Z_{r}} - \frac{5\, h\, I_{p}}{r_{p}} + \frac{5\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{5\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta} + (I_{c} + 5\, I_{p} + I_{s} + 5\, a^{2}\, m_{p}) \ddot{\theta_{c}} + (a\, m_{p}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{1}} + (a\, m_{p}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{2}} + (a\, m_{p}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{3}} + (a\, m_{p}) \ddot{\eta_{4}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{4}} + (a\, m_{p}) \ddot{\eta_{5}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{5}} = h\, Z_{r}\, k_{r1}\, \delta_{r1} + h\, Z_{r}\, k_{r2}\, \delta_{r2} + h\, Z_{r}\, k_{r3}\, \delta_{r3} + h\, Z_{r}\, k_{r4}\, \delta_{r4} + h\, Z_{r}\, k_{r5}\, \delta_{r5} + T_{motor} - T_{load}\ [\text{torques}] + h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{4}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{5}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r5}}\, \dot{\delta_{r5}} + \frac{5\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}} - I_{c}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - 5\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{5\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{s}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}} - 5\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{5\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{4}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{5}}}{r_{p}}\ [\text{damping}]
 //! (I_{r}) \ddot{\theta_{r}} = -h\, Z_{r}\, k_{r1}\, \delta_{r1} - h\, Z_{r}\, k_{r2}\, \delta_{r2} - h\, Z_{r}\, k_{r3}\, \delta_{r3} - h\, Z_{r}\, k_{r4}\, \delta_{r4} - h\, Z_{r}\, k_{r5}\, \delta_{r5} - k_{r}\, \theta_{r} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r4}}\, \dot{\delta_{r4}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r5}}\, \dot{\delta_{r5}} - I_{r}\, \alpha_{M}\, \dot{\theta_{r}} - \beta_{K}\, k_{r}\, \dot{\theta_{r}}\ [\text{damping}]
 //! (m_{s}) \ddot{x_{s}} = \mathrm{sin}_{s1}\, k_{s1}\, \delta_{s1} + \mathrm{sin}_{s2}\, k_{s2}\, \delta_{s2} + \mathrm{sin}_{s3}\, k_{s3}\, \delta_{s3} + \mathrm{sin}_{s4}\, k_{s4}\, \delta_{s4} + \mathrm{sin}_{s5}\, k_{s5}\, \delta_{s5} - \mathrm{kb}_{s}\, x_{s} + \mathrm{sin}_{s1}\, \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} + \mathrm{sin}_{s2}\, \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} + \mathrm{sin}_{s3}\, \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} + \mathrm{sin}_{s4}\, \beta_{K}\, \bar{k_{s4}}\, \dot{\delta_{s4}} + \mathrm{sin}_{s5}\, \beta_{K}\, \bar{k_{s5}}\, \dot{\delta_{s5}} - \alpha_{M}\, m_{s}\, \dot{x_{s}} - \beta_{K}\, \mathrm{kb}_{s}\, \dot{x_{s}}\ [\text{damping}]
@@ -268,14 +288,14 @@
 //! - M is symmetric
 //! - every deflection is the sum of the coordinates by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
-//! - without the jump terms the balance fails: energy is created at the rate (dk_r1*delta_r1^2*theta_dot + dk_r2*delta_r2^2*theta_dot + dk_r3*delta_r3^2*theta_dot + dk_r4*delta_r4^2*theta_dot + dk_r5*delta_r5^2*theta_dot + dk_s1*delta_s1^2*theta_dot + dk_s2*delta_s2^2*theta_dot + dk_s3*delta_s3^2*theta_dot + dk_s4*delta_s4^2*theta_dot + dk_s5*delta_s5^2*theta_dot)/2
+//! - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_r4*de_r4*delta_r4*theta_dot - k_r5*de_r5*delta_r5*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot - k_s4*de_s4*delta_s4*theta_dot - k_s5*de_s5*delta_s5*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_r4*delta_r4^2*theta_dot/2 + dk_r5*delta_r5^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2 + dk_s4*delta_s4^2*theta_dot/2 + dk_s5*delta_s5^2*theta_dot/2
 //!
 //! # Operations, all effects present
 //!
 //! | output | sums | products, quotients | functions, roots |
 //! | --- | --- | --- | --- |
 //! | constants (once a scene) | 22 | 11 | 32 |
-//! | force | 255 | 830 | 0 |
+//! | force | 264 | 850 | 0 |
 //! | energy step of k_s1 | 0 | 3 | 0 |
 //! | energy step of k_r1 | 0 | 3 | 0 |
 //! | energy step of k_s2 | 0 | 3 | 0 |
@@ -286,6 +306,16 @@
 //! | energy step of k_r4 | 0 | 3 | 0 |
 //! | energy step of k_s5 | 0 | 3 | 0 |
 //! | energy step of k_r5 | 0 | 3 | 0 |
+//! | energy step of e_s1 | 1 | 5 | 0 |
+//! | energy step of e_r1 | 1 | 5 | 0 |
+//! | energy step of e_s2 | 1 | 5 | 0 |
+//! | energy step of e_r2 | 1 | 5 | 0 |
+//! | energy step of e_s3 | 1 | 5 | 0 |
+//! | energy step of e_r3 | 1 | 5 | 0 |
+//! | energy step of e_s4 | 1 | 5 | 0 |
+//! | energy step of e_r4 | 1 | 5 | 0 |
+//! | energy step of e_s5 | 1 | 5 | 0 |
+//! | energy step of e_r5 | 1 | 5 | 0 |
 
 use gearsim_macros::equations;
 
@@ -358,6 +388,16 @@ equations! {
         k_r4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 4 along the line of action";
         k_s5 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 5 along the line of action";
         k_r5 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 5 along the line of action";
+        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 1 along the line of action";
+        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 1 along the line of action";
+        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 2 along the line of action";
+        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 2 along the line of action";
+        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 3 along the line of action";
+        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 3 along the line of action";
+        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 4 along the line of action";
+        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 4 along the line of action";
+        e_s5 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 5 along the line of action";
+        e_r5 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 5 along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest";
@@ -366,12 +406,15 @@ equations! {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -414,24 +457,24 @@ equations! {
     deflections {
         radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c;
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
-        delta_s1 = u1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
-        delta_r1 = cos_r1*y_r - u1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
+        delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
+        delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
         radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c;
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
-        delta_s2 = u2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
-        delta_r2 = cos_r2*y_r - u2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
+        delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
+        delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
         radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c;
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
-        delta_s3 = u3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
-        delta_r3 = cos_r3*y_r - u3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
+        delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
+        delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
         radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c;
         tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c;
-        delta_s4 = u4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
-        delta_r4 = cos_r4*y_r - u4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
+        delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
+        delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
         radial5 = cos_c5*x_c - zeta5 + sin_c5*y_c;
         tangential5 = cos_c5*y_c - eta5 - sin_c5*x_c;
-        delta_s5 = u5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s;
-        delta_r5 = cos_r5*y_r - u5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r;
+        delta_s5 = u5 - e_s5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s;
+        delta_r5 = cos_r5*y_r - u5 - e_r5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r;
     }
     energies {
         kinetic {
@@ -621,6 +664,7 @@ equations! {
     }
     force {
         theta {
+            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_r5*de_r5*delta_r5 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4 + k_s5*de_s5*delta_s5;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r - a*alpha_M*m_p*eta5_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2) + h*I_p*alpha_M*u4_dot/r_p.powi(2) + h*I_p*alpha_M*u5_dot/r_p.powi(2) + 5.0*h*I_p*alpha_M*theta_c_dot/r_p + 10.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2) - I_c*alpha_M*theta_c_dot/Z_r - 5.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 5.0*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 5.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2) - 5.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 5.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r);
             jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_r4*delta_r4.powi(2) - dk_r5*delta_r5.powi(2) - dk_s1*delta_s1.powi(2) - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2) - dk_s4*delta_s4.powi(2) - dk_s5*delta_s5.powi(2))/2.0;
@@ -721,69 +765,91 @@ equations! {
     }
     jacobian {
         theta theta {
+            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + k_r5*dde_r5*delta_r5 - k_r5*de_r5.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + k_s4*dde_s4*delta_s4 - k_s4*de_s4.powi(2) + k_s5*dde_s5*delta_s5 - k_s5*de_s5.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2 + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_r4*dk_r4*delta_r4 + 2.0*de_r5*dk_r5*delta_r5 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3 + 2.0*de_s4*dk_s4*delta_s4 + 2.0*de_s5*dk_s5*delta_s5;
             jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_r4*delta_r4.powi(2) - ddk_r5*delta_r5.powi(2) - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2) - ddk_s4*delta_s4.powi(2) - ddk_s5*delta_s5.powi(2))/2.0;
         }
         theta theta_c {
+            transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4 - h*Z_r*k_r5*de_r5;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4 + h*Z_r*dk_r5*delta_r5;
         }
         theta theta_r {
+            transmission_error_and_jump_terms => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4 + h*Z_r*k_r5*de_r5;
             jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4 - h*Z_r*dk_r5*delta_r5;
         }
         theta x_s {
+            transmission_error_and_jump_terms => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3 - sin_s4*k_s4*de_s4 - sin_s5*k_s5*de_s5;
             jump_terms => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4 + sin_s5*dk_s5*delta_s5;
         }
         theta y_s {
+            transmission_error_and_jump_terms => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3 + cos_s4*k_s4*de_s4 + cos_s5*k_s5*de_s5;
             jump_terms => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4 - cos_s5*dk_s5*delta_s5;
         }
         theta x_r {
+            transmission_error_and_jump_terms => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3 - sin_r4*k_r4*de_r4 - sin_r5*k_r5*de_r5;
             jump_terms => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4 + sin_r5*dk_r5*delta_r5;
         }
         theta y_r {
+            transmission_error_and_jump_terms => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3 + cos_r4*k_r4*de_r4 + cos_r5*k_r5*de_r5;
             jump_terms => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4 - cos_r5*dk_r5*delta_r5;
         }
         theta zeta1 {
+            transmission_error_and_jump_terms => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
             jump_terms => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         theta eta1 {
+            transmission_error_and_jump_terms => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
             jump_terms => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         theta u1 {
+            transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         theta zeta2 {
+            transmission_error_and_jump_terms => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
             jump_terms => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         theta eta2 {
+            transmission_error_and_jump_terms => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
             jump_terms => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         theta u2 {
+            transmission_error_and_jump_terms => k_s2*de_s2 - k_r2*de_r2;
             jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         theta zeta3 {
+            transmission_error_and_jump_terms => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
             jump_terms => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         theta eta3 {
+            transmission_error_and_jump_terms => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
             jump_terms => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         theta u3 {
+            transmission_error_and_jump_terms => k_s3*de_s3 - k_r3*de_r3;
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta zeta4 {
+            transmission_error_and_jump_terms => sin_a*k_r4*de_r4 - sin_a*k_s4*de_s4;
             jump_terms => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
         }
         theta eta4 {
+            transmission_error_and_jump_terms => -cos_a*k_r4*de_r4 - cos_a*k_s4*de_s4;
             jump_terms => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
         }
         theta u4 {
+            transmission_error_and_jump_terms => k_s4*de_s4 - k_r4*de_r4;
             jump_terms => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         theta zeta5 {
+            transmission_error_and_jump_terms => sin_a*k_r5*de_r5 - sin_a*k_s5*de_s5;
             jump_terms => sin_a*dk_s5*delta_s5 - sin_a*dk_r5*delta_r5;
         }
         theta eta5 {
+            transmission_error_and_jump_terms => -cos_a*k_r5*de_r5 - cos_a*k_s5*de_s5;
             jump_terms => cos_a*dk_r5*delta_r5 + cos_a*dk_s5*delta_s5;
         }
         theta u5 {
+            transmission_error_and_jump_terms => k_s5*de_s5 - k_r5*de_r5;
             jump_terms => dk_r5*delta_r5 - dk_s5*delta_s5;
         }
         theta theta_dot {
@@ -823,6 +889,7 @@ equations! {
             damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
         }
         theta_c theta {
+            transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4 - h*Z_r*k_r5*de_r5;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4 + h*Z_r*dk_r5*delta_r5;
         }
         theta_c theta_c {
@@ -943,6 +1010,7 @@ equations! {
             damping => -h*Z_r*beta_K*k_r5_mid - I_p*alpha_M/r_p;
         }
         theta_r theta {
+            transmission_error_and_moving_phase => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4 + h*Z_r*k_r5*de_r5;
             moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4 - h*Z_r*dk_r5*delta_r5;
         }
         theta_r theta_c {
@@ -1060,6 +1128,7 @@ equations! {
             damping => h*Z_r*beta_K*k_r5_mid;
         }
         x_s theta {
+            transmission_error_and_moving_phase => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3 - sin_s4*k_s4*de_s4 - sin_s5*k_s5*de_s5;
             moving_phase => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4 + sin_s5*dk_s5*delta_s5;
         }
         x_s x_s {
@@ -1165,6 +1234,7 @@ equations! {
             damping => sin_s5*beta_K*k_s5_mid;
         }
         y_s theta {
+            transmission_error_and_moving_phase => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3 + cos_s4*k_s4*de_s4 + cos_s5*k_s5*de_s5;
             moving_phase => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4 - cos_s5*dk_s5*delta_s5;
         }
         y_s x_s {
@@ -1402,6 +1472,7 @@ equations! {
             damping => cos_c5*beta_K*kb_p;
         }
         x_r theta {
+            transmission_error_and_moving_phase => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3 - sin_r4*k_r4*de_r4 - sin_r5*k_r5*de_r5;
             moving_phase => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4 + sin_r5*dk_r5*delta_r5;
         }
         x_r theta_c {
@@ -1519,6 +1590,7 @@ equations! {
             damping => -sin_r5*beta_K*k_r5_mid;
         }
         y_r theta {
+            transmission_error_and_moving_phase => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3 + cos_r4*k_r4*de_r4 + cos_r5*k_r5*de_r5;
             moving_phase => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4 - cos_r5*dk_r5*delta_r5;
         }
         y_r theta_c {
@@ -1636,6 +1708,7 @@ equations! {
             damping => cos_r5*beta_K*k_r5_mid;
         }
         zeta1 theta {
+            transmission_error_and_moving_phase => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
             moving_phase => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         zeta1 theta_c {
@@ -1705,6 +1778,7 @@ equations! {
             damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid;
         }
         eta1 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
             moving_phase => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         eta1 theta_c {
@@ -1777,6 +1851,7 @@ equations! {
             damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid;
         }
         u1 theta {
+            transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         u1 theta_c {
@@ -1837,6 +1912,7 @@ equations! {
             damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta2 theta {
+            transmission_error_and_moving_phase => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
             moving_phase => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         zeta2 theta_c {
@@ -1906,6 +1982,7 @@ equations! {
             damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid;
         }
         eta2 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
             moving_phase => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         eta2 theta_c {
@@ -1978,6 +2055,7 @@ equations! {
             damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid;
         }
         u2 theta {
+            transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         u2 theta_c {
@@ -2038,6 +2116,7 @@ equations! {
             damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta3 theta {
+            transmission_error_and_moving_phase => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
             moving_phase => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         zeta3 theta_c {
@@ -2107,6 +2186,7 @@ equations! {
             damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid;
         }
         eta3 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
             moving_phase => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         eta3 theta_c {
@@ -2179,6 +2259,7 @@ equations! {
             damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid;
         }
         u3 theta {
+            transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         u3 theta_c {
@@ -2239,6 +2320,7 @@ equations! {
             damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta4 theta {
+            transmission_error_and_moving_phase => sin_a*k_r4*de_r4 - sin_a*k_s4*de_s4;
             moving_phase => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
         }
         zeta4 theta_c {
@@ -2308,6 +2390,7 @@ equations! {
             damping => sin_a*beta_K*k_r4_mid + sin_a*beta_K*k_s4_mid;
         }
         eta4 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r4*de_r4 - cos_a*k_s4*de_s4;
             moving_phase => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
         }
         eta4 theta_c {
@@ -2380,6 +2463,7 @@ equations! {
             damping => cos_a*beta_K*k_s4_mid - cos_a*beta_K*k_r4_mid;
         }
         u4 theta {
+            transmission_error_and_moving_phase => k_s4*de_s4 - k_r4*de_r4;
             moving_phase => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         u4 theta_c {
@@ -2440,6 +2524,7 @@ equations! {
             damping => -beta_K*k_r4_mid - beta_K*k_s4_mid - I_p*alpha_M/r_p.powi(2);
         }
         zeta5 theta {
+            transmission_error_and_moving_phase => sin_a*k_r5*de_r5 - sin_a*k_s5*de_s5;
             moving_phase => sin_a*dk_s5*delta_s5 - sin_a*dk_r5*delta_r5;
         }
         zeta5 theta_c {
@@ -2509,6 +2594,7 @@ equations! {
             damping => sin_a*beta_K*k_r5_mid + sin_a*beta_K*k_s5_mid;
         }
         eta5 theta {
+            transmission_error_and_moving_phase => -cos_a*k_r5*de_r5 - cos_a*k_s5*de_s5;
             moving_phase => cos_a*dk_r5*delta_r5 + cos_a*dk_s5*delta_s5;
         }
         eta5 theta_c {
@@ -2581,6 +2667,7 @@ equations! {
             damping => cos_a*beta_K*k_s5_mid - cos_a*beta_K*k_r5_mid;
         }
         u5 theta {
+            transmission_error_and_moving_phase => k_s5*de_s5 - k_r5*de_r5;
             moving_phase => dk_r5*delta_r5 - dk_s5*delta_s5;
         }
         u5 theta_c {
@@ -3617,7 +3704,68 @@ equations! {
                 torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             }
             theta_c {
+                _ => -h*Z_r*k_r1*e_r1 - h*Z_r*k_r2*e_r2 - h*Z_r*k_r3*e_r3 - h*Z_r*k_r4*e_r4 - h*Z_r*k_r5*e_r5;
                 torques => T_motor - T_load;
+            }
+            theta_r {
+                _ => h*Z_r*k_r1*e_r1 + h*Z_r*k_r2*e_r2 + h*Z_r*k_r3*e_r3 + h*Z_r*k_r4*e_r4 + h*Z_r*k_r5*e_r5;
+            }
+            x_s {
+                _ => -sin_s1*k_s1*e_s1 - sin_s2*k_s2*e_s2 - sin_s3*k_s3*e_s3 - sin_s4*k_s4*e_s4 - sin_s5*k_s5*e_s5;
+            }
+            y_s {
+                _ => cos_s1*k_s1*e_s1 + cos_s2*k_s2*e_s2 + cos_s3*k_s3*e_s3 + cos_s4*k_s4*e_s4 + cos_s5*k_s5*e_s5;
+            }
+            x_r {
+                _ => -sin_r1*k_r1*e_r1 - sin_r2*k_r2*e_r2 - sin_r3*k_r3*e_r3 - sin_r4*k_r4*e_r4 - sin_r5*k_r5*e_r5;
+            }
+            y_r {
+                _ => cos_r1*k_r1*e_r1 + cos_r2*k_r2*e_r2 + cos_r3*k_r3*e_r3 + cos_r4*k_r4*e_r4 + cos_r5*k_r5*e_r5;
+            }
+            zeta1 {
+                _ => sin_a*k_r1*e_r1 - sin_a*k_s1*e_s1;
+            }
+            eta1 {
+                _ => -cos_a*k_r1*e_r1 - cos_a*k_s1*e_s1;
+            }
+            u1 {
+                _ => k_s1*e_s1 - k_r1*e_r1;
+            }
+            zeta2 {
+                _ => sin_a*k_r2*e_r2 - sin_a*k_s2*e_s2;
+            }
+            eta2 {
+                _ => -cos_a*k_r2*e_r2 - cos_a*k_s2*e_s2;
+            }
+            u2 {
+                _ => k_s2*e_s2 - k_r2*e_r2;
+            }
+            zeta3 {
+                _ => sin_a*k_r3*e_r3 - sin_a*k_s3*e_s3;
+            }
+            eta3 {
+                _ => -cos_a*k_r3*e_r3 - cos_a*k_s3*e_s3;
+            }
+            u3 {
+                _ => k_s3*e_s3 - k_r3*e_r3;
+            }
+            zeta4 {
+                _ => sin_a*k_r4*e_r4 - sin_a*k_s4*e_s4;
+            }
+            eta4 {
+                _ => -cos_a*k_r4*e_r4 - cos_a*k_s4*e_s4;
+            }
+            u4 {
+                _ => k_s4*e_s4 - k_r4*e_r4;
+            }
+            zeta5 {
+                _ => sin_a*k_r5*e_r5 - sin_a*k_s5*e_s5;
+            }
+            eta5 {
+                _ => -cos_a*k_r5*e_r5 - cos_a*k_s5*e_s5;
+            }
+            u5 {
+                _ => k_s5*e_s5 - k_r5*e_r5;
             }
         }
     }
@@ -3721,6 +3869,106 @@ equations! {
             _ => dk_r5*delta_r5.powi(2)/2.0;
         }
     }
+    jump e_s1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1;
+        }
+    }
+    jump e_r1 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1;
+        }
+    }
+    jump e_s2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2;
+        }
+    }
+    jump e_r2 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2;
+        }
+    }
+    jump e_s3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3;
+        }
+    }
+    jump e_r3 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3;
+        }
+    }
+    jump e_s4 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s4*de_s4.powi(2)/2.0 - k_s4*de_s4*delta_s4;
+        }
+    }
+    jump e_r4 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r4*de_r4.powi(2)/2.0 - k_r4*de_r4*delta_r4;
+        }
+    }
+    jump e_s5 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_s5*de_s5.powi(2)/2.0 - k_s5*de_s5*delta_s5;
+        }
+    }
+    jump e_r5 {
+        normal {
+            theta {
+                _ => 1.0;
+            }
+        }
+        step {
+            _ => k_r5*de_r5.powi(2)/2.0 - k_r5*de_r5*delta_r5;
+        }
+    }
 
     text {
         "T = (I_c*(theta_c_dot + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_r*theta_r_dot^2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2 + m_c*x_c_dot^2 + m_c*y_c_dot^2 + m_p*zeta1_dot^2 + m_p*zeta2_dot^2 + m_p*zeta3_dot^2 + m_p*zeta4_dot^2 + m_p*zeta5_dot^2 + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta4_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta5_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_r*x_r_dot^2 + m_r*y_r_dot^2 + m_s*x_s_dot^2 + m_s*y_s_dot^2)/2";
@@ -3787,25 +4035,35 @@ equations! {
         "sin_r5 = sin(alpha + psi5)";
         "radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c";
         "tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c";
-        "delta_s1 = u1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s";
-        "delta_r1 = cos_r1*y_r - u1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r";
+        "delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s";
+        "delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r";
         "radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c";
         "tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c";
-        "delta_s2 = u2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s";
-        "delta_r2 = cos_r2*y_r - u2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r";
+        "delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s";
+        "delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r";
         "radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c";
         "tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c";
-        "delta_s3 = u3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s";
-        "delta_r3 = cos_r3*y_r - u3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r";
+        "delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s";
+        "delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r";
         "radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c";
         "tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c";
-        "delta_s4 = u4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s";
-        "delta_r4 = cos_r4*y_r - u4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r";
+        "delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s";
+        "delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r";
         "radial5 = cos_c5*x_c - zeta5 + sin_c5*y_c";
         "tangential5 = cos_c5*y_c - eta5 - sin_c5*x_c";
-        "delta_s5 = u5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s";
-        "delta_r5 = cos_r5*y_r - u5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r";
-        "(I_c/Z_r^2 - 10*h*I_p/(r_p*Z_r) + 5*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 5*a^2*m_p/Z_r^2 + 5*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (a*m_p/Z_r) eta5'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r - a*alpha_M*m_p*eta5_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + 5*h*I_p*alpha_M*theta_c_dot/r_p + 10*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 5*I_p*alpha_M*theta_dot/Z_r^2 - 5*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 5*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 5*a^2*alpha_M*m_p*theta_c_dot/Z_r - 5*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2 - dk_s5*delta_s5^2)/2 [jump terms]";
+        "delta_s5 = u5 - e_s5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s";
+        "delta_r5 = cos_r5*y_r - u5 - e_r5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r";
+        "e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1";
+        "e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1";
+        "e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2";
+        "e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2";
+        "e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3";
+        "e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3";
+        "e_s4 = 0 without transmission error; the rates are those of the coordinates, without that of e_s4";
+        "e_r4 = 0 without transmission error; the rates are those of the coordinates, without that of e_r4";
+        "e_s5 = 0 without transmission error; the rates are those of the coordinates, without that of e_s5";
+        "e_r5 = 0 without transmission error; the rates are those of the coordinates, without that of e_r5";
+        "(I_c/Z_r^2 - 10*h*I_p/(r_p*Z_r) + 5*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 5*a^2*m_p/Z_r^2 + 5*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (a*m_p/Z_r) eta4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (a*m_p/Z_r) eta5'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_r5*de_r5*delta_r5 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4 + k_s5*de_s5*delta_s5 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r - a*alpha_M*m_p*eta5_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + 5*h*I_p*alpha_M*theta_c_dot/r_p + 10*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 5*I_p*alpha_M*theta_dot/Z_r^2 - 5*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 5*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 5*a^2*alpha_M*m_p*theta_c_dot/Z_r - 5*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2 - dk_s5*delta_s5^2)/2 [jump terms]";
         "(I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta'' + (I_c + 5*I_p + I_s + 5*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' + (a*m_p) eta4'' + (I_p/r_p) u4'' + (a*m_p) eta5'' + (I_p/r_p) u5'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot - a*alpha_M*m_p*eta4_dot - a*alpha_M*m_p*eta5_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot + 5*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 5*I_p*alpha_M*theta_c_dot - 5*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 5*a^2*alpha_M*m_p*theta_c_dot - 5*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p [damping]";
         "(I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]";
         "(m_s) x_s'' = sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 + sin_s4*k_s4*delta_s4 + sin_s5*k_s5*delta_s5 - kb_s*x_s + sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot + sin_s4*beta_K*k_s4_mid*delta_s4_dot + sin_s5*beta_K*k_s5_mid*delta_s5_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot [damping]";
@@ -3839,6 +4097,16 @@ equations! {
         "at a step dk_r4 of k_r4 in theta: v+^2 = v-^2 - 2*G*(dk_r4*delta_r4^2/2)";
         "at a step dk_s5 of k_s5 in theta: v+^2 = v-^2 - 2*G*(dk_s5*delta_s5^2/2)";
         "at a step dk_r5 of k_r5 in theta: v+^2 = v-^2 - 2*G*(dk_r5*delta_r5^2/2)";
+        "at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)";
+        "at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)";
+        "at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)";
+        "at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)";
+        "at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)";
+        "at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)";
+        "at a step de_s4 of e_s4 in theta: v+^2 = v-^2 - 2*G*(k_s4*de_s4^2/2 - k_s4*de_s4*delta_s4)";
+        "at a step de_r4 of e_r4 in theta: v+^2 = v-^2 - 2*G*(k_r4*de_r4^2/2 - k_r4*de_r4*delta_r4)";
+        "at a step de_s5 of e_s5 in theta: v+^2 = v-^2 - 2*G*(k_s5*de_s5^2/2 - k_s5*de_s5*delta_s5)";
+        "at a step de_r5 of e_r5 in theta: v+^2 = v-^2 - 2*G*(k_r5*de_r5^2/2 - k_r5*de_r5*delta_r5)";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {
@@ -3906,25 +4174,25 @@ equations! {
         "\\mathrm{sin}_{r5} = \\sin\\left(\\alpha + \\psi_{5}\\right)";
         "\\mathrm{radial}_{1} = \\mathrm{cos}_{c1}\\, x_{c} - \\zeta_{1} + \\mathrm{sin}_{c1}\\, y_{c}";
         "\\mathrm{tangential}_{1} = \\mathrm{cos}_{c1}\\, y_{c} - \\eta_{1} - \\mathrm{sin}_{c1}\\, x_{c}";
-        "\\delta_{s1} = u_{1} - \\mathrm{cos}_{a}\\, \\eta_{1} + \\mathrm{cos}_{s1}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{s1}\\, x_{s}";
-        "\\delta_{r1} = \\mathrm{cos}_{r1}\\, y_{r} - u_{1} - \\mathrm{cos}_{a}\\, \\eta_{1} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{r1}\\, x_{r}";
+        "\\delta_{s1} = u_{1} - e_{s1} - \\mathrm{cos}_{a}\\, \\eta_{1} + \\mathrm{cos}_{s1}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{s1}\\, x_{s}";
+        "\\delta_{r1} = \\mathrm{cos}_{r1}\\, y_{r} - u_{1} - e_{r1} - \\mathrm{cos}_{a}\\, \\eta_{1} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{r1}\\, x_{r}";
         "\\mathrm{radial}_{2} = \\mathrm{cos}_{c2}\\, x_{c} - \\zeta_{2} + \\mathrm{sin}_{c2}\\, y_{c}";
         "\\mathrm{tangential}_{2} = \\mathrm{cos}_{c2}\\, y_{c} - \\eta_{2} - \\mathrm{sin}_{c2}\\, x_{c}";
-        "\\delta_{s2} = u_{2} - \\mathrm{cos}_{a}\\, \\eta_{2} + \\mathrm{cos}_{s2}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{s2}\\, x_{s}";
-        "\\delta_{r2} = \\mathrm{cos}_{r2}\\, y_{r} - u_{2} - \\mathrm{cos}_{a}\\, \\eta_{2} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{r2}\\, x_{r}";
+        "\\delta_{s2} = u_{2} - e_{s2} - \\mathrm{cos}_{a}\\, \\eta_{2} + \\mathrm{cos}_{s2}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{s2}\\, x_{s}";
+        "\\delta_{r2} = \\mathrm{cos}_{r2}\\, y_{r} - u_{2} - e_{r2} - \\mathrm{cos}_{a}\\, \\eta_{2} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{r2}\\, x_{r}";
         "\\mathrm{radial}_{3} = \\mathrm{cos}_{c3}\\, x_{c} - \\zeta_{3} + \\mathrm{sin}_{c3}\\, y_{c}";
         "\\mathrm{tangential}_{3} = \\mathrm{cos}_{c3}\\, y_{c} - \\eta_{3} - \\mathrm{sin}_{c3}\\, x_{c}";
-        "\\delta_{s3} = u_{3} - \\mathrm{cos}_{a}\\, \\eta_{3} + \\mathrm{cos}_{s3}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{s3}\\, x_{s}";
-        "\\delta_{r3} = \\mathrm{cos}_{r3}\\, y_{r} - u_{3} - \\mathrm{cos}_{a}\\, \\eta_{3} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{r3}\\, x_{r}";
+        "\\delta_{s3} = u_{3} - e_{s3} - \\mathrm{cos}_{a}\\, \\eta_{3} + \\mathrm{cos}_{s3}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{s3}\\, x_{s}";
+        "\\delta_{r3} = \\mathrm{cos}_{r3}\\, y_{r} - u_{3} - e_{r3} - \\mathrm{cos}_{a}\\, \\eta_{3} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{r3}\\, x_{r}";
         "\\mathrm{radial}_{4} = \\mathrm{cos}_{c4}\\, x_{c} - \\zeta_{4} + \\mathrm{sin}_{c4}\\, y_{c}";
         "\\mathrm{tangential}_{4} = \\mathrm{cos}_{c4}\\, y_{c} - \\eta_{4} - \\mathrm{sin}_{c4}\\, x_{c}";
-        "\\delta_{s4} = u_{4} - \\mathrm{cos}_{a}\\, \\eta_{4} + \\mathrm{cos}_{s4}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{s4}\\, x_{s}";
-        "\\delta_{r4} = \\mathrm{cos}_{r4}\\, y_{r} - u_{4} - \\mathrm{cos}_{a}\\, \\eta_{4} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{r4}\\, x_{r}";
+        "\\delta_{s4} = u_{4} - e_{s4} - \\mathrm{cos}_{a}\\, \\eta_{4} + \\mathrm{cos}_{s4}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{s4}\\, x_{s}";
+        "\\delta_{r4} = \\mathrm{cos}_{r4}\\, y_{r} - u_{4} - e_{r4} - \\mathrm{cos}_{a}\\, \\eta_{4} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{4} - \\mathrm{sin}_{r4}\\, x_{r}";
         "\\mathrm{radial}_{5} = \\mathrm{cos}_{c5}\\, x_{c} - \\zeta_{5} + \\mathrm{sin}_{c5}\\, y_{c}";
         "\\mathrm{tangential}_{5} = \\mathrm{cos}_{c5}\\, y_{c} - \\eta_{5} - \\mathrm{sin}_{c5}\\, x_{c}";
-        "\\delta_{s5} = u_{5} - \\mathrm{cos}_{a}\\, \\eta_{5} + \\mathrm{cos}_{s5}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{5} - \\mathrm{sin}_{s5}\\, x_{s}";
-        "\\delta_{r5} = \\mathrm{cos}_{r5}\\, y_{r} - u_{5} - \\mathrm{cos}_{a}\\, \\eta_{5} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{5} - \\mathrm{sin}_{r5}\\, x_{r}";
-        "(\\frac{I_{c}}{Z_{r}^{2}} - \\frac{10\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{5\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{5\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{5\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{c}}{Z_{r}} - \\frac{5\\, h\\, I_{p}}{r_{p}} + \\frac{5\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{5\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{4}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{4}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{5}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{5}} = \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{4}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{5}}}{Z_{r}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}^{2}} + \\frac{5\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{10\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{5\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{5\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{5\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{5\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{5\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}\\, Z_{r}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{r4}'\\, \\delta_{r4}^{2} - k_{r5}'\\, \\delta_{r5}^{2} - k_{s1}'\\, \\delta_{s1}^{2} - k_{s2}'\\, \\delta_{s2}^{2} - k_{s3}'\\, \\delta_{s3}^{2} - k_{s4}'\\, \\delta_{s4}^{2} - k_{s5}'\\, \\delta_{s5}^{2})\\ [\\text{jump terms}]";
+        "\\delta_{s5} = u_{5} - e_{s5} - \\mathrm{cos}_{a}\\, \\eta_{5} + \\mathrm{cos}_{s5}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{5} - \\mathrm{sin}_{s5}\\, x_{s}";
+        "\\delta_{r5} = \\mathrm{cos}_{r5}\\, y_{r} - u_{5} - e_{r5} - \\mathrm{cos}_{a}\\, \\eta_{5} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{5} - \\mathrm{sin}_{r5}\\, x_{r}";
+        "(\\frac{I_{c}}{Z_{r}^{2}} - \\frac{10\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{5\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{5\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{5\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{c}}{Z_{r}} - \\frac{5\\, h\\, I_{p}}{r_{p}} + \\frac{5\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{5\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{4}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{4}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{5}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{5}} = k_{r1}\\, e_{r1}'\\, \\delta_{r1} + k_{r2}\\, e_{r2}'\\, \\delta_{r2} + k_{r3}\\, e_{r3}'\\, \\delta_{r3} + k_{r4}\\, e_{r4}'\\, \\delta_{r4} + k_{r5}\\, e_{r5}'\\, \\delta_{r5} + k_{s1}\\, e_{s1}'\\, \\delta_{s1} + k_{s2}\\, e_{s2}'\\, \\delta_{s2} + k_{s3}\\, e_{s3}'\\, \\delta_{s3} + k_{s4}\\, e_{s4}'\\, \\delta_{s4} + k_{s5}\\, e_{s5}'\\, \\delta_{s5}\\ [\\text{transmission error, jump terms}] + \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{4}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{5}}}{Z_{r}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}^{2}} + \\frac{5\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{10\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{5\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{5\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{5\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{5\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{5\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}\\, Z_{r}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{r4}'\\, \\delta_{r4}^{2} - k_{r5}'\\, \\delta_{r5}^{2} - k_{s1}'\\, \\delta_{s1}^{2} - k_{s2}'\\, \\delta_{s2}^{2} - k_{s3}'\\, \\delta_{s3}^{2} - k_{s4}'\\, \\delta_{s4}^{2} - k_{s5}'\\, \\delta_{s5}^{2})\\ [\\text{jump terms}]";
         "(\\frac{I_{c}}{Z_{r}} - \\frac{5\\, h\\, I_{p}}{r_{p}} + \\frac{5\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{5\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (I_{c} + 5\\, I_{p} + I_{s} + 5\\, a^{2}\\, m_{p}) \\ddot{\\theta_{c}} + (a\\, m_{p}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{1}} + (a\\, m_{p}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{2}} + (a\\, m_{p}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{3}} + (a\\, m_{p}) \\ddot{\\eta_{4}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{4}} + (a\\, m_{p}) \\ddot{\\eta_{5}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{5}} = h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} + h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} + h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} + h\\, Z_{r}\\, k_{r4}\\, \\delta_{r4} + h\\, Z_{r}\\, k_{r5}\\, \\delta_{r5} + T_{motor} - T_{load}\\ [\\text{torques}] + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{4}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{5}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r5}}\\, \\dot{\\delta_{r5}} + \\frac{5\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}} - I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - 5\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{5\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}} - 5\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{5\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{4}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{5}}}{r_{p}}\\ [\\text{damping}]";
         "(I_{r}) \\ddot{\\theta_{r}} = -h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} - h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} - h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} - h\\, Z_{r}\\, k_{r4}\\, \\delta_{r4} - h\\, Z_{r}\\, k_{r5}\\, \\delta_{r5} - k_{r}\\, \\theta_{r} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r4}}\\, \\dot{\\delta_{r4}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r5}}\\, \\dot{\\delta_{r5}} - I_{r}\\, \\alpha_{M}\\, \\dot{\\theta_{r}} - \\beta_{K}\\, k_{r}\\, \\dot{\\theta_{r}}\\ [\\text{damping}]";
         "(m_{s}) \\ddot{x_{s}} = \\mathrm{sin}_{s1}\\, k_{s1}\\, \\delta_{s1} + \\mathrm{sin}_{s2}\\, k_{s2}\\, \\delta_{s2} + \\mathrm{sin}_{s3}\\, k_{s3}\\, \\delta_{s3} + \\mathrm{sin}_{s4}\\, k_{s4}\\, \\delta_{s4} + \\mathrm{sin}_{s5}\\, k_{s5}\\, \\delta_{s5} - \\mathrm{kb}_{s}\\, x_{s} + \\mathrm{sin}_{s1}\\, \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} + \\mathrm{sin}_{s2}\\, \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} + \\mathrm{sin}_{s3}\\, \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} + \\mathrm{sin}_{s4}\\, \\beta_{K}\\, \\bar{k_{s4}}\\, \\dot{\\delta_{s4}} + \\mathrm{sin}_{s5}\\, \\beta_{K}\\, \\bar{k_{s5}}\\, \\dot{\\delta_{s5}} - \\alpha_{M}\\, m_{s}\\, \\dot{x_{s}} - \\beta_{K}\\, \\mathrm{kb}_{s}\\, \\dot{x_{s}}\\ [\\text{damping}]";

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::gear::Direction;
-use super::{Gear, external, internal, mesh};
+use super::{Gear, external, internal, mesh, transmission_error};
 
 /// A stage's geometry, and how it turns.
 #[derive(Clone, Copy)]
@@ -71,7 +71,7 @@ pub fn stage(m: &mut Model) -> Stage {
 
 impl Stage {
     /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring
-    /// that turns by `theta_r`. Declares the planets' `m_p`, `I_p` and coordinates `u1`, ..., the laws `k_s1`, `k_r1`, ...
+    /// that turns by `theta_r`. Declares the planets' `m_p`, `I_p` and coordinates `u1`, ..., the laws `k_s1`, `k_r1`, ..., `e_s1`, `e_r1`, ...
     pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
         let (mass, inertia) = inertia(m);
         m.kinetic(half(n as i64 * mass * (self.named_a * self.theta_c.dot()).sq()));
@@ -124,10 +124,13 @@ impl Stage {
         r_p * self.theta_c - self.rho + beyond
     }
 
-    /// The meshes of planet `i` with sun and ring, from their deflections.
+    /// The meshes of planet `i` with sun and ring, from their deflections, with transmission errors.
     fn meshes(&self, m: &mut Model, i: usize, sun: Expr, ring: Expr) {
-        mesh(m, &format!("s{i}"), &format!("mesh of sun and planet {i}"), self.theta, sun);
-        mesh(m, &format!("r{i}"), &format!("mesh of ring and planet {i}"), self.theta, ring);
+        for (part, with, delta) in [("s", "sun", sun), ("r", "ring", ring)] {
+            let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
+            let e = transmission_error(m, &part, &what, self.theta);
+            mesh(m, &part, &what, self.theta, delta - e.value);
+        }
     }
 }
 

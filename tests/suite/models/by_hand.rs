@@ -70,7 +70,7 @@ pub const TESTS: &[(&str, fn())] = &[
     ("two_stage", two_stage_by_hand),
     ("idler", idler_by_hand),
     ("belt_drive", belt_drive_by_hand),
-    ("planetaries_of_3_4_and_5", planetaries),
+    ("planetaries_of_3_to_7", planetaries),
     ("planar_planetaries_of_3_4_and_5", planar_planetaries),
     ("wind_turbine", wind_turbine_by_hand),
     ("chains", chains),

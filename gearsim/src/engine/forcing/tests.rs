@@ -222,10 +222,12 @@ fn play_goes_with_torques_that_vary() {
 #[test]
 fn flanks_at_rest_do_not_rattle() {
     for (phase, impacts) in [("90 deg", 3), ("-90 deg", 0)] {
-        let swing =
-            format!("parameters.T0={{mean=\"0 N*m\", harmonics=[{{amplitude=\"5 N*m\", frequency=\"200 Hz\", phase=\"{phase}\"}}]}}");
+        let swing = format!(
+            "parameters.T0={{mean=\"0 N*m\", harmonics=[{{amplitude=\"5 N*m\", frequency=\"200 Hz\", phase=\"{phase}\"}}]}}"
+        );
         let play = "effects=[\"stiffness_step\", \"torques\", \"damping\", \"backlash\"]";
-        let rest = [play, "parameters.b=\"31.5e-3 rad\"", "start={speed=\"0 rpm\"}", "run.t_end=2 ms", "output.events=false"];
+        let rest =
+            [play, "parameters.b=\"31.5e-3 rad\"", "start={speed=\"0 rpm\"}", "run.t_end=2 ms", "output.events=false"];
         let keys = [&ALL[1..3], &rest, &[&swing]].concat();
         let exact = run(&keys);
         let steps = run(&[&keys[..], &["run.method=dop853", "run.tolerance=1e-11"]].concat());
