@@ -260,3 +260,49 @@ fn in_numbers(e: &Expr) -> Expr {
     }
     e
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An expression as it is called, and its coefficients.
+    fn hoisted(e: &str) -> (String, Vec<String>) {
+        let mut hoist = Hoist::default();
+        let mut e: Expr = syn::parse_str(e).expect("an expression");
+        hoist.count(&e);
+        hoist.replace(&mut e);
+        let text = |e: &Expr| quote!(#e).to_string().replace(' ', "");
+        (text(&e), hoist.coefficients.iter().map(text).collect())
+    }
+
+    #[test]
+    fn what_does_not_move_is_one_number() {
+        let (e, c) = hoisted("-self.I*self.a*v[0]/self.N.powi(2) - self.J*v[0] + q[0]/self.N");
+        assert_eq!((e.as_str(), c.len()), ("v[0]*self.coefficients[0]+q[0]*self.coefficients[1]", 2));
+        assert_eq!(c, ["-I*a/N.powi(2)+-J", "1.0/N"]);
+    }
+
+    #[test]
+    fn a_name_by_itself_stays_and_rows_can_share_its_product() {
+        assert_eq!(hoisted("self.k1*d[0] - self.k2*d[1]"), ("d[0]*self.k1-d[1]*self.k2".into(), vec![]));
+        assert_eq!(hoisted("-self.k1*d[0]"), ("d[0]*self.coefficients[0]".into(), vec!["-k1".into()]));
+    }
+
+    #[test]
+    fn signs_zeros_numbers_and_roots() {
+        assert_eq!(hoisted("q[0] - edge - 0.0").0, "q[0]-edge");
+        assert_eq!(hoisted("-q[0]").0, "q[0]*(-1.0)");
+        assert_eq!(hoisted("(-k[0]*q[0] - k[1]*q[1])/2.0").0, "(k[0]*q[0]*(-1.0)-k[1]*q[1])*(1.0/2.0)");
+        let (e, c) = hoisted("q[0]*(self.t.powi(2) + d[0].powi(2)).sqrt()");
+        assert_eq!(
+            (e.as_str(), &c[..]),
+            ("q[0]*(self.coefficients[0]+d[0].powi(2)).sqrt()", &["t.powi(2)".to_string()][..])
+        );
+    }
+
+    #[test]
+    fn what_many_products_have_comes_first() {
+        let (e, _) = hoisted("a*x*y*self.c + x*y*b*self.d");
+        assert_eq!(e, "x*y*a*self.c+x*y*b*self.d");
+    }
+}
