@@ -2,7 +2,7 @@
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Kind, number, symbols, varies};
+use crate::expr::{Kind, number, symbols};
 use crate::lagrange::{Motion, Symbols, external};
 use crate::markers::{all_present, markers, terms};
 use crate::model::Model;
@@ -33,7 +33,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
     .flat_map(|(energy, e, by)| curved(e, by).into_iter().map(move |term| format!("{term} in the {energy}")))
     .collect();
     let mut nonlinear_with = vec![];
-    for torque in model.torques.iter().filter(|t| varies(&model.written_out(&t.value.atom()))) {
+    for torque in model.torques.iter().filter(|t| model.varies(t)) {
         let value = model.written_out(&torque.value.atom());
         let value_text = print(&Tree::new(&all_present(&value)), Style::Plain);
         let text = format!("{value_text} in the torque `{}`", torque.name);
@@ -42,7 +42,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
             _ => culprits.push(text),
         }
     }
-    let constant = external(model, s, |torque| !varies(&model.written_out(&torque.value.atom())));
+    let constant = external(model, s, |torque| !model.varies(torque));
     if !culprits.is_empty() {
         return Err(culprits);
     }

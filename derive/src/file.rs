@@ -5,7 +5,7 @@ use std::fmt::Write;
 use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
-use crate::expr::{Expr, varies};
+use crate::expr::Expr;
 use crate::lagrange;
 use crate::markers::{Group, as_written, grouped};
 use crate::model::{CONDITIONS, DeadBand, Friction, Range, Role, Start};
@@ -214,7 +214,7 @@ impl Block {
         self.line(1, "torques {");
         for t in &m.torques {
             let title = format!("{} {:?}", t.name, t.doc);
-            if varies(&m.written_out(&t.value.atom())) {
+            if m.varies(t) {
                 let power = as_written(&[t.power()], &d.order());
                 self.row(2, &title, &[]);
                 self.groups(2, "power", &power);
@@ -224,7 +224,7 @@ impl Block {
             }
         }
         self.line(1, "}");
-        let constant = lagrange::external(m, &s, |t| !varies(&m.written_out(&t.value.atom())));
+        let constant = lagrange::external(m, &s, |t| !m.varies(t));
         self.vector("work", &names, &constant, &group);
         self.matrix("mass", &names, &motion.mass, &group, 1, true);
         if let Some(w) = &motion.mobility {

@@ -4,7 +4,7 @@ mod parts;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, speed_name, symbol};
+use crate::expr::{Expr, Kind, speed_name, symbol, varies};
 
 pub(crate) use parts::{Coordinate, DeadBand, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
@@ -293,6 +293,11 @@ impl Model {
             let name = Atom::var(symbol(Kind::Force, &force.name));
             e.replace(name.to_pattern()).with(force.value.atom().to_pattern())
         })
+    }
+
+    /// Whether a torque is not constant: it depends on speeds, or is friction.
+    pub(crate) fn varies(&self, torque: &Torque) -> bool {
+        varies(&self.written_out(&torque.value.atom()))
     }
 
     /// Names of the speeds, in the order of the coordinates.

@@ -18,7 +18,7 @@ use crate::sums::{Ask, body, position};
 /// The functions of `Equations`, and those of the numbers that they call.
 pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
     let n = Index::from(m.coordinates.len());
-    let (vector, no_vector) = (quote!([f64; #n]), quote!([0.0; #n]));
+    let vector = quote!([f64; #n]);
     let (d, d_dot) = deflections(m);
     let bands = || [gated::of_effects(m, Ask::Compiled), gated::of_values(m)];
     let mut shared = vec![];
@@ -33,30 +33,27 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
         Function { name: "dissipation", takes, given, returns, zero, first }
             .body(&[Place { at: quote!(*v), sum: &m.dissipation }], &mut shared)
     };
-    let first = || {
-        let [bands, any_bands] = bands();
-        let (forces, any_forces) = (forces::of_effects(m, Ask::Compiled), forces::of_values(m));
+    let places: Vec<Place> = m
+        .force
+        .iter()
+        .flatten()
+        .map(|r| {
+            let i = position(m, &r.name);
+            Place { at: quote!(v[#i]), sum: &r.sum }
+        })
+        .collect();
+    let [effects, values] = bands();
+    let (forces, any_forces) = (forces::of_effects(m, Ask::Compiled), forces::of_values(m));
+    let force = Function {
+        name: "force",
+        takes: quote!(q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64],),
+        given: quote!(q, q_dot, k, dk,),
+        returns: vector.clone(),
+        zero: quote!([0.0; #n]),
         // One check that the law values are there, not one each.
-        [quote!(let k = &k[..Self::VALUES]; #bands #d #d_dot #forces), quote!(#any_bands #d #d_dot #any_forces)]
-    };
-    let mut of_rows = |name, rows: &mut dyn Iterator<Item = &Row>| {
-        let places: Vec<Place> = rows
-            .map(|r| {
-                let i = position(m, &r.name);
-                Place { at: quote!(v[#i]), sum: &r.sum }
-            })
-            .collect();
-        Function {
-            name,
-            takes: quote!(q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64],),
-            given: quote!(q, q_dot, k, dk,),
-            returns: vector.clone(),
-            zero: no_vector.clone(),
-            first: first(),
-        }
-        .body(&places, &mut shared)
-    };
-    let force = of_rows("force", &mut m.force.iter().flatten());
+        first: [quote!(let k = &k[..Self::VALUES]; #effects #d #d_dot #forces), quote!(#values #d #d_dot #any_forces)],
+    }
+    .body(&places, &mut shared);
     let (step, dead_band) = (step(m), dead_bands::function(m));
     let cells = cells(m, &quote!(f64));
     let cold = cells.iter().chain(cold).map(Cold::call);

@@ -25,8 +25,8 @@ pub struct Found {
 
 /// The first x in \[0, 1\] at which the polynomial sum c_j x^j, positive from there on down to 0, turns negative.
 ///
-/// A root at 0 is one only if the polynomial is negative right after it, and not by rounding alone; then 0 is found. One at 1 is found where the next
-/// step begins. Values within `tolerance` of zero are told from it only by where they lead.
+/// A root at 0 is one only if the polynomial is negative right after it, and not by rounding alone; then 0
+/// is found. One at 1 is found where the next step begins. Values within `tolerance` of zero are told from it only by where they lead.
 pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
     first_of::<DENSE>(coefficients, tolerance)
 }
