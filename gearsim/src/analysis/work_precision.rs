@@ -13,7 +13,7 @@ pub mod table;
 pub use error::Errors;
 pub use ladder::{Family, Rung, Scenes};
 pub use measure::{Curve, Point};
-pub use reference::Reference;
+pub use reference::{By, Reference};
 
 use crate::engine::{Outcome, Refusal};
 use crate::scene::Scene;
@@ -28,7 +28,9 @@ pub struct WorkPrecision {
     pub scene: String,
     /// Events in the reference.
     pub events: u64,
-    /// Error of the reference itself, as it is estimated: errors are not told from it.
+    /// How the reference was found.
+    pub reference: By,
+    /// Its own error, as it is estimated: errors are not told from it.
     pub floor: f64,
     /// One curve a method or approximation.
     pub curves: Vec<Curve>,
@@ -49,13 +51,20 @@ pub fn measure(
     let mut curves = vec![];
     for family in ladder::families(scenes, &reference) {
         say(family.label);
-        let points = family.rungs.iter().map(|rung| measure::point(&family, rung, &reference, run, repetitions));
-        curves.push(Curve { label: family.label, kind: family.kind, points: points.collect() });
+        let mut points: Vec<Point> = vec![];
+        for rung in &family.rungs {
+            let slow = points.iter().find(|point| measure::is_slow(point));
+            points.push(match slow {
+                Some(slow) => measure::not_tried(rung, slow.seconds.0),
+                None => measure::point(&family, rung, &reference, run, repetitions),
+            });
+        }
+        curves.push(Curve { label: family.label, kind: family.kind, points });
     }
-    let counts = &reference.outcome.counts;
     Ok(WorkPrecision {
         scene: scenes.exact.name.clone(),
-        events: counts.cell_changes + counts.reflections,
+        events: reference.events(),
+        reference: reference.by,
         floor: reference.error,
         curves,
     })

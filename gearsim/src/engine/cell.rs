@@ -6,6 +6,7 @@
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use crate::engine::conserved::Conserved;
 use crate::engine::coupling::Coupling;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
@@ -30,6 +31,8 @@ pub struct Cell<const N: usize> {
     pub rate: f64,
     /// What is more where damping couples the modes.
     pub coupling: Option<Box<Coupling<N>>>,
+    /// Rigid motions whose momentum is not to change by rounding.
+    pub conserved: Vec<Conserved<N>>,
 }
 
 impl<const N: usize> Cell<N> {
@@ -81,6 +84,7 @@ impl<const N: usize> Cell<N> {
             springs: rows(springs),
             load: SVector::from_fn(|i, _| modal.load.get(i).copied().unwrap_or(0.0)),
             coupling: None,
+            conserved: vec![],
         }
         .coupled_by(modal.coupled.as_ref())
     }
@@ -108,7 +112,18 @@ impl<const N: usize> Cell<N> {
             load: force * self.load,
             rate: coupled.modes.iter().map(|m| m.rate).fold(0.0, f64::max),
             coupling: Some(Box::new(coupling)),
+            conserved: vec![],
         }
+    }
+
+    /// The same cell, of `equations` with law values `k`, in which as many of their rigid `motions` keep their momentum to twice
+    /// the digits.
+    pub fn conserving(mut self, equations: &dyn Equations<N>, k: &[f64], motions: usize) -> Self {
+        let matrix = |rows: [[f64; N]; N]| SMatrix::from_fn(|i, j| rows[i][j]);
+        let of_cell = [equations.mass(), equations.damping(k), equations.stiffness(k)].map(matrix);
+        let motions = (0..motions).map(|i| SVector::from(equations.motion(i)));
+        self.conserved = motions.filter_map(|z| Conserved::of(z, &self, of_cell.each_ref())).collect();
+        self
     }
 
     /// The motion from the state (q, q') on, for as long as the cell lasts.
@@ -285,13 +300,16 @@ impl<'a, const N: usize> Flight<'a, N> {
     #[inline]
     pub fn increments(&self, point: &Point<N>) -> (SVector<f64, N>, SVector<f64, N>) {
         let (shapes, Point { moved, gained, .. }) = (&self.cell.shapes, point);
-        match &self.cell.coupling {
-            None => (shapes * moved, shapes * gained),
-            Some(coupling) => {
-                let further = SVector::from_fn(|i, _| self.cell.modes[i].next(moved[i], gained[i]));
-                (shapes * moved + coupling.shapes * gained, shapes * gained + coupling.shapes * further)
-            }
+        let mut dv = shapes * gained;
+        for Conserved { motion, on_gained, .. } in &self.cell.conserved {
+            dv -= motion * on_gained.dot(gained);
         }
+        let Some(coupling) = &self.cell.coupling else { return (shapes * moved, dv) };
+        let further = SVector::from_fn(|i, _| self.cell.modes[i].next(moved[i], gained[i]));
+        for Conserved { motion, on_further, .. } in &self.cell.conserved {
+            dv -= motion * on_further.map_or(0.0, |on_further| on_further.dot(&further));
+        }
+        (shapes * moved + coupling.shapes * gained, dv + coupling.shapes * further)
     }
 
     /// Energy lost to damping until a point [J], by integration of the speeds.

@@ -21,6 +21,8 @@ pub struct Cells<const N: usize> {
     met: Option<HashMap<usize, usize>>,
     /// Where the present one stands.
     present: usize,
+    /// Rigid motions of the model.
+    motions: usize,
 }
 
 /// A cell, and what is watched in it.
@@ -52,15 +54,15 @@ pub type Stand<'a, const N: usize> = (&'a [Law<N>], &'a [DeadBand<N>], &'a [f64]
 const MOST_BEFOREHAND: usize = 1024;
 
 impl<const N: usize> Cells<N> {
-    /// The cells of laws and dead bands, whose values are `k`.
+    /// The cells of laws and dead bands, whose values are `k`, of equations with so many rigid `motions`.
     ///
     /// # Errors
     /// Where one of them has no modes.
-    pub fn new(equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Result<Self, Refusal> {
+    pub fn new(equations: &dyn Equations<N>, motions: usize, (laws, bands, k): Stand<'_, N>) -> Result<Self, Refusal> {
         let count = laws.iter().map(|l| l.pitch.cells()).chain(bands.iter().map(|_| REGIMES.len()));
         let count = count.fold(1, usize::saturating_mul);
         if count > MOST_BEFOREHAND {
-            let mut cells = Cells { cells: vec![], met: Some(HashMap::new()), present: 0 };
+            let mut cells = Cells { cells: vec![], met: Some(HashMap::new()), present: 0, motions };
             cells.meet(equations, (laws, bands, k))?;
             return Ok(cells);
         }
@@ -69,10 +71,11 @@ impl<const N: usize> Cells<N> {
             stand(&mut laws, &mut bands, i);
             let mut k = k.to_vec();
             write(&laws, &mut bands, &mut k);
-            Ok(Prepared::new(Cell::new(equations, &k)?, equations, (&laws, &bands, &k)))
+            let cell = Cell::new(equations, &k)?.conserving(equations, &k, motions);
+            Ok(Prepared::new(cell, equations, (&laws, &bands, &k)))
         };
         let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
-        Ok(Cells { cells, met: None, present: index(laws, bands) })
+        Ok(Cells { cells, met: None, present: index(laws, bands), motions })
     }
 
     /// Makes the cell in which laws and dead bands stand the present one; works it out, if that is still to be done.
@@ -86,7 +89,8 @@ impl<const N: usize> Cells<N> {
         self.present = match met.get(&self.present) {
             Some(place) => *place,
             None => {
-                self.cells.push(Prepared::new(Cell::new(equations, k)?, equations, (laws, bands, k)));
+                let cell = Cell::new(equations, k)?.conserving(equations, k, self.motions);
+                self.cells.push(Prepared::new(cell, equations, (laws, bands, k)));
                 met.insert(self.present, self.cells.len() - 1);
                 self.cells.len() - 1
             }

@@ -136,6 +136,7 @@ impl<const N: usize> Contact<N> {
             let impulses = compliance.solve(&speeds);
             let change = mobility * &impulses;
             state.q_dot -= SVector::from_fn(|i, _| change[i]);
+            state.lost = SVector::zeros();
             let ignored = 0.5 * speeds.dot(&impulses);
 
             let slips = held.iter().flat_map(|&(law, side)| {

@@ -40,21 +40,25 @@ impl<const N: usize> Surface<N> {
         }
     }
 
-    /// Changes the speeds at a step of the potential energy by `dv` [J], met on the way to `side`.
+    /// What the speeds gain (N) at a step of the potential energy by `dv` [J], met on the way to `side`.
     #[inline]
-    pub fn pass(&self, q_dot: &mut SVector<f64, N>, side: Side, dv: f64) -> Passage {
+    pub fn jump(&self, q_dot: &SVector<f64, N>, side: Side, dv: f64) -> (Passage, SVector<f64, N>) {
         let v = self.normal.dot(q_dot);
         let lost = 2.0 * self.compliance * dv;
         let square = v * v - lost;
         if square < 0.0 {
-            *q_dot += self.direction * (-2.0 * v);
-            return Passage::Reflected;
+            return (Passage::Reflected, self.direction * (-2.0 * v));
         }
         // v+ - v without cancellation; both lead to the side that is met, or are zero.
         let after = square.sqrt();
-        if after > 0.0 || v != 0.0 {
-            *q_dot += self.direction * (side.sign() * -lost / (after + v.abs()));
-        }
-        Passage::Transmitted
+        let gained = if after > 0.0 || v != 0.0 { side.sign() * -lost / (after + v.abs()) } else { 0.0 };
+        (Passage::Transmitted, self.direction * gained)
+    }
+
+    /// Changes the speeds so.
+    pub fn pass(&self, q_dot: &mut SVector<f64, N>, side: Side, dv: f64) -> Passage {
+        let (passage, gained) = self.jump(q_dot, side, dv);
+        *q_dot += gained;
+        passage
     }
 }

@@ -10,6 +10,7 @@ pub mod cell;
 pub mod cells;
 pub mod clock;
 pub mod compensated;
+pub mod conserved;
 pub mod contact;
 pub mod coupling;
 pub mod crossing;

@@ -15,9 +15,28 @@ pub struct State<const N: usize> {
     pub q_dot: SVector<f64, N>,
     /// Whole pitches of each coordinate (N).
     pub turns: [i64; N],
+    /// What the speeds have lost to rounding since they were set (N), see [`State::gain`].
+    pub lost: SVector<f64, N>,
 }
 
 impl<const N: usize> State<N> {
+    /// A state that has lost nothing yet.
+    pub fn new(q: SVector<f64, N>, q_dot: SVector<f64, N>, turns: [i64; N]) -> Self {
+        State { q, q_dot, turns, lost: SVector::zeros() }
+    }
+
+    /// Adds `dv` to the speeds (N), and keeps what their last digits do not hold (Knuth's two-sum). A speed that rolls on
+    /// is large beside what it gains at an event: rounded away, that adds up, and angles drift by it.
+    #[inline]
+    pub fn gain(&mut self, dv: &SVector<f64, N>) {
+        for i in 0..N {
+            let (v, dv) = (self.q_dot[i], dv[i] + self.lost[i]);
+            let sum = v + dv;
+            let part = sum - v;
+            (self.q_dot[i], self.lost[i]) = (sum, (v - (sum - part)) + (dv - part));
+        }
+    }
+
     /// Whether all of it is finite.
     #[inline]
     pub fn is_finite(&self) -> bool {

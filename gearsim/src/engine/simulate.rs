@@ -129,7 +129,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
         }
         let mut k = model.in_contact(laws.iter().map(Law::level));
         cells::write(&laws, &mut bands, &mut k);
-        let cells = Cells::new(equations, (&laws, &bands, &k))?;
+        let cells = Cells::new(equations, model.motions.len(), (&laws, &bands, &k))?;
         let mut forcing = forcing.map(forced::Forced::new);
         if let Some(forced) = &mut forcing {
             forced.meet(equations, cells::index(&laws, &bands), &k)?;
@@ -221,7 +221,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             forcing.account(&self.clock, &dq);
         }
         self.state.q += dq;
-        self.state.q_dot += dv;
+        self.state.gain(&dv);
         let t = if self.compensated.is_none() { point.t.into() } else { self.propagate_again(end, point.t) };
         self.clock.advance(t);
         self.finish(end, recorder)

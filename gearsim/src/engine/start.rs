@@ -33,7 +33,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
         Start::At(x) => x,
         Start::Static => 0.0,
     });
-    let mut state = State { q, q_dot, turns: [0; N] };
+    let mut state = State::new(q, q_dot, [0; N]);
     let laws = Law::begin(equations, scene, &mut state)?;
 
     let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i] == Start::Static).collect();

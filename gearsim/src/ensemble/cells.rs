@@ -35,6 +35,8 @@ pub struct Cells<const N: usize, const L: usize> {
     pub modes: [Modes<L>; N],
     /// X (N x N).
     pub shapes: [[Pack<L>; N]; N],
+    /// What is taken off the speeds that X gives, see [`crate::engine::conserved`] (N x N).
+    pub excess: [[Pack<L>; N]; N],
     /// XᵀM (N x N).
     pub momentum: [[Pack<L>; N]; N],
     /// XᵀK (N x N).
@@ -68,6 +70,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         Cells {
             modes: [mode; N],
             shapes: [[zero; N]; N],
+            excess: [[zero; N]; N],
             momentum: [[zero; N]; N],
             springs: [[zero; N]; N],
             load: [zero; N],
@@ -87,6 +90,8 @@ impl<const N: usize, const L: usize> Cells<N, L> {
             (0..N).for_each(|i| (0..N).for_each(|j| to[i][j].0[lane] = of(i, j)));
         };
         matrix(&mut self.shapes, &|i, j| cell.shapes[(i, j)]);
+        let excess = |i, j| cell.conserved.iter().map(|c| c.motion[i] * c.on_gained[j]).sum();
+        matrix(&mut self.excess, &excess);
         matrix(&mut self.momentum, &|i, j| cell.momentum[(i, j)]);
         matrix(&mut self.springs, &|i, j| cell.springs[(i, j)]);
         for (i, mode) in cell.modes.iter().enumerate() {
@@ -136,6 +141,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
             f(&mut self.load[i], &other.load[i]);
             for j in 0..N {
                 f(&mut self.shapes[i][j], &other.shapes[i][j]);
+                f(&mut self.excess[i][j], &other.excess[i][j]);
                 f(&mut self.momentum[i][j], &other.momentum[i][j]);
                 f(&mut self.springs[i][j], &other.springs[i][j]);
                 (0..2).for_each(|side| f(&mut self.step[side][i][j], &other.step[side][i][j]));

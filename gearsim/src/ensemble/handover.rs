@@ -22,6 +22,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             direction: [zero; N],
             q: [zero; N],
             q_dot: [zero; N],
+            lost: [zero; N],
             clock: [zero; 2],
             end: zero,
             dissipated: zero,
@@ -45,6 +46,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         for i in 0..N {
             self.q[i].0[lane] = simulation.state.q[i];
             self.q_dot[i].0[lane] = simulation.state.q_dot[i];
+            self.lost[i].0[lane] = simulation.state.lost[i];
         }
         (self.clock[0].0[lane], self.clock[1].0[lane]) = (simulation.clock.0.hi(), simulation.clock.0.lo());
         self.end.0[lane] = simulation.t_end;
@@ -57,6 +59,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         for i in 0..N {
             simulation.state.q[i] = self.q[i].0[lane];
             simulation.state.q_dot[i] = self.q_dot[i].0[lane];
+            simulation.state.lost[i] = self.lost[i].0[lane];
         }
         simulation.state.turns[self.phase] += self.turns[lane];
         simulation.stand_in(self.at[lane]);

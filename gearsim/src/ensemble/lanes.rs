@@ -23,6 +23,8 @@ pub struct Lanes<const N: usize, const L: usize> {
 
     pub q: [Pack<L>; N],
     pub q_dot: [Pack<L>; N],
+    /// What the speeds have lost to rounding.
+    pub lost: [Pack<L>; N],
     /// Time from the start of the lane, as a sum of two numbers [s], and where the lane ends.
     pub clock: [Pack<L>; 2],
     pub end: Pack<L>,
@@ -55,6 +57,7 @@ struct Way<const L: usize> {
 struct Ahead<const N: usize, const L: usize> {
     q: [Pack<L>; N],
     q_dot: [Pack<L>; N],
+    lost: [Pack<L>; N],
     dissipated: Pack<L>,
 }
 
@@ -88,6 +91,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         for i in 0..N {
             self.q[i] = ahead.q[i].or(sure, self.q[i]);
             self.q_dot[i] = ahead.q_dot[i].or(sure, self.q_dot[i]);
+            self.lost[i] = ahead.lost[i].or(sure, self.lost[i]);
         }
         self.dissipated = ahead.dissipated.or(sure, self.dissipated);
         self.advance(t, sure);
@@ -174,16 +178,21 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         points: &[Point<L>; N],
         sure: Mask<L>,
     ) -> (Mask<L>, Ahead<N, L>) {
-        let Ahead { mut q, mut q_dot, mut dissipated } =
-            Ahead { q: self.q, q_dot: self.q_dot, dissipated: self.dissipated };
+        let Ahead { mut q, mut q_dot, mut lost, mut dissipated } =
+            Ahead { q: self.q, q_dot: self.q_dot, lost: self.lost, dissipated: self.dissipated };
+        let mut gained = [Pack::all(0.0); N];
         for j in 0..N {
             for i in 0..N {
                 q[i] = q[i] + cells.shapes[i][j] * points[j].moved;
-                q_dot[i] = q_dot[i] + cells.shapes[i][j] * points[j].gained;
+                gained[i] = gained[i] + cells.shapes[i][j] * points[j].gained;
+                lost[i] = lost[i] - cells.excess[i][j] * points[j].gained;
             }
             if !self.rigid[j] {
                 dissipated = dissipated + flight.dissipated(j, &points[j]);
             }
+        }
+        for i in 0..N {
+            [q_dot[i], lost[i]] = two_sum(q_dot[i], gained[i] + lost[i]);
         }
         q[self.phase] = way.boundary;
         let mut dv = Pack::all(0.0);
@@ -197,11 +206,11 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let square = v * v - lowered;
         let gain = -(way.sign * lowered) / (square.sqrt() + v.abs());
         for i in 0..N {
-            q_dot[i] = q_dot[i] + self.direction[i] * gain;
+            [q_dot[i], lost[i]] = two_sum(q_dot[i], self.direction[i] * gain + lost[i]);
         }
         q[self.phase] = cells.entered[1].or(way.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        (sure.and(passes), Ahead { q, q_dot, dissipated })
+        (sure.and(passes), Ahead { q, q_dot, lost, dissipated })
     }
 
     /// The phase's way, in the direction of its boundary, and its derivatives.
@@ -224,14 +233,10 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         sum
     }
 
-    /// Knuth's two-sum.
     #[inline(always)]
     fn advance(&mut self, t: Pack<L>, sure: Mask<L>) {
         let [high, low] = self.clock;
-        let dt = t + low;
-        let sum = high + dt;
-        let part = sum - high;
-        let rest = (high - (sum - part)) + (dt - part);
+        let [sum, rest] = two_sum(high, t + low);
         self.clock = [sum.or(sure, high), rest.or(sure, low)];
     }
 
@@ -272,4 +277,12 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             };
         }
     }
+}
+
+/// a + b and what it loses to rounding (Knuth).
+#[inline(always)]
+fn two_sum<const L: usize>(a: Pack<L>, b: Pack<L>) -> [Pack<L>; 2] {
+    let sum = a + b;
+    let part = sum - a;
+    [sum, (a - (sum - part)) + (b - part)]
 }

@@ -52,8 +52,6 @@ pub struct Settings {
     pub most_steps: u64,
 }
 
-/// Steps after which a run is given up: some hours.
-pub const MOST_STEPS: u64 = 10_000_000_000;
 /// Steps held back by stability, one after another, that show a stiff cell.
 const STIFF_STEPS: u32 = 15;
 /// Rejections of one step that end a run.
@@ -302,7 +300,7 @@ impl<'a, const N: usize> Advance<'a, N> {
                 return;
             }
             let y = if h > 0.0 { dense.at((tau / h).clamp(0.0, 1.0)) } else { self.y };
-            let state = State { q: y.q, q_dot: y.v, turns: self.turns };
+            let state = State::new(y.q, y.v, self.turns);
             let lost = (y.lost, 0.0);
             recorder.beyond = self.work_after(dense, h, tau);
             recorder.row(at, Moment::Sample, &state, self.field.levels(tau, &y), lost);
@@ -341,7 +339,7 @@ impl<'a, const N: usize> Advance<'a, N> {
 
     /// The state as the engine has it.
     pub fn state(&self) -> State<N> {
-        State { q: self.y.q, q_dot: self.y.v, turns: self.turns }
+        State::new(self.y.q, self.y.v, self.turns)
     }
 
     fn set(&mut self, state: State<N>) {

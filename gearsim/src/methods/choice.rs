@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
 
 use super::Method;
-use super::advance::{Events, MOST_STEPS, Settings};
+use super::advance::{Events, Settings};
 use super::control::Steps;
 use super::dop853::DOP853;
 use super::dopri5::DOPRI5;
@@ -77,5 +77,5 @@ pub fn numerical<const N: usize>(choice: &Choice, scene: &Scene) -> Option<(Box<
         _ => Steps::Adaptive(scene.solver.tolerance),
     };
     let events = if choice.method == Name::Rk4Grid { Events::AfterStep } else { Events::Located };
-    Some((method, Settings { steps, events, give_way: choice.give_way, most_steps: MOST_STEPS }))
+    Some((method, Settings { steps, events, give_way: choice.give_way, most_steps: scene.solver.most_steps }))
 }

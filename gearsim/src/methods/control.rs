@@ -57,6 +57,14 @@ impl<const N: usize> Control<N> {
         }
     }
 
+    /// What the coordinates within a step are known to (N); nothing tells that of steps of one length.
+    pub fn slack(&self) -> SVector<f64, N> {
+        match self.steps {
+            Steps::Adaptive(_) => self.allowed().q,
+            Steps::Fixed(_) => SVector::zeros(),
+        }
+    }
+
     /// The step to try with `left` until the cell or the run must end \[s\].
     pub fn step(&self, left: f64) -> f64 {
         match self.steps {

@@ -121,7 +121,7 @@ impl<'a, const N: usize> Field<'a, N> {
         if self.bands.is_empty() {
             return;
         }
-        let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
+        let state = State::new(y.q, y.v, [0; N]);
         for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
             if wanders(band, &self.laws) {
                 band.follow(&self.k);
@@ -135,7 +135,7 @@ impl<'a, const N: usize> Field<'a, N> {
     /// Power that the clipped dampers take at `y`, where the field was last evaluated \[W\].
     #[inline]
     fn clipped(&self, y: &Flow<N>) -> f64 {
-        let state = State { q: y.q, q_dot: y.v, turns: [0; N] };
+        let state = State::new(y.q, y.v, [0; N]);
         self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped_power(*elastic, &state)).sum()
     }
 }

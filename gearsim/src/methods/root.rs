@@ -31,6 +31,27 @@ pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
     first_of::<DENSE>(coefficients, tolerance)
 }
 
+/// The same of a polynomial that is itself known to `slack` only, as a dense output is. Where it leaves a boundary from rest it
+/// may begin on the wrong side: a root at 0 is none if it comes back within the step, and was not further beyond than that.
+pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found {
+    let mut found = first(coefficients, tolerance);
+    if found.root != Some(0.0) {
+        return found;
+    }
+    let mut lifted = coefficients.to_vec();
+    lifted[0] += slack;
+    let beyond = first(&lifted, tolerance);
+    found.steps += beyond.steps;
+    let turned: Vec<f64> = coefficients.iter().map(|c| -c).collect();
+    found.root = match (beyond.root, first(&turned, tolerance).root) {
+        // After it has come back: where it goes beyond for certain.
+        (Some(x), Some(back)) if back < x => Some(x),
+        (Some(_), _) => Some(0.0),
+        (None, _) => (evaluate(coefficients, 1.0) < 0.0).then_some(0.0),
+    };
+    found
+}
+
 /// The same of a polynomial of up to `MOST` coefficients.
 pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Found {
     let mut c = coefficients.to_vec();
@@ -218,6 +239,20 @@ mod tests {
         assert_eq!(first(&[0.0, -3e-15, 3e-15, 0.0], 1e-15).root, None);
         assert_eq!(first(&[-2e-16, -5e-16, 4e-16], 1e-15).root, None);
         assert_eq!(first(&[0.0, -3e-15, 1e-15], 1e-15).root, Some(0.0));
+    }
+
+    /// A dense output that leaves the boundary on the wrong side, by no more than it is known to.
+    #[test]
+    fn leaving_from_rest() {
+        let known_to = |slack: f64, c: &[f64]| first_known_to(c, 1e-15, slack).root;
+        // x³ - x²/1000 dips by 1.5e-10, up to x = 1/1000.
+        let c = [0.0, 0.0, -1e-3, 1.0];
+        assert_eq!(first(&c, 1e-15).root, Some(0.0));
+        assert_eq!((known_to(1e-9, &c), known_to(1e-11, &c)), (None, Some(0.0)));
+        // It dips so, comes back, and passes at x = 1/2; or stays beyond.
+        let twice = [0.0, 0.0, -1e-3 * 0.5, 0.5 + 1e-3, -1.0];
+        assert!((first_known_to(&twice, 1e-15, 1e-9).root.unwrap() - 0.5).abs() < 1e-7);
+        assert_eq!(known_to(1e-3, &[0.0, 0.0, -1e-4]), Some(0.0));
     }
 
     /// Against a scan: random polynomials of every degree; where the scan sees a change of sign, the root is no later than it.

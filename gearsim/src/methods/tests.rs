@@ -14,7 +14,7 @@ mod nonlinear;
 mod smooth;
 
 use super::Method;
-use super::advance::{Advance, Events, MOST_STEPS, Settings};
+use super::advance::{Advance, Events, Settings};
 use super::control::Steps;
 use super::dop853::DOP853;
 use super::dopri5::DOPRI5;
@@ -86,7 +86,7 @@ fn methods() -> Vec<(Box<dyn Method<2>>, u32)> {
 /// A run by `method` in steps of length `h`, with the end row alone or with samples.
 fn fixed(equations: &dyn Equations<2>, scene: &Scene, method: Box<dyn Method<2>>, h: f64) -> Trajectory {
     let (steps, events) = (Steps::Fixed(h), Events::Located);
-    let settings = Settings { steps, events, give_way: false, most_steps: MOST_STEPS };
+    let settings = Settings { steps, events, give_way: false, most_steps: u64::MAX };
     let mut advance = Advance::new(equations, scene, method, settings, None).unwrap();
     let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
     let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);

@@ -35,13 +35,14 @@ pub fn draw(measured: &WorkPrecision) -> Figure {
 fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> Panel {
     let mut series = vec![];
     for (i, curve) in measured.curves.iter().enumerate() {
-        let failed = |point: &&Point| point.errors.is_err() || !point.right_events;
+        let points = || curve.points.iter().filter(|point| point.tried);
+        let failed = |point: &&Point| point.failed();
         let place = |point: &Point| {
             let error =
                 point.errors.as_ref().map_or(LOST * FAILED, |errors| of(errors).clamp(measured.floor, LOST * FAILED));
             (point.seconds.0, error)
         };
-        let mut good: Vec<_> = curve.points.iter().filter(|p| !failed(p)).map(place).collect();
+        let mut good: Vec<_> = points().filter(|p| !failed(p)).map(place).collect();
         good.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (x, y) = good.into_iter().unzip();
         let mut line = Series::new(i, curve.label, x, y);
@@ -49,7 +50,7 @@ fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> 
         line.style.width = if curve.points.len() > 1 { 1.2 } else { 0.0 };
         let colour = line.style.colour;
         series.push(line);
-        let (x, y) = curve.points.iter().filter(failed).map(place).unzip();
+        let (x, y) = points().filter(failed).map(place).unzip();
         let mut crosses = Series::new(i, "", x, y);
         (crosses.style.marker, crosses.style.width, crosses.style.colour) = (Marker::Cross, 0.0, colour);
         series.push(crosses);

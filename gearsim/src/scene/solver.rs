@@ -15,6 +15,8 @@ pub struct Solver {
     pub step: Option<f64>,
     /// Digits in which the exact method carries its state.
     pub precision: Precision,
+    /// Steps after which a method by steps gives up.
+    pub most_steps: u64,
 }
 
 /// Digits in which a run carries its state, its time and the constants of its cells.
@@ -49,6 +51,8 @@ pub(super) const KEYS: [&str; 4] = ["method", "precision", "tolerance", "step"];
 
 /// Tolerance of a scene that states none.
 const TOLERANCE: f64 = 1e-9;
+/// Steps after which a run is given up: some hours.
+const MOST_STEPS: u64 = 10_000_000_000;
 /// Admissible tolerances: below, a step's rounding is larger; above, the error estimate means nothing.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-14..=1e-2;
 
@@ -76,7 +80,7 @@ impl Method {
 
 impl Default for Solver {
     fn default() -> Self {
-        Solver { method: None, tolerance: TOLERANCE, step: None, precision: Precision::Plain }
+        Solver { method: None, tolerance: TOLERANCE, step: None, precision: Precision::Plain, most_steps: MOST_STEPS }
     }
 }
 
@@ -124,7 +128,8 @@ pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<S
             .map(Some),
     };
     let precision = read_precision(run, method.flatten(), report);
-    Some(Solver { method: method?, tolerance: tolerance?, step: step?, precision: precision? })
+    let (method, tolerance, step, precision) = (method?, tolerance?, step?, precision?);
+    Some(Solver { method, tolerance, step, precision, ..Solver::default() })
 }
 
 fn read_precision(run: &[Entry], method: Option<Method>, report: &mut Report) -> Option<Precision> {

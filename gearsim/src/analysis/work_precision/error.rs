@@ -3,6 +3,9 @@
 //! States are compared coordinate by coordinate and speed by speed, each in units of its own size in the reference; of a
 //! coordinate that rolls on, one pitch is the unit. Never across a jump: a sample between an event and its counterpart
 //! says how late one is, not how wrong the speed, and is left to the error in times.
+//!
+//! Events are those at which speeds or strain energy jump. Flanks that meet or part change neither; which of their moments are noted
+//! is a matter of the method.
 
 use crate::engine::Outcome;
 use crate::trajectory::{Moment, Trajectory};
@@ -34,8 +37,8 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
         };
         of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
     };
-    let rows = |t: &Trajectory, moment| -> Vec<usize> { (0..t.len()).filter(|&i| t.moment[i] == moment).collect() };
-    let (mine, theirs) = (rows(a, Moment::Before), rows(b, Moment::Before));
+    let samples = |t: &Trajectory| (0..t.len()).filter(|&i| t.moment[i] == Moment::Sample).collect::<Vec<_>>();
+    let (mine, theirs) = (jumps(a), jumps(b));
     let events = mine.len() as i64 - theirs.len() as i64;
     let matched = events == 0 && !mine.is_empty();
     let times = matched.then(|| mine.iter().zip(&theirs).fold(0.0f64, |m, (&i, &j)| m.max((a.t[i] - b.t[j]).abs())));
@@ -54,7 +57,7 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
         let next = theirs.partition_point(|&event| b.t[event] < t - window);
         theirs.get(next).is_some_and(|&event| b.t[event] <= t + window)
     };
-    let (a_samples, b_samples) = (rows(a, Moment::Sample), rows(b, Moment::Sample));
+    let (a_samples, b_samples) = (samples(a), samples(b));
     let mut path = 0.0f64;
     for (&i, &j) in a_samples.iter().zip(&b_samples) {
         if a.t[i] == b.t[j] && !near(i, j) {
@@ -63,10 +66,8 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     }
     if matched {
         // The limits at an event, each with its counterpart.
-        for moment in [Moment::Before, Moment::After] {
-            for (&i, &j) in rows(a, moment).iter().zip(&rows(b, moment)) {
-                path = path.max(difference(i, j));
-            }
+        for (&i, &j) in mine.iter().zip(&theirs) {
+            path = path.max(difference(i, j)).max(difference(i + 1, j + 1));
         }
     }
     let end = match (a_samples.last(), b_samples.last()) {
@@ -77,9 +78,23 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     Errors { end, path, times, events, energy }
 }
 
+/// Roundings, of the largest value, that are no jump.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+
+fn largest(column: &Vec<f64>) -> f64 {
+    column.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()))
+}
+
+/// Rows of left limits at which something jumps; each has its right limit in the next row.
+fn jumps(t: &Trajectory) -> Vec<usize> {
+    let columns = || t.q_dot.iter().chain([&t.strain]);
+    let roundings: Vec<f64> = columns().map(|column| ROUNDINGS * largest(column)).collect();
+    let jumps = |i: &usize| columns().zip(&roundings).any(|(x, rounding)| (x[i + 1] - x[*i]).abs() > *rounding);
+    (0..t.len().saturating_sub(1)).filter(|&i| t.moment[i] == Moment::Before).filter(jumps).collect()
+}
+
 /// The sizes of the coordinates and of the speeds of a run.
 fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
-    let largest = |column: &Vec<f64>| column.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
     let q = run.model.coordinates.iter().zip(&run.q).map(|(coordinate, column)| {
         let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
         law.map_or_else(|| largest(column), |law| law.period)

@@ -3,9 +3,13 @@
 use super::WorkPrecision;
 use super::ladder::Kind;
 use super::measure::Curve;
+use super::reference::By;
 
 /// Errors at which times are compared.
 pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// Error of a reference beyond which the motion is not determined by its numbers.
+const CHAOS: f64 = 1e-2;
 
 /// What an error costs by a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +18,8 @@ pub enum Price {
     Seconds(f64),
     /// None of its settings is so accurate.
     Never,
+    /// None of those tried, of which the slowest took so long \[s\].
+    Over(f64),
     /// The reference is not so accurate that it could tell.
     Unknown,
 }
@@ -37,12 +43,16 @@ impl Curve {
             (e0 > target && e1 <= target).then(|| t0 * (t1 / t0).powf(part))
         });
         let cheapest = at.chain(between).fold(f64::INFINITY, f64::min);
-        if cheapest.is_finite() { Price::Seconds(cheapest) } else { Price::Never }
+        match (cheapest.is_finite(), self.points.iter().all(|point| point.tried)) {
+            (true, _) => Price::Seconds(cheapest),
+            (false, true) => Price::Never,
+            (false, false) => Price::Over(self.points.iter().map(|point| point.seconds.0).fold(0.0, f64::max)),
+        }
     }
 
     /// Settings that failed: they stopped early, or have other events than the reference.
     pub fn failures(&self) -> usize {
-        self.points.iter().filter(|point| point.errors.is_err() || !point.right_events).count()
+        self.points.iter().filter(|point| point.failed()).count()
     }
 }
 
@@ -52,6 +62,14 @@ pub fn words(measured: &WorkPrecision) -> String {
     let mut said = vec![];
     let methods = || measured.curves.iter().filter(|curve| curve.kind == Kind::Method);
     let single = |curve: &&Curve| curve.points.len() == 1;
+    if let By::Steps(_) = measured.reference {
+        said.push("Cells are not linear here: there is no exact solution.".into());
+    }
+    if floor > CHAOS {
+        let grown = "Until the end one rounding grows to the size of the motion itself, and errors there mean nothing:";
+        said.push(format!("{grown} see a shorter run, with --set run.t_end, or the errors in energy."));
+        return said.join(" ");
+    }
     if let Some(point) = methods().find(single).and_then(|curve| curve.points.first()) {
         let error = point.error().map_or("nothing".into(), |e| format!("an error of {:.0e}", e.max(floor)));
         said.push(format!("Exact cells cost {} for {error}.", time(point.seconds.0)));
@@ -97,6 +115,7 @@ pub fn prices(measured: &WorkPrecision) -> String {
         let prices = TARGETS.map(|target| match curve.price(target, measured.floor) {
             Price::Seconds(seconds) => time(seconds),
             Price::Never => "never".into(),
+            Price::Over(seconds) => format!("> {}", time(seconds)),
             Price::Unknown => "?".into(),
         });
         text += &line(curve.label, prices, &format!("{} of {}", curve.failures(), curve.points.len()));
@@ -111,13 +130,19 @@ pub fn markdown(measured: &WorkPrecision) -> String {
         measured.scene,
         words(measured)
     );
+    let reference = match &measured.reference {
+        By::Compensated => "exact cells in twice the digits".to_string(),
+        By::Plain => "exact cells in plain numbers, and its error what the motion makes of their roundings".into(),
+        By::Steps(why) => format!("dop853, and its error how far radau is from it, as cells are not linear: {why}"),
+    };
     text += &format!(
         "Errors are the largest along the path, each coordinate and speed in units of its size, a rolling one of a pitch; \
-         {} events. The reference is itself known to {:.0e}, and errors are not told from that. Times are processor times \
-         of one core without recording, the least of several.\n\n",
+         {} events. The reference is {reference}. It is itself known to {:.0e}, and errors are not told from that. Times \
+         are processor times of one core without recording, the least of several.\n\n",
         measured.events, measured.floor
     );
-    if let Some((label, setting, error)) = nearest(measured) {
+    let by_steps = matches!(measured.reference, By::Steps(_));
+    if let Some((label, setting, error)) = nearest(measured).filter(|_| !by_steps) {
         text += &format!(
             "Nearest to it comes {label} at {setting}, which shares no formula with it: within {error:.0e}.\n\n"
         );
@@ -138,6 +163,7 @@ pub fn markdown(measured: &WorkPrecision) -> String {
             }
         };
         let remark = match &point.errors {
+            Err(why) if !point.tried => why.clone(),
             Err(why) => format!("failed: {why}"),
             Ok(e) if !point.right_events => format!("failed: {:+} events", e.events),
             Ok(_) => String::new(),

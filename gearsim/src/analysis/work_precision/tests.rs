@@ -2,7 +2,7 @@
 
 use super::ladder::Kind;
 use super::table::{self, Price};
-use super::{Curve, Errors, Point, Scenes, WorkPrecision};
+use super::{By, Curve, Errors, Point, Scenes, WorkPrecision};
 use crate::generated::MODELS;
 use crate::model::Model;
 use crate::scene::Scene;
@@ -17,6 +17,7 @@ fn point(error: f64, seconds: f64, right_events: bool) -> Point {
         events: 1,
         errors: Ok(errors),
         right_events,
+        tried: true,
     }
 }
 
@@ -45,7 +46,8 @@ fn words_say_what_is_measured() {
         curve("steps", Kind::Method, &[(1e-4, 1e-3, true), (1e-8, 0.1, true)]),
         curve("classical equations", Kind::Equations, &[(0.04, 1e-4, true)]),
     ];
-    let measured = WorkPrecision { scene: "x".into(), events: 9, floor: 1e-12, curves };
+    let reference = By::Compensated;
+    let measured = WorkPrecision { scene: "x".into(), events: 9, reference, floor: 1e-12, curves };
     let words = table::words(&measured);
     assert_eq!(
         words,

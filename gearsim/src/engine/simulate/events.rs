@@ -127,7 +127,9 @@ impl<const N: usize> Simulation<'_, N> {
             Switching::WithJump => match &mut self.compensated {
                 None => {
                     let dv = law::barrier(self.equations, self.stand(), law, side, &self.state);
-                    self.laws[law].surface.pass(&mut self.state.q_dot, side, dv)
+                    let (passage, gained) = self.laws[law].surface.jump(&self.state.q_dot, side, dv);
+                    self.state.gain(&gained);
+                    passage
                 }
                 Some(compensated) => {
                     let met = law::met(&self.laws, law, side, &self.state);

@@ -167,7 +167,7 @@ impl<const N: usize> Simulation<'_, N> {
         self.counts.cost = cost;
         self.dissipated += lost;
         self.state.q += dq;
-        self.state.q_dot += dv;
+        self.state.gain(&dv);
         if let Some(forced) = &mut self.forcing {
             forced.forcing.work.iter_mut().zip(gains.work).for_each(|(work, more)| *work += more);
         }
@@ -206,7 +206,7 @@ impl<const N: usize> Simulation<'_, N> {
             let part = if window.width > 0.0 { (tau / window.width).clamp(0.0, x) } else { 0.0 };
             let (dq, dv) = window.increments(part);
             let gains = window.gains(&forced.forcing, part);
-            let state = State { q: self.state.q + dq, q_dot: self.state.q_dot + dv, turns: self.state.turns };
+            let state = State::new(self.state.q + dq, self.state.q_dot + dv, self.state.turns);
             recorder.beyond = forced.forcing.work.iter().zip(gains.work).map(|(work, more)| work + more).collect();
             let lost = self.dissipated + gains.lost + self.clipped(self.here(), &self.state, &dq);
             recorder.row(at, Moment::Sample, &state, &self.k, (lost, self.ignored));

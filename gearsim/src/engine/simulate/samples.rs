@@ -31,7 +31,7 @@ impl<const N: usize> Simulation<'_, N> {
             }
             let point = flight.at(tau.max(0.0));
             let (dq, dv) = flight.increments(&point);
-            let state = State { q: self.state.q + dq, q_dot: self.state.q_dot + dv, turns: self.state.turns };
+            let state = State::new(self.state.q + dq, self.state.q_dot + dv, self.state.turns);
             let dissipated = flight.dissipated(&point) + self.clipped(here, &self.state, &dq);
             if let Some(forcing) = &self.forcing {
                 recorder.beyond = forcing.work_after(&self.clock, &dq);

@@ -21,6 +21,7 @@ impl<const N: usize> Advance<'_, N> {
         if self.settings.events == Events::AfterStep {
             return None;
         }
+        let slack = self.control.slack();
         let mut first: Option<(f64, Met)> = None;
         for (i, law) in self.field.laws.iter().enumerate() {
             if law.switching == Switching::Never && law.pitch.steps_only() || law.next_switch().is_some() {
@@ -29,7 +30,7 @@ impl<const N: usize> Advance<'_, N> {
             let (lower, upper) = law.bounds();
             for (side, bound) in [(Side::Upper, upper), (Side::Lower, lower)] {
                 let (gap, n) = dense.gap(law.phase, bound, side.sign());
-                let found = root::first(&gap[..n], 4.0 * law.rounding());
+                let found = root::first_known_to(&gap[..n], 4.0 * law.rounding(), slack[law.phase]);
                 self.counts.cost.steps += found.steps;
                 self.counts.cost.grazes += found.grazes;
                 if let Some(x) = found.root.filter(|x| first.is_none_or(|first| *x < first.0)) {

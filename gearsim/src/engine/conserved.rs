@@ -1,0 +1,51 @@
+//! Momentum that springs and dampers leave alone, and rounded shapes would not.
+//!
+//! A rigid motion z has the momentum z.M q'. A vibration has no part in it: z.M X = 0. Of a rounded X it is some roundings,
+//! by which every flight would push the rotation, mostly to the same side where cells are met again and again in the same
+//! way: over many events that adds up. What z.M X comes to is known in twice the digits, and taken back.
+
+use nalgebra::{SMatrix, SVector};
+use xprec::Df64;
+
+use crate::engine::cell::Cell;
+
+/// A rigid motion in a cell.
+#[derive(Debug, Clone)]
+pub struct Conserved<const N: usize> {
+    /// z (N).
+    pub motion: SVector<f64, N>,
+    /// z.M X of the vibrations, over z.M z; 0 for rigid modes (N).
+    pub on_gained: SVector<f64, N>,
+    /// The same of the shapes that follow the modes' speeds, where damping couples them.
+    pub on_further: Option<SVector<f64, N>>,
+}
+
+/// Roundings, of what they are sums of, in forces that are none.
+const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+
+impl<const N: usize> Conserved<N> {
+    /// The motion `z` in a cell with M, C, K; `None` where it meets with forces there.
+    pub fn of(z: SVector<f64, N>, cell: &Cell<N>, [m, c, k]: [&SMatrix<f64, N, N>; 3]) -> Option<Self> {
+        let free = |a: &SMatrix<f64, N, N>| {
+            let (force, sum) = (a * z, a.abs() * z.abs());
+            force.iter().zip(&sum).all(|(force, sum)| force.abs() <= ROUNDINGS * sum)
+        };
+        if !free(c) || !free(k) {
+            return None;
+        }
+        let product = |a: Df64, b: f64| a * Df64::from(b);
+        let momentum: [Df64; N] =
+            std::array::from_fn(|j| (0..N).fold(Df64::from(0.0), |sum, i| sum + product(Df64::from(z[i]), m[(i, j)])));
+        let along = |x: &dyn Fn(usize) -> f64| (0..N).fold(Df64::from(0.0), |sum, j| sum + product(momentum[j], x(j)));
+        let size = along(&|j| z[j]);
+        let lost = |shapes: &SMatrix<f64, N, N>| {
+            SVector::from_fn(
+                |i, _| {
+                    if cell.modes[i].is_rigid() { 0.0 } else { (along(&|j| shapes[(j, i)]) / size).hi() }
+                },
+            )
+        };
+        let on_further = cell.coupling.as_ref().map(|coupling| lost(&coupling.shapes));
+        Some(Conserved { motion: z, on_gained: lost(&cell.shapes), on_further })
+    }
+}
