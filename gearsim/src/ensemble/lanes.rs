@@ -185,14 +185,13 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             for i in 0..N {
                 q[i] = q[i] + cells.shapes[i][j] * points[j].moved;
                 gained[i] = gained[i] + cells.shapes[i][j] * points[j].gained;
-                lost[i] = lost[i] - cells.excess[i][j] * points[j].gained;
             }
             if !self.rigid[j] {
+                for i in 0..N {
+                    lost[i] = lost[i] - cells.excess[i][j] * points[j].gained;
+                }
                 dissipated = dissipated + flight.dissipated(j, &points[j]);
             }
-        }
-        for i in 0..N {
-            [q_dot[i], lost[i]] = two_sum(q_dot[i], gained[i] + lost[i]);
         }
         q[self.phase] = way.boundary;
         let mut dv = Pack::all(0.0);
@@ -201,12 +200,12 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 dv = dv + cells.step[1][i][j].or(way.up, cells.step[0][i][j]) * q[i] * q[j];
             }
         }
-        let v = q_dot[self.phase];
+        let v = q_dot[self.phase] + gained[self.phase];
         let lowered = 2.0 * self.compliance * dv;
         let square = v * v - lowered;
         let gain = -(way.sign * lowered) / (square.sqrt() + v.abs());
         for i in 0..N {
-            [q_dot[i], lost[i]] = two_sum(q_dot[i], self.direction[i] * gain + lost[i]);
+            [q_dot[i], lost[i]] = two_sum(q_dot[i], (gained[i] + lost[i]) + self.direction[i] * gain);
         }
         q[self.phase] = cells.entered[1].or(way.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
