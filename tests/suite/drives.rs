@@ -47,6 +47,26 @@ fn working_point(scene: &Scene) -> f64 {
     low
 }
 
+/// At rest on a step, and pulled off it by a shaft that winds up only by and by: no method may see steps there that are none.
+#[test]
+fn methods_leave_a_step_from_rest() {
+    let by = |method: &str, tolerance: f64| {
+        let solver = [format!("run.method={method}"), format!("run.tolerance={tolerance:e}"), "run.t_end=0.04 s".into()];
+        let outcome = run(&scene("drives/fan_run_up", &solver));
+        let t = &outcome.trajectory;
+        (outcome.counts.cell_changes, t.q[0][t.len() - 1])
+    };
+    let reference = by("dop853", 1e-12);
+    assert!(reference.0 > 0);
+    for method in ["dopri5", "dop853", "radau"] {
+        for tolerance in [1e-5, 1e-8, 1e-11] {
+            let (changes, angle) = by(method, tolerance);
+            assert_eq!(changes, reference.0, "{method} at {tolerance:e}");
+            assert!((angle - reference.1).abs() < 1e4 * tolerance, "{method} at {tolerance:e}: {angle}");
+        }
+    }
+}
+
 #[test]
 fn a_motor_brings_a_fan_to_their_working_point() {
     let scene = scene("drives/fan_run_up", &[]);

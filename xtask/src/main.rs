@@ -10,6 +10,7 @@ mod oh2005;
 mod peers;
 mod published;
 mod soak;
+mod work_precision;
 
 use std::process::ExitCode;
 
@@ -45,6 +46,8 @@ enum Verb {
     Peers(peers::Peers),
     /// Run very many events without damping: how the energy error grows, into out/soak.
     Soak(soak::Soak),
+    /// Measure what accuracy costs on the paper's scenes: plots and tables of the READMEs.
+    WorkPrecision(work_precision::WorkPrecision),
 }
 
 fn main() -> ExitCode {
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         Verb::Oh2005(verb) => verb.run(),
         Verb::Peers(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
+        Verb::WorkPrecision(verb) => verb.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,5 +1,7 @@
 //! Prices and words, from curves made by hand; and a scene, measured.
 
+use std::path::Path;
+
 use super::ladder::Kind;
 use super::table::{self, Price};
 use super::{By, Curve, Errors, Point, Scenes, WorkPrecision};
@@ -57,6 +59,39 @@ fn words_say_what_is_measured() {
     let text = table::markdown(&measured);
     assert!(text.contains("never"), "{text}");
     assert_eq!(table::csv(&measured).lines().count(), 5);
+}
+
+fn measured(scene: &str, overrides: &[&str]) -> WorkPrecision {
+    let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(scene).with_extension("toml");
+    let overrides: Vec<String> = overrides.iter().map(|set| set.to_string()).collect();
+    let exact = Scene::load(&path, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+    let entry = MODELS.iter().find(|m| m.model.name == exact.model.name).unwrap();
+    let run = |scene: &Scene| (entry.run)(scene, &mut |_| {});
+    super::measure(&Scenes { exact, cheaper: vec![] }, &run, 1, &mut |_| {}).unwrap()
+}
+
+/// Flanks that part and meet are no events to compare: methods note them differently. Steps of the stiffness are.
+#[test]
+fn errors_of_a_scene_with_play() {
+    let measured = measured("backlash", &["run.t_end=6 ms"]);
+    assert_eq!(measured.reference, By::Plain);
+    assert!(measured.events > 20 && measured.floor < 1e-10, "{} {}", measured.events, measured.floor);
+    for curve in measured.curves.iter().filter(|curve| curve.label.contains("order")) {
+        let last = curve.points.last().unwrap();
+        assert!(curve.failures() == 0 && last.error().unwrap() < 1e-8, "{}: {last:?}", curve.label);
+    }
+}
+
+/// Where there are no exact cells two methods by steps say what the motion is.
+#[test]
+fn errors_of_a_scene_without_exact_cells() {
+    let measured = measured("drives/fan_run_up", &["run.t_end=0.03 s"]);
+    assert!(matches!(&measured.reference, By::Steps(why) if why.contains("induction")), "{:?}", measured.reference);
+    assert!(measured.floor < 1e-9, "{:e}", measured.floor);
+    assert!(measured.curves.iter().all(|curve| !curve.label.contains("exact")));
+    let words = table::words(&measured);
+    assert!(words.starts_with("Cells are not linear here: there is no exact solution. By steps, 1e-6 costs"), "{words}");
 }
 
 /// The paper's gear pair over four steps: errors fall as the methods say, ramps' as their width, and the cheaper equations'
