@@ -51,7 +51,8 @@ fn working_point(scene: &Scene) -> f64 {
 #[test]
 fn methods_leave_a_step_from_rest() {
     let by = |method: &str, tolerance: f64| {
-        let solver = [format!("run.method={method}"), format!("run.tolerance={tolerance:e}"), "run.t_end=0.04 s".into()];
+        let solver =
+            [format!("run.method={method}"), format!("run.tolerance={tolerance:e}"), "run.t_end=0.04 s".into()];
         let outcome = run(&scene("drives/fan_run_up", &solver));
         let t = &outcome.trajectory;
         (outcome.counts.cell_changes, t.q[0][t.len() - 1])

@@ -81,7 +81,7 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
 /// Roundings, of the largest value, that are no jump.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
-fn largest(column: &Vec<f64>) -> f64 {
+fn largest(column: &[f64]) -> f64 {
     column.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()))
 }
 
@@ -99,5 +99,5 @@ fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
         let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
         law.map_or_else(|| largest(column), |law| law.period)
     });
-    (q.collect(), run.q_dot.iter().map(largest).collect())
+    (q.collect(), run.q_dot.iter().map(|column| largest(column)).collect())
 }

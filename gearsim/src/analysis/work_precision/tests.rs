@@ -94,7 +94,10 @@ fn errors_of_a_scene_without_exact_cells() {
     assert!(measured.floor < 1e-9, "{:e}", measured.floor);
     assert!(measured.curves.iter().all(|curve| !curve.label.contains("exact")));
     let words = table::words(&measured);
-    assert!(words.starts_with("Cells are not linear here: there is no exact solution. By steps, 1e-6 costs"), "{words}");
+    assert!(
+        words.starts_with("Cells are not linear here: there is no exact solution. By steps, 1e-6 costs"),
+        "{words}"
+    );
 }
 
 /// The paper's gear pair over four steps: errors fall as the methods say, ramps' as their width, and the cheaper equations'
