@@ -38,11 +38,8 @@ impl WorkPrecision {
             let (words, table) = pick(&text).with_context(|| format!("no words or no table for {scene}"))?;
             parts.push((format!("{name} in words"), words));
             parts.push((name.to_string(), table));
-            for kind in ["png", "svg"] {
-                let to = paper.join("plots").join(format!("work_precision_{name}")).with_extension(kind);
-                fs::copy(out.join("work_precision").with_extension(kind), &to)
-                    .with_context(|| format!("cannot write {}", to.display()))?;
-            }
+            let to = paper.join("plots").join(format!("work_precision_{name}.png"));
+            fs::copy(out.join("work_precision.png"), &to).with_context(|| format!("cannot write {}", to.display()))?;
         }
         for readme in READMES.map(|name| root.join(name)) {
             let text = fs::read_to_string(&readme).with_context(|| format!("cannot read {}", readme.display()))?;
