@@ -24,7 +24,7 @@ pub struct Conserved<const N: usize> {
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 impl<const N: usize> Conserved<N> {
-    /// The motion `z` in a cell with M, C, K; `None` where it meets with forces there.
+    /// The motion `z` in a cell with M, C, K; `None` where it meets with forces there, or numbers overflow.
     pub fn of(z: SVector<f64, N>, cell: &Cell<N>, [m, c, k]: [&SMatrix<f64, N, N>; 3]) -> Option<Self> {
         let free = |a: &SMatrix<f64, N, N>| {
             let (force, sum) = (a * z, a.abs() * z.abs());
@@ -33,19 +33,18 @@ impl<const N: usize> Conserved<N> {
         if !free(c) || !free(k) {
             return None;
         }
-        let product = |a: Df64, b: f64| a * Df64::from(b);
-        let momentum: [Df64; N] =
-            std::array::from_fn(|j| (0..N).fold(Df64::from(0.0), |sum, i| sum + product(Df64::from(z[i]), m[(i, j)])));
-        let along = |x: &dyn Fn(usize) -> f64| (0..N).fold(Df64::from(0.0), |sum, j| sum + product(momentum[j], x(j)));
+        let sum = |of: &dyn Fn(usize) -> Df64| (0..N).fold(Df64::from(0.0), |sum, i| sum + of(i));
+        let momentum: [Df64; N] = std::array::from_fn(|j| sum(&|i| Df64::from(z[i]) * Df64::from(m[(i, j)])));
+        let along = |x: &dyn Fn(usize) -> f64| sum(&|j| momentum[j] * Df64::from(x(j)));
         let size = along(&|j| z[j]);
-        let lost = |shapes: &SMatrix<f64, N, N>| {
-            SVector::from_fn(
-                |i, _| {
-                    if cell.modes[i].is_rigid() { 0.0 } else { (along(&|j| shapes[(j, i)]) / size).hi() }
-                },
-            )
+        let excess = |shapes: &SMatrix<f64, N, N>| {
+            let of = |i: usize| (along(&|j| shapes[(j, i)]) / size).hi();
+            SVector::from_fn(|i, _| if cell.modes[i].is_rigid() { 0.0 } else { of(i) })
         };
-        let on_further = cell.coupling.as_ref().map(|coupling| lost(&coupling.shapes));
-        Some(Conserved { motion: z, on_gained: lost(&cell.shapes), on_further })
+        let on_further = cell.coupling.as_ref().map(|coupling| excess(&coupling.shapes));
+        let on_gained = excess(&cell.shapes);
+        // Beyond what numbers can hold it is not known.
+        let known = on_gained.iter().chain(on_further.iter().flatten()).all(|x| x.is_finite());
+        known.then_some(Conserved { motion: z, on_gained, on_further })
     }
 }

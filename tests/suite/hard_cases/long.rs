@@ -60,20 +60,20 @@ fn reversal(note: &mut String) -> f64 {
         let pair = GearPair::paper(0.0, 1.0);
         // Away from a step, where the way back would end, too.
         let start = State { theta: 1.0, ..pair.start(rpm) };
-        let there_and_back = |start: &State| {
-            let there = pair::run(&pair, start, t);
-            let State { theta_dot, phi_dot, .. } = there.end;
-            let back = pair::run(&pair, &State { theta_dot: -theta_dot, phi_dot: -phi_dot, ..there.end }, t);
-            let State { theta_dot, phi_dot, .. } = back.end;
-            (there, State { theta_dot: -theta_dot, phi_dot: -phi_dot, ..back.end })
-        };
-        let (there, back) = there_and_back(&start);
-        let by = 1.0 + 1e-9;
-        let disturbed = State { phi: start.phi * by, theta_dot: start.theta_dot * by, ..start };
-        let grown = distance(&pair::run(&pair, &disturbed, t).end, &there.end, &pair, start.theta_dot) / 1e-9;
+        let turned = |end: &State| State { theta_dot: -end.theta_dot, phi_dot: -end.phi_dot, ..*end };
+        let there = pair::run(&pair, &start, t);
+        let turn = turned(&there.end);
+        let back = pair::run(&pair, &turn, t);
+        // Of roundings on the way there, and where it turns.
+        let grown = [(&start, &there), (&turn, &back)].map(|(from, run)| {
+            let by = 1.0 + 1e-9;
+            let disturbed = State { phi: from.phi * by, theta_dot: from.theta_dot * by, ..*from };
+            distance(&pair::run(&pair, &disturbed, t).end, &run.end, &pair, start.theta_dot) / 1e-9
+        });
         let events = there.events.len() as f64;
         all.push(events);
-        distance(&back, &start, &pair, start.theta_dot) / (f64::EPSILON * (1.0 + grown) * events)
+        let grown = 1.0 + grown[0].max(grown[1]);
+        distance(&turned(&back.end), &start, &pair, start.theta_dot) / (f64::EPSILON * grown * events)
     }));
     *note = format!("{all:?} events");
     worst
