@@ -37,7 +37,7 @@ impl<const N: usize> Conserved<N> {
         let momentum: [Df64; N] = std::array::from_fn(|j| sum(&|i| Df64::from(z[i]) * Df64::from(m[(i, j)])));
         let along = |x: &dyn Fn(usize) -> f64| sum(&|j| momentum[j] * Df64::from(x(j)));
         let size = along(&|j| z[j]);
-        let excess = |shapes: &SMatrix<f64, N, N>| {
+        let excess = |shapes: &SMatrix<f64, N, N>| -> SVector<f64, N> {
             let of = |i: usize| (along(&|j| shapes[(j, i)]) / size).hi();
             SVector::from_fn(|i, _| if cell.modes[i].is_rigid() { 0.0 } else { of(i) })
         };

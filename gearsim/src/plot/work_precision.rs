@@ -38,8 +38,7 @@ fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> 
         let points = || curve.points.iter().filter(|point| point.tried);
         let failed = |point: &&Point| point.failed();
         let place = |point: &Point| {
-            let error =
-                point.errors.as_ref().map_or(LOST * FAILED, |errors| of(errors).clamp(measured.floor, LOST * FAILED));
+            let error = point.errors.as_ref().map_or(LOST * FAILED, |errors| of(errors).min(LOST * FAILED));
             (point.seconds.0, error)
         };
         let mut good: Vec<_> = points().filter(|p| !failed(p)).map(place).collect();

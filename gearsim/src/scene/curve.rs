@@ -111,11 +111,14 @@ impl Stiffness {
     }
 
     /// The same levels, joined by straight ramps of width `ramp`, of which the part `before` lies before the step and the rest
-    /// after it. `None` if a level has no room for that.
+    /// after it; curves stay as they are. `None` if a level has no room for that.
     pub fn ramped(&self, ramp: f64, before: f64) -> Option<Self> {
         let n = self.steps.len();
-        if n < 2 || self.steps.iter().any(|step| step.width <= ramp) {
-            return (n == 1).then(|| self.clone());
+        if n == 1 || !self.steps_only() {
+            return Some(self.clone());
+        }
+        if self.steps.iter().any(|step| step.width <= ramp) {
+            return None;
         }
         // The pitch begins at a step, so within a ramp: that one is cut in two.
         let after = (1.0 - before) * ramp;

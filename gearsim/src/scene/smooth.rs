@@ -61,6 +61,15 @@ impl Smooth<'_> {
     pub(super) fn ramped(&self, stepping: Stiffness, report: &mut Report) -> Option<Stiffness> {
         let Some(node) = keys::get(self.entries, "ramp") else { return Some(stepping) };
         let path = format!("laws.{}.ramp", self.law.name);
+        if !stepping.steps_only() {
+            report.add(
+                &node.place,
+                format!("`{path}` joins levels, and this law has none"),
+                "out of place",
+                "leave it out",
+            );
+            return None;
+        }
         let width = measure::quantity(&path, node, self.phase, report)?;
         if width <= 0.0 {
             measure::out_of_range(&path, node, "must be positive", "leave it out for steps", report);

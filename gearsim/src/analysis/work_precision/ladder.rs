@@ -119,7 +119,7 @@ fn ramp(scene: &Scene, reference: &Reference, part: f64) -> Option<Rung> {
         stiffness.ramped(*width, if behind { 1.0 } else { 0.0 })
     });
     let laws: Vec<_> = ramped.collect::<Option<_>>()?;
-    if laws.iter().all(|law| law.steps_only()) {
+    if !scene.laws.iter().any(|law| law.steps_only() && law.steps.len() > 1) {
         return None;
     }
     let mut scene = Scene { laws, ..scene.clone() };
