@@ -50,7 +50,7 @@ fn paper_scenes_agree_with_fifty_digits() {
             let t_end = 0.1;
             let precise = precise::scene(&pair, &start, t_end, 50);
             let outcome = run(&gear_pair(&pair, start.theta_dot, t_end));
-            assert_eq!(outcome.counts.cell_changes + outcome.counts.reflections, precise.events.len() as u64);
+            assert_eq!(outcome.counts.events(), precise.events.len() as u64);
             let t = &outcome.trajectory;
             let error = [
                 relative(t.q[0][t.len() - 1], precise.end.theta.0, 1.0),
@@ -87,7 +87,7 @@ fn long_runs_agree_with_fifty_digits() {
                 scene
             };
             let outcome = run(&scene);
-            assert_eq!(outcome.counts.cell_changes + outcome.counts.reflections, precise.events.len() as u64);
+            assert_eq!(outcome.counts.events(), precise.events.len() as u64);
             let t = &outcome.trajectory;
             let last = t.len() - 1;
             let times = (0..t.len()).filter(|&i| t.moment[i].name() == "before").map(|i| t.t[i]);

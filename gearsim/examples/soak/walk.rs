@@ -70,7 +70,7 @@ impl Walk {
             simulation.t_end += (done / 16).clamp(1, (events / SAMPLES).max(1)) as f64 * seconds_an_event;
             simulation.run(None, &mut |_| {}).with_context(|| format!("after {done} events"))?;
             let counts = &simulation.counts;
-            let new = counts.cell_changes + counts.reflections - done;
+            let new = counts.events() - done;
             quiet = if new == 0 { quiet + 1 } else { 0 };
             if quiet > QUIET {
                 bail!("after {done} events the gear meets no more steps");

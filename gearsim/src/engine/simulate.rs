@@ -43,6 +43,13 @@ pub struct Counts {
     pub cost: Cost,
 }
 
+impl Counts {
+    /// Steps of a stiffness met: passed, or turned back from.
+    pub fn events(&self) -> u64 {
+        self.cell_changes + self.reflections
+    }
+}
+
 /// A simulation under way: one scene's equations, cells and state.
 pub struct Simulation<'a, const N: usize> {
     equations: &'a dyn Equations<N>,

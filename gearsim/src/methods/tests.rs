@@ -168,7 +168,7 @@ fn the_same_events_as_the_exact_engine() {
     ];
     for case in cases {
         let exact = run(case);
-        let events = exact.counts.cell_changes + exact.counts.reflections;
+        let events = exact.counts.events();
         for method in ["dopri5", "dop853", "radau"] {
             let method = format!("run.method={method:?}");
             let mut overrides = vec![&method[..], "run.tolerance=1e-11"];

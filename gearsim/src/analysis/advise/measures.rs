@@ -115,7 +115,7 @@ impl Measures {
             speed: rolling.iter().map(|&i| mean(&column(&run.q_dot[i])[late..])).collect(),
             energy: run.energy(last),
             at_start: outcome.energy_at_start,
-            events: instants(run).unwrap_or(counts.cell_changes + counts.reflections) as f64,
+            events: instants(run).unwrap_or(counts.events()) as f64,
             reflections: counts.reflections,
         }
     }

@@ -106,7 +106,7 @@ pub fn point(family: &Family, rung: &Rung, reference: &Reference, run: Runner<'_
         seconds: (seconds[0], seconds[seconds.len() / 2]),
         evaluations: counts.cost.evaluations,
         steps: outcome.solver.steps + outcome.solver.rejected,
-        events: counts.cell_changes + counts.reflections,
+        events: counts.events(),
         errors,
         // A ramp has no events, and other equations have their own.
         right_events: right || rung.blur > 0.0 || family.kind == Kind::Equations,
