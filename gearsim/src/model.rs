@@ -56,6 +56,23 @@ pub enum Start {
     At(f64),
     /// Where the forces on it balance, the other coordinates given.
     Static,
+    /// The same; of several such places that which is found from this value [SI unit of the coordinate].
+    Near(f64),
+}
+
+impl Start {
+    /// Whether it is where forces balance.
+    pub fn is_static(self) -> bool {
+        !matches!(self, Start::At(_))
+    }
+
+    /// Its value, or the one from which the balance is looked for.
+    pub fn guess(self) -> f64 {
+        match self {
+            Start::At(x) | Start::Near(x) => x,
+            Start::Static => 0.0,
+        }
+    }
 }
 
 /// A scalar parameter.

@@ -70,6 +70,12 @@ impl Trajectory {
         }
     }
 
+    /// Memory that a row takes \[bytes\].
+    pub fn bytes_of_row(model: &Model) -> usize {
+        let columns = 2 * model.coordinates.len() + model.torques.len() + 6;
+        columns * size_of::<f64>() + size_of::<Moment>()
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.t.len()
@@ -83,6 +89,12 @@ impl Trajectory {
     /// U = T + V - W in row `i` [J]: the energy that only damping may change.
     pub fn energy(&self, i: usize) -> f64 {
         self.kinetic[i] + self.strain[i] - self.work[i]
+    }
+
+    /// The largest part of the energy account at any row \[J\]: T, V, the energy dissipated, the work of a torque.
+    pub fn largest_energy(&self) -> f64 {
+        let parts = [&self.kinetic, &self.strain, &self.dissipated];
+        parts.into_iter().chain(&self.torque_work).flatten().fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
     /// The rows that are samples at the recording rate, in order.

@@ -46,7 +46,7 @@ fn main() -> ExitCode {
         ("every_inertia_is_proved_definite", models::every_inertia_is_proved_definite),
         ("deflections_are_what_they_stand_for", models::deflections_are_what_they_stand_for),
         ("mid_values_may_stand_in_energies", models::mid_values_may_stand_in_energies),
-        ("a_newcomers_file_is_what_the_energies_say", newcomer::file_is_current),
+        ("a_newcomers_file_is_what_the_energies_say", newcomer::files_are_current),
         ("nonlinear_cells_are_named", newcomer::nonlinear_cells_are_named),
         ("torques_by_speed_are_named_with_their_effects", newcomer::torques_by_speed_are_named_with_their_effects),
         ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),

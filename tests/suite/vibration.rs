@@ -1,6 +1,8 @@
 //! Modes, damping that couples them, and the stability of steady rotation: against published numbers, closed forms and the
 //! matrix exponential in 50 digits.
 
+#[path = "vibration/apart.rs"]
+mod apart;
 mod common;
 #[path = "vibration/damped.rs"]
 mod damped;

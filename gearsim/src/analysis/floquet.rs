@@ -87,7 +87,7 @@ impl Floquet {
     /// # Errors
     /// Where a cell has no modes, or the stiffnesses have no common period.
     pub fn of(scene: &Scene, system: &dyn System) -> Result<Floquet, FloquetError> {
-        let courses = steady::courses(scene, system);
+        let courses = steady::courses(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
         let means: Vec<f64> = courses.iter().map(Course::mean).collect();
         let lowest = Modal::of(&system.matrices(&means)?)?.modes.iter().map(|m| m.omega2).find(|w| *w > 0.0);

@@ -1,6 +1,7 @@
 //! What is computed from a recording after the run, and from the equations without one.
 
 pub mod advise;
+pub mod digits;
 pub mod floquet;
 pub mod modes;
 pub mod spectrum;

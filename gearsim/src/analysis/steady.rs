@@ -2,8 +2,9 @@
 //! k(Omega0 t).
 
 use crate::engine::equations::Switching;
+use crate::engine::error::Refusal;
 use crate::engine::system::System;
-use crate::model::{Law, Start};
+use crate::model::Law;
 use crate::scene::{Scene, Stiffness};
 
 /// A law in steady rotation.
@@ -59,21 +60,23 @@ pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
 }
 
 /// The stiffnesses of a scene in steady rotation, in the order of the model's laws.
-pub fn courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
-    let mut all = all_courses(scene, system);
+///
+/// # Errors
+/// Where the start of the scene is not determined.
+pub fn courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusal> {
+    let mut all = all_courses(scene, system)?;
     all.truncate(scene.stiffnesses().count());
-    all
+    Ok(all)
 }
 
 /// All its laws: the stiffnesses, and after them the transmission errors, which a small disturbance does not feel.
-pub fn all_courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
-    let speeds = speeds(scene, system);
+///
+/// # Errors
+/// Where the start of the scene is not determined.
+pub fn all_courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusal> {
+    let (begin, speeds) = (system.start(scene)?, speeds(scene, system));
     let course = |(i, (law, given)): (usize, (&'static Law, &Stiffness))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
-        let begin = match scene.start.q[phase] {
-            Start::At(x) => x,
-            Start::Static => 0.0,
-        };
         let steps = system.switching(i) != Switching::Never && given.steps.len() > 1;
         let period = law.period * f64::from(given.pitches);
         let mut end = 0.0;
@@ -90,8 +93,8 @@ pub fn all_courses(scene: &Scene, system: &dyn System) -> Vec<Course> {
         } else if let Some(last) = levels.last_mut() {
             last.1 = period;
         }
-        let start = (begin - given.origin).rem_euclid(period);
+        let start = (begin[phase] - given.origin).rem_euclid(period);
         Course { name: law.name, levels, period, start, speed: speeds[phase], steps }
     };
-    scene.present().enumerate().map(course).collect()
+    Ok(scene.present().enumerate().map(course).collect())
 }

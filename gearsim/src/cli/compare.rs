@@ -78,11 +78,8 @@ impl Verb for Compare {
         let width = terminal::width();
         let written = report::files(folder.path(), folder.files(), width);
         terminal::say(&format!("{}\n{}\n{written}", report::scene(&scene, width), table::render(&members, &summaries)));
-        let stopped = members.into_iter().find_map(|m| m.outcome.stopped_by.map(|stop| (m.set.label, stop)));
-        stopped.map_or(Ok(()), |(label, stop)| {
-            let (run, folder) = (format!("the {label} run"), folder.path().to_owned());
-            Err(Failure::Stopped { run, stop: Box::new(stop), folder })
-        })
+        let verdict = |m: &Member| Failure::of(&format!("the {} run", m.set.label), &m.outcome, folder.path());
+        members.iter().try_for_each(verdict)
     }
 }
 
@@ -121,6 +118,7 @@ impl Member {
             trajectory: &self.outcome.trajectory,
             reference_frequency: self.outcome.reference_frequency,
             scene: &self.scene.name,
+            none_from: self.outcome.digits.and_then(|digits| digits.none_from),
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Why a command could not do what it was asked, and the exit code that says so.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::terminal;
-use crate::engine::{Refusal, Stop};
+use crate::engine::{Account, Outcome, Refusal, Stop};
 use crate::output::OutputError;
 use crate::scene::SceneErrors;
 
@@ -29,6 +29,9 @@ pub(super) enum Failure {
     /// A run stopped before its end.
     #[error("{run} stopped early: {stop}\n  what was computed until then is in {folder}", folder = folder.display())]
     Stopped { run: String, stop: Box<Stop>, folder: PathBuf },
+    /// A run came to its end, and its energy account does not close.
+    #[error("the result of {run} is wrong: {account}\n  what was computed is in {folder}", folder = folder.display())]
+    Refuted { run: String, account: Account, folder: PathBuf },
 }
 
 impl From<crate::sweep::Error> for Failure {
@@ -42,13 +45,23 @@ impl From<crate::sweep::Error> for Failure {
 }
 
 impl Failure {
+    /// Whether a run whose results are in `folder` failed.
+    pub(super) fn of(run: &str, outcome: &Outcome, folder: &Path) -> Result<(), Failure> {
+        let (run, folder) = (run.to_owned(), folder.to_owned());
+        match (&outcome.stopped_by, outcome.refuted) {
+            (Some(stop), _) => Err(Failure::Stopped { run, stop: Box::new(stop.clone()), folder }),
+            (None, Some(account)) => Err(Failure::Refuted { run, account, folder }),
+            (None, None) => Ok(()),
+        }
+    }
+
     /// The exit code.
     pub(super) fn code(&self) -> u8 {
         match self {
             Failure::Usage(error) => u8::try_from(error.exit_code()).unwrap_or(2),
             Failure::Scene(_) | Failure::Refused { .. } | Failure::Impossible { .. } => 2,
             Failure::Output(_) => 1,
-            Failure::Stopped { .. } => 3,
+            Failure::Stopped { .. } | Failure::Refuted { .. } => 3,
         }
     }
 

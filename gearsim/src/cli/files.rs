@@ -1,7 +1,7 @@
 //! The files of a run.
 
 use crate::engine::Outcome;
-use crate::output::summary::{Counts, Energy, Method, Named, Number, Summary};
+use crate::output::summary::{Counts, Digits, Energy, Method, Named, Number, Summary};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
 use crate::scene::Scene;
@@ -70,8 +70,15 @@ fn draw(name: &str, runs: &[Run<'_>]) -> Result<(String, Vec<u8>), PlotError> {
 pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
     let none = Number(f64::NAN);
-    let no_energy =
-        Energy { kinetic: none, strain: none, work: none, dissipated: none, residual: none, at_start: none };
+    let no_energy = Energy {
+        kinetic: none,
+        strain: none,
+        work: none,
+        dissipated: none,
+        residual: none,
+        at_start: none,
+        largest: none,
+    };
     let parameters = scene.model.parameters.iter().map(|p| p.name).zip(scene.parameters.iter().copied());
     Summary {
         scene: scene.name.clone(),
@@ -97,6 +104,10 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
             ignored: Number(outcome.ignored),
             ambiguous: counts.ambiguous,
         },
+        digits: outcome
+            .digits
+            .map(|digits| Digits { at_end: Number(digits.at_end), none_from: digits.none_from.map(Number) }),
+        remarks: outcome.remarks.clone(),
         cpu_seconds: Number(outcome.cpu_seconds),
         completed: outcome.stopped_by.is_none(),
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),

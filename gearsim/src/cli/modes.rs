@@ -103,7 +103,7 @@ impl Verb for Modes {
         let scene = self.source.load()?;
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
         let system = (entry(&scene)?.system)(&scene).map_err(refused)?;
-        let courses = steady::courses(&scene, &*system);
+        let courses = steady::courses(&scene, &*system).map_err(refused)?;
         let springs = springs::of(&scene, entry(&scene)?).map_err(refused)?;
         let chosen = modes::of(&*system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
         let cells = modes::combinations(&courses);

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::{number, terminal};
-use crate::output::summary::Summary;
+use crate::output::summary::{Digits, Summary};
 use crate::scene::Scene;
 
 /// Columns before what a line says.
@@ -37,6 +37,7 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         ("method", method),
         ("simulated", reached),
         ("end state", state(scene, summary)),
+        ("digits left", digits(summary)),
         ("cell changes", summary.cell_changes.to_string()),
         ("reflections", summary.reflections.to_string()),
         ("lost to damping", lost),
@@ -50,6 +51,9 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
 fn rare(summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
     let mut text = String::new();
+    for remark in &summary.remarks {
+        text += &line("note", remark, width);
+    }
     if counts.holds > 0 {
         let ignored = number::short(counts.ignored.0);
         text += &line("held at a step", &format!("{} times, with {ignored} J of bounces ignored", counts.holds), width);
@@ -84,12 +88,28 @@ fn state(scene: &Scene, summary: &Summary) -> String {
     entries.collect::<Vec<_>>().join(", ")
 }
 
-/// Energy out of nowhere [J], and as a part of the energy at the start.
+/// How far the end state is to be trusted.
+fn digits(summary: &Summary) -> String {
+    match summary.digits {
+        None => "not estimated".into(),
+        Some(Digits { none_from: Some(t), .. }) => format!(
+            "none from t = {} s on: a rounding, or the error of a step, has grown as large as the motion. The state, counts and \
+             extremes after that are one of many possible outcomes; the energy account still holds",
+            number::short(t.0)
+        ),
+        Some(Digits { at_end, .. }) => {
+            format!("{:.0} of the end state, by a second run from a start a rounding away", at_end.0.floor())
+        }
+    }
+}
+
+/// Energy out of nowhere [J], and as a part of the largest part of the account.
 fn unaccounted(summary: &Summary) -> String {
-    let (residual, start) = (summary.energy.residual.0, summary.energy.at_start.0);
+    let (residual, largest) = (summary.energy.residual.0, summary.energy.largest.0);
     let mut text = format!("{} J", number::short(residual));
-    if start != 0.0 {
-        let _ = write!(text, ", {} of the energy at the start", number::short((residual / start).abs()));
+    if largest != 0.0 {
+        let _ =
+            write!(text, ", {} of the largest part of the energy account", number::short((residual / largest).abs()));
     }
     text
 }

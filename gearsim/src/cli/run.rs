@@ -44,13 +44,7 @@ impl Verb for Run {
         if !self.quiet {
             terminal::say(&text);
         }
-        match outcome.stopped_by {
-            None => Ok(()),
-            Some(stop) => {
-                let (run, folder) = (format!("scene {}", scene.name), folder.path().to_owned());
-                Err(Failure::Stopped { run, stop: Box::new(stop), folder })
-            }
-        }
+        Failure::of(&format!("scene {}", scene.name), &outcome, folder.path())
     }
 }
 
@@ -60,7 +54,8 @@ impl Run {
         let (overrides, csv) = (&self.source.overrides, self.csv || scene.output.csv);
         files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
         let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
-        let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name };
+        let none_from = outcome.digits.and_then(|digits| digits.none_from);
+        let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name, none_from };
         for warning in files::plots(folder, scene, &[run])? {
             terminal::complain(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
         }

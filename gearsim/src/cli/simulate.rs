@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::failure::Failure;
 use super::progress::Progress;
+use crate::analysis::digits;
 use crate::engine::{Entry, Outcome};
 use crate::generated::MODELS;
 use crate::output::OutputFolder;
@@ -56,10 +57,11 @@ pub(super) fn entry(scene: &Scene) -> Result<&'static Entry, Failure> {
     MODELS.iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)
 }
 
-/// Runs a scene, with a progress bar if it takes long and is not `quiet`.
+/// Runs a scene, and its companion, which tells how many digits are left; with a progress bar if it takes long and is not `quiet`.
 pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
     let entry = entry(scene)?;
     let mut progress = Progress::new(scene.t_end, quiet);
     let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-    (entry.run)(scene, &mut |t| progress.at(t)).map_err(refused)
+    let outcome = (entry.run)(scene, &mut |t| progress.at(t)).map_err(refused)?;
+    Ok(digits::noted(scene, outcome, &|companion| (entry.run)(companion, &mut |_| {})))
 }

@@ -42,7 +42,7 @@ pub(super) struct SweepCommand {
     #[arg(long, default_value_t = 0)]
     seed: u64,
     /// What to record
-    #[arg(long, value_name = "GROUPS", value_delimiter = ',', default_value = "events,state,energy,extremes")]
+    #[arg(long, value_name = "GROUPS", value_delimiter = ',', default_value = "events,state,digits,energy,extremes")]
     record: Vec<String>,
     /// Takes extremes and spectra from this time on, when what the start has shaken up has settled
     #[arg(long, value_name = "TIME", default_value = "0 s")]

@@ -39,6 +39,11 @@ impl Side {
     pub fn sign(self) -> f64 {
         if self == Side::Upper { 1.0 } else { -1.0 }
     }
+
+    /// The other one.
+    pub fn opposite(self) -> Side {
+        if self == Side::Upper { Side::Lower } else { Side::Upper }
+    }
 }
 
 /// What a search costs.

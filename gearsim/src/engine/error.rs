@@ -77,6 +77,10 @@ pub enum Stop {
     )]
     Step { t: f64, h: f64, method: &'static str, state: String, cell: usize },
     #[error(
+        "at t = {t} s {rows} rows are recorded, as many as output.most_rows allows: record less (output.events = false, a lower output.rate), end the run earlier, or raise output.most_rows"
+    )]
+    Rows { t: f64, rows: usize },
+    #[error(
         "at t = {t} s {steps} steps were tried, and the run is given up ({state}, cell {cell}): allow a larger error or end it earlier"
     )]
     Steps { t: f64, steps: u64, state: String, cell: usize },

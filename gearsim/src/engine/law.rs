@@ -8,7 +8,7 @@ use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
-use crate::engine::phase::Pitch;
+use crate::engine::phase::{Pitch, turn};
 use crate::engine::record::State;
 use crate::model::Role;
 use crate::scene::Scene;
@@ -61,19 +61,25 @@ impl<const N: usize> Law<N> {
         let mut laws: Vec<Law<N>> = vec![];
         for (i, (law, given)) in scene.present().enumerate() {
             let switching = equations.switching(i);
-            let pitch = match switching {
-                Switching::Never => Pitch::constant(given.mid(), law.period),
-                _ => Pitch::new(given, law.period),
-            };
             let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
+            // Laws on one coordinate are counted in one unit.
+            let on_phase: Vec<_> = scene.present().filter(|(other, _)| other.phase == law.phase).collect();
+            let periods: Vec<f64> = on_phase.iter().map(|(other, _)| other.period).collect();
+            let counted = turn::common(&periods).filter(|_| law.rolling);
+            let which = on_phase.iter().position(|(other, _)| other.name == law.name).unwrap_or(0);
+            let (period, times) = counted.as_ref().map_or((law.period, 1), |(turn, times)| (*turn, times[which]));
+            let pitch = match switching {
+                Switching::Never => Pitch::constant(given.mid(), period),
+                _ => Pitch::counted(given, period, times * given.pitches),
+            };
             let speed = state.q_dot[phase];
             if (absolute[phase] / law.period).abs() > FARTHEST {
                 return Err(Refusal::Far { coordinate: law.phase });
             }
             let (pitches, rest, cell) = pitch.locate(absolute[phase], speed);
             let first = laws.iter().find(|l| l.phase == phase);
-            let turns = law.rolling && first.is_none();
-            let turn = first.map_or(if law.rolling { law.period } else { 0.0 }, |l| l.turn);
+            let turns = counted.is_some() && first.is_none();
+            let turn = if counted.is_some() { period } else { 0.0 };
             if turns {
                 state.q[phase] = rest;
                 state.turns[phase] = pitches;
@@ -83,7 +89,7 @@ impl<const N: usize> Law<N> {
             if !surface.compliance.is_finite() || surface.direction.iter().any(|x| !x.is_finite()) {
                 return Err(Refusal::Overflow);
             }
-            // Laws on one coordinate may begin their pitches at different places of it.
+            // They may begin their pitches at different places of it.
             let counted = if turn > 0.0 { state.turns[phase] } else { 0 };
             let ahead = if frozen.is_some() { 0 } else { pitches - counted };
             let is_error = law.role == Role::Error;
@@ -209,6 +215,11 @@ impl<const N: usize> Law<N> {
     }
 }
 
+/// Length of one turn of each coordinate (N), 0 where none are counted.
+pub fn turn_lengths<const N: usize>(laws: &[Law<N>]) -> [f64; N] {
+    std::array::from_fn(|i| laws.iter().find(|law| law.phase == i).map_or(0.0, Law::turn))
+}
+
 /// What steps where `law` meets a boundary: it, and whatever joins it.
 #[inline]
 pub fn met<'a, const N: usize>(
@@ -218,6 +229,19 @@ pub fn met<'a, const N: usize>(
     state: &'a State<N>,
 ) -> impl Iterator<Item = usize> + 'a {
     (0..laws.len()).filter(move |&i| i == law || laws[i].joins(&laws[law], side, state))
+}
+
+/// Takes `law`, and whatever joins it at its boundary, on into the cells beyond.
+#[inline]
+pub fn enter<const N: usize>(laws: &mut [Law<N>], law: usize, side: Side, state: &mut State<N>) {
+    if let [only] = laws {
+        only.enter(side, state);
+        return;
+    }
+    let entering: Vec<usize> = met(laws, law, side, state).collect();
+    let phase = laws[law].phase;
+    let turns: i64 = entering.into_iter().map(|i| laws[i].enter(side, state)).sum();
+    laws.iter_mut().for_each(|law| law.follow(phase, turns));
 }
 
 /// What the potential energy gains there, dV [J].

@@ -105,12 +105,10 @@ impl Modal {
         rotate_coincident(&omega2, &m.damping, &mut shapes, &mut momentum);
 
         let damping = shapes.transpose() * &m.damping * &shapes;
-        let modes = damped(&omega2, &damping)?;
         let rounding = ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
-        let coupled = match couples(&damping, &rounding) {
-            true => Some(Coupled::of(&omega2, &above(&damping, &rounding))?),
-            false => None,
-        };
+        let above = above(&omega2, &damping, &rounding);
+        let modes = damped(&omega2, &above)?;
+        let coupled = if couples(&above) { Some(Coupled::of(&omega2, &above)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
         let springs = DMatrix::from_fn(n, n, |i, j| omega2[i] * momentum[(i, j)]);
         let load = shapes.transpose() * &m.load;
@@ -137,19 +135,28 @@ fn rotate_coincident(omega2: &[f64], damping: &DMatrix<f64>, shapes: &mut DMatri
     }
 }
 
-/// Whether damping couples two modes by more than the roundings of C seen through X.
-fn couples(damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> bool {
+/// Whether damping couples two modes by more than what counts as rounding.
+fn couples(damping: &DMatrix<f64>) -> bool {
     let n = damping.nrows();
     (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).any(|(i, j)| {
         let within = (damping[(i, i)] * damping[(j, j)]).abs().sqrt();
-        damping[(i, j)].abs() > (COUPLED * within).max(rounding[(i, j)])
+        damping[(i, j)].abs() > COUPLED * within
     })
 }
 
 /// The damping without its roundings, exactly symmetric.
-fn above(damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
+///
+/// Roundings of C seen through X are known entry by entry. Those of X itself mix the shapes: a mode on whose part no damper acts has
+/// some eps of the most strongly damped shape, and by that a damping of eps² and couplings of eps. Modes of one frequency were turned until
+/// damping does not couple them, and their dampings are known to eps of the largest among them.
+fn above(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
     let n = damping.nrows();
-    let lost = |i: usize| damping[(i, i)] <= rounding[(i, i)];
+    let mixed = (n as f64 * f64::EPSILON).powi(2) * damping.diagonal().amax();
+    let turned = |i: usize| {
+        let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= COINCIDENT * omega2[i];
+        n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
+    };
+    let lost = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
     DMatrix::from_fn(n, n, |i, j| {
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
         if mean.abs() <= rounding[(i, j)] || lost(i) || lost(j) { 0.0 } else { mean }

@@ -5,13 +5,14 @@ use std::time::Duration;
 use cpu_time::ThreadTime;
 use xprec::Df64;
 
+use crate::engine::account::{self, Account};
 use crate::engine::cell::Cell;
 use crate::engine::equations::{Derived, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
-use crate::engine::start;
+use crate::engine::start::{self, Begun};
 use crate::engine::system::{self, System};
 use crate::ensemble;
 use crate::methods;
@@ -40,6 +41,21 @@ pub struct Outcome {
     pub reference_frequency: Option<f64>,
     /// Processor time that the simulation took, with its recording [s].
     pub cpu_seconds: f64,
+    /// The energy account, where it refutes the result.
+    pub refuted: Option<Account>,
+    /// How many digits of the result are left, where that was estimated.
+    pub digits: Option<Digits>,
+    /// What a reader of the result has to know beside it, a sentence each.
+    pub remarks: Vec<String>,
+}
+
+/// How many digits of a result are left ([`crate::analysis::digits`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Digits {
+    /// Of the state at the end, its worst coordinate or speed: 0 to 16.
+    pub at_end: f64,
+    /// Time from which on none are left \[s\]; `None` where some are.
+    pub none_from: Option<f64>,
 }
 
 /// How a run was solved.
@@ -114,25 +130,30 @@ pub fn compensate<D: Derived<N>, const N: usize>(
 
 fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
     let equations = equations::<D, N>(scene)?;
-    let choice = choice::of(scene, &start::begin(&*equations, scene)?.1)?;
-    match choice::numerical(&choice, scene) {
-        None => exact::<D, N>(scene, &*equations, choice, watch),
+    let begun = start::begin(&*equations, scene)?;
+    let choice = choice::of(scene, &begun.laws)?;
+    let (others, closes) = (begun.others.clone(), account::closes(&begun.laws));
+    let outcome = match choice::numerical(&choice, scene) {
+        None => exact::<D, N>(scene, &*equations, begun, choice, watch),
         Some(_) if scene.solver.precision == Precision::Compensated => Err(Refusal::CompensatedNumerical(choice.why)),
         Some((method, settings)) => {
             let forcing = Forcing::of::<D>(scene);
-            numerical(scene, &*equations, choice, (method, settings, forcing), watch)
+            Ok(numerical(scene, &*equations, begun, choice, (method, settings, forcing), watch))
         }
-    }
+    }?;
+    let refuted = Account::of(&outcome, scene).filter(|account| closes && account.refutes());
+    Ok(Outcome { refuted, remarks: others.into_iter().chain(outcome.remarks).collect(), ..outcome })
 }
 
 /// By the exact engine.
 fn exact<D: Derived<N>, const N: usize>(
     scene: &Scene,
     equations: &dyn Equations<N>,
+    begun: Begun<N>,
     choice: Choice,
     watch: &mut dyn FnMut(f64),
 ) -> Result<Outcome, Refusal> {
-    let mut simulation = Simulation::driven(scene.model, equations, scene, Forcing::of::<D>(scene))?;
+    let mut simulation = Simulation::begun(scene.model, equations, scene, begun, Forcing::of::<D>(scene))?;
     if scene.solver.precision == Precision::Compensated {
         if let Some(torques) = scene.varying() {
             return Err(Refusal::CompensatedVarying { torques });
@@ -153,8 +174,9 @@ fn exact<D: Derived<N>, const N: usize>(
 fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
     let prepare = |scene: &Scene| -> Result<_, Refusal> {
         let equations = equations::<D, N>(scene)?;
-        let choice = choice::of(scene, &start::begin(&*equations, scene)?.1)?;
-        Ok((equations, choice))
+        let begun = start::begin(&*equations, scene)?;
+        let choice = choice::of(scene, &begun.laws)?;
+        Ok((equations, begun, choice))
     };
     let prepared: Vec<_> = scenes.iter().map(prepare).collect();
     let plain = |scene: &Scene, choice: &Choice| {
@@ -163,9 +185,10 @@ fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<O
     // Those that are exact and plain, side by side.
     let (mut which, mut simulations) = (vec![], vec![]);
     for (i, (scene, prepared)) in scenes.iter().zip(&prepared).enumerate() {
-        if let Ok((equations, choice)) = prepared
+        if let Ok((equations, begun, choice)) = prepared
             && plain(scene, choice)
-            && let Ok(simulation) = Simulation::new(scene.model, &**equations, scene)
+            && scene.varying().is_none()
+            && let Ok(simulation) = Simulation::begun(scene.model, &**equations, scene, begun.clone(), None)
         {
             which.push(i);
             simulations.push(simulation);
@@ -183,9 +206,12 @@ fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<O
     let mut done: Vec<Option<Outcome>> = vec![None; scenes.len()];
     for (((&i, simulation), mut recorder), result) in which.iter().zip(&simulations).zip(recorders).zip(results) {
         simulation.note(&mut recorder, Moment::Sample);
-        if let Ok((equations, choice)) = &prepared[i] {
+        if let Ok((equations, begun, choice)) = &prepared[i] {
             let outcome = ended(&scenes[i], &**equations, choice.clone(), simulation, recorder, result.err(), each);
-            done[i] = Some(outcome);
+            let refuted = Account::of(&outcome, &scenes[i]);
+            let refuted = refuted.filter(|account| account::closes(&simulation.laws) && account.refutes());
+            let remarks = begun.others.iter().cloned().collect();
+            done[i] = Some(Outcome { refuted, remarks, ..outcome });
         }
     }
     // The others by themselves.
@@ -202,7 +228,10 @@ fn recorder<'e, const N: usize>(
     equations: &'e dyn Equations<N>,
     simulation: &Simulation<'_, N>,
 ) -> Recorder<'e, N> {
-    Recorder::new(scene.model, equations, simulation.turn_lengths(), simulation.state, simulation.levels())
+    let (lengths, state, levels) = (simulation.turn_lengths(), simulation.state, simulation.levels());
+    let mut recorder = Recorder::new(scene.model, equations, lengths, state, levels);
+    recorder.most_rows = scene.output.most_rows;
+    recorder
 }
 
 /// What a simulation came to.
@@ -224,6 +253,9 @@ fn ended<const N: usize>(
         stopped_by,
         reference_frequency: reference_frequency(scene, equations),
         cpu_seconds,
+        refuted: None,
+        digits: None,
+        remarks: vec![],
     }
 }
 
@@ -231,13 +263,15 @@ fn ended<const N: usize>(
 fn numerical<const N: usize>(
     scene: &Scene,
     equations: &dyn Equations<N>,
+    begun: Begun<N>,
     choice: Choice,
     (method, settings, forcing): (Box<dyn methods::Method<N>>, Settings, Option<Forcing<N>>),
     watch: &mut dyn FnMut(f64),
-) -> Result<Outcome, Refusal> {
-    let mut advance = Advance::new(equations, scene, method, settings, forcing)?;
+) -> Outcome {
+    let mut advance = Advance::begun(equations, scene, begun, method, settings, forcing);
     let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
     let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
+    recorder.most_rows = scene.output.most_rows;
     let begin = ThreadTime::now();
     let stopped_by = advance.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
     let cpu_seconds = since(begin);
@@ -253,7 +287,7 @@ fn numerical<const N: usize>(
         None => (choice.method.name(), choice.why),
     };
     let (steps, rejected) = advance.steps;
-    Ok(Outcome {
+    Outcome {
         energy_at_start: recorder.energy_at_start,
         trajectory: recorder.trajectory,
         ignored: 0.0,
@@ -262,7 +296,10 @@ fn numerical<const N: usize>(
         stopped_by,
         reference_frequency: reference_frequency(scene, equations),
         cpu_seconds,
-    })
+        refuted: None,
+        digits: None,
+        remarks: vec![],
+    }
 }
 
 /// Processor time of this thread since `begin` [s], never 0.

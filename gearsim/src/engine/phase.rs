@@ -1,6 +1,8 @@
 //! Where a law stands in its pitch: the cell is state, not computed from the angle, and the angle is kept as
 //! a count of pitches and a remainder, so that a billion revolutions cost no digits.
 
+pub mod turn;
+
 use xprec::Df64;
 
 use crate::engine::crossing::Side;
@@ -34,7 +36,12 @@ struct Span {
 impl Pitch {
     /// The pitch of a law with the given period.
     pub fn new(law: &Stiffness, period: f64) -> Self {
-        let length = Df64::from(period) * f64::from(law.pitches);
+        Self::counted(law, period, law.pitches)
+    }
+
+    /// The same of a law that repeats itself after a number of pitches of length `period`, by which it is counted.
+    pub fn counted(law: &Stiffness, period: f64, pitches: u32) -> Self {
+        let length = Df64::from(period) * f64::from(pitches);
         let origin = Df64::from(law.origin) - length * (law.origin / length.hi()).ceil();
         let mut ends = vec![Df64::from(0.0)];
         for step in &law.steps[..law.steps.len() - 1] {
@@ -50,7 +57,7 @@ impl Pitch {
         Pitch {
             spans: ends.windows(2).map(span).collect(),
             period,
-            pitches: law.pitches.into(),
+            pitches: pitches.into(),
             levels: law.steps.iter().map(|s| s.value).collect(),
             curves: law.curves.clone(),
         }
@@ -123,8 +130,7 @@ impl Pitch {
     /// The same from one curve to the other.
     #[cold]
     fn step_of_curves(&self, cell: usize, beyond: usize, side: Side) -> f64 {
-        let other = if side == Side::Upper { Side::Lower } else { Side::Upper };
-        let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, other));
+        let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, side.opposite()));
         // Curves that meet do so to rounding, of their values and of the boundaries.
         let places = 16.0 * f64::EPSILON * self.length() * (slope.abs() + beyond.abs());
         let rounding = places + 1e-12 * here.abs().max(there.abs());

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::engine::equations::Equations;
+use crate::engine::error::Stop;
 use crate::model::Model;
 use crate::trajectory::{Moment, Trajectory};
 
@@ -71,6 +72,8 @@ pub struct Recorder<'a, const N: usize> {
     pub beyond: Vec<f64>,
     /// The rows.
     pub trajectory: Trajectory,
+    /// Rows that may be recorded.
+    pub most_rows: u64,
 }
 
 impl<'a, const N: usize> Recorder<'a, N> {
@@ -84,7 +87,20 @@ impl<'a, const N: usize> Recorder<'a, N> {
     ) -> Self {
         let energy_at_start = equations.kinetic(&start.q_dot.into()) + equations.potential(&start.q.into(), k);
         let (beyond, trajectory) = (vec![], Trajectory::new(model));
-        Recorder { equations, pitch, start, energy_at_start, beyond, trajectory }
+        Recorder { equations, pitch, start, energy_at_start, beyond, trajectory, most_rows: u64::MAX }
+    }
+
+    /// Ends a run that has recorded as many rows as it may.
+    ///
+    /// # Errors
+    /// [`Stop::Rows`].
+    #[inline]
+    pub fn demand_room(&self) -> Result<(), Stop> {
+        let rows = self.trajectory.len();
+        if (rows as u64) < self.most_rows {
+            return Ok(());
+        }
+        Err(Stop::Rows { t: self.trajectory.t.last().copied().unwrap_or(0.0), rows })
     }
 
     /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].

@@ -13,9 +13,9 @@ use crate::engine::equations::{Equations, Matrices, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::guard::Guard;
-use crate::engine::law::Law;
+use crate::engine::law::{self, Law};
 use crate::engine::record::{Recorder, State};
-use crate::engine::start;
+use crate::engine::start::{self, Begun};
 use crate::methods::choice;
 use crate::model::Model;
 use crate::scene::Scene;
@@ -126,11 +126,25 @@ impl<'a, const N: usize> Simulation<'a, N> {
         scene: &Scene,
         forcing: Option<Forcing<N>>,
     ) -> Result<Self, Refusal> {
+        Self::begun(model, equations, scene, start::begin(equations, scene)?, forcing)
+    }
+
+    /// The same from a start that is known.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::new`].
+    pub fn begun(
+        model: &Model,
+        equations: &'a dyn Equations<N>,
+        scene: &Scene,
+        begun: Begun<N>,
+        forcing: Option<Forcing<N>>,
+    ) -> Result<Self, Refusal> {
         let terms = scene.effects.nonlinear(model);
         if !terms.is_empty() {
             return Err(Refusal::Nonlinear { terms });
         }
-        let (state, laws, mut bands) = start::begin(equations, scene)?;
+        let Begun { state, laws, mut bands, .. } = begun;
         if let Some(terms) = choice::curved(model, &laws) {
             return Err(Refusal::Nonlinear { terms });
         }
@@ -189,6 +203,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
         let mut sample = 0;
         while !self.step(&mut recorder, &mut sample)? {
             watch(self.clock.now());
+            recorder.iter().try_for_each(|(recorder, ..)| recorder.demand_room())?;
         }
         Ok(())
     }
@@ -354,7 +369,6 @@ impl<'a, const N: usize> Simulation<'a, N> {
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.
     pub fn turn_lengths(&self) -> [f64; N] {
-        let length = |i| self.laws.iter().find(|l| l.phase == i).map_or(0.0, Law::turn);
-        std::array::from_fn(length)
+        law::turn_lengths(&self.laws)
     }
 }

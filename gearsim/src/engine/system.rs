@@ -7,6 +7,7 @@ use crate::engine::equations::{Derived, Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::modal::Matrices;
 use crate::engine::outcome::equations;
+use crate::engine::start;
 use crate::model::Model;
 use crate::scene::Scene;
 
@@ -34,6 +35,12 @@ pub trait System: Send + Sync {
 
     /// Speeds q' of rigid motion `i` of unit size (n).
     fn motion(&self, i: usize) -> Vec<f64>;
+
+    /// The coordinates with which a scene of these equations starts (n), those in static equilibrium included.
+    ///
+    /// # Errors
+    /// Where that equilibrium is not determined.
+    fn start(&self, scene: &Scene) -> Result<Vec<f64>, Refusal>;
 }
 
 /// The system of a scene of model `D`.
@@ -81,5 +88,9 @@ impl<const N: usize> System for Of<N> {
 
     fn motion(&self, i: usize) -> Vec<f64> {
         self.0.motion(i).to_vec()
+    }
+
+    fn start(&self, scene: &Scene) -> Result<Vec<f64>, Refusal> {
+        Ok(start::begin(&*self.0, scene)?.absolute().to_vec())
     }
 }

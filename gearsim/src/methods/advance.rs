@@ -16,10 +16,10 @@ use crate::engine::equations::Equations;
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::guard::Guard;
-use crate::engine::law::Law;
+use crate::engine::law;
 use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Counts;
-use crate::engine::start;
+use crate::engine::start::{self, Begun};
 use crate::scene::Scene;
 use crate::trajectory::Moment;
 
@@ -127,9 +127,21 @@ impl<'a, const N: usize> Advance<'a, N> {
         settings: Settings,
         forcing: Option<Forcing<N>>,
     ) -> Result<Self, Refusal> {
+        Ok(Self::begun(equations, scene, start::begin(equations, scene)?, method, settings, forcing))
+    }
+
+    /// The same from a start that is known.
+    pub fn begun(
+        equations: &'a dyn Equations<N>,
+        scene: &Scene,
+        begun: Begun<N>,
+        method: Box<dyn Method<N>>,
+        settings: Settings,
+        forcing: Option<Forcing<N>>,
+    ) -> Self {
         let swings = forcing.as_ref().map_or(0.0, Forcing::fastest);
         let torques = if forcing.is_some() || equations.has_powers() { scene.model.torques.len() } else { 0 };
-        let (state, laws, bands) = start::begin(equations, scene)?;
+        let Begun { state, laws, bands, .. } = begun;
         let y = Flow { q: state.q, v: state.q_dot, lost: 0.0 };
         let mut field = Field::new(scene.model, equations, (laws, bands), forcing);
         let rate = field.rate(0.0, &y);
@@ -142,7 +154,7 @@ impl<'a, const N: usize> Advance<'a, N> {
         let speeds = std::array::from_fn(|i| (2.0 * energy * mobility[i][i]).sqrt().max(rate.v[i].abs() / fastest));
         let control = Control::new(settings.steps, &y, speeds, fastest, method.exponent(), scene.t_end);
         let free = field.bands.iter().map(|band| band.regime == Regime::Free).collect();
-        Ok(Advance {
+        Advance {
             free,
             field,
             method,
@@ -161,7 +173,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             counts: Counts::default(),
             steps: (0, 0),
             gave_way: None,
-        })
+        }
     }
 
     /// Runs to the end, as [`Simulation::run`](crate::engine::simulate::Simulation::run) does.
@@ -222,6 +234,7 @@ impl<'a, const N: usize> Advance<'a, N> {
                 return Ok(());
             }
             watch(self.clock.now());
+            recording.iter().try_for_each(|(recorder, ..)| recorder.demand_room())?;
         }
     }
 
@@ -358,7 +371,7 @@ impl<'a, const N: usize> Advance<'a, N> {
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.
     pub fn turn_lengths(&self) -> [f64; N] {
-        std::array::from_fn(|i| self.field.laws.iter().find(|l| l.phase == i).map_or(0.0, Law::turn))
+        law::turn_lengths(&self.field.laws)
     }
 
     /// The name of the method at work.

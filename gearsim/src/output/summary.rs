@@ -36,6 +36,10 @@ pub struct Summary {
     pub method: Method,
     /// What the solver did.
     pub counts: Counts,
+    /// How many digits of the state are left; `null` where that was not estimated.
+    pub digits: Option<Digits>,
+    /// What a reader has to know beside the numbers, a sentence each.
+    pub remarks: Vec<String>,
     /// Processor time that the simulation took, with its recording [s].
     pub cpu_seconds: Number,
     /// Whether the run got as far as the scene asks.
@@ -66,6 +70,18 @@ pub struct Energy {
     pub residual: Number,
     /// T + V - W at the start.
     pub at_start: Number,
+    /// The largest part of the account at any row, by which the residual is to be measured.
+    pub largest: Number,
+}
+
+/// How many digits of the state are left.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Digits {
+    /// At the end, of its worst coordinate or speed: 0 to 16.
+    pub at_end: Number,
+    /// Time from which on none are left [s]; `null` where some are. From there on the state is one of many.
+    pub none_from: Option<Number>,
 }
 
 /// How a run was solved.
@@ -139,6 +155,7 @@ impl Energy {
             dissipated: Number(*run.dissipated.last()?),
             residual: Number(*run.residual.last()?),
             at_start: Number(start),
+            largest: Number(run.largest_energy()),
         })
     }
 }
@@ -269,6 +286,8 @@ mod tests {
                 ignored: Number(5e-12),
                 ambiguous: 6,
             },
+            digits: Some(Digits { at_end: Number(11.5), none_from: None }),
+            remarks: vec!["one of two equilibria".into()],
             cpu_seconds: Number(0.01),
             completed: false,
             stopped_by: Some("stalled".into()),

@@ -38,7 +38,7 @@ pub fn draw(figure: &Figure) -> String {
     for (i, panel) in figure.panels.iter().enumerate() {
         let last = i + 1 == figure.panels.len();
         y = legend(&mut body, panel, y);
-        frame(&mut body, panel, &x, last, y, height);
+        frame(&mut body, panel, (&x, figure.x.shaded_from), last, y, height);
         y += height + GAP;
     }
     y += 14.0;
@@ -73,7 +73,7 @@ fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
 }
 
 /// Draws the frame of a panel, with numbers at the x axis below the last one, its axes and its curves.
-fn frame(out: &mut String, panel: &Panel, x: &Ruler, last: bool, top: f64, height: f64) {
+fn frame(out: &mut String, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), last: bool, top: f64, height: f64) {
     // Only what lies within the x axis may stretch the y axis.
     let visible = |s: &Series, i: usize| (-1e-9..=1.0 + 1e-9).contains(&x.place(s.x[i]));
     let logarithmic = panel.y.scale == Scale::Log10;
@@ -107,6 +107,17 @@ fn frame(out: &mut String, panel: &Panel, x: &Ruler, last: bool, top: f64, heigh
     for at in y.minor() {
         let py = bottom - at * height;
         let _ = write!(marks, "M{LEFT} {py:.1}h3M{right} {py:.1}h-3");
+    }
+    if let Some(from) = shaded.map(|from| x.place(from).max(0.0)).filter(|from| *from < 1.0) {
+        let (left, width) = (LEFT + from * FRAME, (1.0 - from) * FRAME);
+        let _ = writeln!(
+            out,
+            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height}\" fill=\"#f3ecdf\"/>"
+        );
+        let says = "no digits of the state are left";
+        if SMALL * ems(says) + 12.0 < width {
+            text(out, (right - 6.0, top + 15.0), "end", SMALL, "fill=\"#8a6d3b\"", says);
+        }
     }
     path(out, &grid, "stroke=\"#e4e4e4\" stroke-width=\"0.8\"");
 

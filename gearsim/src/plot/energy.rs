@@ -4,7 +4,7 @@
 //! one keeps the books. With one run U is drawn over what damping has left of U(0): the curves coincide where the
 //! residual is zero, which a panel of its own shows on its own scale.
 
-use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first, scenes};
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first, scenes, time};
 
 /// Its entry in the registry.
 pub const PLOT: Plot = Plot {
@@ -16,7 +16,7 @@ pub const PLOT: Plot = Plot {
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let run = first(PLOT.name, runs)?;
     let panels = if runs.len() == 1 { alone(run) } else { overlaid(runs) };
-    Ok(Figure { title: "Energy".into(), subtitle: Some(scenes(runs)), x: Axis::linear("time t", "s"), panels })
+    Ok(Figure { title: "Energy".into(), subtitle: Some(scenes(runs)), x: time(runs), panels })
 }
 
 /// One run: U over U(0) less what damping took; the parts; the residual.

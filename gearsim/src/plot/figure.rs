@@ -53,12 +53,21 @@ pub struct Axis {
     pub range: Option<(f64, f64)>,
     /// Names at 0, 1, 2, ... instead of numbers; empty: numbers.
     pub names: Vec<String>,
+    /// Where the axis is x: from where on panels are shaded, as the state there is not determined.
+    pub shaded_from: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis as long as its data.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, range: None, names: vec![] }
+        Axis {
+            label: label.into(),
+            unit: unit.into(),
+            scale: Scale::Linear,
+            range: None,
+            names: vec![],
+            shaded_from: None,
+        }
     }
 
     /// A logarithmic axis as long as its data. Values that have no logarithm leave gaps.
@@ -69,6 +78,11 @@ impl Axis {
     /// The same axis with names at 0, 1, 2, ... instead of numbers.
     pub fn named(self, names: Vec<String>) -> Self {
         Axis { names, ..self }
+    }
+
+    /// The same axis, with panels shaded from there on.
+    pub fn shaded(self, shaded_from: Option<f64>) -> Self {
+        Axis { shaded_from, ..self }
     }
 
     /// The same axis between `low` and `high`.

@@ -74,6 +74,13 @@ pub struct Run<'a> {
     pub reference_frequency: Option<f64>,
     /// Name of the scene, for the title.
     pub scene: &'a str,
+    /// Time from which on no digit of its state is left \[s\].
+    pub none_from: Option<f64>,
+}
+
+/// The time axis of `runs`, shaded from where on the state of one of them is not determined.
+fn time(runs: &[Run<'_>]) -> Axis {
+    Axis::linear("time t", "s").shaded(runs.iter().filter_map(|run| run.none_from).reduce(f64::min))
 }
 
 /// Why a plot could not be drawn.

@@ -1,6 +1,6 @@
 //! The motion: every coordinate against time, with its speed; of one that rolls on, its speed only.
 
-use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol};
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol, time};
 use crate::model::Coordinate;
 use crate::trajectory::Trajectory;
 
@@ -29,7 +29,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     if runs.len() > 1 {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
     }
-    Ok(Figure { title: "Motion".into(), subtitle: Some(scenes(runs)), x: Axis::linear("time t", "s"), panels })
+    Ok(Figure { title: "Motion".into(), subtitle: Some(scenes(runs)), x: time(runs), panels })
 }
 
 /// The curves of one quantity in all runs that have it: named by run, or by `words` if there is one run only.

@@ -7,7 +7,7 @@ use crate::sweep::spectra::Line;
 use crate::sweep::{Manifest, Request, Sweep};
 
 fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
-    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps" }
+    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", none_from: None }
 }
 
 #[test]

@@ -30,7 +30,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         )
     });
     let (t_end, solver) = output::read_run(entries, &mut absent, report);
-    let output = output::read(entries, t_end, report);
+    let output = output::read(entries, model, t_end, report);
     keys::missing(&absent, "the scene", end, report);
 
     let (effects, parameters, laws, start) = of_model?;

@@ -52,7 +52,8 @@
 //! # steps = [{ value = -1, width = "1 rad" }, { value = 1 }]      # or as any law
 //!
 //! [start]
-//! theta = "0.1 rad"                           # a coordinate, or "static"; default: the model's
+//! theta = "0.1 rad"                           # a coordinate; default: the model's. "static": where the forces on it balance;
+//!                                             # "static near 0.1 rad": of several such places the one found from there
 //! phi_dot = "1 rad/s"                         # its speed; default: what the motions give it
 //! speed = "300 rpm"                           # a motion of the model; default: 0
 //!
@@ -68,6 +69,7 @@
 //! events = true                               # default
 //! plots = ["energy", "motion", "spectrum"]    # default
 //! csv = false                                 # default
+//! most_rows = 1e7                             # a run stops when it has recorded so many; default: what 4 GB hold
 //! ```
 
 mod check;
@@ -206,4 +208,6 @@ pub struct Output {
     pub plots: Vec<String>,
     /// Whether the trajectory is written as CSV too.
     pub csv: bool,
+    /// Rows that may be recorded: a run that has more stops, with those it has.
+    pub most_rows: u64,
 }

@@ -3,12 +3,14 @@
 use super::document::{Entry, Node};
 use super::error::Report;
 use super::{Output, PLOTS, Solver, field, keys, measure, solver};
+use crate::model::Model;
+use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
-pub(super) const KEYS: [&str; 4] = ["rate", "events", "plots", "csv"];
+pub(super) const KEYS: [&str; 5] = ["rate", "events", "plots", "csv", "most_rows"];
 
-/// Samples that a run may record: some gigabytes.
-const MAX_SAMPLES: f64 = 1e8;
+/// Memory that the rows of a run may take, unless the scene says how many they may be [bytes].
+const MEMORY: f64 = 4e9;
 
 /// Samples of a run whose scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
@@ -51,7 +53,12 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
 }
 
 /// Reads `[output]`, all of which may be left out.
-pub(super) fn read(entries: &[Entry], t_end: Option<f64>, report: &mut Report) -> Option<Output> {
+pub(super) fn read(
+    entries: &[Entry],
+    model: Option<&Model>,
+    t_end: Option<f64>,
+    report: &mut Report,
+) -> Option<Output> {
     let node = keys::get(entries, "output");
     let given = node.map_or(Some(&[][..]), |node| field::table("output", node, report))?;
     keys::known(given, "[output]", &KEYS, report);
@@ -64,28 +71,43 @@ pub(super) fn read(entries: &[Entry], t_end: Option<f64>, report: &mut Report) -
         Some(node) => field::names("output.plots", node, "plot", PLOTS, report),
         None => Some((0..PLOTS.len()).collect()),
     };
+    let most_rows = match keys::get(given, "most_rows") {
+        Some(node) => read_most_rows(node, report),
+        None => model.map(|model| MEMORY / Trajectory::bytes_of_row(model) as f64),
+    };
     let rate = match keys::get(given, "rate") {
-        Some(node) => read_rate(node, t_end, report),
+        Some(node) => read_rate(node, t_end, most_rows, report),
         None => t_end.map(|t_end| DEFAULT_SAMPLES / t_end),
     };
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
-    Some(Output { rate: rate?, events: events?, plots, csv: csv? })
+    Some(Output { rate: rate?, events: events?, plots, csv: csv?, most_rows: most_rows? as u64 })
 }
 
-fn read_rate(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64> {
+fn read_most_rows(node: &Node, report: &mut Report) -> Option<f64> {
+    let rows = measure::quantity("output.most_rows", node, "1", report)?;
+    if rows < 2.0 || rows.fract() != 0.0 {
+        let what = "give the rows that may be recorded, e.g. 1e7";
+        measure::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
+        return None;
+    }
+    Some(rows)
+}
+
+fn read_rate(node: &Node, t_end: Option<f64>, most_rows: Option<f64>, report: &mut Report) -> Option<f64> {
     let rate = measure::quantity("output.rate", node, "Hz", report)?;
     if rate <= 0.0 {
         let what = "give the samples a second, e.g. \"20 kHz\"";
         measure::out_of_range("output.rate", node, "must be positive", what, report);
         return None;
     }
-    let t_end = t_end?;
+    let (t_end, most_rows) = (t_end?, most_rows?);
     let samples = rate * t_end;
-    if samples > MAX_SAMPLES {
+    if samples > most_rows {
         let message = format!("`output.rate` asks for {samples:.1e} samples");
-        let most = MAX_SAMPLES / t_end;
+        let most = most_rows / t_end;
         let help = format!(
-            "at most {MAX_SAMPLES:e} are kept, {most:.1e} a second up to {t_end} s: lower the rate, or end the run earlier"
+            "at most {most_rows:.1e} rows are kept, {most:.1e} a second up to {t_end} s: lower the rate, end the run earlier, or \
+             raise output.most_rows"
         );
         report.add(&node.place, message, "too many samples", help);
         return None;

@@ -35,9 +35,16 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
         .map(|coordinate| match keys::get(given, coordinate.name) {
             None => Some(coordinate.start),
             Some(node) if is_static(node) => Some(Start::Static),
+            Some(node @ Node { value: Value::Text(text), .. }) if text.starts_with("static near ") => {
+                // The rest is a quantity, and said to be wrong in its own words.
+                let rest = Node { value: Value::Text(text["static near ".len()..].to_owned()), ..node.clone() };
+                let path = format!("start.{}", coordinate.name);
+                measure::quantity(&path, &rest, coordinate.unit, report).map(Start::Near)
+            }
             Some(Node { value: Value::Text(text), place }) if text.trim_start().starts_with(char::is_alphabetic) => {
                 let message = format!("`start.{}` cannot be \"{text}\"", coordinate.name);
-                let help = format!("write \"static\", or a quantity: \"0.1 {}\"", coordinate.unit);
+                let help =
+                    format!("write \"static\", a quantity, \"0.1 {0}\", or \"static near 0.1 {0}\"", coordinate.unit);
                 report.add(place, message, "neither static nor a quantity", help);
                 None
             }

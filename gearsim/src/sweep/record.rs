@@ -1,5 +1,6 @@
 //! What is kept of a point: groups of quantities, one file and one line of [`GROUPS`] each.
 
+mod digits;
 mod energy;
 mod events;
 mod extremes;
@@ -11,7 +12,7 @@ use crate::model::{Coordinate, Model};
 use crate::trajectory::Trajectory;
 
 /// All groups, in the order of their columns.
-pub const GROUPS: &[Group] = &[events::GROUP, state::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP];
+pub const GROUPS: &[Group] = &[events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP];
 
 /// Quantities that are kept together.
 #[derive(Clone, Copy)]
@@ -24,6 +25,8 @@ pub struct Group {
     pub samples: bool,
     /// Whether it is worked out from the limits at events.
     pub limits: bool,
+    /// Whether it asks how many digits are left, which takes a second run of each point.
+    pub digits: bool,
     /// Names of its columns and their units, for a model.
     pub columns: fn(&Model) -> Vec<Column>,
     /// Their values for a run, of the time from [s] on where that matters. What there is not is NaN.

@@ -19,18 +19,21 @@ pub enum Status {
     Done,
     /// It stopped before its end; what was recorded until then is there.
     Stopped,
+    /// It ran to its end, and its energy account does not close: the numbers are wrong.
+    Refuted,
     /// It made no system that can be simulated.
     Refused,
 }
 
 impl Status {
-    const ALL: [Status; 3] = [Status::Done, Status::Stopped, Status::Refused];
+    const ALL: [Status; 4] = [Status::Done, Status::Stopped, Status::Refuted, Status::Refused];
 
     /// The word that stands for it in files.
     pub fn name(self) -> &'static str {
         match self {
             Status::Done => "done",
             Status::Stopped => "stopped",
+            Status::Refuted => "refuted",
             Status::Refused => "refused",
         }
     }

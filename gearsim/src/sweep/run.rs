@@ -11,7 +11,8 @@ use rayon::prelude::*;
 
 use super::row::{Row, Status};
 use super::{Error, Sweep, record, spectra};
-use crate::engine::Outcome;
+use crate::analysis::digits;
+use crate::engine::{Outcome, Refusal};
 use crate::scene::Scene;
 
 /// Results are kept this often [s]: at first, and at most; in between, as often as a fiftieth of the time that the
@@ -118,15 +119,29 @@ impl Sweep {
                 Err(row) => rows.push(row),
             }
         }
-        let outcomes = match self.needs_only_ends() {
+        let mut outcomes = match self.needs_only_ends() {
             true => (self.entry.ends)(&scenes),
             false => scenes.iter().map(|scene| (self.entry.run)(scene, &mut |_| {})).collect(),
         };
+        if self.groups.iter().any(|group| group.digits) {
+            self.note_digits(&scenes, &mut outcomes);
+        }
         rows.extend(wanted.into_iter().zip(outcomes).map(|(point, outcome)| match outcome {
             Ok(outcome) => self.row(point, &outcome),
             Err(refusal) => self.refused(point, refusal.to_string()),
         }));
         rows
+    }
+
+    /// How many digits each run has left at its end, by companions of which only the ends are wanted.
+    fn note_digits(&self, scenes: &[Scene], outcomes: &mut [Result<Outcome, Refusal>]) {
+        let both =
+            || scenes.iter().zip(&*outcomes).filter_map(|(scene, outcome)| Some((scene, outcome.as_ref().ok()?)));
+        let companions: Vec<Scene> = both().map(|(scene, outcome)| digits::companion(scene, outcome, true)).collect();
+        let ends = (self.entry.ends)(&companions);
+        let noted: Vec<_> =
+            both().zip(ends).map(|((scene, run), end)| Some(digits::left(scene, run, &end.ok()?))).collect();
+        outcomes.iter_mut().flatten().zip(noted).for_each(|(outcome, noted)| outcome.digits = noted);
     }
 
     /// Whether nothing is made of what happens between the start of a run and its end.
@@ -149,10 +164,15 @@ impl Sweep {
             let coordinate = run.model.coordinates[i].name.into();
             Some(spectra::Line { coordinate, frequency: spectrum.frequency, density: spectrum.density })
         };
+        let (status, reason) = match (&outcome.stopped_by, &outcome.refuted) {
+            (Some(stop), _) => (Status::Stopped, stop.to_string()),
+            (None, Some(account)) => (Status::Refuted, account.to_string()),
+            (None, None) => (Status::Done, String::new()),
+        };
         Row {
             point,
-            status: if outcome.stopped_by.is_some() { Status::Stopped } else { Status::Done },
-            reason: outcome.stopped_by.as_ref().map_or(String::new(), |stop| stop.to_string()),
+            status,
+            reason,
             numbers: self.groups.iter().flat_map(|group| (group.values)(outcome, self.from)).collect(),
             spectra: match self.spectra {
                 true => record::elastic(run.model).into_iter().filter_map(line).collect(),

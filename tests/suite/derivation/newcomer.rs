@@ -4,25 +4,36 @@ use gearsim_derive::{Model, Range, Start, derive, half};
 
 use crate::files::first_difference;
 
+#[path = "../newcomer/cracked.rs"]
+mod cracked;
 #[path = "../newcomer/model.rs"]
 mod model;
+#[path = "../newcomer/well.rs"]
+mod well;
 
 /// Set, writes the file instead of comparing it.
 const ACCEPT: &str = "GEARSIM_ACCEPT";
 
-/// The file that `tests/suite/newcomer.rs` expands and runs is the one that the energies give.
-pub fn file_is_current() {
-    let derived = derive(&Model::new("spring_rotor", model::spring_rotor)).expect("the model is sound").file();
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/suite/newcomer/spring_rotor.rs");
-    if std::env::var_os(ACCEPT).is_some() {
-        std::fs::write(path, &derived).expect("the file can be written");
-    }
-    let committed = std::fs::read_to_string(path).unwrap_or_default();
-    if let Some((line, (a, b))) = first_difference(&derived, &committed) {
-        panic!(
-            "tests/suite/newcomer/spring_rotor.rs, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
-             Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
-        );
+/// The files that `tests/suite/newcomer.rs` expands and runs are those that the energies give.
+pub fn files_are_current() {
+    let models: [(&str, fn(&mut Model)); 3] = [
+        ("spring_rotor", model::spring_rotor),
+        ("cracked_rotor", cracked::cracked_rotor),
+        ("double_well", well::double_well),
+    ];
+    for (name, describe) in models {
+        let derived = derive(&Model::new(name, describe)).expect("the model is sound").file();
+        let path = format!("{}/suite/newcomer/{name}.rs", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os(ACCEPT).is_some() {
+            std::fs::write(&path, &derived).expect("the file can be written");
+        }
+        let committed = std::fs::read_to_string(&path).unwrap_or_default();
+        if let Some((line, (a, b))) = first_difference(&derived, &committed) {
+            panic!(
+                "tests/suite/newcomer/{name}.rs, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
+                 Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
+            );
+        }
     }
 }
 

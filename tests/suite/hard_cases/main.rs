@@ -19,6 +19,7 @@ mod table;
 mod absent;
 mod backlash;
 mod cells;
+mod claims;
 mod contact;
 mod coupled;
 mod damping;
@@ -77,6 +78,7 @@ const GROUPS: &[&[Case]] = &[
     absent::CASES,
     cells::CASES,
     scenes::CASES,
+    claims::CASES,
 ];
 
 /// Promises not kept yet, and why. They are in the table, as failing; tests pass them over by name.

@@ -79,7 +79,7 @@ fn sum() -> &'static Sum {
 }
 
 /// Low and high speeds either way round, light and heavy torques, every damping.
-fn draw(i: u64) -> (GearPair, State, f64) {
+pub fn draw(i: u64) -> (GearPair, State, f64) {
     let noise = &mut Noise::new(!i.wrapping_mul(0x2545_f491_4f6c_dd1d));
     let zeta = match noise.below(4) {
         0 => 0.0,

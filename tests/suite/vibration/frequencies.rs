@@ -8,6 +8,7 @@ use gearsim::engine::Refusal;
 use gearsim::engine::equations::Switching;
 use gearsim::engine::modal::Matrices;
 use gearsim::engine::system::System;
+use gearsim::scene::Scene;
 use nalgebra::{DMatrix, DVector};
 
 use crate::models::{DAMPERS, scene};
@@ -48,6 +49,9 @@ impl System for Discs {
     }
     fn motion(&self, _: usize) -> Vec<f64> {
         vec![]
+    }
+    fn start(&self, _: &Scene) -> Result<Vec<f64>, Refusal> {
+        unreachable!("nobody asks for a start")
     }
 }
 

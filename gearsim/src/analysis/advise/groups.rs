@@ -40,7 +40,7 @@ impl Groups {
     /// Where it has no modes.
     pub fn of(scene: &Scene, system: &dyn System) -> Result<Groups, Refusal> {
         let model = scene.model;
-        let courses = steady::courses(scene, system);
+        let courses = steady::courses(scene, system)?;
         let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
         let cell = modes::of(system, &mids, &[])?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);

@@ -114,7 +114,7 @@ impl<'a> Steady<'a> {
         if scene.present().any(|(_, law)| !law.steps_only()) {
             return Err(Unknown::Curved);
         }
-        let courses = steady::all_courses(scene, system);
+        let courses = steady::all_courses(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
         if stretches.len() > MOST_STRETCHES {
             return Err(Unknown::Long(stretches.len()));

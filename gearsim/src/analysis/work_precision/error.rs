@@ -94,7 +94,7 @@ fn jumps(t: &Trajectory) -> Vec<usize> {
 }
 
 /// The sizes of the coordinates and of the speeds of a run.
-fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
+pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
     let q = run.model.coordinates.iter().zip(&run.q).map(|(coordinate, column)| {
         let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
         law.map_or_else(|| largest(column), |law| law.period)

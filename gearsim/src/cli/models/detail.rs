@@ -42,6 +42,7 @@ fn coordinates(model: &Model) -> Vec<Row> {
         let start = match c.start {
             Start::At(x) => format!("starts at {x}"),
             Start::Static => "starts in static equilibrium".into(),
+            Start::Near(x) => format!("starts in the static equilibrium near {x}"),
         };
         (vec![c.name.into(), unit(c.unit), start], c.doc.into())
     };

@@ -43,7 +43,11 @@ pub(in crate::cli) fn said(
     if let Some(done) = done {
         text += &line("time taken", &time(&done), width);
     }
-    for (status, what) in [(Status::Stopped, "stopped early"), (Status::Refused, "refused")] {
+    for (status, what) in [
+        (Status::Stopped, "stopped early"),
+        (Status::Refuted, "refuted by their energy account"),
+        (Status::Refused, "refused"),
+    ] {
         let reasons = rows.values().filter(|row| row.status == status).map(|row| row.reason.as_str());
         text += &failed(what, reasons, width);
     }

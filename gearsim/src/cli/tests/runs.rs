@@ -44,6 +44,30 @@ fn a_plot_that_cannot_be_drawn_costs_no_run_its_results() {
     assert!(!names(root.path()).contains(&"spectrum.png".into()));
 }
 
+/// Steps too long for the vibration invent energy. The run is written, and fails.
+#[test]
+fn a_result_that_its_energy_account_refutes_is_a_failure() {
+    let root = tempfile::tempdir().unwrap();
+    let coarse = ["run.method=rk4", "run.step=0.2 ms", "run.t_end=20 ms"].map(|set| ["--set", set]);
+    let failure = go::<Run>(root.path(), &[&["-q"], &coarse.concat()[..]].concat()).unwrap_err();
+    assert!(matches!(failure, Failure::Refuted { .. }), "{failure}");
+    assert_eq!(failure.code(), 3);
+    assert!(failure.to_string().contains("unaccounted for") && failure.to_string().contains("run.step"), "{failure}");
+    assert!(names(root.path()).contains(&"summary.json".into()));
+}
+
+/// As many rows as the scene allows are kept; then the run stops, and says what to do.
+#[test]
+fn a_run_stops_when_it_has_recorded_as_many_rows_as_it_may() {
+    let root = tempfile::tempdir().unwrap();
+    let sets = ["output.most_rows=50", "output.rate=200 Hz"].map(|set| ["--set", set]);
+    let failure = go::<Run>(root.path(), &[&["-q"], &sets.concat()[..]].concat()).unwrap_err();
+    assert!(matches!(&failure, Failure::Stopped { stop, .. } if matches!(**stop, Stop::Rows { .. })), "{failure}");
+    assert!(failure.to_string().contains("output.events = false"), "{failure}");
+    let (table, _) = parquet::read(&root.path().join("trajectory.parquet")).unwrap();
+    assert!((50..60).contains(&table.rows()), "{}", table.rows());
+}
+
 #[test]
 fn what_is_refused_writes_nothing() {
     let root = tempfile::tempdir().unwrap();

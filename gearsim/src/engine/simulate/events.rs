@@ -152,14 +152,7 @@ impl<const N: usize> Simulation<'_, N> {
     #[inline]
     fn enter(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         self.counts.cell_changes += 1;
-        if let [only] = &mut self.laws[..] {
-            only.enter(side, &mut self.state);
-        } else {
-            let met: Vec<usize> = law::met(&self.laws, law, side, &self.state).collect();
-            let phase = self.laws[law].phase;
-            let turns: i64 = met.into_iter().map(|i| self.laws[i].enter(side, &mut self.state)).sum();
-            self.laws.iter_mut().for_each(|law| law.follow(phase, turns));
-        }
+        law::enter(&mut self.laws, law, side, &mut self.state);
         if !self.bands.is_empty() {
             self.counts.impacts += cells::displace((&self.laws, &mut self.bands), &mut self.k, &self.state);
         }

@@ -125,10 +125,7 @@ impl<const N: usize> Advance<'_, N> {
         match passage {
             Passage::Transmitted => {
                 self.counts.cell_changes += u64::from(!kink);
-                let met: Vec<usize> = law::met(laws, law, side, &state).collect();
-                let phase = laws[law].phase;
-                let turns: i64 = met.into_iter().map(|i| laws[i].enter(side, &mut state)).sum();
-                laws.iter_mut().for_each(|law| law.follow(phase, turns));
+                law::enter(laws, law, side, &mut state);
                 self.counts.impacts += cells::displace((laws, bands), &mut k, &state);
             }
             Passage::Reflected => self.counts.reflections += 1,

@@ -10,6 +10,7 @@ pub(super) const GROUP: Group = Group {
     doc: "kinetic, strain, work, dissipated, residual, energy_at_start, ignored",
     samples: false,
     limits: false,
+    digits: false,
     columns,
     values,
 };

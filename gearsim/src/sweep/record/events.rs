@@ -10,6 +10,7 @@ pub(super) const GROUP: Group = Group {
     doc: "t_end, cell_changes, reflections, holds, impacts, grazes, ambiguous, first_reflection",
     samples: false,
     limits: true,
+    digits: false,
     columns,
     values,
 };

@@ -11,6 +11,7 @@ pub(super) const GROUP: Group = Group {
     doc: "of every coordinate and speed after --from: phi_min, phi_max, phi_mean, phi_rms",
     samples: true,
     limits: true,
+    digits: false,
     columns,
     values,
 };

@@ -10,6 +10,7 @@ pub(super) const GROUP: Group = Group {
     doc: "of each spectrum after --from: phi_peak_frequency, phi_peak_density",
     samples: true,
     limits: false,
+    digits: false,
     columns,
     values,
 };

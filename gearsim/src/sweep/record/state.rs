@@ -9,6 +9,7 @@ pub(super) const GROUP: Group = Group {
     doc: "every coordinate and speed at the end: phi, phi_dot",
     samples: false,
     limits: false,
+    digits: false,
     columns,
     values,
 };

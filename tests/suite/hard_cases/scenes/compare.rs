@@ -81,7 +81,7 @@ pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
 }
 
 /// Half-way between the last two events before a tooth is pressed, if one is, or has bounced fast for long.
-fn until_pressed(events: &[oh2005::Event], w0: f64) -> Option<f64> {
+pub fn until_pressed(events: &[oh2005::Event], w0: f64) -> Option<f64> {
     let mut fast = 0;
     let pressed = events.windows(2).position(|pair| {
         let apart = (pair[1].t - pair[0].t) * w0;

@@ -1,0 +1,67 @@
+//! The energy account of a run: T + V - W + dissipated is what it was at the start, or the result is wrong.
+
+use std::fmt;
+
+use crate::engine::equations::Switching;
+use crate::engine::law::Law;
+use crate::engine::outcome::Outcome;
+use crate::scene::Scene;
+use crate::scene::solver::Method;
+
+/// What the account says at the row at which it is furthest off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Account {
+    /// Energy unaccounted for \[J\].
+    pub residual: f64,
+    /// The largest part of the account in the run: T, V, the energy dissipated, or the work of a torque \[J\].
+    pub largest: f64,
+    /// What the residual may be of it.
+    pub allowed: f64,
+}
+
+/// What the residual of exact cells may be of the largest part: rounding of ill-conditioned cells, over many events.
+const EXACT: f64 = 1e-9;
+/// The same of a method by steps, in units of its tolerance: errors of steps add up.
+const STEPS: f64 = 1e3;
+/// The same of a method with steps of one length, which has no tolerance.
+const FIXED: f64 = 1e-2;
+
+impl Account {
+    /// The account of `run`, a run of `scene`; `None` where nothing was recorded.
+    pub fn of(run: &Outcome, scene: &Scene) -> Option<Account> {
+        let trajectory = &run.trajectory;
+        let residual =
+            trajectory.residual.iter().copied().reduce(|m, x| if x.abs() > m.abs() || x.is_nan() { x } else { m })?;
+        let method = Method::ALL.iter().find(|(_, name)| *name == run.solver.method).map(|(method, _)| *method);
+        let allowed = match method {
+            Some(Method::Exact) | None => EXACT,
+            Some(method) if method.has_fixed_steps() => FIXED,
+            Some(_) => STEPS * scene.solver.tolerance,
+        };
+        Some(Account { residual, largest: trajectory.largest_energy(), allowed })
+    }
+
+    /// Whether more is unaccounted for than the method allows.
+    pub fn refutes(&self) -> bool {
+        // Also where it is not a number.
+        !(self.residual.abs() <= self.allowed * self.largest)
+    }
+}
+
+impl fmt::Display for Account {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Account { residual, largest, allowed } = self;
+        write!(
+            f,
+            "{residual:.2e} J are unaccounted for, {:.1e} of the largest part of its energy account ({largest:.3e} J), where its \
+             method allows {allowed:.0e}. Lower run.tolerance or run.step, if the scene has them; else this is a mistake in gearsim",
+            residual.abs() / largest
+        )
+    }
+}
+
+/// Whether the account must close: not where the scene leaves out the jump terms or lets time move a phase, for then energy comes
+/// from nowhere by the scene's own choice.
+pub fn closes<const N: usize>(laws: &[Law<N>]) -> bool {
+    laws.iter().all(|law| matches!(law.switching, Switching::WithJump | Switching::Never))
+}

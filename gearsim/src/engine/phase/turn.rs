@@ -1,0 +1,55 @@
+//! The turn of a coordinate: the length that is counted off it, common to all laws whose phase it is.
+//!
+//! Laws of different periods may share a phase, e.g. a mesh stiffness and what a cracked tooth takes from it once a revolution.
+//! Counting is exact only in one unit for all of them, so the turn is the longest length of which each period is a whole multiple.
+
+/// Largest denominator of the ratio of two periods; others count as incommensurate.
+const LARGEST: u32 = 1000;
+/// Part of a ratio that is rounding of the periods.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// The turn, and how many of it each of the `periods` is; `None` where they have no common measure.
+pub fn common(periods: &[f64]) -> Option<(f64, Vec<u32>)> {
+    let shortest = periods.iter().copied().reduce(f64::min)?;
+    let parts = periods.iter().map(|period| denominator(period / shortest)).collect::<Option<Vec<u32>>>()?;
+    let parts = parts.into_iter().try_fold(1u32, |all, part| all.checked_mul(part / gcd(all, part)))?;
+    if parts > LARGEST {
+        return None;
+    }
+    let turns = periods.iter().map(|period| (period / shortest * f64::from(parts)).round() as u32).collect();
+    Some((shortest / f64::from(parts), turns))
+}
+
+/// The smallest denominator with which `ratio` is a fraction, to within rounding.
+fn denominator(ratio: f64) -> Option<u32> {
+    (1..=LARGEST).find(|&q| {
+        let p = ratio * f64::from(q);
+        (p - p.round()).abs() <= ROUNDING * p
+    })
+}
+
+fn gcd(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    #[test]
+    fn periods_have_the_longest_common_turn() {
+        assert_eq!(common(&[TAU]), Some((TAU, vec![1])));
+        assert_eq!(common(&[TAU, 24.0 * TAU]), Some((TAU, vec![1, 24])));
+        assert_eq!(common(&[24.0 * TAU, TAU, 7.0 * TAU]), Some((TAU, vec![24, 1, 7])));
+        assert_eq!(common(&[1.5, 1.0]), Some((0.5, vec![3, 2])));
+        assert_eq!(common(&[1.0 / 3.0, 1.0 / 7.0]).unwrap().1, [7, 3]);
+    }
+
+    #[test]
+    fn periods_without_a_common_measure_have_none() {
+        assert_eq!(common(&[TAU, 5.0]), None);
+        assert_eq!(common(&[]), None);
+    }
+}

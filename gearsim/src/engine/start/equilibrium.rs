@@ -1,0 +1,288 @@
+//! Static equilibrium: the coordinates at which the generalised forces on them vanish.
+//!
+//! Newton's method on F(q, q'; k(s)) = 0 in the rows of the free coordinates. A law whose phase is free is followed from cell to
+//! cell: a step of the iteration ends at the first boundary on its way, the law enters the next cell there, and the iteration
+//! goes on with its stiffness. Where the forces of both cells push a phase towards the boundary between them, the phase is in
+//! equilibrium on that boundary.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use crate::engine::crossing::Side;
+use crate::engine::dead_band::DeadBand;
+use crate::engine::equations::{Equations, Switching};
+use crate::engine::error::Refusal;
+use crate::engine::law::{self, Law};
+use crate::engine::record::State;
+use crate::model::Coordinate;
+use crate::scene::Scene;
+
+/// The equilibrium of the coordinates `free`, the others as given.
+pub struct Equilibrium<'a, const N: usize> {
+    pub equations: &'a dyn Equations<N>,
+    pub scene: &'a Scene,
+    /// Coordinates that are to be in equilibrium.
+    pub free: &'a [usize],
+    /// Speeds at the start (N): forces that depend on them, of a governor, a motor or a damper, act as they do then.
+    pub q_dot: SVector<f64, N>,
+}
+
+/// An equilibrium: the state, and the laws in the cells in which it lies.
+#[derive(Clone)]
+pub struct Settled<const N: usize> {
+    pub state: State<N>,
+    pub laws: Vec<Law<N>>,
+    /// Whether the strain energy is at a minimum there, in the coordinates that are not on a boundary.
+    pub stable: bool,
+}
+
+/// A step of the iteration (N), zero in the coordinates that do not move.
+struct Step<const N: usize> {
+    step: SVector<f64, N>,
+    /// The stiffness of each coordinate by itself (N).
+    stiffness: SVector<f64, N>,
+    /// Whether V is convex here.
+    stable: bool,
+}
+
+/// Steps of the iteration, boundaries included.
+const MOST_STEPS: usize = 200;
+/// Curvature of V, relative to the stiffnesses of the coordinates by themselves, that counts as none.
+const FLAT: f64 = 1e-12;
+/// Step of the iteration, relative to what was reached, that ends it.
+const CONVERGED: f64 = 4.0 * f64::EPSILON;
+/// Relative difference below which two equilibria are the same one.
+const SAME: f64 = 1e-6;
+/// Step below which the iteration ends once it no longer falls: what is left is the rounding of the forces.
+const ROUNDING: f64 = 1e-8;
+
+impl<const N: usize> Equilibrium<'_, N> {
+    /// The equilibrium that is found from the coordinates `guess` (N), with the dead bands in their present regimes.
+    ///
+    /// # Errors
+    /// [`Refusal::NoEquilibrium`] where the iteration finds none; those of [`Law::begin`].
+    pub fn from(&self, guess: &SVector<f64, N>, bands: &[DeadBand<N>]) -> Result<Settled<N>, Refusal> {
+        let mut bands = bands.to_vec();
+        let mut state = State::new(*guess, self.q_dot, [0; N]);
+        let mut laws = Law::begin(self.equations, self.scene, &mut state)?;
+        // The coordinates that are on a boundary to which both cells push them.
+        let mut held: Vec<usize> = vec![];
+        let mut entered: Option<(usize, Side)> = None;
+        let (mut reached, mut last) = (SVector::<f64, N>::zeros(), f64::INFINITY);
+        for _ in 0..MOST_STEPS {
+            let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
+            let Step { step, stiffness, stable } =
+                self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.none())?;
+            if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
+                // Pitches away: begin again there, rather than pass every boundary on the way.
+                let here = Settled { state, laws, stable };
+                state = State::new(here.absolute() + step, self.q_dot, [0; N]);
+                laws = Law::begin(self.equations, self.scene, &mut state)?;
+                (held, entered, last) = (vec![], None, f64::INFINITY);
+                continue;
+            }
+            if let Some((part, law, side)) = first_boundary(&laws, &state, &step) {
+                let phase = laws[law].phase;
+                state.q += step * part;
+                laws[law].snap(side, &mut state);
+                if entered == Some((phase, side.opposite())) && part == 0.0 {
+                    held.push(phase);
+                } else {
+                    law::enter(&mut laws, law, side, &mut state);
+                }
+                (entered, last) = (Some((phase, side)), f64::INFINITY);
+                continue;
+            }
+            state.q += step;
+            reached = reached.zip_map(&state.q, |a, b| a.max(b.abs()));
+            if step.iter().any(|x| *x != 0.0) {
+                entered = None;
+            }
+            let size = energy(&stiffness, &step) / energy(&stiffness, &reached).max(f64::MIN_POSITIVE);
+            if size <= CONVERGED || (size <= ROUNDING && size >= 0.5 * last) {
+                return self.settled(state, laws, stable);
+            }
+            last = size;
+        }
+        Err(self.none())
+    }
+
+    /// A phase on a boundary begins in the cell into which it moves, as everywhere.
+    fn settled(&self, mut state: State<N>, mut laws: Vec<Law<N>>, stable: bool) -> Result<Settled<N>, Refusal> {
+        for i in 0..laws.len() {
+            let speed = self.q_dot[laws[i].phase];
+            for (side, onwards) in [(Side::Upper, speed >= 0.0), (Side::Lower, speed < 0.0)] {
+                if onwards && self.free.contains(&laws[i].phase) && laws[i].is_at(side, &state, 0.0) {
+                    law::enter(&mut laws, i, side, &mut state);
+                }
+            }
+        }
+        Ok(Settled { state, laws, stable })
+    }
+
+    /// Newton's step. Where V is not convex its negative curvatures count as positive, so that the step leads downhill, to the
+    /// equilibrium in whose valley it begins. `None` where the step is not determined.
+    fn newton(
+        &self,
+        moving: &[usize],
+        state: &State<N>,
+        laws: &[Law<N>],
+        bands: &mut [DeadBand<N>],
+    ) -> Option<Step<N>> {
+        let (mut step, mut diagonal) = (SVector::zeros(), SVector::zeros());
+        if moving.is_empty() {
+            return Some(Step { step, stiffness: diagonal, stable: true });
+        }
+        let [mut k, dk, ddk] = courses(self.scene, state, laws);
+        for band in bands {
+            band.follow(&k);
+            band.write(&mut k);
+        }
+        let (q, v) = (state.q.data.0[0], self.q_dot.data.0[0]);
+        let force = self.equations.force(&q, &v, &k, &dk);
+        let [slopes, _] = self.equations.jacobian(&q, &v, &k, &dk, &ddk);
+        let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| -slopes[moving[i]][moving[j]]);
+        let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
+        moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
+        let (unit, scaled) = scaled(&stiffness);
+        let curvatures = scaled.symmetric_eigen();
+        let stable = curvatures.eigenvalues.min() > 0.0;
+        let solved = if curvatures.eigenvalues.min() < -FLAT {
+            let along = curvatures.eigenvectors.tr_mul(&force.component_div(&unit));
+            let along = along.zip_map(&curvatures.eigenvalues, |force, curvature| force / curvature.abs());
+            (curvatures.eigenvectors * along).component_div(&unit)
+        } else {
+            stiffness.lu().solve(&force)?
+        };
+        if solved.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        moving.iter().zip(solved.iter()).for_each(|(&i, x)| step[i] = *x);
+        Some(Step { step, stiffness: diagonal, stable })
+    }
+
+    /// Other equilibria, found from guesses around `settled`: nearest to `guess` first.
+    ///
+    /// Cells that are linear in given regimes have one equilibrium each; others are looked for only where phases are free, in the
+    /// neighbouring cells, or where cells are not linear.
+    pub fn others(&self, settled: &Settled<N>, guess: &SVector<f64, N>, bands: &[DeadBand<N>]) -> Vec<Settled<N>> {
+        let linear = self.scene.effects.nonlinear(self.scene.model).is_empty();
+        let (at, mut found) = (settled.absolute(), vec![settled.clone()]);
+        for &i in self.free {
+            let steps: Vec<f64> = match settled.laws.iter().find(|law| law.phase == i && law.pitch.cells() > 1) {
+                Some(law) => {
+                    [law.boundary(Side::Upper), law.boundary(Side::Lower)].map(|b| b - settled.state.q[i]).into()
+                }
+                None if linear => vec![],
+                None if self.scene.model.coordinates[i].unit == "rad" => {
+                    [0.5, 1.0, -0.5, -1.0].map(|half_turns| half_turns * PI).into()
+                }
+                None => {
+                    // Mirrored, and of any size: the unit says nothing of the scale.
+                    let sizes =
+                        [1.0, 2.0, 4.0].map(|x| x * at[i].abs()).into_iter().chain((-6..2).map(|n| 10f64.powi(n)));
+                    sizes.flat_map(|size| [size - at[i], -size - at[i]]).collect()
+                }
+            };
+            for step in steps.into_iter().filter(|step| *step != 0.0) {
+                let mut from = at;
+                // Beyond a boundary, not on it.
+                from[i] += 1.001 * step;
+                let other = self.from(&from, bands).ok();
+                found.extend(other.filter(|other| !found.iter().any(|known| self.same(known, other))));
+            }
+        }
+        found.remove(0);
+        let distance = |other: &Settled<N>| (other.absolute() - guess).norm();
+        found.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        found
+    }
+
+    fn same(&self, a: &Settled<N>, b: &Settled<N>) -> bool {
+        let (a, b) = (a.absolute(), b.absolute());
+        self.free.iter().all(|&i| (a[i] - b[i]).abs() <= SAME * a[i].abs().max(b[i].abs()))
+    }
+
+    /// What there is to say of `found` beside the equilibrium that is taken.
+    pub fn describe(&self, taken: &Settled<N>, found: &[Settled<N>]) -> Option<String> {
+        let place = |settled: &Settled<N>| {
+            let at = settled.absolute();
+            let coordinate = |&i: &usize| {
+                let Coordinate { name, unit, .. } = self.scene.model.coordinates[i];
+                format!("{name} = {:.6e} {unit}", at[i])
+            };
+            let all: Vec<_> = self.free.iter().map(coordinate).collect();
+            all.join(", ") + if settled.stable { "" } else { " (unstable)" }
+        };
+        let others: Vec<_> = found.iter().filter(|other| !self.same(other, taken)).map(place).collect();
+        let first = self.scene.model.coordinates[*self.free.first()?].name;
+        let which = place(taken);
+        (!others.is_empty() || !taken.stable).then(|| match &others[..] {
+            [] => format!("the static start is unstable: {which}"),
+            others => format!(
+                "the static start is one of several equilibria: {which}; also found: {}. To choose one, write for example \
+                 start.{first} = \"static near ...\"",
+                others.join("; ")
+            ),
+        })
+    }
+
+    fn none(&self) -> Refusal {
+        let names: Vec<_> = self.free.iter().map(|&i| self.scene.model.coordinates[i].name).collect();
+        Refusal::NoEquilibrium { coordinates: names.join(", ") }
+    }
+}
+
+impl<const N: usize> Settled<N> {
+    /// How deep a flank of a dead band is in contact there, with the band's edges as the laws of the scene have them.
+    pub fn depth(&self, scene: &Scene, band: &DeadBand<N>, side: Side) -> f64 {
+        let mut band = band.clone();
+        band.follow(&courses(scene, &self.state, &self.laws)[0]);
+        band.depth(side, &self.state)
+    }
+
+    /// The coordinates, turns included (N).
+    pub fn absolute(&self) -> SVector<f64, N> {
+        self.state.unwrapped(&law::turn_lengths(&self.laws)).into()
+    }
+}
+
+/// The values of the laws and their first and second derivatives by their phases, in the present cells; behind the values, room
+/// for those of the dead bands.
+pub fn courses<const N: usize>(scene: &Scene, state: &State<N>, laws: &[Law<N>]) -> [Vec<f64>; 3] {
+    let courses: Vec<[f64; 3]> = laws.iter().map(|law| law.course(state.q[law.phase], 0.0)).collect();
+    let padded = |i: usize| {
+        let values = courses.iter().map(move |course| course[i]);
+        values.chain(std::iter::repeat(0.0)).take(scene.model.laws.len()).collect()
+    };
+    [scene.model.in_contact(courses.iter().map(|course| course[0])), padded(1), padded(2)]
+}
+
+/// The first boundary on the way from `state` along `step`: the part of the step up to it, its law and side.
+fn first_boundary<const N: usize>(
+    laws: &[Law<N>],
+    state: &State<N>,
+    step: &SVector<f64, N>,
+) -> Option<(f64, usize, Side)> {
+    let moved = |law: &Law<N>| law.switching != Switching::Never && law.next_switch().is_none();
+    let ways = laws.iter().enumerate().filter(|(_, law)| moved(law) && step[law.phase] != 0.0);
+    let ways = ways.map(|(i, law)| {
+        let side = if step[law.phase] > 0.0 { Side::Upper } else { Side::Lower };
+        ((law.boundary(side) - state.q[law.phase]) / step[law.phase], i, side)
+    });
+    let first = ways.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|first| first.0 < 1.0);
+    first.map(|(part, law, side)| (part.max(0.0), law, side))
+}
+
+/// The roots of the diagonal of a matrix, and the matrix with rows and columns divided by them, symmetric.
+fn scaled(a: &DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
+    let unit = a.diagonal().map(|x| if x == 0.0 { 1.0 } else { x.abs().sqrt() });
+    let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| 0.5 * (a[(i, j)] + a[(j, i)]) / (unit[i] * unit[j]));
+    (unit, scaled)
+}
+
+/// The size of a displacement by its strain energy, which has one unit for all coordinates \[J^(1/2)\].
+fn energy<const N: usize>(stiffness: &SVector<f64, N>, x: &SVector<f64, N>) -> f64 {
+    stiffness.zip_map(x, |k, x| k * x * x).sum().sqrt()
+}

@@ -1,0 +1,23 @@
+//! How many digits of the state at the end are left, by a second run of the point from a start a rounding away.
+
+use super::{Column, Group, column};
+use crate::engine::Outcome;
+use crate::model::Model;
+
+pub(super) const GROUP: Group = Group {
+    name: "digits",
+    doc: "digits of the end state that are left, 0 where the motion is chaotic; a second run of each point",
+    samples: false,
+    limits: false,
+    digits: true,
+    columns,
+    values,
+};
+
+fn columns(_: &Model) -> Vec<Column> {
+    vec![column("digits", "1")]
+}
+
+fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
+    vec![outcome.digits.map_or(f64::NAN, |digits| digits.at_end)]
+}

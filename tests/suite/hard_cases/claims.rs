@@ -1,0 +1,88 @@
+//! How many digits a run says are left, against those that are: random gear pairs, and the engine in 50 digits.
+//!
+//! A quarter of the scenes run five times as long, so that some lose all their digits. GEARSIM_SCENES sets how many, GEARSIM_SEED which.
+
+use std::sync::OnceLock;
+
+use gearsim::analysis::{digits, work_precision::error};
+use gearsim_tests::precise::scene::scene;
+
+use crate::case::Case;
+use crate::common;
+use crate::noise::setting;
+use crate::pair;
+use crate::scenes::compare::until_pressed;
+use crate::scenes::draw;
+
+pub const CASES: &[Case] = &[
+    Case {
+        row: "random",
+        name: "digits left that a run claims and does not have",
+        proves: "the largest of all: a claim is never too many by more than one",
+        tolerance: 1.0,
+        unit: "digits",
+        reason: "the estimate is the distance to one other run; the error may be some times as large",
+        measure: |note| {
+            let Sum { scenes, lost, claims } = sum();
+            *note = format!("{scenes} scenes, {lost} of them with less than one digit left");
+            claims.last().copied().unwrap_or(f64::NAN)
+        },
+    },
+    Case {
+        row: "random",
+        name: "digits left that a run has and does not claim",
+        proves: "the median: an estimate that says little would always be right",
+        tolerance: 3.0,
+        unit: "digits",
+        reason: "one digit is a margin, as the two runs may come near by chance; the start and parameters are moved by four roundings",
+        measure: |note| {
+            let Sum { scenes, claims, .. } = sum();
+            *note = format!("{scenes} scenes");
+            -claims[claims.len() / 2]
+        },
+    },
+];
+
+#[derive(Default)]
+struct Sum {
+    scenes: u64,
+    lost: u64,
+    /// Digits claimed less digits there are, rising.
+    claims: Vec<f64>,
+}
+
+/// Digits that a number in f64 can have: more are neither claimed nor counted.
+const MOST: f64 = 15.95;
+
+fn sum() -> &'static Sum {
+    static SUM: OnceLock<Sum> = OnceLock::new();
+    SUM.get_or_init(|| {
+        let mut sum = Sum { scenes: setting("GEARSIM_SCENES", 1000), ..Sum::default() };
+        for i in 0..sum.scenes {
+            let (pair, start, t_end) = draw(i);
+            let t_end = if i % 4 == 3 { 5.0 * t_end } else { t_end };
+            let t_end = until_pressed(&pair::run(&pair, &start, t_end).events, pair.w0()).unwrap_or(t_end);
+            let exact = scene(&pair, &start, t_end, 50).end;
+            let scene = pair::scene(&pair, &start, t_end);
+            let run = |scene: &_| (common::model("gear_pair").run)(scene, &mut |_| {});
+            let outcome = digits::noted(&scene, run(&scene).expect("a sound scene"), &run);
+            let claimed = outcome.digits.expect("a companion that runs").at_end;
+            let (q, v) = error::sizes(&outcome.trajectory);
+            let run = &outcome.trajectory;
+            let columns = [&run.q[0], &run.q_dot[0], &run.q[1], &run.q_dot[1]];
+            let exact = [exact.theta, exact.theta_dot, exact.phi, exact.phi_dot];
+            let each = columns.iter().zip(exact).zip([q[0], v[0], q[1], v[1]]);
+            let off = each.map(|((x, exact), size)| ((x[x.len() - 1] - exact.0) - exact.1).abs() / size);
+            let there = (-off.fold(f64::MIN_POSITIVE, f64::max).log10()).clamp(0.0, MOST);
+            sum.lost += u64::from(there < 1.0);
+            if claimed - there > 0.9 {
+                println!(
+                    "scene {i}: {claimed:.1} digits claimed, {there:.1} there; {pair:?} {start:?} until {t_end:e}"
+                );
+            }
+            sum.claims.push(claimed - there);
+        }
+        sum.claims.sort_by(f64::total_cmp);
+        sum
+    })
+}

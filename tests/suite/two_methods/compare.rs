@@ -1,0 +1,75 @@
+//! One scene by two methods: events, impacts, the motion and the energy account.
+
+use gearsim::analysis::digits;
+use gearsim::analysis::work_precision::error;
+use gearsim::engine::{Digits, Outcome};
+use gearsim::scene::Scene;
+use gearsim::scene::solver::{Method, Precision, Solver};
+
+use crate::common;
+
+/// Tolerance of the methods by steps.
+const TOLERANCE: f64 = 1e-12;
+/// Digits that a run must have left for its events to be compared one by one.
+const ENOUGH: f64 = 7.0;
+/// Errors allowed, in units of the tolerance grown as a rounding grows.
+const UNITS: f64 = 3e3;
+/// The smallest error allowed, of the size of each coordinate and speed.
+const LEAST: f64 = 1e-8;
+
+/// Runs `scene` by two methods, up to its end or to where it has digits enough.
+///
+/// # Errors
+/// In words, where they disagree.
+pub fn agree(scene: &Scene) -> Result<String, String> {
+    let mut scene = scene.clone();
+    scene.output.rate = 500.0 / scene.t_end;
+    scene.solver = Solver { tolerance: TOLERANCE, precision: Precision::Plain, ..Solver::default() };
+    let run = |scene: &Scene| (common::model(scene.model.name).run)(scene, &mut |_| {});
+    let (first, left) = loop {
+        let outcome = digits::noted(&scene, run(&scene).map_err(|e| e.to_string())?, &run);
+        let left = outcome.digits.ok_or("the companion was refused")?;
+        if left.at_end >= ENOUGH || scene.t_end < 1e-9 {
+            break (outcome, left);
+        }
+        // Not a round part: the end must not fall on an event.
+        scene.t_end *= 0.7431;
+        scene.output.rate = 500.0 / scene.t_end;
+    };
+    let others: &[Method] = match first.solver.method {
+        "exact" => &[Method::Dop853],
+        _ => &[Method::Radau],
+    };
+    let mut text = format!("{} until {} s, {:.1} digits left", scene.name, scene.t_end, left.at_end);
+    for &method in others {
+        let mut other = scene.clone();
+        other.solver.method = Some(method);
+        let second = run(&other).map_err(|e| e.to_string())?;
+        text += &format!(
+            "; {}",
+            compared(&first, &second, left).map_err(|wrong| format!("{text}; {}: {wrong}", method.name()))?
+        );
+    }
+    Ok(text)
+}
+
+fn compared(first: &Outcome, second: &Outcome, left: Digits) -> Result<String, String> {
+    for run in [first, second] {
+        if let Some(stop) = &run.stopped_by {
+            return Err(format!("{} stopped: {stop}", run.solver.method));
+        }
+        if let Some(account) = run.refuted {
+            return Err(format!("{}: {account}", run.solver.method));
+        }
+    }
+    let counts = |run: &Outcome| (run.counts.cell_changes, run.counts.reflections, run.counts.impacts);
+    if counts(first) != counts(second) {
+        return Err(format!("cell changes, reflections and impacts {:?} and {:?}", counts(first), counts(second)));
+    }
+    let grown = 10f64.powf(15.95 - left.at_end);
+    let allowed = (UNITS * TOLERANCE * grown).max(LEAST);
+    let end = error::of(second, first, 0.0).end;
+    let text = format!("{:?} events, end {end:.1e} apart, {allowed:.1e} allowed", counts(first));
+    // Also where it is not a number.
+    if end <= allowed { Ok(text) } else { Err(text) }
+}

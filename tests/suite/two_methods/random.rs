@@ -1,0 +1,76 @@
+//! Scenes varied at random: other effects, starts, speeds and torques, each by two methods.
+
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+
+use gearsim::scene::{Effects, Scene};
+
+use crate::common;
+use crate::compare;
+
+/// Variants of each scene.
+const VARIANTS: u64 = 4;
+
+/// The variants of a scene.
+///
+/// # Errors
+/// In words, where the methods disagree on one.
+pub fn agree(name: &str) -> Result<String, String> {
+    let mut text = String::new();
+    for variant in 0..VARIANTS {
+        let mut scene = common::scene(name, &[]);
+        let mut draw = Draw::new(name, variant);
+        vary(&mut scene, &mut draw);
+        let effects = scene.effects.names(scene.model).join(", ");
+        let agreed = compare::agree(&scene)
+            .map_err(|wrong| format!("variant {variant} with {effects}, {:?}: {wrong}", scene.start))?;
+        text += &format!("variant {variant} with {effects}: {agreed}\n");
+    }
+    Ok(text)
+}
+
+/// Leaves out some effects, and moves the start and the torques.
+fn vary(scene: &mut Scene, draw: &mut Draw) {
+    scene.t_end *= 0.3 + 0.2 * draw.unit();
+    for bit in 0..scene.model.effects.len() {
+        let without = Effects(scene.effects.0 & !(1 << bit));
+        // Without jump terms the account does not close, and a frozen phase is another system.
+        if draw.unit() < 0.25
+            && scene.model.effects[bit].name != "stiffness_step"
+            && without.contradictions(scene.model).is_empty()
+        {
+            scene.effects = without;
+        }
+    }
+    for motion in &mut scene.start.motions {
+        *motion *= 0.5 + draw.unit();
+    }
+    let phases: Vec<&str> = scene.model.laws.iter().map(|law| law.phase).collect();
+    for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
+        if phases.contains(&coordinate.name) && !scene.start.q[i].is_static() {
+            scene.start.q[i] = gearsim::model::Start::At(6.0 * draw.unit() - 3.0);
+        }
+    }
+    for torque in 0..scene.parameters.len() {
+        let fixed = scene.courses.iter().all(|(which, _)| *which != torque);
+        if fixed && scene.model.parameters[torque].unit == "N*m" && scene.model.parameters[torque].varies {
+            scene.parameters[torque] *= 0.7 + 0.6 * draw.unit();
+        }
+    }
+}
+
+/// Numbers that depend on the name and the variant alone.
+struct Draw(u64);
+
+impl Draw {
+    fn new(name: &str, variant: u64) -> Self {
+        let mut hasher = DefaultHasher::new();
+        (name, variant).hash(&mut hasher);
+        Draw(hasher.finish())
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 ^ (self.0 >> 33)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}

@@ -1,0 +1,102 @@
+//! A coordinate that starts `static` is where the forces on it balance, K q + C q' = f in its row, with the stiffnesses that hold where
+//! the phases then are. Both are worked out here anew: the levels from the laws of the scene, the matrices by the derived equations.
+
+use std::f64::consts::TAU;
+
+use gearsim::model::Start;
+use gearsim::scene::{Scene, Stiffness};
+
+use crate::common;
+
+/// Starts tried with each scene.
+const STARTS: usize = 60;
+/// Part of the largest force in a row that may be left over: rounding of an ill-conditioned balance.
+const LEFT: f64 = 1e-9;
+
+/// The static starts of a scene from many positions of its phases.
+///
+/// # Errors
+/// In words, where forces do not balance.
+pub fn balance(name: &str) -> Result<String, String> {
+    let scene = common::scene(name, &[]);
+    let names = scene.effects.names(scene.model);
+    let is_static: Vec<bool> = scene.start.q.iter().map(|start| start.is_static()).collect();
+    if !is_static.contains(&true) {
+        return Ok(format!("{name}: nothing starts static"));
+    }
+    if !scene.effects.nonlinear(scene.model).is_empty() || scene.laws.iter().any(|law| !law.steps_only()) {
+        return Ok(format!("{name}: its cells are not linear"));
+    }
+    if scene.model.dead_bands.iter().any(|band| names.contains(&band.with)) {
+        return Ok(format!("{name}: its regime in the play is not known beforehand"));
+    }
+    let (mut worst, mut boundaries) = (0.0f64, 0);
+    for i in 0..STARTS {
+        let mut scene = scene.clone();
+        scene.output.rate = 1.0 / scene.t_end;
+        scene.t_end *= 1e-9;
+        for (j, start) in scene.start.q.iter_mut().enumerate() {
+            let phase = scene.model.laws.iter().any(|law| law.phase == scene.model.coordinates[j].name);
+            if let Start::At(x) = start
+                && phase
+            {
+                *x = (i as f64 * 0.618_033_988_75 + j as f64 * 0.41) * TAU;
+            }
+        }
+        match left_over(&scene, &is_static)? {
+            Some(left) => worst = worst.max(left),
+            None => boundaries += 1,
+        }
+    }
+    if boundaries > STARTS / 4 {
+        return Err(format!("{boundaries} of {STARTS} starts are on a boundary"));
+    }
+    let text =
+        format!("{name}: {worst:.1e} of a force left over at worst, {boundaries} of {STARTS} starts on a boundary");
+    if worst <= LEFT { Ok(text) } else { Err(text) }
+}
+
+/// The largest force left over in a static row, as a part of the largest that makes it up; `None` where a static phase is on a
+/// boundary, which holds it.
+fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
+    let entry = common::model(scene.model.name);
+    let outcome = (entry.run)(scene, &mut |_| {}).map_err(|e| e.to_string())?;
+    let at = |columns: &[Vec<f64>]| columns.iter().map(|column| column[0]).collect::<Vec<_>>();
+    let (q, v) = (at(&outcome.trajectory.q), at(&outcome.trajectory.q_dot));
+    let coordinate = |name: &str| scene.model.coordinates.iter().position(|c| c.name == name).expect("a phase");
+    let mut levels = vec![];
+    for (law, given) in scene.present() {
+        let phase = coordinate(law.phase);
+        let (level, gap) = level(given, law.period * f64::from(given.pitches), q[phase]);
+        if is_static[phase] && gap < 1e-9 {
+            return Ok(None);
+        }
+        levels.push(level);
+    }
+    let matrices = (entry.system)(scene).and_then(|system| system.matrices(&levels)).map_err(|e| e.to_string())?;
+    let mut worst = 0.0f64;
+    for i in (0..q.len()).filter(|i| is_static[*i]) {
+        let springs = (0..q.len()).map(|j| matrices.stiffness[(i, j)] * q[j]);
+        let dampers = (0..q.len()).map(|j| matrices.damping[(i, j)] * v[j]);
+        let parts: Vec<f64> = springs.chain(dampers).chain([-matrices.load[i]]).collect();
+        let largest = parts.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(x.abs()));
+        worst = worst.max(parts.iter().sum::<f64>().abs() / largest);
+    }
+    Ok(Some(worst))
+}
+
+/// The level of a law at a phase, and how far from a boundary that is.
+fn level(law: &Stiffness, length: f64, phase: f64) -> (f64, f64) {
+    let x = (phase - law.origin).rem_euclid(length);
+    let (mut end, mut gap) = (0.0, x.min(length - x));
+    let mut level = law.steps[law.steps.len() - 1].value;
+    for step in law.steps.iter().rev().skip(1).rev() {
+        let begin = end;
+        end += step.width;
+        gap = gap.min((x - end).abs());
+        if x >= begin && x < end {
+            level = step.value;
+        }
+    }
+    (level, if law.steps.len() > 1 { gap } else { f64::INFINITY })
+}
