@@ -156,8 +156,8 @@ impl Pitch {
         if rest >= last {
             (count, rest) = (count + 1, (rest - length).max(first));
         }
-        // What the number does not tell from a boundary is on it.
-        let resolution = 2.0 * f64::EPSILON * phase.abs();
+        // What the number does not tell from a boundary is on it; boundaries have a rounding of the pitch.
+        let resolution = f64::EPSILON * (2.0 * phase.abs()).max(self.period);
         let boundaries = (0..self.cells()).map(|cell| self.whole(cell).0).chain([last]);
         if let Some(boundary) = boundaries.into_iter().find(|&b| (rest - b).abs() <= resolution) {
             (count, rest) = if boundary == last { (count + 1, first) } else { (count, boundary) };

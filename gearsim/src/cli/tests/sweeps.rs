@@ -110,7 +110,7 @@ fn an_interrupted_sweep_goes_on_and_equals_the_whole() {
             samples: None,
             seed: 0,
             from: 0.0,
-            record: ["events", "state", "energy", "extremes"].map(Into::into).into(),
+            record: ["events", "state", "digits", "energy", "extremes"].map(Into::into).into(),
             spectra: false,
         };
         let sweep = Sweep::load(&scene(), MODELS, &request).unwrap();

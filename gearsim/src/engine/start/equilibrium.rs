@@ -134,15 +134,8 @@ impl<const N: usize> Equilibrium<'_, N> {
         if moving.is_empty() {
             return Some(Step { step, stiffness: diagonal, stable: true });
         }
-        let [mut k, dk, ddk] = courses(self.scene, state, laws);
-        for band in bands {
-            band.follow(&k);
-            band.write(&mut k);
-        }
-        let (q, v) = (state.q.data.0[0], self.q_dot.data.0[0]);
-        let force = self.equations.force(&q, &v, &k, &dk);
-        let [slopes, _] = self.equations.jacobian(&q, &v, &k, &dk, &ddk);
-        let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| -slopes[moving[i]][moving[j]]);
+        let (force, stiffness) = self.balance(state, laws, bands);
+        let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| stiffness[moving[i]][moving[j]]);
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
         let (unit, scaled) = scaled(&stiffness);
@@ -160,6 +153,24 @@ impl<const N: usize> Equilibrium<'_, N> {
         }
         moving.iter().zip(solved.iter()).for_each(|(&i, x)| step[i] = *x);
         Some(Step { step, stiffness: diagonal, stable })
+    }
+
+    /// The generalised forces (N), and what they lose by the coordinates (N x N).
+    fn balance(&self, state: &State<N>, laws: &[Law<N>], bands: &mut [DeadBand<N>]) -> ([f64; N], [[f64; N]; N]) {
+        let [mut k, dk, ddk] = courses(self.scene, state, laws);
+        for band in bands {
+            band.follow(&k);
+            band.write(&mut k);
+        }
+        let (q, v) = (state.q.data.0[0], self.q_dot.data.0[0]);
+        if self.scene.effects.nonlinear(self.scene.model).is_empty() && laws.iter().all(|law| law.pitch.steps_only()) {
+            let (stiffness, damping, load) =
+                (self.equations.stiffness(&k), self.equations.damping(&k), self.equations.load(&k));
+            let row = |a: &[f64; N], x: &[f64; N]| a.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
+            return (std::array::from_fn(|i| load[i] - row(&stiffness[i], &q) - row(&damping[i], &v)), stiffness);
+        }
+        let [slopes, _] = self.equations.jacobian(&q, &v, &k, &dk, &ddk);
+        (self.equations.force(&q, &v, &k, &dk), slopes.map(|row| row.map(|x| -x)))
     }
 
     /// Other equilibria, found from guesses around `settled`: nearest to `guess` first.

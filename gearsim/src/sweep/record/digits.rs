@@ -6,7 +6,7 @@ use crate::model::Model;
 
 pub(super) const GROUP: Group = Group {
     name: "digits",
-    doc: "digits of the end state that are left, 0 where the motion is chaotic; a second run of each point",
+    doc: "how many are left of the end state, 0 in chaos; a second run of each point",
     samples: false,
     limits: false,
     digits: true,
