@@ -76,7 +76,7 @@ impl<const N: usize> Law<N> {
             if (absolute[phase] / law.period).abs() > FARTHEST {
                 return Err(Refusal::Far { coordinate: law.phase });
             }
-            let (pitches, rest, cell) = pitch.locate(absolute[phase], speed);
+            let (pitches, rest, mut cell) = pitch.locate(absolute[phase], speed);
             let first = laws.iter().find(|l| l.phase == phase);
             let turns = counted.is_some() && first.is_none();
             let turn = if counted.is_some() { period } else { 0.0 };
@@ -90,8 +90,15 @@ impl<const N: usize> Law<N> {
                 return Err(Refusal::Overflow);
             }
             // They may begin their pitches at different places of it.
-            let counted = if turn > 0.0 { state.turns[phase] } else { 0 };
-            let ahead = if frozen.is_some() { 0 } else { pitches - counted };
+            let ahead = match (frozen, turns) {
+                (Some(_), _) | (None, true) => 0,
+                (None, false) if turn > 0.0 => {
+                    let (ahead, here) = pitch.locate_from(state.turns[phase], state.q[phase], speed);
+                    cell = here;
+                    ahead
+                }
+                (None, false) => pitches,
+            };
             let is_error = law.role == Role::Error;
             laws.push(Law { switching, pitch, surface, phase, is_error, turns, turn, frozen, cell, ahead });
         }

@@ -179,6 +179,29 @@ impl Pitch {
         (count * self.pitches + before, rest, cell)
     }
 
+    /// Where a coordinate `rest` beyond a number of `turns`, each a pitch, is in this law: the pitches from its turn to the whole pitch
+    /// from which the cell is counted, and the cell. A boundary within four roundings of its cell is on it: the events of other
+    /// laws on the coordinate are met together with it to within as much.
+    pub fn locate_from(&self, turns: i64, rest: f64, speed: f64) -> (i64, usize) {
+        let within = |cell: usize, ahead: i64| {
+            let Span { lower, upper, .. } = self.spans[cell];
+            let (x, slack) = (rest - ahead as f64 * self.period, 4.0 * f64::EPSILON * (upper - lower));
+            let (on_lower, on_upper) = ((x - lower).abs() <= slack, (x - upper).abs() <= slack);
+            (x > lower && x < upper && !on_lower && !on_upper) || if speed < 0.0 { on_upper } else { on_lower }
+        };
+        let cells = (0..self.cells()).flat_map(|cell| {
+            let nearest = (self.spans[cell].before - turns).rem_euclid(self.pitches);
+            [nearest, nearest - self.pitches, nearest + self.pitches].map(|ahead| (ahead, cell))
+        });
+        // Where a boundary is within rounding of none and of both, the cells in their order decide.
+        let found = cells.clone().find(|&(ahead, cell)| within(cell, ahead));
+        let middle = |&(ahead, cell): &(i64, usize)| {
+            let Span { lower, upper, .. } = self.spans[cell];
+            (rest - ahead as f64 * self.period - 0.5 * (lower + upper)).abs() - 0.5 * (upper - lower)
+        };
+        found.or_else(|| cells.min_by(|a, b| middle(a).total_cmp(&middle(b)))).unwrap_or((0, 0))
+    }
+
     /// The neighbour of `cell` beyond a side: its index, the remainder on entering it, and the change of the count of pitches.
     #[inline]
     pub fn beyond(&self, cell: usize, side: Side) -> (usize, f64, i64) {

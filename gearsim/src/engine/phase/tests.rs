@@ -86,3 +86,25 @@ fn several_pitches() {
         assert!(((lower - at) / TAU).fract().abs() < 1e-15 && (upper - lower - TAU).abs() < 2e-15, "{lower} {upper}");
     }
 }
+
+/// From any count of turns and remainder a law is in the cell in which its phase is by the whole number; on a boundary in the one into
+/// which it moves.
+#[test]
+fn a_law_is_found_from_the_turns_of_another() {
+    for (pitches, origin) in [(1, -0.86), (1, 0.0), (3, -1.3), (24, -100.0)] {
+        let widths: Vec<f64> = (0..2 * pitches).map(|i| if i % 2 == 0 { 1.7 } else { TAU - 1.7 }).collect();
+        let steps = widths.iter().enumerate().map(|(i, width)| Step { value: i as f64, width: *width }).collect();
+        let pitch = Pitch::new(&Stiffness::stepping(steps).beginning(origin).over(pitches), TAU);
+        for i in 0..500 {
+            let (turns, rest) = (i % 60 - 30, 0.013 + (0.618 * i as f64) % TAU);
+            let (count, _, cell) = pitch.locate(turns as f64 * TAU + rest, 1.0);
+            assert_eq!(pitch.locate_from(turns, rest, 1.0), (count - turns, cell), "{turns} turns and {rest}");
+        }
+        let (lower, _) = pitch.bounds(1);
+        let at = |x: f64, speed: f64| pitch.locate_from(pitch.spans[1].before, x, speed).1;
+        for off in [-2e-16, 0.0, 2e-16] {
+            assert_eq!((at(lower + off, 1.0), at(lower + off, -1.0)), (1, 0));
+        }
+        assert_eq!((at(lower + 1e-12, -1.0), at(lower - 1e-12, 1.0)), (1, 0));
+    }
+}
