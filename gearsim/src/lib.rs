@@ -18,6 +18,8 @@ pub mod methods;
 pub mod model;
 pub mod output;
 pub mod plot;
+pub mod profile;
+pub mod run;
 pub mod scene;
 pub mod sweep;
 pub mod trajectory;

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{run, scene};
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
 fn named(scene: &Scene, name: &str) -> f64 {

@@ -7,7 +7,7 @@ mod common;
 use std::f64::consts::TAU;
 
 use gearsim::engine::clock::Clock;
-use gearsim::engine::outcome::equations;
+use gearsim::engine::equations;
 use gearsim::engine::record::State;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -40,7 +40,7 @@ fn scene(name: &str, speed: &str, theta: f64, span: f64) -> Scene {
 /// The state at the end of a scene and the times of its events, begun when the clock shows `now` and with `more`
 /// pitches on the count.
 fn run(scene: &Scene, now: f64, more: i64) -> (State<2>, Vec<f64>) {
-    let equations = equations::<GearPair, 2>(scene).unwrap();
+    let equations = equations::of::<GearPair, 2>(scene).unwrap();
     let mut simulation = Simulation::new(scene.model, &*equations, scene).unwrap();
     simulation.clock.set(now);
     simulation.state.turns[0] += more;

@@ -16,8 +16,8 @@ mod double_well;
 #[path = "newcomer/spring_rotor.rs"]
 mod spring_rotor;
 
-use gearsim::engine::Entry;
 use gearsim::engine::equations::Derived;
+use gearsim::run::Entry;
 use gearsim::scene::Scene;
 
 const ENTRY: Entry = Entry::new::<spring_rotor::SpringRotor, 2>();
@@ -96,11 +96,11 @@ fn by_hand(levels: &[(f64, f64)], t_end: f64) -> End {
     }
 }
 
-fn run(overrides: &[&str]) -> gearsim::engine::Outcome {
+fn run(overrides: &[&str]) -> gearsim::run::Outcome {
     run_of(&ENTRY, SCENE, overrides)
 }
 
-fn run_of(entry: &Entry, scene: &str, overrides: &[&str]) -> gearsim::engine::Outcome {
+fn run_of(entry: &Entry, scene: &str, overrides: &[&str]) -> gearsim::run::Outcome {
     let overrides: Vec<String> = overrides.iter().map(|s| s.to_string()).collect();
     let scene = Scene::parse("newcomer", "newcomer.toml", scene, &overrides, &[entry.model])
         .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)));
@@ -150,7 +150,7 @@ fn laws_of_different_periods_share_a_phase() {
     let far = run_of(&CRACKED, &text, &["start.alpha=3e6 rad", "run.t_end=4 s"]);
     let near = run_of(&CRACKED, &text, &["run.t_end=4 s"]);
     is_as_by_hand(&near, &by_hand(&cells, 4.0), 2e-12);
-    let end = |outcome: &gearsim::engine::Outcome| outcome.trajectory.q[1].last().copied();
+    let end = |outcome: &gearsim::run::Outcome| outcome.trajectory.q[1].last().copied();
     assert_eq!((end(&far), far.counts.events()), (end(&near), near.counts.events()), "whole turns change nothing");
     let worst = near.trajectory.residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     assert!(worst < 1e-13 * near.energy_at_start, "{worst:e} J unaccounted for");
@@ -158,7 +158,7 @@ fn laws_of_different_periods_share_a_phase() {
     is_as_by_hand(&stepped, &by_hand(&cells, 4.0), 1e-9);
 }
 
-fn is_as_by_hand(outcome: &gearsim::engine::Outcome, by_hand: &End, tolerance: f64) {
+fn is_as_by_hand(outcome: &gearsim::run::Outcome, by_hand: &End, tolerance: f64) {
     let counts = (outcome.counts.cell_changes, outcome.counts.reflections);
     assert_eq!(counts, (by_hand.passed, by_hand.reflected));
     assert!(by_hand.passed > 1 && by_hand.reflected > 1, "both kinds of event are met: {by_hand:?}");

@@ -12,7 +12,7 @@ mod loss;
 
 use std::f64::consts::{PI, TAU};
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 
 /// The gear pair by its teeth, with friction and what `overrides` make of it.
 fn run(overrides: &[&str]) -> Outcome {

@@ -9,8 +9,8 @@ mod common;
 use std::fmt::Write;
 
 use common::{root, run, scene};
-use gearsim::engine::Outcome;
 use gearsim::output::summary::{Energy, Named};
+use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
 const SIGNIFICANT: usize = 9;

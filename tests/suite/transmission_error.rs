@@ -10,7 +10,7 @@ mod smooth;
 #[path = "transmission_error/steps.rs"]
 mod steps;
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 
 /// The gear pair of the paper with transmission errors, and what `overrides` make of it.
 fn run(overrides: &[&str]) -> Outcome {

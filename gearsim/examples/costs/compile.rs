@@ -54,7 +54,7 @@ fn one(name: &'static str) -> anyhow::Result<Compiled> {
         }}"
     );
     let engine =
-        format!("pub static ENTRY: gearsim::engine::Entry = gearsim::engine::Entry::new::<model::{type_name}, {n}>();");
+        format!("pub static ENTRY: gearsim::run::Entry = gearsim::run::Entry::new::<model::{type_name}, {n}>();");
     let compiled = Compiled {
         model: name,
         n,

@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 
 use anyhow::bail;
+use gearsim::engine::equations;
 use gearsim::engine::equations::Derived;
-use gearsim::engine::outcome;
 use gearsim::generated::{
     planetary_3::Planetary3, planetary_4::Planetary4, planetary_5::Planetary5, planetary_6::Planetary6,
     planetary_7::Planetary7,
 };
-use gearsim::scene::{Scene, Step, Stiffness};
+use gearsim::profile::{Profile, Step};
+use gearsim::scene::Scene;
 
 use crate::row::Row;
 
@@ -51,11 +52,11 @@ fn of<D: Derived<N>, const N: usize>(planets: usize) -> anyhow::Result<Row> {
             shifted(offset + 1.0, 4.4, [6e8, 4e8])
         };
     }
-    Row::of(&scene, &*outcome::equations::<D, N>(&scene)?)
+    Row::of(&scene, &*equations::of::<D, N>(&scene)?)
 }
 
 /// The first of two levels over `width` from `offset` on, the second over the rest of the pitch [rad, N/m].
-fn shifted(offset: f64, width: f64, [first, second]: [f64; 2]) -> Stiffness {
+fn shifted(offset: f64, width: f64, [first, second]: [f64; 2]) -> Profile {
     let offset = offset.rem_euclid(TAU);
     let step = |value, width| Step { value, width };
     let steps = match offset + width - TAU {
@@ -63,5 +64,5 @@ fn shifted(offset: f64, width: f64, [first, second]: [f64; 2]) -> Stiffness {
         _ if offset == 0.0 => vec![step(first, width), step(second, TAU - width)],
         _ => vec![step(second, offset), step(first, width), step(second, TAU - offset - width)],
     };
-    Stiffness::stepping(steps)
+    Profile::stepping(steps)
 }

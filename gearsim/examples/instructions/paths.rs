@@ -92,7 +92,7 @@ fn equations(scene: &Scene) -> &'static dyn Equations<2> {
 fn simulation(scene: &Scene) -> Simulation<'static, 2> {
     let mut simulation = Simulation::new(scene.model, equations(scene), scene).expect("the scene is sound");
     if scene.solver.precision == gearsim::scene::Precision::Compensated {
-        gearsim::engine::outcome::compensate::<GearPair, 2>(&mut simulation, scene).expect("its damping is modal");
+        gearsim::run::compensate::<GearPair, 2>(&mut simulation, scene).expect("its damping is modal");
     }
     simulation
 }

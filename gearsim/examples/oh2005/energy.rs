@@ -1,6 +1,6 @@
 //! Fig. 3: the energy U = T + V - W at 300 rpm, with the jump terms and without them.
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 use gearsim::trajectory::Moment;
 
 use crate::paper::{self, Set};

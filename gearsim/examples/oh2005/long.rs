@@ -1,6 +1,6 @@
 //! What a longer run at 600 rpm comes to: loss of speed, stall, and chaos without damping.
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 use gearsim::trajectory::Moment;
 
 use crate::paper::{self, Set};

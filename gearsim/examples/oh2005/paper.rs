@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
-use gearsim::engine::Outcome;
 use gearsim::generated::MODELS;
+use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005::GearPair;
 

@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use anyhow::{Context, bail};
 use cpu_time::ProcessTime;
+use gearsim::engine::equations;
 use gearsim::engine::simulate::Simulation;
-use gearsim::engine::{Entry, outcome};
 use gearsim::ensemble;
 use gearsim::generated::gear_pair;
+use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim::trajectory::Moment;
 use serde_json::{Value, json};
@@ -56,7 +57,7 @@ pub fn run(method: &str, case: &Case, quick: bool) -> anyhow::Result<Value> {
 /// The engine with its guarantee and energy account. Making the cells and the start belong to a run.
 fn engine(scene: &Scene) -> anyhow::Result<Value> {
     let begun = ProcessTime::now();
-    let equations = outcome::equations::<gear_pair::GearPair, 2>(scene)?;
+    let equations = equations::of::<gear_pair::GearPair, 2>(scene)?;
     let prepare = begun.elapsed().as_secs_f64();
     let solve = || -> anyhow::Result<_> {
         let mut alone = [Simulation::new(scene.model, &*equations, black_box(scene))?];

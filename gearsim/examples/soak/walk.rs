@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
-use gearsim::engine::outcome;
+use gearsim::engine::equations;
 use gearsim::engine::record::Recorder;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -54,11 +54,11 @@ impl Walk {
     /// Where the engine stops, or events cease.
     pub fn run(events: u64, precision: &str) -> anyhow::Result<Walk> {
         let scene = scene(precision)?;
-        let equations = outcome::equations::<GearPair, 2>(&scene)?;
+        let equations = equations::of::<GearPair, 2>(&scene)?;
         let begun = Instant::now();
         let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
         if scene.solver.precision == Precision::Compensated {
-            outcome::compensate::<GearPair, 2>(&mut simulation, &scene)?;
+            gearsim::run::compensate::<GearPair, 2>(&mut simulation, &scene)?;
         }
         let (start, k) = (simulation.state, simulation.levels().to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), start, &k);

@@ -5,7 +5,8 @@ use crate::engine::equations::Switching;
 use crate::engine::error::Refusal;
 use crate::engine::system::System;
 use crate::model::Law;
-use crate::scene::{Scene, Stiffness};
+use crate::profile::Profile;
+use crate::scene::Scene;
 
 /// A law in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,7 +76,7 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusa
 /// Where the start of the scene is not determined.
 pub fn all_courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusal> {
     let (begin, speeds) = (system.start(scene)?, speeds(scene, system));
-    let course = |(i, (law, given)): (usize, (&'static Law, &Stiffness))| {
+    let course = |(i, (law, given)): (usize, (&'static Law, &Profile))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
         let steps = system.switching(i) != Switching::Never && given.steps.len() > 1;
         let period = law.period * f64::from(given.pitches);

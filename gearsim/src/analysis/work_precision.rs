@@ -15,10 +15,11 @@ pub use ladder::{Family, Rung, Scenes};
 pub use measure::{Curve, Point};
 pub use reference::{By, Reference};
 
-use crate::engine::{Outcome, Refusal};
+use crate::engine::Refusal;
+use crate::run::Outcome;
 use crate::scene::Scene;
 
-/// Runs a scene, as [`Entry::run`](crate::engine::Entry::run) does.
+/// Runs a scene, as [`Entry::run`](crate::run::Entry::run) does.
 pub type Runner<'a> = &'a dyn Fn(&Scene) -> Result<Outcome, Refusal>;
 
 /// A scene measured.

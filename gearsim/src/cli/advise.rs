@@ -13,8 +13,8 @@ use crate::analysis::advise::groups::Groups;
 use crate::analysis::advise::measures::coordinates;
 use crate::analysis::advise::orbit::{Steady, Unknown};
 use crate::analysis::advise::{self, Apart, Bands, Candidate, LIMITS, Measures, Way, expected, short_run};
-use crate::engine::Outcome;
 use crate::generated::MODELS;
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 /// Which effects matter to a scene, and which may be left out; checked by runs with and without each

@@ -9,9 +9,9 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::simulate::{Source, simulate};
 use super::{Verb, files, report, terminal};
-use crate::engine::Outcome;
 use crate::output::{OutputError, OutputFolder, Summary};
 use crate::plot;
+use crate::run::Outcome;
 use crate::scene::Scene;
 use equations::Set;
 

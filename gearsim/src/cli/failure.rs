@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::terminal;
-use crate::engine::{Account, Outcome, Refusal, Stop};
+use crate::engine::{Refusal, Stop};
 use crate::output::OutputError;
+use crate::run::{Account, Outcome};
 use crate::scene::SceneErrors;
 
 /// Why a command failed.

@@ -1,9 +1,9 @@
 //! The files of a run.
 
-use crate::engine::Outcome;
 use crate::output::summary::{Counts, Digits, Energy, Method, Named, Number, Summary};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 use super::provenance;

@@ -1,7 +1,7 @@
 //! Where a result comes from, as every file says it.
 
-use crate::engine::Outcome;
 use crate::output::summary::Provenance;
+use crate::run::Outcome;
 use crate::scene::{Precision, Scene, Solver};
 
 /// The commit that the program was built from, where known.

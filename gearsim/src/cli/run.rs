@@ -5,9 +5,9 @@ use clap::Parser;
 use super::failure::Failure;
 use super::simulate::{Source, simulate};
 use super::{Verb, files, report, terminal};
-use crate::engine::Outcome;
 use crate::output::OutputFolder;
 use crate::plot;
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 /// Run a scene: write its trajectory, its summary and its plots

@@ -7,9 +7,9 @@ use clap::Args;
 use super::failure::Failure;
 use super::progress::Progress;
 use crate::analysis::digits;
-use crate::engine::{Entry, Outcome};
 use crate::generated::MODELS;
 use crate::output::OutputFolder;
+use crate::run::{Entry, Outcome};
 use crate::scene::Scene;
 
 /// What to simulate, and where to put it.

@@ -5,8 +5,10 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::engine::error::Refusal;
 use crate::engine::real::Real;
 use crate::model::Model;
+use crate::scene::Scene;
 
 /// The equations of one model with one set of effects and one set of numbers.
 ///
@@ -129,6 +131,16 @@ pub struct Matrices<const N: usize, R> {
     pub stiffness: [[R; N]; N],
     /// f (N).
     pub load: [R; N],
+}
+
+/// The equations of a scene.
+///
+/// # Errors
+/// Where its effects contradict one another.
+pub fn of<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn Equations<N>>, Refusal> {
+    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
+    let which = || scene.effects.contradictions(&D::MODEL);
+    D::equations(scene.effects.0, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
 }
 
 /// M⁻¹F (N) of a symmetric M⁻¹.

@@ -10,7 +10,7 @@ use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
 use crate::engine::phase::{Pitch, turn};
 use crate::engine::record::State;
-use crate::model::Role;
+use crate::model::{Model, Role};
 use crate::scene::Scene;
 
 /// A stepping law: what it is, and where it stands.
@@ -295,4 +295,11 @@ pub fn beyond<const N: usize>((laws, bands, k): Stand<'_, N>, law: usize, side: 
         band.write(&mut beyond);
     }
     beyond
+}
+
+/// What is not constant within the cells of `laws`, in words; `None` where all stiffnesses are.
+pub fn curved<const N: usize>(model: &Model, laws: &[Law<N>]) -> Option<String> {
+    let curved: Vec<_> = model.laws.iter().zip(laws).filter(|(_, law)| !law.pitch.steps_only()).collect();
+    let names: Vec<_> = curved.iter().map(|(law, _)| format!("{}({})", law.name, law.phase)).collect();
+    (!names.is_empty()).then(|| format!("{} varies within a cell, in V and its forces", names.join(", ")))
 }

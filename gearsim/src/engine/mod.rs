@@ -6,7 +6,6 @@
 //! (torques that vary in time), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
 //! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run), `system` (equations of any number of coordinates, as analyses see them).
 
-pub mod account;
 pub mod cell;
 pub mod cells;
 pub mod clock;
@@ -24,16 +23,14 @@ pub mod jump;
 pub mod law;
 pub mod modal;
 pub mod mode;
-pub mod outcome;
 pub mod phase;
 pub mod real;
 pub mod record;
+pub mod root;
 pub mod signal;
 pub mod simulate;
 pub(crate) mod start;
 pub mod system;
 pub mod watch;
 
-pub use account::Account;
 pub use error::{Refusal, Stop};
-pub use outcome::{Digits, Entry, Outcome};

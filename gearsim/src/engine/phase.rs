@@ -6,7 +6,7 @@ pub mod turn;
 use xprec::Df64;
 
 use crate::engine::crossing::Side;
-use crate::scene::{Curve, Stiffness};
+use crate::profile::{Curve, Profile};
 
 /// One law's pitch, or pitches: boundaries and levels.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,12 +35,12 @@ struct Span {
 
 impl Pitch {
     /// The pitch of a law with the given period.
-    pub fn new(law: &Stiffness, period: f64) -> Self {
+    pub fn new(law: &Profile, period: f64) -> Self {
         Self::counted(law, period, law.pitches)
     }
 
     /// The same of a law that repeats itself after a number of pitches of length `period`, by which it is counted.
-    pub fn counted(law: &Stiffness, period: f64, pitches: u32) -> Self {
+    pub fn counted(law: &Profile, period: f64, pitches: u32) -> Self {
         let length = Df64::from(period) * f64::from(pitches);
         let origin = Df64::from(law.origin) - length * (law.origin / length.hi()).ceil();
         let mut ends = vec![Df64::from(0.0)];

@@ -16,7 +16,6 @@ use crate::engine::guard::Guard;
 use crate::engine::law::{self, Law};
 use crate::engine::record::{Recorder, State};
 use crate::engine::start::{self, Begun};
-use crate::methods::choice;
 use crate::model::Model;
 use crate::scene::Scene;
 use crate::trajectory::Moment;
@@ -145,7 +144,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
             return Err(Refusal::Nonlinear { terms });
         }
         let Begun { state, laws, mut bands, .. } = begun;
-        if let Some(terms) = choice::curved(model, &laws) {
+        if let Some(terms) = law::curved(model, &laws) {
             return Err(Refusal::Nonlinear { terms });
         }
         let mut k = model.in_contact(laws.iter().map(Law::level));

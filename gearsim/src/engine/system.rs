@@ -3,10 +3,9 @@
 use nalgebra::{DMatrix, SVector};
 
 use crate::engine::cell::{self, Cell};
-use crate::engine::equations::{Derived, Equations, Switching};
+use crate::engine::equations::{self, Derived, Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::modal::Matrices;
-use crate::engine::outcome::equations;
 use crate::engine::start;
 use crate::model::Model;
 use crate::scene::Scene;
@@ -52,7 +51,7 @@ pub fn of<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn System
     if !terms.is_empty() {
         return Err(Refusal::Nonlinear { terms });
     }
-    Ok(Box::new(Of(equations::<D, N>(scene)?, &D::MODEL)))
+    Ok(Box::new(Of(equations::of::<D, N>(scene)?, &D::MODEL)))
 }
 
 struct Of<const N: usize>(Box<dyn Equations<N>>, &'static Model);

@@ -6,8 +6,8 @@ use crate::engine::cell::{Cell, Flight, Point};
 use crate::engine::crossing::{Cost, Lost, Search};
 use crate::engine::forcing::window::{TERMS, Window};
 use crate::engine::record::State;
+use crate::engine::root;
 use crate::engine::signal::Signal;
-use crate::methods::root;
 
 /// constant + on_q.q + on_speed.q'.
 #[derive(Debug, Clone)]

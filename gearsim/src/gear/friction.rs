@@ -12,7 +12,7 @@
 use super::energy::PairOfTeeth;
 use super::law::{Cell, Source, at_its_place, cells, curves};
 use super::pair::{Contact, GearError, Gears};
-use crate::scene::{Curve, Step, Stiffness};
+use crate::profile::{Curve, Profile, Step};
 
 /// What of the pairs is summed, weighted with their shares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +30,7 @@ const NEAR: f64 = 1e-9;
 ///
 /// # Errors
 /// Where the gears do not mesh, or the source is not for them.
-pub fn friction(gears: &Gears, source: Source, what: Rubbing, period: f64, scale: f64) -> Result<Stiffness, GearError> {
+pub fn friction(gears: &Gears, source: Source, what: Rubbing, period: f64, scale: f64) -> Result<Profile, GearError> {
     if gears.internal {
         let what = "the laws of friction are those of external teeth, and the second gear is a ring";
         return Err(GearError::new(what, "give steps, or a table"));
@@ -47,9 +47,9 @@ pub fn friction(gears: &Gears, source: Source, what: Rubbing, period: f64, scale
     let law = match (what, &pairs.teeth) {
         (Rubbing::Side, None) => {
             let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
-            Stiffness::stepping(parts.iter().map(step).collect())
+            Profile::stepping(parts.iter().map(step).collect())
         }
-        _ => Stiffness::curved(parts.iter().flat_map(|part| pairs.along(what, part, scale)).collect()),
+        _ => Profile::curved(parts.iter().flat_map(|part| pairs.along(what, part, scale)).collect()),
     };
     Ok(at_its_place(law, &pairs.contact, period))
 }
@@ -125,12 +125,12 @@ mod tests {
         Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    fn law(source: Source, what: Rubbing, scale: f64) -> Stiffness {
+    fn law(source: Source, what: Rubbing, scale: f64) -> Profile {
         friction(&gears(), source, what, TAU, scale).unwrap()
     }
 
     /// Its value at a phase.
-    fn at(law: &Stiffness, s: f64) -> f64 {
+    fn at(law: &Profile, s: f64) -> f64 {
         let pitch = Pitch::new(law, TAU);
         let (_, rest, cell) = pitch.locate(s, 1.0);
         pitch.course(cell, rest - pitch.bounds(cell).0)[0]
@@ -161,7 +161,7 @@ mod tests {
     /// Boundaries: those of the stiffness, to the bit, and one more, where a pair is at the pitch point. There the arm goes on.
     #[test]
     fn boundaries_are_those_of_the_stiffness() {
-        let ends = |law: &Stiffness| {
+        let ends = |law: &Profile| {
             let pitch = Pitch::new(law, TAU);
             (0..pitch.cells()).map(|cell| pitch.bounds(cell).0).collect::<Vec<_>>()
         };

@@ -7,7 +7,7 @@
 use super::energy::PairOfTeeth;
 use super::iso6336::Iso6336;
 use super::pair::{Contact, GearError, Gears};
-use crate::scene::{Curve, Step, Stiffness};
+use crate::profile::{Curve, Profile, Step};
 
 /// Where the stiffness is from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,13 +36,7 @@ const POINTS: usize = 64;
 ///
 /// # Errors
 /// Where the gears do not mesh, or the source is not for them.
-pub fn stiffness(
-    gears: &Gears,
-    source: Source,
-    course: Course,
-    period: f64,
-    scale: f64,
-) -> Result<Stiffness, GearError> {
+pub fn stiffness(gears: &Gears, source: Source, course: Course, period: f64, scale: f64) -> Result<Profile, GearError> {
     match source {
         Source::Iso6336(_) if course == Course::Curves => {
             let what = "ISO 6336-1 gives a stiffness for each number of pairs, and no course between the steps";
@@ -54,17 +48,17 @@ pub fn stiffness(
             let cells = cells(&contact)
                 .into_iter()
                 .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, source, period) });
-            Ok(at_its_place(Stiffness::stepping(cells.collect()), &contact, period))
+            Ok(at_its_place(Profile::stepping(cells.collect()), &contact, period))
         }
         Source::Energy => {
             let pair = PairOfTeeth::of(gears)?;
             let curves = cells(&pair.contact).into_iter().flat_map(|cell| along(&pair, &cell, course, period, scale));
             let curves: Vec<_> = curves.collect();
             let stiffness = match course {
-                Course::Curves => Stiffness::curved(curves),
+                Course::Curves => Profile::curved(curves),
                 Course::Levels => {
                     let step = |(curve, width): (Curve, f64)| Step { value: curve.mean(width), width };
-                    Stiffness::stepping(curves.into_iter().map(step).collect())
+                    Profile::stepping(curves.into_iter().map(step).collect())
                 }
             };
             Ok(at_its_place(stiffness, &pair.contact, period))
@@ -103,7 +97,7 @@ pub(super) fn cells(contact: &Contact) -> Vec<Cell> {
 }
 
 /// Puts the first cell where it begins in the pitch, which itself begins at the pitch point.
-pub(super) fn at_its_place(stiffness: Stiffness, contact: &Contact, period: f64) -> Stiffness {
+pub(super) fn at_its_place(stiffness: Profile, contact: &Contact, period: f64) -> Profile {
     stiffness.beginning((contact.recess / contact.base_pitch).fract() * period)
 }
 

@@ -35,7 +35,7 @@ pub struct Gears {
     pub dedendum: [f64; 2],
     /// Radius of the fillet of the basic rack [modules].
     pub fillet: f64,
-    /// Profile shift [modules].
+    /// Stiffness shift [modules].
     pub profile_shift: [f64; 2],
     /// Distance of the axes [m]; that without backlash, if none is given.
     pub centre_distance: Option<f64>,

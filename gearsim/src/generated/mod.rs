@@ -1,6 +1,6 @@
 //! The derived models. Every file beside this one is written by `cargo xtask derive`; only this list is by hand.
 
-use crate::engine::Entry;
+use crate::run::Entry;
 
 #[rustfmt::skip]
 pub mod backlash_oscillator;

@@ -1,6 +1,6 @@
 //! A run by a numerical method: step, look for the first boundary in it, land there, jump.
 //!
-//! The dense output says for certain which boundary it meets first ([`super::root`]); the step is then taken again,
+//! The dense output says for certain which boundary it meets first ([`crate::engine::root`]); the step is then taken again,
 //! as long as to there, so that states at events are as accurate as steps, not as their interpolation. Laws, jumps and the
 //! account are those of the exact engine. It has no held contact: a phase that is pressed against a step ends as a cascade.
 

@@ -1,8 +1,7 @@
 //! Which method runs a scene, and why.
 
 use crate::engine::error::Refusal;
-use crate::engine::law::Law;
-use crate::model::Model;
+use crate::engine::law::{Law, curved};
 use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
 
@@ -28,13 +27,6 @@ pub struct Choice {
 
 /// Tolerance below which the method of high order is the cheaper one.
 const HIGH_ORDER: f64 = 1e-7;
-
-/// What is not constant within the cells of `laws`, in words; `None` where all stiffnesses are.
-pub fn curved<const N: usize>(model: &Model, laws: &[Law<N>]) -> Option<String> {
-    let curved: Vec<_> = model.laws.iter().zip(laws).filter(|(_, law)| !law.pitch.steps_only()).collect();
-    let names: Vec<_> = curved.iter().map(|(law, _)| format!("{}({})", law.name, law.phase)).collect();
-    (!names.is_empty()).then(|| format!("{} varies within a cell, in V and its forces", names.join(", ")))
-}
 
 /// The method for `scene`, with its laws as they start.
 ///

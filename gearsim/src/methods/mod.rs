@@ -19,7 +19,6 @@ pub mod field;
 pub mod flow;
 pub mod radau;
 pub mod rk4;
-pub mod root;
 #[cfg(test)]
 pub(crate) mod tests;
 

@@ -1,12 +1,13 @@
 //! Methods against the exact engine, on scenes whose cells are linear: orders, events, accounts; and their ends.
 
+use crate::engine::equations;
 use crate::engine::equations::Equations;
-use crate::engine::outcome::{Outcome, equations};
 use crate::engine::record::Recorder;
 use crate::engine::{Refusal, Stop};
 use crate::generated::MODELS;
 use crate::generated::gear_pair::GearPair;
 use crate::model::Model;
+use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
 
@@ -100,7 +101,7 @@ fn fixed(equations: &dyn Equations<2>, scene: &Scene, method: Box<dyn Method<2>>
 fn methods_keep_their_orders_through_jumps() {
     let exact = run(&["output.rate=\"50 Hz\""]).trajectory;
     let scene = scene(&["output.rate=\"50 Hz\""]);
-    let equations = equations::<GearPair, 2>(&scene).unwrap();
+    let equations = equations::of::<GearPair, 2>(&scene).unwrap();
     assert!(exact.moment.iter().filter(|m| **m == Moment::Before).count() >= 8);
     for i in 0..methods().len() {
         let (name, order) = (methods()[i].0.name(), methods()[i].1);
@@ -123,7 +124,7 @@ fn dense_output_has_its_order() {
     let overrides = ["output.events=false", "run.t_end=\"0.003 s\"", "output.rate=\"70 kHz\""];
     let exact = run(&overrides).trajectory;
     let scene = scene(&overrides);
-    let equations = equations::<GearPair, 2>(&scene).unwrap();
+    let equations = equations::of::<GearPair, 2>(&scene).unwrap();
     for (i, expected) in [4.0, 5.0, 8.0, 4.0].into_iter().enumerate() {
         let coarse = if i == 2 { 1e-4 } else { 1.5e-5 };
         let error = |part| difference(&fixed(&*equations, &scene, methods().swap_remove(i).0, coarse * part), &exact);
@@ -233,7 +234,7 @@ fn a_grid_without_events_is_of_first_order() {
 #[test]
 fn ends_are_named() {
     let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
-    let equations: Box<dyn Equations<2>> = equations::<GearPair, 2>(&scene).unwrap();
+    let equations: Box<dyn Equations<2>> = equations::of::<GearPair, 2>(&scene).unwrap();
     let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };
     let mut advance = Advance::new(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings, None).unwrap();
     let stop = advance.run(None, &mut |_| {}).unwrap_err();

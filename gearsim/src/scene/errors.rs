@@ -2,8 +2,9 @@
 
 use super::document::{Entry, Node, Value};
 use super::error::Report;
-use super::{Step, Stiffness, field, keys, measure};
+use super::{field, keys, measure};
 use crate::model::{Law, Role};
+use crate::profile::{Profile, Step};
 
 /// Key of the errors of the teeth: a level a pitch.
 pub(super) const OF_TEETH: &str = "pitch_errors";
@@ -39,7 +40,7 @@ pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Opti
 }
 
 /// The law of the teeth's errors, one a pitch.
-pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Stiffness> {
+pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Profile> {
     let path = format!("laws.{}.{OF_TEETH}", law.name);
     let example = format!("[\"0 {0}\", \"... {0}\"]", law.unit);
     let items = field::array(&path, node, &example, report)?;
@@ -51,5 +52,5 @@ pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<St
     let error = |(i, node)| measure::quantity(&format!("{path}.{i}"), node, law.unit, report);
     let levels: Vec<_> = items.iter().enumerate().map(error).collect();
     let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
-    Some(Stiffness::stepping(levels.into_iter().map(|value| Step { value, width: law.period }).collect()))
+    Some(Profile::stepping(levels.into_iter().map(|value| Step { value, width: law.period }).collect()))
 }

@@ -3,8 +3,9 @@
 use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::teeth::{self, Teeth};
-use super::{Stiffness, field, keys, offset};
+use super::{field, keys, offset};
 use crate::model::{Law, Model};
+use crate::profile::Profile;
 
 /// Key that names the law with the teeth.
 pub(super) const OF: &str = "teeth_of";
@@ -29,7 +30,7 @@ pub(super) fn borrowed(
     node: &Node,
     laws: &[Entry],
     report: &mut Report,
-) -> Option<Option<Stiffness>> {
+) -> Option<Option<Profile>> {
     let Value::Table(entries) = &node.value else { return None };
     let name = keys::get(entries, OF).filter(|_| law.role.rubs())?;
     keys::known(entries, &format!("[laws.{}] with {OF}", law.name), &[OF], report);

@@ -6,13 +6,14 @@ use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
-use super::{Effects, Step, Stiffness, errors, field, friction, keys, measure, offset};
+use super::{Effects, errors, field, friction, keys, measure, offset};
 use crate::model::{Law, Model, Role};
+use crate::profile::{Profile, Step};
 
 /// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
 const PITCH_TOLERANCE: f64 = 1e-9;
 
-impl Stiffness {
+impl Profile {
     /// Half-way between its greatest and its least value [unit of the law].
     pub fn mid(&self) -> f64 {
         let (low, high) = self.extremes();
@@ -40,7 +41,7 @@ pub(super) fn read(
     effects: Option<Effects>,
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
-) -> Option<Vec<Stiffness>> {
+) -> Option<Vec<Profile>> {
     let names = effects.map_or(vec![], |effects| effects.names(model));
     let idle = |law: &Law| law.with.is_some_and(|effect| !names.contains(&effect));
     let readers = model.laws.iter().map(|law| Reader::new(law, model));
@@ -60,7 +61,7 @@ pub(super) fn read(
         match keys::get(entries, reader.law.name) {
             Some(node) => laws.push(reader.law(node, entries, report)),
             None if idle(reader.law) => {
-                laws.push(Some(Stiffness::stepping(vec![Step { value: 0.0, width: reader.law.period }])));
+                laws.push(Some(Profile::stepping(vec![Step { value: 0.0, width: reader.law.period }])));
             }
             None => lacking.push((reader.law.name, reader.table(model))),
         }
@@ -100,7 +101,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The law; `all` are the tables of all laws.
-    fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Stiffness> {
+    fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Profile> {
         if let Some(read) = friction::borrowed(self.law, self.phase, node, all, report) {
             return read;
         }
@@ -127,7 +128,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The law without its phase, over a number of pitches.
-    fn course(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Stiffness> {
+    fn course(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
         let smooth = Smooth { law: self.law, phase: self.phase, length, entries, place: &node.place };
@@ -158,7 +159,7 @@ impl<'a> Reader<'a> {
         smooth.ramped(stepping, report)
     }
 
-    fn stepping(&self, steps: &Node, length: f64, report: &mut Report) -> Option<Stiffness> {
+    fn stepping(&self, steps: &Node, length: f64, report: &mut Report) -> Option<Profile> {
         let items = field::array(&self.path, steps, &self.steps(), report)?;
         let Some((last, before)) = items.split_last() else {
             let help = format!("write for example {}", self.steps());
@@ -212,7 +213,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
-    fn fill(&self, levels: &[(f64, Option<f64>)], pitch: f64, last: &Node, report: &mut Report) -> Option<Stiffness> {
+    fn fill(&self, levels: &[(f64, Option<f64>)], pitch: f64, last: &Node, report: &mut Report) -> Option<Profile> {
         let one = if pitch == self.law.period { "one pitch is" } else { "the pitches are" };
         let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
         let rest = pitch - given;
@@ -236,7 +237,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let step = |&(value, width): &(f64, Option<f64>)| Step { value, width: width.unwrap_or(rest) };
-        Some(Stiffness::stepping(levels.iter().map(step).collect()))
+        Some(Profile::stepping(levels.iter().map(step).collect()))
     }
 }
 

@@ -75,7 +75,6 @@
 mod check;
 pub mod course;
 mod courses;
-pub mod curve;
 pub mod dimension;
 pub(crate) mod document;
 mod effects;
@@ -104,7 +103,6 @@ mod tests;
 pub mod unit;
 
 pub use course::Course;
-pub use curve::Curve;
 pub use error::{Problem, SceneErrors};
 pub(crate) use error::{did_you_mean, list};
 pub use measured::{time, unit_of};
@@ -112,6 +110,7 @@ pub use solver::{Precision, Solver};
 pub use template::Template;
 
 use crate::model::{Law, Model, Start};
+use crate::profile::Profile;
 
 /// Plots that a scene may ask for.
 pub const PLOTS: &[&str] = &["energy", "motion", "spectrum"];
@@ -132,7 +131,7 @@ pub struct Scene {
     /// Parameters that vary in time, by their numbers, and how.
     pub courses: Vec<(usize, Course)>,
     /// Mesh stiffnesses, transmission errors and laws of friction, in the order of `model.laws`; 0 for those that the scene does not have.
-    pub laws: Vec<Stiffness>,
+    pub laws: Vec<Profile>,
     /// State at t = 0.
     pub start: Beginning,
     /// End of the run [s].
@@ -148,14 +147,14 @@ pub struct Scene {
 impl Scene {
     /// The laws that the scene has, each with what it says of it: those of the model up to the last with one of its effects. Those
     /// before it that its effects do not have are zero.
-    pub fn present(&self) -> impl Iterator<Item = (&'static Law, &Stiffness)> {
+    pub fn present(&self) -> impl Iterator<Item = (&'static Law, &Profile)> {
         let names = self.effects.names(self.model);
         let last = self.model.laws.iter().rposition(|law| law.with.is_none_or(|effect| names.contains(&effect)));
         self.model.laws.iter().zip(&self.laws).take(last.map_or(0, |last| last + 1))
     }
 
     /// Those of them that are stiffnesses.
-    pub fn stiffnesses(&self) -> impl Iterator<Item = (&'static Law, &Stiffness)> {
+    pub fn stiffnesses(&self) -> impl Iterator<Item = (&'static Law, &Profile)> {
         self.present().filter(|(law, _)| law.with.is_none())
     }
 }
@@ -163,28 +162,6 @@ impl Scene {
 /// A set of effects: bit `i` is `model.effects[i]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects(pub u32);
-
-/// A law, a stiffness, a transmission error or one of friction, over one pitch: constant between its steps, or smooth between its kinks.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Stiffness {
-    /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.
-    pub steps: Vec<Step>,
-    /// What it follows in each cell; empty where it is constant there.
-    pub curves: Vec<Curve>,
-    /// Phase at which the first level begins, once a pitch [unit of the phase].
-    pub origin: f64,
-    /// Pitches after which it repeats itself: 1, of a transmission error also more, over which the levels then go.
-    pub pitches: u32,
-}
-
-/// One level of a [`Stiffness`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Value [unit of the law].
-    pub value: f64,
-    /// Phase over which it holds [unit of the phase]; the widths add up to the pitch, or the pitches.
-    pub width: f64,
-}
 
 /// The state at t = 0, as the scene gives it.
 #[derive(Debug, Clone, PartialEq)]

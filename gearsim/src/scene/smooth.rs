@@ -2,8 +2,9 @@
 
 use super::document::{Entry, Node, Place};
 use super::error::Report;
-use super::{Curve, Stiffness, errors, field, keys, laws, measure};
+use super::{errors, field, keys, laws, measure};
 use crate::model::{Law, Role};
+use crate::profile::{Curve, Profile};
 
 /// Keys of a law that make it smooth.
 pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
@@ -27,7 +28,7 @@ pub(super) struct Smooth<'a> {
 
 impl Smooth<'_> {
     /// The law, if it is one without steps; `Some(None)` if that is wrong.
-    pub(super) fn instead_of_steps(&self, report: &mut Report) -> Option<Option<Stiffness>> {
+    pub(super) fn instead_of_steps(&self, report: &mut Report) -> Option<Option<Profile>> {
         let get = |key| keys::get(self.entries, key);
         let series = get("harmonics").or(get("mean"));
         let (steps, table) = (get("steps"), get("table"));
@@ -58,7 +59,7 @@ impl Smooth<'_> {
     }
 
     /// A stepping law with ramps for its steps, if it is to have them.
-    pub(super) fn ramped(&self, stepping: Stiffness, report: &mut Report) -> Option<Stiffness> {
+    pub(super) fn ramped(&self, stepping: Profile, report: &mut Report) -> Option<Profile> {
         let Some(node) = keys::get(self.entries, "ramp") else { return Some(stepping) };
         let path = format!("laws.{}.ramp", self.law.name);
         if !stepping.steps_only() {
@@ -85,7 +86,7 @@ impl Smooth<'_> {
         ramped
     }
 
-    fn series(&self, report: &mut Report) -> Option<Stiffness> {
+    fn series(&self, report: &mut Report) -> Option<Profile> {
         let name = self.law.name;
         let unit = self.law.unit;
         let (mean, harmonics) = (keys::get(self.entries, "mean"), keys::get(self.entries, "harmonics"));
@@ -106,7 +107,7 @@ impl Smooth<'_> {
         let each = items.iter().enumerate().map(|(i, node)| self.harmonic(&format!("{path}.{i}"), node, report));
         let harmonics: Vec<_> = each.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
         let period = self.length;
-        Some(Stiffness::curved(vec![(Curve::Fourier { mean: mean?, harmonics, period }, period)]))
+        Some(Profile::curved(vec![(Curve::Fourier { mean: mean?, harmonics, period }, period)]))
     }
 
     fn harmonic(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64, f64)> {
@@ -136,7 +137,7 @@ impl Smooth<'_> {
         Some((order?, amplitude?, phase?))
     }
 
-    fn table(&self, node: &Node, report: &mut Report) -> Option<Stiffness> {
+    fn table(&self, node: &Node, report: &mut Report) -> Option<Profile> {
         let path = format!("laws.{}.table", self.law.name);
         let (unit, phase) = (self.law.unit, self.phase);
         let example = format!("[{{ at = \"0 {phase}\", value = \"... {unit}\" }}, ...]");
@@ -163,7 +164,7 @@ impl Smooth<'_> {
             }
             points.push(point);
         }
-        if wrong { None } else { Stiffness::spline(&points, self.length) }
+        if wrong { None } else { Profile::spline(&points, self.length) }
     }
 
     fn point(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64)> {
@@ -180,7 +181,7 @@ impl Smooth<'_> {
     }
 
     /// The law, unless it is negative somewhere and must not be.
-    fn pushing(&self, stiffness: Stiffness, report: &mut Report) -> Option<Stiffness> {
+    fn pushing(&self, stiffness: Profile, report: &mut Report) -> Option<Profile> {
         let least = stiffness.extremes().0;
         if least >= 0.0 || self.law.role.has_sign() {
             return Some(stiffness);

@@ -12,9 +12,10 @@ use std::f64::consts::PI;
 
 use super::document::{Entry, Node, Place, Value};
 use super::error::Report;
-use super::{Stiffness, field, keys, measure};
+use super::{field, keys, measure};
 use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Rubbing, Source};
 use crate::model::{Law, Role};
+use crate::profile::Profile;
 
 /// Keys of a law that is stated by its teeth.
 pub(super) const KEYS: [&str; 16] = [
@@ -58,7 +59,7 @@ impl Teeth<'_> {
     }
 
     /// The law.
-    pub(super) fn read(&self, report: &mut Report) -> Option<Stiffness> {
+    pub(super) fn read(&self, report: &mut Report) -> Option<Profile> {
         let scale = self.scale(report);
         let (gears, source) = (self.gears(report), self.source(report));
         let course = match self.get("course") {
@@ -73,7 +74,7 @@ impl Teeth<'_> {
     }
 
     /// A law of friction by these teeth.
-    pub(super) fn rubbing(&self, report: &mut Report) -> Option<Result<Stiffness, GearError>> {
+    pub(super) fn rubbing(&self, report: &mut Report) -> Option<Result<Profile, GearError>> {
         let (gears, source) = (self.gears(report), self.source(report));
         let gears = gears?;
         let (what, scale) = match (self.law.role, self.law.unit) {

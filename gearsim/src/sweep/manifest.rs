@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::record::{self, Column, GROUPS};
 use super::{Error, Plan, Request, Sweep, impossible, plan::MOST_POINTS};
-use crate::engine::Entry;
 use crate::model::Model;
 use crate::output::OutputError;
 use crate::output::summary::Number;
+use crate::run::Entry;
 use crate::scene::Template;
 
 /// Its name in a folder.

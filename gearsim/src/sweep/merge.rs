@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use super::folder::{self, ROWS, Rows, SPECTRA};
 use super::manifest::{self, Layout, Manifest};
 use super::{Error, impossible};
-use crate::engine::Entry;
 use crate::output::OutputFolder;
+use crate::run::Entry;
 
 /// Ranges of points that are listed before they are only counted.
 const LISTED: usize = 8;

@@ -26,8 +26,8 @@ pub use manifest::Manifest;
 pub use plan::Plan;
 pub use shard::Shard;
 
-use crate::engine::Entry;
 use crate::output::OutputError;
+use crate::run::Entry;
 use crate::scene::{Scene, SceneErrors, Template};
 use record::{Column, Group};
 

@@ -7,8 +7,8 @@ mod extremes;
 mod peak;
 mod state;
 
-use crate::engine::Outcome;
 use crate::model::{Coordinate, Model};
+use crate::run::Outcome;
 use crate::trajectory::Trajectory;
 
 /// All groups, in the order of their columns.

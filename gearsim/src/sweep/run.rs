@@ -12,7 +12,8 @@ use rayon::prelude::*;
 use super::row::{Row, Status};
 use super::{Error, Sweep, record, spectra};
 use crate::analysis::digits;
-use crate::engine::{Outcome, Refusal};
+use crate::engine::Refusal;
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 /// Results are kept this often [s]: at first, and at most; in between, as often as a fiftieth of the time that the

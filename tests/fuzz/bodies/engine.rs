@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
+use gearsim::engine::equations;
 use gearsim::engine::equations::Derived;
-use gearsim::engine::outcome::equations;
 use gearsim::engine::record::Recorder;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -70,7 +70,7 @@ impl Numbers<'_> {
 pub fn check(data: &[u8]) {
     let mut numbers = Numbers(data);
     let Some(scene) = scene(&mut numbers) else { return };
-    let equations = equations::<GearPair, 2>(&scene).expect("the effects do not contradict one another");
+    let equations = equations::of::<GearPair, 2>(&scene).expect("the effects do not contradict one another");
     let Ok(mut simulation) = Simulation::new(scene.model, &*equations, &scene) else { return };
     let lengths = simulation.turn_lengths();
     let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, simulation.levels());

@@ -4,9 +4,9 @@
 
 use std::path::{Path, PathBuf};
 
-use gearsim::engine::{Entry, Outcome};
 use gearsim::generated::MODELS;
 use gearsim::model::Model;
+use gearsim::run::{Entry, Outcome};
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005::GearPair;
 

@@ -3,13 +3,14 @@
 #![allow(dead_code)] // each test binary uses its part
 
 use gearsim::engine::Stop;
+use gearsim::engine::equations;
 use gearsim::engine::law::Law;
-use gearsim::engine::outcome::equations;
 use gearsim::engine::record::{Recorder, State};
 use gearsim::engine::simulate::{Counts, Simulation};
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::model::Start;
-use gearsim::scene::{Scene, Step, Stiffness};
+use gearsim::profile::{Profile, Step};
+use gearsim::scene::Scene;
 use gearsim::trajectory::Trajectory;
 use nalgebra::SVector;
 
@@ -68,7 +69,7 @@ impl Pair {
         let mut scene = common::scene("oh2005/spectrum_600rpm_exact", &[]);
         scene.parameters[..6].copy_from_slice(&[24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0]);
         let steps = self.steps.iter().map(|(value, width)| Step { value: *value, width: *width }).collect();
-        scene.laws = vec![Stiffness::stepping(steps)];
+        scene.laws = vec![Profile::stepping(steps)];
         scene.start.q = vec![Start::At(self.q[0]), Start::Static];
         scene.start.q_dot = self.q_dot.map(Some).to_vec();
         scene.t_end = self.span;
@@ -88,7 +89,7 @@ impl Pair {
 
     fn run_from(&self, from: Option<&Ran>) -> Ran {
         let scene = self.scene();
-        let equations = equations::<GearPair, 2>(&scene).expect("its effects agree");
+        let equations = equations::of::<GearPair, 2>(&scene).expect("its effects agree");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
         if let Some(from) = from {
@@ -104,7 +105,7 @@ impl Pair {
     /// What the recorder of the program writes of its run, until it ends or has to stop.
     pub fn recorded(&self) -> Trajectory {
         let scene = self.scene();
-        let equations = equations::<GearPair, 2>(&scene).expect("its effects agree");
+        let equations = equations::of::<GearPair, 2>(&scene).expect("its effects agree");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
         let (state, k) = (simulation.state, simulation.levels().to_vec());

@@ -1,6 +1,6 @@
 //! Row 16: an effect that is absent, against present at zero strength.
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
 use crate::case::{Case, NONE, WRONG, count, largest};

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 use gearsim::engine::Refusal;
 use gearsim::engine::dead_band::{Grip, Regime};
-use gearsim::engine::outcome::equations;
+use gearsim::engine::equations::of;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair;
 use gearsim::scene::{Effects, Precision, Scene};

@@ -1,6 +1,6 @@
 //! Row 3: a phase pressed against a step, held, let go.
 
-use gearsim::engine::{Entry, Outcome};
+use gearsim::run::{Entry, Outcome};
 
 use crate::case::{Case, largest};
 use crate::common;

@@ -1,6 +1,6 @@
 //! Row 3: a phase at rest against a step of a transmission error, held, let go, let through.
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 
 use crate::case::Case;
 use crate::contact::{Freed, K, REST, frequencies, pair_at_rest};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
 use crate::case::{Case, largest};

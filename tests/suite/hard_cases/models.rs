@@ -1,6 +1,6 @@
 //! Small models with closed forms, written out as the derivation would.
 
-use gearsim::engine::{Entry, Outcome};
+use gearsim::run::{Entry, Outcome};
 use gearsim::scene::Scene;
 
 /// Runs a scene of one of them to its end.

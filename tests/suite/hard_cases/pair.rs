@@ -2,11 +2,13 @@
 
 use std::sync::OnceLock;
 
+use gearsim::engine::equations;
 use gearsim::engine::equations::Equations;
-use gearsim::engine::{Outcome, outcome};
 use gearsim::generated::gear_pair;
 use gearsim::model::Start;
-use gearsim::scene::{Beginning, Scene, Step};
+use gearsim::profile::Step;
+use gearsim::run::Outcome;
+use gearsim::scene::{Beginning, Scene};
 use gearsim::trajectory::Moment;
 use gearsim_tests::oh2005::{Event, GearPair, Kind, PITCH, State};
 
@@ -39,7 +41,7 @@ pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
 
 /// The equations of a gear pair with all its effects.
 pub fn equations(pair: &GearPair) -> Box<dyn Equations<2>> {
-    outcome::equations::<gear_pair::GearPair, 2>(&scene(pair, &pair.start(0.0), 1.0)).expect("effects that go together")
+    equations::of::<gear_pair::GearPair, 2>(&scene(pair, &pair.start(0.0), 1.0)).expect("effects that go together")
 }
 
 /// Runs a gear pair in the engine. A run that stops early has the events until then.

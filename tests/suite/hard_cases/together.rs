@@ -1,6 +1,6 @@
 //! Row 4: steps met together, of one phase and of two.
 
-use gearsim::engine::{Entry, Outcome};
+use gearsim::run::{Entry, Outcome};
 
 use crate::case::{Case, NONE, WRONG, count, largest};
 use crate::models::{end, meshes::Meshes, residual, run, twice::Twice};

@@ -1,6 +1,6 @@
 //! Row 3: a phase between two steps that it cannot climb, free or damped; bounces on one step, however short.
 
-use gearsim::engine::{Entry, Outcome};
+use gearsim::run::{Entry, Outcome};
 use gearsim::trajectory::Moment;
 use gearsim_tests::oh2005::{GearPair, Kind, State};
 use gearsim_tests::precise::{self, first_crossing};

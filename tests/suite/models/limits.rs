@@ -1,8 +1,8 @@
 //! Limits: models with parts so stiff that they move as one come to the models without those parts, and the difference falls
 //! as one over the stiffness.
 
-use gearsim::engine::Outcome;
 use gearsim::generated::*;
+use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
 use crate::common::{model, models, run};

@@ -1,7 +1,7 @@
 //! Without friction, backwards, through rest, and together with other effects: motions that must agree, and energy that must.
 
 use crate::{common, run, state, unaccounted, work};
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 
 /// Largest differences of coordinates and of speeds over a run, the first coordinate of `b` times `sign`.
 fn apart(a: &Outcome, b: &Outcome, sign: f64) -> [f64; 4] {

@@ -1,7 +1,7 @@
 //! Planets that mesh together, and planets that mesh one after another: what the errors of their meshes excite by symmetry alone.
 //! R. G. Parker, J. Sound Vib. 236(4) (2000); V. K. Ambarisha, R. G. Parker, J. Vib. Acoust. 128(4) (2006).
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 
 use crate::common;
 

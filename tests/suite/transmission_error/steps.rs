@@ -1,6 +1,7 @@
 //! Errors of teeth, a step a pitch.
 
-use gearsim::engine::{Outcome, Refusal};
+use gearsim::engine::Refusal;
+use gearsim::run::Outcome;
 use gearsim::trajectory::Moment;
 
 use crate::by_hand::Pair;

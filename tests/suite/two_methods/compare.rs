@@ -2,7 +2,7 @@
 
 use gearsim::analysis::digits;
 use gearsim::analysis::work_precision::error;
-use gearsim::engine::{Digits, Outcome};
+use gearsim::run::{Digits, Outcome};
 use gearsim::scene::Scene;
 use gearsim::scene::solver::{Method, Precision, Solver};
 

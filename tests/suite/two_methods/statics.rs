@@ -4,7 +4,8 @@
 use std::f64::consts::TAU;
 
 use gearsim::model::Start;
-use gearsim::scene::{Scene, Stiffness};
+use gearsim::profile::Profile;
+use gearsim::scene::Scene;
 
 use crate::common;
 
@@ -86,7 +87,7 @@ fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
 }
 
 /// The level of a law at a phase, and how far from a boundary that is.
-fn level(law: &Stiffness, length: f64, phase: f64) -> (f64, f64) {
+fn level(law: &Profile, length: f64, phase: f64) -> (f64, f64) {
     let x = (phase - law.origin).rem_euclid(length);
     let (mut end, mut gap) = (0.0, x.min(length - x));
     let mut level = law.steps[law.steps.len() - 1].value;

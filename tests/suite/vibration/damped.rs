@@ -1,6 +1,6 @@
 //! Runs of a model whose damping couples its modes: flights, crossings, holds, energy.
 
-use gearsim::engine::Outcome;
+use gearsim::run::Outcome;
 use gearsim::trajectory::Moment;
 use gearsim_tests::precise::exponential::Exponential;
 use gearsim_tests::precise::number::{Real, Scalar};

@@ -1,6 +1,6 @@
 //! A small model whose damping couples its modes, written out as the derivation would.
 
-use gearsim::engine::Entry;
+use gearsim::run::Entry;
 use gearsim::scene::Scene;
 
 /// A rotor under a torque, whose angle switches the spring of a loaded rotor that carries a third one. A damper between the

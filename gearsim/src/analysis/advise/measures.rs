@@ -1,8 +1,8 @@
 //! What a run recorded, in few numbers, and how far two runs are apart in them.
 
 use crate::analysis::spectrum::{segment_length, uniform_samples, welch};
-use crate::engine::Outcome;
 use crate::model::Model;
+use crate::run::Outcome;
 use crate::trajectory::{Moment, Trajectory};
 
 /// Frequency bands, each as wide as whole mesh orders.

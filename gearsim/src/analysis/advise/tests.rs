@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::orbit::{Steady, Unknown};
 use super::*;
-use crate::engine::Outcome;
 use crate::generated::MODELS;
+use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::trajectory::Moment;
 

@@ -5,7 +5,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::engine::{Entry, Refusal};
+use crate::engine::Refusal;
+use crate::run::Entry;
 use crate::scene::Scene;
 
 /// A spring, or all those of one parameter.

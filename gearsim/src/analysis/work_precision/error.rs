@@ -7,7 +7,7 @@
 //! Events are those at which speeds or strain energy jump. Flanks that meet or part change neither; which of their moments are noted
 //! is a matter of the method.
 
-use crate::engine::Outcome;
+use crate::run::Outcome;
 use crate::trajectory::{Moment, Trajectory};
 
 /// How far off a run is.

@@ -1,6 +1,7 @@
 //! The motion that others are compared with, and how far it is to be trusted itself.
 
-use crate::engine::{Outcome, Refusal};
+use crate::engine::Refusal;
+use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::scene::solver::{Method, Precision, Solver};
 

@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use crate::engine::outcome::{Outcome, equations};
+use crate::engine::Refusal;
+use crate::engine::equations;
 use crate::engine::simulate::Simulation;
-use crate::engine::{Entry, Refusal};
 use crate::generated::MODELS;
 use crate::generated::gear_pair::GearPair;
 use crate::model::Model;
+use crate::run::Entry;
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 use super::Forcing;
@@ -289,7 +291,7 @@ fn levels_are_constant_torques_one_after_another() {
 #[test]
 fn a_run_split_anywhere_is_the_whole() {
     let scene = scene(&ALL);
-    let equations = equations::<GearPair, 2>(&scene).unwrap();
+    let equations = equations::of::<GearPair, 2>(&scene).unwrap();
     let state = |splits: &[f64]| {
         let forcing = Forcing::of::<GearPair>(&scene);
         let mut simulation = Simulation::driven(scene.model, &*equations, &scene, forcing).unwrap();
@@ -367,7 +369,7 @@ fn other_ways_refuse_or_stand_aside() {
     let refusal = (entry(&compensated).run)(&compensated, &mut |_| {}).unwrap_err();
     assert_eq!(refusal, Refusal::CompensatedVarying { torques: "`T0`".into() });
     assert!(refusal.to_string().contains("varies in time (`T0`)"), "{refusal}");
-    let equations = equations::<GearPair, 2>(&compensated).unwrap();
+    let equations = equations::of::<GearPair, 2>(&compensated).unwrap();
     let plain = Simulation::new(compensated.model, &*equations, &compensated).err();
     assert_eq!(plain, Some(Refusal::Varying { torques: "`T0`".into() }));
     let scenes = [scene(&ALL), scene(&ALL[..3])];

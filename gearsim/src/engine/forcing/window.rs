@@ -9,7 +9,7 @@
 //! The motion is an entire function of t, whatever the damping, on resonance and off it, for rigid modes as for elastic
 //! ones. A window lasts no longer than [`SPAN`] divided by the fastest rate of cell and load: then [`TERMS`] terms leave a
 //! remainder of 2²⁸/28! < 1e-21 of the motion, far below its rounding, and lose less than a digit to cancellation. So the first
-//! crossing is found, for certain, as the first root of a polynomial ([`root`](crate::methods::root)).
+//! crossing is found, for certain, as the first root of a polynomial ([`root`](crate::engine::root)).
 
 use nalgebra::SVector;
 

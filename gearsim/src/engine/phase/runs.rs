@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use crate::engine::Outcome;
 use crate::generated::MODELS;
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 fn load(name: &str, set: &[String]) -> Scene {

@@ -14,7 +14,7 @@ use crate::engine::forcing::Forcing;
 use crate::engine::forcing::linear::Linear;
 use crate::engine::forcing::window::{TERMS, Window};
 use crate::engine::record::{Recorder, State};
-use crate::methods::root;
+use crate::engine::root;
 use crate::trajectory::Moment;
 
 /// What varies, and the cells in which windows are opened.

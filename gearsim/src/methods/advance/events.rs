@@ -10,10 +10,11 @@ use crate::engine::law;
 
 use super::flanks::to_edge;
 use super::{Advance, Events, Met, Recording};
+use crate::engine::root;
+use crate::methods::Trial;
 use crate::methods::dense::Dense;
 use crate::methods::field::Field;
 use crate::methods::flow::Flow;
-use crate::methods::{Trial, root};
 
 impl<const N: usize> Advance<'_, N> {
     /// The first boundary that the motion of a step meets: at which part of it, and which.

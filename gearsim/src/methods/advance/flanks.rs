@@ -6,9 +6,9 @@ use nalgebra::SVector;
 use crate::engine::crossing::Side;
 use crate::engine::dead_band::{DeadBand, Grip, Regime};
 use crate::engine::error::Stop;
+use crate::engine::root;
 use crate::methods::dense::Dense;
 use crate::methods::field::wanders;
-use crate::methods::root;
 
 use super::{Advance, Met, Recording};
 

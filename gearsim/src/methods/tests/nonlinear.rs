@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::engine::{Entry, Outcome};
+use crate::run::{Entry, Outcome};
 use crate::scene::Scene;
 
 mod duffing {

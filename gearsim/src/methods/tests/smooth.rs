@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{difference, run, try_run};
 use crate::engine::Refusal;
-use crate::engine::outcome::Outcome;
+use crate::run::Outcome;
 use crate::trajectory::Trajectory;
 
 const FOURIER: &str = r#"laws.k={mean="2.1 kN*m", harmonics=[{order=1, amplitude="0.6 kN*m", phase="0.4 rad"}, {order=2, amplitude="0.1 kN*m"}]}"#;

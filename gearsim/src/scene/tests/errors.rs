@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
-use crate::scene::{Curve, Stiffness};
+use crate::profile::{Curve, Profile};
 
 /// The scene with the effect, and the law that `law` makes of it.
-fn with(law: &str, overrides: &[&str]) -> Result<Stiffness, String> {
+fn with(law: &str, overrides: &[&str]) -> Result<Profile, String> {
     let text = SCENE.replace("\"damping\",", "\"transmission_error\",") + "\n[laws.e]\n" + law;
     let scene = parse(&text, overrides).map_err(|errors| errors.render(100, false))?;
     assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k", "e"]);

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
 use crate::gear::{Gears, Rubbing, Source, friction};
-use crate::scene::{Scene, Stiffness};
+use crate::profile::Profile;
+use crate::scene::Scene;
 
 const TEETH: &str = "teeth = [24, 96]\nmodule = \"6.35 mm\"\nface_width = \"7 mm\"\nmethod = \"energy\"";
 
@@ -31,14 +32,14 @@ fn laws_have_the_teeth_of_another() {
     assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k", "e", "side", "arm"]);
     assert_eq!(scene.laws[1].extremes(), (0.0, 0.0));
     let of = |what, scale| friction(&gears(), Source::Energy, what, TAU, scale).unwrap();
-    let ahead = |law: Stiffness| {
+    let ahead = |law: Profile| {
         let origin = law.origin;
         law.beginning(origin - 0.25 * TAU)
     };
     assert_eq!(scene.laws[2], ahead(of(Rubbing::Side, 1.0)));
     // The deflection is a phase, of which a base pitch is a turn.
     let arm = ahead(of(Rubbing::Arm, TAU / gears().contact().unwrap().base_pitch));
-    let off = |a: &Stiffness| a.steps.iter().zip(&arm.steps).fold(0.0f64, |m, (a, b)| m.max((a.value - b.value).abs()));
+    let off = |a: &Profile| a.steps.iter().zip(&arm.steps).fold(0.0f64, |m, (a, b)| m.max((a.value - b.value).abs()));
     assert!(off(&scene.laws[3]) < 1e-14 && scene.laws[3].origin == arm.origin);
 }
 

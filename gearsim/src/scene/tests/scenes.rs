@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::fixture::{GEAR_PAIR, SCENE, parse};
 use crate::model::Start;
-use crate::scene::{Effects, Scene, Step, Stiffness};
+use crate::profile::{Profile, Step};
+use crate::scene::{Effects, Scene};
 
 #[test]
 fn a_scene_is_read_in_si() {
@@ -17,7 +18,7 @@ fn a_scene_is_read_in_si() {
     assert_eq!(scene.parameter("N3"), None);
     let steps = vec![Step { value: 1430.0, width: 1.73 }, Step { value: 2780.0, width: TAU - 1.73 }];
     let none = vec![Step { value: 0.0, width: TAU }];
-    assert_eq!(scene.laws, [steps, none.clone(), none.clone(), none].map(Stiffness::stepping));
+    assert_eq!(scene.laws, [steps, none.clone(), none.clone(), none].map(Profile::stepping));
     assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k"]);
     assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
     assert_eq!(scene.start.q_dot, [None, None]);
@@ -79,7 +80,7 @@ fn the_hash_names_text_and_overrides() {
 #[test]
 fn a_stiffness_has_two_middles() {
     let steps = vec![Step { value: 1.0, width: 3.0 }, Step { value: 5.0, width: 1.0 }];
-    let stiffness = Stiffness::stepping(steps);
+    let stiffness = Profile::stepping(steps);
     assert_eq!(stiffness.mid(), 3.0);
     assert_eq!(stiffness.mean(), 2.0);
 }

@@ -4,13 +4,13 @@ use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
 use crate::gear::{Gears, Iso6336};
-use crate::scene::Stiffness;
+use crate::profile::Profile;
 
 const TEETH: &str = r#"teeth = [24, 96]
 module = "6.35 mm"
 face_width = "7 mm""#;
 
-fn with(law: &str, overrides: &[&str]) -> Result<Stiffness, String> {
+fn with(law: &str, overrides: &[&str]) -> Result<Profile, String> {
     let begin = SCENE.find("steps = [").unwrap();
     let end = SCENE.find("[start]").unwrap();
     let text = format!("{}{law}\n\n{}", &SCENE[..begin], &SCENE[end..]);

@@ -1,8 +1,8 @@
 //! How many digits of the state at the end are left, by a second run of the point from a start a rounding away.
 
 use super::{Column, Group, column};
-use crate::engine::Outcome;
 use crate::model::Model;
+use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "digits",

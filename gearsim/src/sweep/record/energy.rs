@@ -1,9 +1,9 @@
 //! The energy account at the end of the run, as in `summary.json`.
 
 use super::{Column, Group, column};
-use crate::engine::Outcome;
 use crate::model::Model;
 use crate::output::summary::Energy;
+use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "energy",

@@ -1,8 +1,8 @@
 //! How far the run came, and what happened in it.
 
 use super::{Column, Group, column, last};
-use crate::engine::Outcome;
 use crate::model::Model;
+use crate::run::Outcome;
 use crate::trajectory::Moment;
 
 pub(super) const GROUP: Group = Group {

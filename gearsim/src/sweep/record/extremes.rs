@@ -2,8 +2,8 @@
 //! of the evenly spaced samples. Of coordinates that roll on, their speeds only.
 
 use super::{Column, Group, column, rolling, row_from};
-use crate::engine::Outcome;
 use crate::model::Model;
+use crate::run::Outcome;
 use crate::trajectory::Moment;
 
 pub(super) const GROUP: Group = Group {

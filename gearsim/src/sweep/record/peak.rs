@@ -1,8 +1,8 @@
 //! The highest line of the spectrum of each coordinate that does not roll on: its frequency and its density.
 
 use super::{Column, Group, column, elastic};
-use crate::engine::Outcome;
 use crate::model::Model;
+use crate::run::Outcome;
 use crate::sweep::spectra;
 
 pub(super) const GROUP: Group = Group {

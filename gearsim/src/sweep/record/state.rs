@@ -1,8 +1,8 @@
 //! Where the run ended: every coordinate, unwrapped, and its speed.
 
 use super::{Column, Group, column, last};
-use crate::engine::Outcome;
 use crate::model::Model;
+use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "state",

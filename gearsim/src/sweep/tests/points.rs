@@ -1,8 +1,8 @@
 //! Which points a sweep has, and that each is the run that it says it is.
 
 use super::{load, request};
-use crate::engine::Outcome;
 use crate::generated::MODELS;
+use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::sweep::row::Status;
 use crate::sweep::{Plan, Request};

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Step, Stiffness};
+use super::{Profile, Step};
 
 /// k(x), smooth over a cell; x is the phase from where the cell begins.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,26 +83,26 @@ impl Curve {
     }
 }
 
-impl Stiffness {
+impl Profile {
     /// The stiffness that is constant between its steps.
     pub fn stepping(steps: Vec<Step>) -> Self {
-        Stiffness { steps, curves: vec![], origin: 0.0, pitches: 1 }
+        Profile { steps, curves: vec![], origin: 0.0, pitches: 1 }
     }
 
     /// The stiffness that follows a curve in each cell, of a width each.
     pub fn curved(cells: Vec<(Curve, f64)>) -> Self {
         let steps = cells.iter().map(|(curve, width)| Step { value: curve.mean(*width), width: *width }).collect();
-        Stiffness { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0, pitches: 1 }
+        Profile { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0, pitches: 1 }
     }
 
     /// The same, said to go over a number of pitches.
     pub fn over(self, pitches: u32) -> Self {
-        Stiffness { pitches, ..self }
+        Profile { pitches, ..self }
     }
 
     /// The same, its first level beginning at the phase `origin`, or whole pitches from it.
     pub fn beginning(self, origin: f64) -> Self {
-        Stiffness { origin, ..self }
+        Profile { origin, ..self }
     }
 
     /// Whether it is constant in every cell.
@@ -139,7 +139,7 @@ impl Stiffness {
                 true => add(step.value, step.value + before * (next - step.value), before * ramp),
             }
         }
-        Some(Stiffness::curved(cells).beginning(self.origin).over(self.pitches))
+        Some(Profile::curved(cells).beginning(self.origin).over(self.pitches))
     }
 
     /// The periodic cubic spline through `points` (place, value), at increasing places within one pitch of `period`: twice
@@ -178,7 +178,7 @@ impl Stiffness {
         }
         cells.extend((0..n - 1).map(|i| (Curve::Cubic(cubic(i)), h(i))));
         cells.push((tail, cut));
-        Some(Stiffness::curved(cells))
+        Some(Profile::curved(cells))
     }
 
     /// Its least value and its greatest.
@@ -195,7 +195,7 @@ mod tests {
     use super::*;
 
     /// k and its derivatives at a phase within the pitch.
-    fn at(stiffness: &Stiffness, s: f64) -> [f64; 3] {
+    fn at(stiffness: &Profile, s: f64) -> [f64; 3] {
         let mut begin = 0.0;
         for (curve, step) in stiffness.curves.iter().zip(&stiffness.steps) {
             if s < begin + step.width {
@@ -206,7 +206,7 @@ mod tests {
         stiffness.curves[stiffness.curves.len() - 1].at(stiffness.steps[stiffness.steps.len() - 1].width)
     }
 
-    fn width(stiffness: &Stiffness) -> f64 {
+    fn width(stiffness: &Profile) -> f64 {
         stiffness.steps.iter().map(|step| step.width).sum()
     }
 
@@ -214,7 +214,7 @@ mod tests {
     #[test]
     fn splines_are_smooth_and_periodic() {
         let points = [(0.3, 1.0), (1.0, 3.0), (2.5, 2.0), (4.0, 2.5), (5.5, 0.5)];
-        let spline = Stiffness::spline(&points, TAU).unwrap();
+        let spline = Profile::spline(&points, TAU).unwrap();
         assert!((width(&spline) - TAU).abs() < 1e-14);
         let same = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
         for (s, k) in points {
@@ -222,8 +222,8 @@ mod tests {
             assert!(same(at(&spline, s - 1e-14), at(&spline, s + 1e-14)), "{s}");
         }
         assert!(same(at(&spline, 0.0), at(&spline, TAU)));
-        assert_eq!(Stiffness::spline(&points[..2], TAU), None);
-        assert_eq!(Stiffness::spline(&[(0.0, 1.0), (0.0, 2.0), (3.0, 1.0)], TAU), None);
+        assert_eq!(Profile::spline(&points[..2], TAU), None);
+        assert_eq!(Profile::spline(&[(0.0, 1.0), (0.0, 2.0), (3.0, 1.0)], TAU), None);
     }
 
     /// Through n points of a cosine it errs as n⁻⁴.
@@ -232,7 +232,7 @@ mod tests {
         let error = |n: usize| {
             let point = |i: usize| TAU * i as f64 / n as f64;
             let points: Vec<_> = (0..n).map(|i| (point(i), point(i).cos())).collect();
-            let spline = Stiffness::spline(&points, TAU).unwrap();
+            let spline = Profile::spline(&points, TAU).unwrap();
             (0..1000)
                 .map(|i| TAU * f64::from(i) / 1000.0)
                 .fold(0.0f64, |m, s| m.max((at(&spline, s)[0] - s.cos()).abs()))
@@ -244,7 +244,7 @@ mod tests {
     #[test]
     fn ramps_join_levels() {
         let steps = [(1.0, 2.0), (3.0, TAU - 2.0)].map(|(value, width)| Step { value, width });
-        let stepping = Stiffness::stepping(steps.to_vec());
+        let stepping = Profile::stepping(steps.to_vec());
         for before in [0.0, 0.5, 1.0] {
             let ramped = stepping.ramped(0.1, before).unwrap();
             assert!((width(&ramped) - TAU).abs() < 1e-14);

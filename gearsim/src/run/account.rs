@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::engine::equations::Switching;
 use crate::engine::law::Law;
-use crate::engine::outcome::Outcome;
+use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
 

@@ -1,13 +1,16 @@
 //! A whole run of a scene, from its equations to its account.
 
+pub mod account;
+
+pub use account::Account;
+
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
 use xprec::Df64;
 
-use crate::engine::account::{self, Account};
 use crate::engine::cell::Cell;
-use crate::engine::equations::{Derived, Equations};
+use crate::engine::equations::{self, Derived, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::record::Recorder;
@@ -105,16 +108,6 @@ impl Entry {
     }
 }
 
-/// The equations of a scene.
-///
-/// # Errors
-/// Where its effects contradict one another.
-pub fn equations<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn Equations<N>>, Refusal> {
-    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    let which = || scene.effects.contradictions(&D::MODEL);
-    D::equations(scene.effects.0, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
-}
-
 /// Has a simulation carry state and time in twice the digits.
 ///
 /// # Errors
@@ -129,7 +122,7 @@ pub fn compensate<D: Derived<N>, const N: usize>(
 }
 
 fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
-    let equations = equations::<D, N>(scene)?;
+    let equations = equations::of::<D, N>(scene)?;
     let begun = start::begin(&*equations, scene)?;
     let choice = choice::of(scene, &begun.laws)?;
     let (others, closes) = (begun.others.clone(), account::closes(&begun.laws));
@@ -173,7 +166,7 @@ fn exact<D: Derived<N>, const N: usize>(
 /// Those that are exact and plain in lanes, the others by themselves.
 fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
     let prepare = |scene: &Scene| -> Result<_, Refusal> {
-        let equations = equations::<D, N>(scene)?;
+        let equations = equations::of::<D, N>(scene)?;
         let begun = start::begin(&*equations, scene)?;
         let choice = choice::of(scene, &begun.laws)?;
         Ok((equations, begun, choice))
