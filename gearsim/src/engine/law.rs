@@ -239,12 +239,8 @@ pub fn met<'a, const N: usize>(
 }
 
 /// Takes `law`, and whatever joins it at its boundary, on into the cells beyond.
-#[inline]
+#[inline(never)]
 pub fn enter<const N: usize>(laws: &mut [Law<N>], law: usize, side: Side, state: &mut State<N>) {
-    if let [only] = laws {
-        only.enter(side, state);
-        return;
-    }
     let entering: Vec<usize> = met(laws, law, side, state).collect();
     let phase = laws[law].phase;
     let turns: i64 = entering.into_iter().map(|i| laws[i].enter(side, state)).sum();

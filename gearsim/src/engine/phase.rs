@@ -118,7 +118,7 @@ impl Pitch {
     }
 
     /// The step of the stiffness beyond a side of a cell; 0 at a mere kink.
-    #[inline]
+    #[inline(always)]
     pub fn step(&self, cell: usize, side: Side) -> f64 {
         let (beyond, ..) = self.beyond(cell, side);
         if self.steps_only() {

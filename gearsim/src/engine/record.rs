@@ -96,11 +96,12 @@ impl<'a, const N: usize> Recorder<'a, N> {
     /// [`Stop::Rows`].
     #[inline]
     pub fn demand_room(&self) -> Result<(), Stop> {
-        let rows = self.trajectory.len();
-        if (rows as u64) < self.most_rows {
-            return Ok(());
-        }
-        Err(Stop::Rows { t: self.trajectory.t.last().copied().unwrap_or(0.0), rows })
+        if (self.trajectory.len() as u64) < self.most_rows { Ok(()) } else { Err(self.full()) }
+    }
+
+    #[cold]
+    fn full(&self) -> Stop {
+        Stop::Rows { t: self.trajectory.t.last().copied().unwrap_or(0.0), rows: self.trajectory.len() }
     }
 
     /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].

@@ -202,7 +202,9 @@ impl<'a, const N: usize> Simulation<'a, N> {
         let mut sample = 0;
         while !self.step(&mut recorder, &mut sample)? {
             watch(self.clock.now());
-            recorder.iter().try_for_each(|(recorder, ..)| recorder.demand_room())?;
+            if let Some((recorder, ..)) = &recorder {
+                recorder.demand_room()?;
+            }
         }
         Ok(())
     }
@@ -249,7 +251,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     }
 
     /// What happens where a flight ends; tells whether the run is over.
-    #[inline]
+    #[inline(always)]
     fn finish(&mut self, end: End, recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>) -> Result<bool, Stop> {
         self.demand_numbers()?;
         // Jump: through the step, or back from it.
@@ -289,7 +291,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     }
 
     /// Ends a run whose state is beyond numbers.
-    #[inline]
+    #[inline(always)]
     fn demand_numbers(&self) -> Result<(), Stop> {
         if self.state.is_finite() {
             return Ok(());

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 use gearsim::engine::Refusal;
 use gearsim::engine::dead_band::{Grip, Regime};
-use gearsim::engine::equations::of;
+use gearsim::engine::equations;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair;
 use gearsim::scene::{Effects, Precision, Scene};
@@ -224,7 +224,7 @@ fn pulls(note: &mut String) -> f64 {
     let worst = (0..60).map(|_| {
         let scene = rattling(&mut noise, &[]);
         let zeta = scene.parameter("zeta").expect("a parameter");
-        let equations = equations::<gear_pair::GearPair, 2>(&scene).expect("effects that go together");
+        let equations = equations::of::<gear_pair::GearPair, 2>(&scene).expect("effects that go together");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("a system");
         let (_, _, c) = constants(zeta);
         let c = c * (scene.laws[0].mid() / ((1430.0 + 2780.0) / 2.0)).sqrt();

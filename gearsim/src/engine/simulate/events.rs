@@ -37,7 +37,7 @@ impl<const N: usize> Simulation<'_, N> {
     }
 
     /// An event, its left and right limits noted.
-    #[inline]
+    #[inline(always)]
     pub(super) fn pass(
         &mut self,
         end: End,
@@ -152,7 +152,12 @@ impl<const N: usize> Simulation<'_, N> {
     #[inline]
     fn enter(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         self.counts.cell_changes += 1;
-        law::enter(&mut self.laws, law, side, &mut self.state);
+        match &mut self.laws[..] {
+            [only] => {
+                only.enter(side, &mut self.state);
+            }
+            laws => law::enter(laws, law, side, &mut self.state),
+        }
         if !self.bands.is_empty() {
             self.counts.impacts += cells::displace((&self.laws, &mut self.bands), &mut self.k, &self.state);
         }
