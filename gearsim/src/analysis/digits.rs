@@ -53,7 +53,8 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     }
     other.t_end = trajectory.t.last().copied().filter(|t| *t > 0.0).unwrap_or(scene.t_end);
     // Alternating signs, so that what is common to all numbers, as a unit of mass is, does not cancel the disturbance.
-    let by = |i: usize| 1.0 + if i % 2 == 0 { ROUNDINGS } else { -ROUNDINGS } * f64::EPSILON;
+    let part = ROUNDINGS * f64::EPSILON;
+    let by = |i: usize| if i.is_multiple_of(2) { 1.0 + part } else { 1.0 - part };
     let sizes = error::sizes(trajectory);
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
         let (Some(q), Some(v)) = (trajectory.q[i].first(), trajectory.q_dot[i].first()) else { return other };

@@ -43,8 +43,7 @@ impl Account {
 
     /// Whether more is unaccounted for than the method allows.
     pub fn refutes(&self) -> bool {
-        // Also where it is not a number.
-        !(self.residual.abs() <= self.allowed * self.largest)
+        self.residual.is_nan() || self.residual.abs() > self.allowed * self.largest
     }
 }
 

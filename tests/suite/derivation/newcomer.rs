@@ -16,7 +16,7 @@ const ACCEPT: &str = "GEARSIM_ACCEPT";
 
 /// The files that `tests/suite/newcomer.rs` expands and runs are those that the energies give.
 pub fn files_are_current() {
-    let models: [(&str, fn(&mut Model)); 3] = [
+    let models: [gearsim_models::Entry; 3] = [
         ("spring_rotor", model::spring_rotor),
         ("cracked_rotor", cracked::cracked_rotor),
         ("double_well", well::double_well),
