@@ -57,7 +57,7 @@ fn no_module_uses_one_above_it() {
             continue;
         };
         let text = fs::read_to_string(&path).expect("a readable file");
-        for used in named(&text).into_iter().filter_map(|name| layer(name)) {
+        for used in named(&text).into_iter().filter_map(layer) {
             seen += 1;
             if used > own {
                 wrong.push(format!("{} uses {}", inside.display(), LAYERS[used]));
