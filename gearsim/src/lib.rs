@@ -2,7 +2,7 @@
 //!
 //! A scene ([`scene`]) names a derived model ([`generated`], described by [`model`]) and the effects it has; the
 //! [`engine`] runs it exactly from step to step, one of the numerical [`methods`] where cells are not linear, and
-//! [`ensemble`] many scenes at once; [`trajectory`] holds what was recorded, [`analysis`] and [`plot`] make
+//! [`ensemble`] many scenes at once; [`run`] chooses among them; [`trajectory`] holds what was recorded, [`analysis`] and [`plot`] make
 //! pictures of it, [`output`] writes files. The program in `cli` joins them.
 
 // Units in square brackets are not links.

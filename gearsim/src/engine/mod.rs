@@ -4,7 +4,7 @@
 //! motion along them), `coupling` (what more there is where damping couples them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
 //! `watch` (any other linear function of the state), `contact` (a phase held at a step), `dead_band` (play), `forcing`
 //! (torques that vary in time), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
-//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `simulate` (the loop), `outcome` (a scene, run), `system` (equations of any number of coordinates, as analyses see them).
+//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `root` (the first root of a polynomial), `simulate` (the loop), `system` (equations of any number of coordinates, as analyses see them).
 
 pub mod cell;
 pub mod cells;

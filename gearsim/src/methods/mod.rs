@@ -2,8 +2,8 @@
 //!
 //! A method carries y' = f(t, y), smooth in a cell, one step on, with an estimate of its error and a polynomial for what
 //! is between: one trait, one file a method. Round them, and the same for all: `field` (the right-hand side), `control`
-//! (how long a step is), `root` (the first boundary that the polynomial meets, for certain), `advance` (from step to step and
-//! jump to jump, with the laws, jumps and account of [`crate::engine`]), `choice` (which method runs a scene, and why).
+//! (how long a step is), `advance` (from step to step and jump to jump, with the laws, jumps, account and search for the first boundary of
+//! [`crate::engine`]), `choice` (which method runs a scene, and why).
 //!
 //! Our own tableaux rather than a library's: the search for events needs the coefficients of the dense output, to rule roots
 //! out between the samples that a library's interpolation would give, and to land on a surface by the method itself.
