@@ -118,17 +118,13 @@ pub fn noted(scene: &Scene, mut outcome: Outcome, run: Runner<'_>) -> Outcome {
 
 /// The largest difference of two runs at each time at which both have a sample \[s, 1\].
 fn differences(a: &Trajectory, b: &Trajectory) -> Vec<(f64, f64)> {
-    let (q, v) = error::sizes(a);
+    let sizes = error::sizes(a);
     let mut rows = a.samples().peekable();
     let mut curve = vec![];
     for j in (0..b.len()).filter(|&j| b.moment[j] == Moment::Sample) {
         while rows.next_if(|&i| a.t[i] < b.t[j]).is_some() {}
         let Some(&i) = rows.peek().filter(|&&i| a.t[i] == b.t[j]) else { continue };
-        let of = |x: &[Vec<f64>], y: &[Vec<f64>], sizes: &[f64]| {
-            let each = x.iter().zip(y).zip(sizes).map(|((x, y), size)| (x[i] - y[j]).abs() / size);
-            each.fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
-        };
-        curve.push((a.t[i], of(&a.q, &b.q, &q).max(of(&a.q_dot, &b.q_dot, &v))));
+        curve.push((a.t[i], error::difference((a, i), (b, j), &sizes)));
     }
     curve
 }

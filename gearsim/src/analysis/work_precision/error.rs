@@ -30,13 +30,7 @@ pub struct Errors {
 pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     let (a, b) = (&run.trajectory, &reference.trajectory);
     let sizes = sizes(b);
-    let difference = |i: usize, j: usize| {
-        let of = |x: &[Vec<f64>], y: &[Vec<f64>], sizes: &[f64]| {
-            let each = x.iter().zip(y).zip(sizes).map(|((x, y), size)| (x[i] - y[j]).abs() / size);
-            each.fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
-        };
-        of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
-    };
+    let difference = |i: usize, j: usize| difference((a, i), (b, j), &sizes);
     let samples = |t: &Trajectory| (0..t.len()).filter(|&i| t.moment[i] == Moment::Sample).collect::<Vec<_>>();
     let (mine, theirs) = (jumps(a), jumps(b));
     let events = mine.len() as i64 - theirs.len() as i64;
@@ -91,6 +85,16 @@ fn jumps(t: &Trajectory) -> Vec<usize> {
     let roundings: Vec<f64> = columns().map(|column| ROUNDINGS * largest(column)).collect();
     let jumps = |i: &usize| columns().zip(&roundings).any(|(x, rounding)| (x[i + 1] - x[*i]).abs() > *rounding);
     (0..t.len().saturating_sub(1)).filter(|&i| t.moment[i] == Moment::Before).filter(jumps).collect()
+}
+
+/// The largest difference of a coordinate or speed in a row of one run and a row of another, in units of their `sizes`; NaN if one of
+/// them is.
+pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), sizes: &(Vec<f64>, Vec<f64>)) -> f64 {
+    let of = |x: &[Vec<f64>], y: &[Vec<f64>], sizes: &[f64]| {
+        let each = x.iter().zip(y).zip(sizes).map(|((x, y), size)| (x[i] - y[j]).abs() / size);
+        each.fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
+    };
+    of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
 }
 
 /// The sizes of the coordinates and of the speeds of a run.
