@@ -48,11 +48,20 @@ impl Pitch {
             ends.push(ends[ends.len() - 1] + step.width);
         }
         ends.push(length);
+        // A boundary within rounding of a whole pitch, such as a pitch point worked out from tooth data, is at the pitch.
+        let near_whole = |x: f64| {
+            let whole = (x / period).round() * period;
+            if (x - whole).abs() <= 8.0 * f64::EPSILON * period { whole } else { x }
+        };
         let span = |ends: &[Df64]| {
             let [lower, upper] = [ends[0] + origin, ends[1] + origin];
             let before = (lower.hi() / period).trunc();
             let base = Df64::from(before) * period;
-            Span { lower: (lower - base).hi(), upper: (upper - base).hi(), before: before as i64 }
+            Span {
+                lower: near_whole((lower - base).hi()),
+                upper: near_whole((upper - base).hi()),
+                before: before as i64,
+            }
         };
         Pitch {
             spans: ends.windows(2).map(span).collect(),
