@@ -139,14 +139,17 @@ impl<const N: usize> Equilibrium<'_, N> {
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
         let (unit, scaled) = scaled(&stiffness);
-        let curvatures = scaled.symmetric_eigen();
-        let stable = curvatures.eigenvalues.min() > 0.0;
-        let solved = if curvatures.eigenvalues.min() < -FLAT {
-            let along = curvatures.eigenvectors.tr_mul(&force.component_div(&unit));
-            let along = along.zip_map(&curvatures.eigenvalues, |force, curvature| force / curvature.abs());
-            (curvatures.eigenvectors * along).component_div(&unit)
-        } else {
-            stiffness.lu().solve(&force)?
+        // Numbers that overflow have no curvatures; they are refused below.
+        let curvatures = scaled.iter().all(|x| x.is_finite()).then(|| scaled.symmetric_eigen());
+        let least = curvatures.as_ref().map_or(f64::NAN, |curvatures| curvatures.eigenvalues.min());
+        let (stable, concave) = (least > 0.0, curvatures.filter(|_| least < -FLAT));
+        let solved = match concave {
+            Some(curvatures) => {
+                let along = curvatures.eigenvectors.tr_mul(&force.component_div(&unit));
+                let along = along.zip_map(&curvatures.eigenvalues, |force, curvature| force / curvature.abs());
+                (curvatures.eigenvectors * along).component_div(&unit)
+            }
+            None => stiffness.lu().solve(&force)?,
         };
         if solved.iter().any(|x| !x.is_finite()) {
             return None;
