@@ -10,17 +10,13 @@
 //! Where no digit is left the motion is chaotic, or the tolerance too coarse: the state is one of many. What is conserved, and
 //! averages, may still be right.
 
-use crate::engine::Refusal;
 use crate::model::Start;
 use crate::run::{Digits, Outcome};
 use crate::scene::solver::{Method, Precision};
 use crate::scene::{Course, Scene};
 use crate::trajectory::{Moment, Trajectory};
 
-use super::work_precision::error;
-
-/// Runs a scene, as [`Entry::run`](crate::run::Entry::run) does.
-pub type Runner<'a> = &'a dyn Fn(&Scene) -> Result<Outcome, Refusal>;
+use super::work_precision::{Runner, error};
 
 /// Digits of a number in f64, and of one carried in twice the digits.
 const PLAIN: f64 = 15.95;
