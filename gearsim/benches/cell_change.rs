@@ -53,7 +53,7 @@ fn engine_unwatched(bencher: Bencher) {
         let mut simulation = [Simulation::new(scene.model, &*equations, &scene).expect("the scene is sound")];
         ensemble::run(&mut simulation).pop().expect("there is one").expect("the run ends");
         assert!(simulation[0].counts.cell_changes.abs_diff(CHANGES) < 40, "{}", simulation[0].counts.cell_changes);
-        simulation[0].state
+        simulation[0].state.clone()
     });
 }
 

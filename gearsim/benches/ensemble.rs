@@ -18,7 +18,7 @@ fn main() {
 }
 
 /// Scenes that differ in torque and speed.
-fn scenes() -> Vec<(Scene, Box<dyn Equations<2>>)> {
+fn scenes() -> Vec<(Scene, Box<dyn Equations>)> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/oh2005/spectrum_4500rpm_exact.toml");
     let scene = |i: u32| {
         let overrides = [
@@ -34,15 +34,15 @@ fn scenes() -> Vec<(Scene, Box<dyn Equations<2>>)> {
     (0..SCENES).map(scene).collect()
 }
 
-fn simulations(scenes: &[(Scene, Box<dyn Equations<2>>)]) -> Vec<Simulation<'_, 2>> {
+fn simulations(scenes: &[(Scene, Box<dyn Equations>)]) -> Vec<Simulation<'_>> {
     scenes.iter().map(|(scene, e)| Simulation::new(scene.model, &**e, scene).expect("the scene is sound")).collect()
 }
 
-fn changes(simulations: &[Simulation<'_, 2>]) -> u64 {
+fn changes(simulations: &[Simulation<'_>]) -> u64 {
     simulations.iter().map(|s| s.counts.cell_changes).sum()
 }
 
-fn bench(bencher: Bencher, run: impl Fn(&mut [Simulation<'_, 2>])) {
+fn bench(bencher: Bencher, run: impl Fn(&mut [Simulation<'_>])) {
     let scenes = scenes();
     let mut once = simulations(&scenes);
     run(&mut once);

@@ -25,7 +25,7 @@ fn scene(name: &str, span: &str) -> Scene {
 }
 
 /// A simulation of a scene, run to its end.
-fn run<'a>(scene: &Scene, equations: &'a dyn Equations<2>, unguarded: bool) -> Simulation<'a, 2> {
+fn run<'a>(scene: &Scene, equations: &'a dyn Equations, unguarded: bool) -> Simulation<'a> {
     let mut simulation = Simulation::new(scene.model, equations, scene).expect("the scene is sound");
     simulation.unguarded = unguarded;
     simulation.run(None, &mut |_| {}).expect("the run ends");
@@ -38,11 +38,11 @@ fn measure(bencher: Bencher, (name, span): (&str, &str), unguarded: bool) {
     let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
     let [safe, plain] = [false, true].map(|unguarded| run(&scene, &*equations, unguarded));
     assert_eq!(safe.counts.cell_changes, plain.counts.cell_changes, "{name}: not the same crossings");
-    let difference = (safe.state.q - plain.state.q).amax();
+    let difference = (&safe.state.q - &plain.state.q).amax();
     assert!(difference < 1e-9, "{name}: not the same motion, {difference:e} rad apart");
     bencher
         .counter(divan::counter::ItemsCount::new(safe.counts.cell_changes))
-        .bench_local(|| run(&scene, &*equations, unguarded).state);
+        .bench_local(|| run(&scene, &*equations, unguarded).state.clone());
 }
 
 #[divan::bench(args = SCENES)]

@@ -10,13 +10,13 @@ use cpu_time::ThreadTime;
 use xprec::Df64;
 
 use crate::engine::cell::Cell;
-use crate::engine::equations::{self, Derived, Equations};
+use crate::engine::equations::{Derived, DerivedModel, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::record::Recorder;
 use crate::engine::simulate::{Counts, Simulation};
 use crate::engine::start::{self, Begun};
-use crate::engine::system::{self, System};
+use crate::engine::system::System;
 use crate::ensemble;
 use crate::methods;
 use crate::methods::advance::{Advance, Settings};
@@ -79,58 +79,72 @@ pub struct Solver {
 pub struct Entry {
     /// What scenes and people read.
     pub model: &'static Model,
-    /// How a scene of it is run.
-    pub run: Run,
-    /// How many scenes of it are run of which only the end is wanted.
-    pub ends: Ends,
-    /// The equations of a scene of it, for analyses.
-    pub system: SystemOf,
+    derived: DerivedModel,
 }
-
-/// The equations of a scene, of any number of coordinates.
-pub type SystemOf = fn(&Scene) -> Result<Box<dyn System>, Refusal>;
-
-/// Runs a scene, telling the model time [s] to a watcher as it goes.
-pub type Run = fn(&Scene, &mut dyn FnMut(f64)) -> Result<Outcome, Refusal>;
-
-/// Runs scenes side by side ([`ensemble`]); of each, the start and the end are recorded and nothing between.
-pub type Ends = fn(&[Scene]) -> Vec<Result<Outcome, Refusal>>;
 
 impl Entry {
     /// The entry of a derived model.
-    pub const fn new<D: Derived<N>, const N: usize>() -> Entry {
-        Entry {
-            model: &D::MODEL,
-            run: run::<D, N>,
-            ends: if ensemble::suits(&D::MODEL) { side_by_side::<D, N> } else { one_by_one::<D, N> },
-            system: system::of::<D, N>,
-        }
+    pub const fn new<D: Derived>() -> Entry {
+        Entry { model: &D::MODEL, derived: DerivedModel::of::<D>() }
+    }
+
+    /// Runs a scene, telling the model time [s] to `watch` as it goes.
+    ///
+    /// # Errors
+    /// Where the scene cannot be run.
+    pub fn run(&self, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
+        run(&self.derived, scene, watch)
+    }
+
+    /// Runs scenes side by side ([`ensemble`]); of each, the start and the end are recorded and nothing between.
+    ///
+    /// # Errors
+    /// For each, those of [`Entry::run`].
+    pub fn ends(&self, scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
+        side_by_side(&self.derived, scenes)
+    }
+
+    /// The equations of a scene, for analyses.
+    ///
+    /// # Errors
+    /// Those of [`System::of`].
+    pub fn system(&self, scene: &Scene) -> Result<System, Refusal> {
+        System::of(&self.derived, scene)
+    }
+
+    /// The equations of a scene.
+    ///
+    /// # Errors
+    /// Where its effects contradict one another.
+    pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
+        self.derived.equations(scene)
+    }
+
+    /// Has a simulation carry state and time in twice the digits.
+    ///
+    /// # Errors
+    /// Where damping couples the modes of a cell.
+    pub fn compensate(&self, simulation: &mut Simulation<'_>, scene: &Scene) -> Result<(), Refusal> {
+        compensate(&self.derived, simulation, scene)
     }
 }
 
-/// Has a simulation carry state and time in twice the digits.
-///
-/// # Errors
-/// Where damping couples the modes of a cell.
-pub fn compensate<D: Derived<N>, const N: usize>(
-    simulation: &mut Simulation<'_, N>,
-    scene: &Scene,
-) -> Result<(), Refusal> {
+fn compensate(derived: &DerivedModel, simulation: &mut Simulation<'_>, scene: &Scene) -> Result<(), Refusal> {
     let parameters: Vec<Df64> = scene.parameters.iter().copied().map(Df64::from).collect();
     let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
-    simulation.compensate(&|k| D::matrices(scene.effects.0, &parameters, &mids, k))
+    simulation.compensate(&|k| (derived.exactly)(scene.effects.0, &parameters, &mids, k))
 }
 
-fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
-    let equations = equations::of::<D, N>(scene)?;
+fn run(derived: &DerivedModel, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
+    let equations = derived.equations(scene)?;
     let begun = start::begin(&*equations, scene)?;
     let choice = choice::of(scene, &begun.laws)?;
     let (others, closes) = (begun.others.clone(), account::closes(&begun.laws));
     let outcome = match choice::numerical(&choice, scene) {
-        None => exact::<D, N>(scene, &*equations, begun, choice, watch),
+        None => exact(derived, scene, &*equations, begun, choice, watch),
         Some(_) if scene.solver.precision == Precision::Compensated => Err(Refusal::CompensatedNumerical(choice.why)),
         Some((method, settings)) => {
-            let forcing = Forcing::of::<D>(scene);
+            let forcing = Forcing::of(derived, scene);
             Ok(numerical(scene, &*equations, begun, choice, (method, settings, forcing), watch))
         }
     }?;
@@ -139,19 +153,20 @@ fn run<D: Derived<N>, const N: usize>(scene: &Scene, watch: &mut dyn FnMut(f64))
 }
 
 /// By the exact engine.
-fn exact<D: Derived<N>, const N: usize>(
+fn exact(
+    derived: &DerivedModel,
     scene: &Scene,
-    equations: &dyn Equations<N>,
-    begun: Begun<N>,
+    equations: &dyn Equations,
+    begun: Begun,
     choice: Choice,
     watch: &mut dyn FnMut(f64),
 ) -> Result<Outcome, Refusal> {
-    let mut simulation = Simulation::begun(scene.model, equations, scene, begun, Forcing::of::<D>(scene))?;
+    let mut simulation = Simulation::begun(scene.model, equations, scene, begun, Forcing::of(derived, scene))?;
     if scene.solver.precision == Precision::Compensated {
         if let Some(torques) = scene.varying() {
             return Err(Refusal::CompensatedVarying { torques });
         }
-        compensate::<D, N>(&mut simulation, scene)?;
+        compensate(derived, &mut simulation, scene)?;
     }
     let mut recorder = recorder(scene, equations, &simulation);
     let begin = ThreadTime::now();
@@ -164,16 +179,16 @@ fn exact<D: Derived<N>, const N: usize>(
 }
 
 /// Those that are exact and plain in lanes, the others by themselves.
-fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
+fn side_by_side(derived: &DerivedModel, scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
     let prepare = |scene: &Scene| -> Result<_, Refusal> {
-        let equations = equations::of::<D, N>(scene)?;
+        let equations = derived.equations(scene)?;
         let begun = start::begin(&*equations, scene)?;
         let choice = choice::of(scene, &begun.laws)?;
         Ok((equations, begun, choice))
     };
     let prepared: Vec<_> = scenes.iter().map(prepare).collect();
     let plain = |scene: &Scene, choice: &Choice| {
-        scene.solver.precision == Precision::Plain && choice::numerical::<N>(choice, scene).is_none()
+        scene.solver.precision == Precision::Plain && choice::numerical(choice, scene).is_none()
     };
     // Those that are exact and plain, side by side.
     let (mut which, mut simulations) = (vec![], vec![]);
@@ -208,32 +223,24 @@ fn side_by_side<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<O
         }
     }
     // The others by themselves.
-    let one = |(done, scene): (Option<Outcome>, &Scene)| done.map_or_else(|| run::<D, N>(scene, &mut |_| {}), Ok);
+    let one = |(done, scene): (Option<Outcome>, &Scene)| done.map_or_else(|| run(derived, scene, &mut |_| {}), Ok);
     done.into_iter().zip(scenes).map(one).collect()
 }
 
-fn one_by_one<D: Derived<N>, const N: usize>(scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
-    scenes.iter().map(|scene| run::<D, N>(scene, &mut |_| {})).collect()
-}
-
-fn recorder<'e, const N: usize>(
-    scene: &Scene,
-    equations: &'e dyn Equations<N>,
-    simulation: &Simulation<'_, N>,
-) -> Recorder<'e, N> {
-    let (lengths, state, levels) = (simulation.turn_lengths(), simulation.state, simulation.levels());
+fn recorder<'e>(scene: &Scene, equations: &'e dyn Equations, simulation: &Simulation<'_>) -> Recorder<'e> {
+    let (lengths, state, levels) = (simulation.turn_lengths(), simulation.state.clone(), simulation.levels());
     let mut recorder = Recorder::new(scene.model, equations, lengths, state, levels);
     recorder.most_rows = scene.output.most_rows;
     recorder
 }
 
 /// What a simulation came to.
-fn ended<const N: usize>(
+fn ended(
     scene: &Scene,
-    equations: &dyn Equations<N>,
+    equations: &dyn Equations,
     choice: Choice,
-    simulation: &Simulation<'_, N>,
-    recorder: Recorder<'_, N>,
+    simulation: &Simulation<'_>,
+    recorder: Recorder<'_>,
     stopped_by: Option<Stop>,
     cpu_seconds: f64,
 ) -> Outcome {
@@ -253,12 +260,12 @@ fn ended<const N: usize>(
 }
 
 /// By a numerical method.
-fn numerical<const N: usize>(
+fn numerical(
     scene: &Scene,
-    equations: &dyn Equations<N>,
-    begun: Begun<N>,
+    equations: &dyn Equations,
+    begun: Begun,
     choice: Choice,
-    (method, settings, forcing): (Box<dyn methods::Method<N>>, Settings, Option<Forcing<N>>),
+    (method, settings, forcing): (Box<dyn methods::Method>, Settings, Option<Forcing>),
     watch: &mut dyn FnMut(f64),
 ) -> Outcome {
     let mut advance = Advance::begun(equations, scene, begun, method, settings, forcing);
@@ -301,7 +308,7 @@ fn since(begin: ThreadTime) -> f64 {
 }
 
 /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s], where the cells are linear.
-fn reference_frequency<const N: usize>(scene: &Scene, equations: &dyn Equations<N>) -> Option<f64> {
+fn reference_frequency(scene: &Scene, equations: &dyn Equations) -> Option<f64> {
     let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
     let cell = Cell::new(equations, &scene.model.in_contact(mids));
     let cell = cell.ok().filter(|_| scene.effects.nonlinear(scene.model).is_empty())?;

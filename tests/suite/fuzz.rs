@@ -109,13 +109,13 @@ fn a_start_may_give_every_coordinate() {
 #[test]
 fn a_start_beyond_every_count_of_pitches_is_refused_or_run() {
     let scene = common::scene("oh2005/energy_300rpm", &["start.theta=1e30 rad".into()]);
-    let _ = (common::model("gear_pair").run)(&scene, &mut |_| {});
+    let _ = common::model("gear_pair").run(&scene, &mut |_| {});
 }
 
 #[test]
 fn damping_beyond_numbers_is_refused_or_accounted_for() {
     let scene = common::scene("oh2005/energy_300rpm", &["parameters.zeta=1e200".into()]);
-    if let Ok(outcome) = (common::model("gear_pair").run)(&scene, &mut |_| {}) {
+    if let Ok(outcome) = common::model("gear_pair").run(&scene, &mut |_| {}) {
         assert!(outcome.stopped_by.is_some() || outcome.trajectory.residual.iter().all(|x| x.is_finite()));
     }
 }

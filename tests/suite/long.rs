@@ -7,7 +7,7 @@ mod common;
 use std::f64::consts::TAU;
 
 use gearsim::engine::clock::Clock;
-use gearsim::engine::equations;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::record::State;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -39,8 +39,8 @@ fn scene(name: &str, speed: &str, theta: f64, span: f64) -> Scene {
 
 /// The state at the end of a scene and the times of its events, begun when the clock shows `now` and with `more`
 /// pitches on the count.
-fn run(scene: &Scene, now: f64, more: i64) -> (State<2>, Vec<f64>) {
-    let equations = equations::of::<GearPair, 2>(scene).unwrap();
+fn run(scene: &Scene, now: f64, more: i64) -> (State, Vec<f64>) {
+    let equations = DerivedModel::of::<GearPair>().equations(scene).unwrap();
     let mut simulation = Simulation::new(scene.model, &*equations, scene).unwrap();
     simulation.clock.set(now);
     simulation.state.turns[0] += more;
@@ -60,8 +60,8 @@ fn a_billion_revolutions_cost_no_bit() {
             let (b, times_b) = run(&scene(name, speed, far, 0.25), 0.0, 0);
             let (c, times_c) = run(&scene(name, speed, theta, 0.25), 0.0, 24_000_000_000);
             assert!(times_a.len() > 100 && times_a == times_b && times_a == times_c, "{name} {speed} {theta}");
-            assert_eq!((a.q, a.q_dot), (b.q, b.q_dot), "{name} {speed} {theta}");
-            assert_eq!((a.q, a.q_dot), (c.q, c.q_dot), "{name} {speed} {theta}");
+            assert_eq!((&a.q, &a.q_dot), (&b.q, &b.q_dot), "{name} {speed} {theta}");
+            assert_eq!((&a.q, &a.q_dot), (&c.q, &c.q_dot), "{name} {speed} {theta}");
             assert_eq!((b.turns[0] - a.turns[0], c.turns[0] - a.turns[0]), (PITCHES, 24_000_000_000));
         }
     }
@@ -79,7 +79,7 @@ fn ten_years_on_the_clock_cost_no_digits_of_a_run() {
         let (far, times_far) = run(&late, YEARS, 0);
         assert_eq!(times.len(), times_far.len());
         assert_eq!(near.turns, far.turns);
-        let error = (near.q - far.q).amax().max((near.q_dot - far.q_dot).amax() / near.q_dot.amax());
+        let error = (&near.q - &far.q).amax().max((&near.q_dot - &far.q_dot).amax() / near.q_dot.amax());
         println!("{name} {speed}: {} events, error {error:.1e}", times.len());
         // The clock's two numbers hold the sum of the flights to far below a rounding of the last one.
         assert!(error < 1e-13, "{name} {speed}: {error:e}");

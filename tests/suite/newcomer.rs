@@ -20,9 +20,9 @@ use gearsim::engine::equations::Derived;
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 
-const ENTRY: Entry = Entry::new::<spring_rotor::SpringRotor, 2>();
-const CRACKED: Entry = Entry::new::<cracked_rotor::CrackedRotor, 2>();
-const WELL: Entry = Entry::new::<double_well::DoubleWell, 1>();
+const ENTRY: Entry = Entry::new::<spring_rotor::SpringRotor>();
+const CRACKED: Entry = Entry::new::<cracked_rotor::CrackedRotor>();
+const WELL: Entry = Entry::new::<double_well::DoubleWell>();
 
 const SCENE: &str = r#"
 about = "A sprung rotor sets out with a push; its spring stiffens and softens as the other rotor turns"
@@ -104,7 +104,7 @@ fn run_of(entry: &Entry, scene: &str, overrides: &[&str]) -> gearsim::run::Outco
     let overrides: Vec<String> = overrides.iter().map(|s| s.to_string()).collect();
     let scene = Scene::parse("newcomer", "newcomer.toml", scene, &overrides, &[entry.model])
         .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)));
-    let outcome = (entry.run)(&scene, &mut |_| {}).expect("a scene that can be simulated");
+    let outcome = entry.run(&scene, &mut |_| {}).expect("a scene that can be simulated");
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
 }

@@ -4,24 +4,20 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Expr, Index, Lit};
 
-use crate::cold::Cold;
-use crate::effects;
+use crate::cold::{Cold, Returns, Takes};
 use crate::gated;
 use crate::model::*;
 use crate::sums::{Ask, position};
 
-/// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of the kind `r`.
-pub fn cells(m: &Model, r: &TokenStream) -> Vec<Cold> {
+/// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of the kind R.
+pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let bands = gated::of_effects(m, Ask::Running);
-    let square = |name, entries| {
-        let returns = quote!([[#r; #n]; #n]);
-        Cold { name, takes: quote!(), given: quote!(), returns, body: matrix(m, entries) }
-    };
+    let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
     // What depends on the values of laws and dead bands.
     let of_values = |cold: Cold| {
         let body = cold.body;
-        Cold { takes: quote!(k: &[#r]), given: quote!(k), body: quote!(#bands #body), ..cold }
+        Cold { takes: &[Takes::Laws("k")], body: quote!(#bands #body), ..cold }
     };
     let mut all = vec![square("mass", &m.mass)];
     all.extend(m.mobility.as_ref().map(|entries| square("mobility", entries)));
@@ -32,9 +28,8 @@ pub fn cells(m: &Model, r: &TokenStream) -> Vec<Cold> {
     });
     all.push(of_values(Cold {
         name: "load",
-        takes: quote!(),
-        given: quote!(),
-        returns: quote!([#r; #n]),
+        takes: &[],
+        returns: Returns::Vector,
         body: quote!(let zero = R::from(0.0); let mut v = [zero; #n]; #(#load)* v),
     }));
     all
@@ -42,23 +37,21 @@ pub fn cells(m: &Model, r: &TokenStream) -> Vec<Cold> {
 
 /// These functions of `Numbers<R>`, and `matrices`: all of them at once.
 pub fn matrices(m: &Model) -> TokenStream {
-    let n = Index::from(m.coordinates.len());
     let mobility = match &m.mobility {
-        Some(_) => quote!(Some(self.mobility(effects))),
+        Some(_) => quote!(Some(equations::matrix(&self.mobility(effects)))),
         None => quote!(None),
     };
-    let conditions = effects::variables(m);
-    let each = cells(m, &quote!(R)).into_iter().map(|f| f.define(&conditions));
+    let each = cells(m).into_iter().map(|f| f.define(m, &quote!(R)));
     quote! {
         #(#each)*
 
-        fn matrices(&self, effects: u32, k: &[R]) -> equations::Matrices<#n, R> {
+        fn matrices(&self, effects: u32, k: &[R]) -> equations::Matrices<R> {
             equations::Matrices {
-                mass: self.mass(effects),
+                mass: equations::matrix(&self.mass(effects)),
                 mobility: #mobility,
-                damping: self.damping(effects, k),
-                stiffness: self.stiffness(effects, k),
-                load: self.load(effects, k),
+                damping: equations::matrix(&self.damping(effects, k)),
+                stiffness: equations::matrix(&self.stiffness(effects, k)),
+                load: equations::vector(&self.load(effects, k)),
             }
         }
     }

@@ -3,7 +3,10 @@
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use syn::{Ident, Index};
+use syn::Index;
+
+use self::Takes::{Coordinates, Laws};
+use crate::dead_bands;
 
 use crate::effects::{self, has};
 use crate::forces;
@@ -17,44 +20,89 @@ use crate::sums::{Ask, block, body, by_index, position};
 /// A function of the numbers that takes the effects as its first argument, which `Equations` has without them.
 pub struct Cold {
     pub name: &'static str,
-    /// `k: &[f64]`
-    pub takes: TokenStream,
-    /// `k`
-    pub given: TokenStream,
-    pub returns: TokenStream,
+    pub takes: &'static [Takes],
+    pub returns: Returns,
     pub body: TokenStream,
 }
 
+/// An argument.
+pub enum Takes {
+    /// Coordinates or speeds: n numbers.
+    Coordinates(&'static str),
+    /// Values of the laws.
+    Laws(&'static str),
+    /// Which of several.
+    Index(&'static str),
+}
+
+/// A result.
+pub enum Returns {
+    /// Of this type, inside and out.
+    Plain(TokenStream),
+    /// n numbers.
+    Vector,
+    /// n x n numbers.
+    Matrix,
+    /// Two matrices.
+    Matrices,
+}
+
 impl Cold {
-    /// Itself, with the effects and conditions as variables.
-    pub fn define(&self, conditions: &TokenStream) -> TokenStream {
-        let Cold { takes, returns, body, .. } = self;
-        let name = self.ident();
+    /// Itself, with the effects and conditions as variables, in numbers of the kind `r`.
+    pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
+        let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
+        let takes = self.takes.iter().map(|takes| match takes {
+            Takes::Coordinates(name) => argument(name, quote!(&[#r; #n])),
+            Takes::Laws(name) => argument(name, quote!(&[#r])),
+            Takes::Index(name) => argument(name, quote!(usize)),
+        });
+        let returns = match &self.returns {
+            Returns::Plain(plain) => plain.clone(),
+            Returns::Vector => quote!([#r; #n]),
+            Returns::Matrix => quote!([[#r; #n]; #n]),
+            Returns::Matrices => quote!([[[#r; #n]; #n]; 2]),
+        };
+        let conditions = effects::variables(m);
         quote! {
             #[inline(never)]
-            fn #name(&self, effects: u32, #takes) -> #returns { #conditions #body }
+            fn #name(&self, effects: u32, #(#takes),*) -> #returns { #conditions #body }
         }
     }
 
-    /// The function of `Equations` with the effects E that calls it.
+    /// The function of `Equations` that calls it. There vectors are slices, and matrices are those of the engine.
     pub fn call(&self) -> TokenStream {
-        let Cold { takes, given, returns, .. } = self;
-        let name = self.ident();
-        quote!(fn #name(&self, #takes) -> #returns { self.0.#name(E, #given) })
+        let name = format_ident!("{}", self.name);
+        let takes = self.takes.iter().map(|takes| match takes {
+            Takes::Coordinates(name) | Takes::Laws(name) => argument(name, quote!(&[f64])),
+            Takes::Index(name) => argument(name, quote!(usize)),
+        });
+        let given = self.takes.iter().map(|takes| {
+            let (Takes::Coordinates(name) | Takes::Laws(name) | Takes::Index(name)) = takes;
+            let name = format_ident!("{name}");
+            if let Takes::Coordinates(_) = takes { quote!(equations::array(#name)) } else { quote!(#name) }
+        });
+        let value = quote!(self.numbers.#name(self.effects, #(#given),*));
+        let (returns, value) = match &self.returns {
+            Returns::Plain(plain) => (plain.clone(), value),
+            Returns::Vector => (quote!(Vector), quote!(#value.into())),
+            Returns::Matrix => (quote!(Matrix), quote!(equations::matrix(&#value))),
+            Returns::Matrices => (quote!([Matrix; 2]), quote!(#value.each_ref().map(equations::matrix))),
+        };
+        quote!(fn #name(&self, #(#takes),*) -> #returns { #value })
     }
+}
 
-    fn ident(&self) -> Ident {
-        format_ident!("{}", self.name)
-    }
+fn argument(name: &str, of: TokenStream) -> TokenStream {
+    let name = format_ident!("{name}");
+    quote!(#name: #of)
 }
 
 /// Those in plain numbers; the matrices of a cell are in [`crate::cells`].
 pub fn cold(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
-    let (q, q_dot, k) = (quote!(q: &[f64; #n]), quote!(q_dot: &[f64; #n]), quote!(k: &[f64]));
     let (d, d_dot) = deflections(m);
-    let cold = |name, takes, given, returns, body| Cold { name, takes, given, returns, body };
-    let number = || quote!(f64);
+    let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
+    let number = || Returns::Plain(quote!(f64));
 
     let kinetic = body(&m.kinetic, Ask::Running);
     let potential = body(&m.potential, Ask::Running);
@@ -64,26 +112,21 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let bands = gated::of_effects(m, Ask::Running);
     let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v);
     let motions = m.motions.iter().map(|x| motion(m, x));
+    let i = || format_ident!("i");
     let mut all = vec![
-        cold("kinetic", q_dot.clone(), quote!(q_dot), number(), kinetic),
-        cold("potential", quote!(#q, #k), quote!(q, k), number(), quote!(#bands #d #potential)),
-        cold(
-            "torque_work",
-            quote!(i: usize, dq: &[f64; #n]),
-            quote!(i, dq),
-            number(),
-            by_index("torque", format_ident!("i"), torques),
-        ),
-        cold("work", quote!(dq: &[f64; #n]), quote!(dq), number(), work),
+        cold("kinetic", &[Coordinates("q_dot")], number(), kinetic),
+        cold("potential", &[Coordinates("q"), Laws("k")], number(), quote!(#bands #d #potential)),
+        cold("torque_work", &[Takes::Index("i"), Coordinates("dq")], number(), by_index("torque", i(), torques)),
+        cold("work", &[Coordinates("dq")], number(), work),
         cold(
             "jacobian",
-            quote!(#q, #q_dot, #k, dk: &[f64], ddk: &[f64]),
-            quote!(q, q_dot, k, dk, ddk),
-            quote!([[[f64; #n]; #n]; 2]),
+            &[Coordinates("q"), Coordinates("q_dot"), Laws("k"), Laws("dk"), Laws("ddk")],
+            Returns::Matrices,
             jacobian,
         ),
-        cold("motion", quote!(i: usize), quote!(i), quote!([f64; #n]), by_index("motion", format_ident!("i"), motions)),
-        cold("switching", quote!(law: usize), quote!(law), quote!(equations::Switching), switching(m)),
+        cold("motion", &[Takes::Index("i")], Returns::Vector, by_index("motion", i(), motions)),
+        cold("switching", &[Takes::Index("law")], Returns::Plain(quote!(equations::Switching)), switching(m)),
+        dead_bands::cold(m),
     ];
     all.extend(jumps(m));
     let forces = forces::of_effects(m, Ask::Running);
@@ -97,23 +140,20 @@ fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
     if terms.is_empty() {
         return vec![];
     }
-    let n = Index::from(m.coordinates.len());
     let power = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.power, Ask::Running)));
     let always = terms.iter().any(|t| t.condition.is_none());
     let present = terms.iter().filter_map(|t| t.condition.as_ref()).map(effects::constant);
     vec![
         Cold {
             name: "torque_power",
-            takes: quote!(i: usize, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64]),
-            given: quote!(i, q, q_dot, k),
-            returns: quote!(f64),
+            takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
+            returns: Returns::Plain(quote!(f64)),
             body: quote!(#first #power),
         },
         Cold {
             name: "has_powers",
-            takes: quote!(),
-            given: quote!(),
-            returns: quote!(bool),
+            takes: &[],
+            returns: Returns::Plain(quote!(bool)),
             body: quote!(#always #(|| #present)*),
         },
     ]

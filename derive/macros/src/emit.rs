@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Expr, Ident, Index};
 
-use crate::cells::{any_number, matrices};
-use crate::cold::cold;
+use crate::cells::{any_number, cells, matrices};
+use crate::cold::{Cold, cold};
 use crate::describe::describe;
 use crate::effects;
 use crate::functions::functions;
@@ -20,14 +20,13 @@ pub fn emit(m: &Model) -> TokenStream {
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
     let describe = describe(m);
     let sets = effects::sets(m).map(|set| effects::literal(m, set));
-    let sets = quote!(#(#sets => Some(Box::new(With::<#sets>(numbers))),)*);
     let cold = cold(m);
     let mut hot = m.clone();
     let coefficients = hoist(&mut hot);
-    let with = with(m, &coefficients);
-    let (functions, shared) = functions(&hot, &cold);
-    let conditions = effects::variables(m);
-    let cold = cold.iter().map(|f| f.define(&conditions));
+    let numbers = numbers(m, &coefficients);
+    let functions = functions(&hot);
+    let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
+    let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let (constants, values) = (effects::constants(m), gated::count(m));
     let deflections = (!m.deflections.is_empty()).then(|| {
         let count = Index::from(m.deflections.len());
@@ -41,7 +40,7 @@ pub fn emit(m: &Model) -> TokenStream {
         }
     });
     quote! {
-        use crate::engine::{equations, real};
+        use crate::engine::{equations, real, vector::{Matrix, Vector}};
         use crate::model;
 
         #[doc = #doc]
@@ -49,30 +48,50 @@ pub fn emit(m: &Model) -> TokenStream {
         pub struct #name;
 
         #[allow(clippy::all, reason = "numbers and code as the derivation wrote them")]
-        impl equations::Derived<#n> for #name {
+        impl equations::Derived for #name {
             const MODEL: model::Model = #describe;
 
-            fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations<#n>>> {
-                let numbers = Numbers::<f64>::new(parameters, mids);
-                match effects {
-                    #sets
-                    _ => None,
-                }
+            fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
+                let with = match effects {
+                    #(#sets => With::<#sets>::equations,)*
+                    _ => return None,
+                };
+                Some(Box::new(with(Numbers::<f64>::new(parameters, mids))))
             }
 
-            fn matrices<R: real::Real>(
-                effects: u32, parameters: &[R], mids: &[R], k: &[R],
-            ) -> equations::Matrices<#n, R> {
+            fn matrices<R: real::Real>(effects: u32, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
                 Numbers::<R>::new(parameters, mids).matrices(effects, k)
             }
         }
 
-        #with
+        #numbers
+
+        /// The equations with a set of effects.
+        struct Equations {
+            numbers: Numbers<f64>,
+            effects: u32,
+            force: fn(&Numbers<f64>, &[f64; #n], &[f64; #n], &[f64], &[f64]) -> [f64; #n],
+            dissipation: fn(&Numbers<f64>, &[f64; #n], &[f64]) -> f64,
+            step: fn(&Numbers<f64>, usize, &[f64; #n], &[f64], f64) -> f64,
+        }
+
+        /// The set of effects E.
+        struct With<const E: u32>;
 
         #[allow(dead_code, reason = "not every effect has a term of its own")]
         impl<const E: u32> With<E> {
             #constants
             #values
+
+            fn equations(numbers: Numbers<f64>) -> Equations {
+                Equations {
+                    numbers,
+                    effects: E,
+                    force: Numbers::force::<E>,
+                    dissipation: Numbers::dissipation::<E>,
+                    step: Numbers::step::<E>,
+                }
+            }
         }
 
         #[allow(
@@ -81,22 +100,29 @@ pub fn emit(m: &Model) -> TokenStream {
         )]
         impl Numbers<f64> {
             #deflections
-            #(#shared)*
+            #functions
             #(#cold)*
         }
 
-        #[allow(
-            non_snake_case, unused_variables, clippy::all,
-            reason = "code as the derivation wrote it; many a term uses little",
-        )]
-        impl<const E: u32> equations::Equations<#n> for With<E> {
-            #functions
+        impl equations::Equations for Equations {
+            fn coordinates(&self) -> usize { #n }
+            fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
+                let (q, q_dot) = (equations::array(q), equations::array(q_dot));
+                force.copy_from_slice(&(self.force)(&self.numbers, q, q_dot, k, dk));
+            }
+            fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
+                (self.dissipation)(&self.numbers, equations::array(q_dot), k)
+            }
+            fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64 {
+                (self.step)(&self.numbers, law, equations::array(q), k, dk)
+            }
+            #(#calls)*
         }
     }
 }
 
-/// `struct Numbers<R>`, of numbers of the kind R, and `struct With<E>`: the same with the effects E.
-fn with(m: &Model, coefficients: &[Expr]) -> TokenStream {
+/// `struct Numbers<R>`, of numbers of the kind R.
+fn numbers(m: &Model, coefficients: &[Expr]) -> TokenStream {
     let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
         let (name, i) = (&p.name, Index::from(i));
@@ -121,18 +147,6 @@ fn with(m: &Model, coefficients: &[Expr]) -> TokenStream {
             /// Constant factors of what is called at every step.
             coefficients: [R; #count],
             kind: std::marker::PhantomData<R>,
-        }
-
-        /// The equations with the effects E.
-        struct With<const E: u32>(Numbers<f64>);
-
-        impl<const E: u32> std::ops::Deref for With<E> {
-            type Target = Numbers<f64>;
-
-            #[inline(always)]
-            fn deref(&self) -> &Numbers<f64> {
-                &self.0
-            }
         }
 
         #[allow(

@@ -1,13 +1,10 @@
-//! The functions of `Equations` with the effects E: those that are called at every step have code of their own for each
-//! set of effects, the others call what all sets share.
+//! The functions that are called at every step. They are compiled once for each set of effects E, so that the terms of absent
+//! effects are not in their code.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Index;
 
-use crate::cells::cells;
-use crate::cold::Cold;
-use crate::dead_bands;
 use crate::forces;
 use crate::gated;
 use crate::jumps::step;
@@ -15,8 +12,8 @@ use crate::model::*;
 use crate::share::{Function, LARGE, Place};
 use crate::sums::{Ask, body, position};
 
-/// The functions of `Equations`, and those of the numbers that they call.
-pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
+/// These functions of the numbers, and those that they call.
+pub fn functions(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let vector = quote!([f64; #n]);
     let (d, d_dot) = deflections(m);
@@ -51,23 +48,20 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
         returns: vector.clone(),
         zero: quote!([0.0; #n]),
         // One check that the law values are there, not one each.
-        first: [quote!(let k = &k[..Self::VALUES]; #effects #d #d_dot #forces), quote!(#values #d #d_dot #any_forces)],
+        first: [
+            quote!(let k = &k[..With::<E>::VALUES]; #effects #d #d_dot #forces),
+            quote!(#values #d #d_dot #any_forces),
+        ],
     }
     .body(&places, &mut shared);
-    let (step, dead_band) = (step(m), dead_bands::function(m));
-    let cells = cells(m, &quote!(f64));
-    let cold = cells.iter().chain(cold).map(Cold::call);
+    let step = step(m);
     let functions = quote! {
-        #[inline]
-        fn dissipation(&self, q_dot: &#vector, k: &[f64]) -> f64 { #dissipation }
-        #[inline]
-        fn force(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #force }
-        #[inline]
-        fn step(&self, law: usize, q: &#vector, k: &[f64], dk: f64) -> f64 { #step }
-        #dead_band
-        #(#cold)*
+        fn dissipation<const E: u32>(&self, q_dot: &#vector, k: &[f64]) -> f64 { #dissipation }
+        fn force<const E: u32>(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #force }
+        fn step<const E: u32>(&self, law: usize, q: &#vector, k: &[f64], dk: f64) -> f64 { #step }
+        #(#shared)*
     };
-    (functions, shared)
+    functions
 }
 
 /// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates; what is not used is not computed.

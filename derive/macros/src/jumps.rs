@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Index;
 
-use crate::cold::Cold;
+use crate::cold::{Cold, Returns, Takes};
 use crate::functions::deflections;
 use crate::gated;
 use crate::model::{Jump, Law, Model};
@@ -12,22 +12,25 @@ use crate::sums::{Ask, block, position, vector};
 
 /// The geometry of jumps; what the file leaves out is computed from M and n.
 pub fn jumps(m: &Model) -> [Cold; 3] {
-    let n = Index::from(m.coordinates.len());
     let normal = by_law(m, quote!(equations::no_such("law", law)), |law, jump| {
         Some(match jump.and_then(|j| j.normal.as_ref()) {
             Some(rows) => vector(m, rows, Ask::Running),
             None => unit(m, law),
         })
     });
-    let numeric = quote!(equations::compliance(&self.mass(effects), &self.normal(effects, law)));
+    let numeric =
+        quote!(equations::compliance(&equations::matrix(&self.mass(effects)), &self.normal(effects, law).into()));
     let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(|sum| block(sum, Ask::Running)));
-    let numeric = quote!(equations::direction(&self.mass(effects), &self.normal(effects, law)));
+    let numeric = quote!(*equations::array(&equations::direction(
+        &equations::matrix(&self.mass(effects)),
+        &self.normal(effects, law).into()
+    )));
     let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows, Ask::Running)));
-    let of_law = |name, returns, body| Cold { name, takes: quote!(law: usize), given: quote!(law), returns, body };
+    let of_law = |name, returns, body| Cold { name, takes: &[Takes::Index("law")], returns, body };
     [
-        of_law("normal", quote!([f64; #n]), normal),
-        of_law("compliance", quote!(f64), compliance),
-        of_law("direction", quote!([f64; #n]), direction),
+        of_law("normal", Returns::Vector, normal),
+        of_law("compliance", Returns::Plain(quote!(f64)), compliance),
+        of_law("direction", Returns::Vector, direction),
     ]
 }
 

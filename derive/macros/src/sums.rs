@@ -21,7 +21,7 @@ impl Ask {
     pub fn tell(self, condition: &Ident) -> TokenStream {
         let constant = constant(condition);
         match self {
-            Ask::Compiled => quote!(Self::#constant),
+            Ask::Compiled => quote!(With::<E>::#constant),
             Ask::Running => quote!(#constant),
         }
     }

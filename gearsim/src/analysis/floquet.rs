@@ -86,7 +86,7 @@ impl Floquet {
     ///
     /// # Errors
     /// Where a cell has no modes, or the stiffnesses have no common period.
-    pub fn of(scene: &Scene, system: &dyn System) -> Result<Floquet, FloquetError> {
+    pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
         let courses = steady::courses(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
         let means: Vec<f64> = courses.iter().map(Course::mean).collect();
@@ -184,7 +184,7 @@ struct Split {
 const NULL: f64 = 1e-12;
 
 impl Split {
-    fn of(system: &dyn System, stretches: &[Stretch]) -> Result<Split, FloquetError> {
+    fn of(system: &System, stretches: &[Stretch]) -> Result<Split, FloquetError> {
         let first = system.matrices(&stretches[0].levels)?;
         let n = first.load.len();
         // In units in which M has a unit diagonal.

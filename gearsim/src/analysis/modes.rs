@@ -76,17 +76,30 @@ pub fn combinations(courses: &[Course]) -> Vec<Vec<f64>> {
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub fn of(system: &dyn System, k: &[f64], springs: &[Spring]) -> Result<CellModes, Refusal> {
+pub fn of(system: &System, k: &[f64], springs: &[Spring]) -> Result<CellModes, Refusal> {
     let matrices = system.matrices(k)?;
-    let modal = Modal::of(&matrices)?;
     let without = |law: usize| {
         let mut k = k.to_vec();
         k[law] = 0.0;
         system.matrices(&k).map(|m| &matrices.stiffness - m.stiffness)
     };
     let laws = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
+    of_matrices(&matrices, k, &laws, springs)
+}
+
+/// The modes of the cell with the given `matrices`; `laws` are the parts of K that come from the laws, whose values are `k`.
+///
+/// # Errors
+/// Those of [`Modal::of`].
+pub fn of_matrices(
+    matrices: &Matrices,
+    k: &[f64],
+    laws: &[DMatrix<f64>],
+    springs: &[Spring],
+) -> Result<CellModes, Refusal> {
+    let modal = Modal::of(matrices)?;
     let modes = modal.coupled.as_ref().map_or(&modal.modes, |coupled| &coupled.modes);
-    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), &matrices, &laws, springs);
+    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), matrices, laws, springs);
     Ok(CellModes {
         levels: k.to_vec(),
         modes: modes.iter().enumerate().map(vibration).collect(),

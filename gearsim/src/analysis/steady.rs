@@ -49,10 +49,10 @@ impl Course {
 }
 
 /// The speeds q' that a scene starts with: those given, else those of its rigid motions.
-pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
+pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
     let mut speeds = vec![0.0; scene.model.coordinates.len()];
     for (i, size) in scene.start.motions.iter().enumerate() {
-        speeds.iter_mut().zip(system.motion(i)).for_each(|(speed, unit)| *speed += size * unit);
+        speeds.iter_mut().zip(&*system.motion(i)).for_each(|(speed, unit)| *speed += size * unit);
     }
     for (speed, given) in speeds.iter_mut().zip(&scene.start.q_dot) {
         *speed = given.unwrap_or(*speed);
@@ -64,7 +64,7 @@ pub fn speeds(scene: &Scene, system: &dyn System) -> Vec<f64> {
 ///
 /// # Errors
 /// Where the start of the scene is not determined.
-pub fn courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusal> {
+pub fn courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
     let mut all = all_courses(scene, system)?;
     all.truncate(scene.stiffnesses().count());
     Ok(all)
@@ -74,7 +74,7 @@ pub fn courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusa
 ///
 /// # Errors
 /// Where the start of the scene is not determined.
-pub fn all_courses(scene: &Scene, system: &dyn System) -> Result<Vec<Course>, Refusal> {
+pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
     let (begin, speeds) = (system.start(scene)?, speeds(scene, system));
     let course = |(i, (law, given)): (usize, (&'static Law, &Profile))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);

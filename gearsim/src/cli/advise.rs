@@ -134,11 +134,11 @@ pub(super) fn of(base: &Scene) -> Result<Advice, Failure> {
         return Err(Failure::Impossible { what, help: "name some in its `effects`".into() });
     }
     let (outcome, seconds) = timed(base)?;
-    let system = (entry(base)?.system)(base).map_err(|refusal| refusal.to_string());
+    let system = entry(base)?.system(base).map_err(|refusal| refusal.to_string());
     let groups = system.as_ref().map_err(Clone::clone);
-    let groups = groups.and_then(|system| Groups::of(base, &**system).map_err(|e| e.to_string()));
+    let groups = groups.and_then(|system| Groups::of(base, system).map_err(|e| e.to_string()));
     let steady = match &system {
-        Ok(system) => Steady::of(base, &**system),
+        Ok(system) => Steady::of(base, system),
         Err(_) => Err(Unknown::Rigid),
     };
     let bands = bands(base, &outcome, groups.as_ref().ok());

@@ -108,8 +108,8 @@ impl Verb for Floquets {
 impl Floquets {
     fn of(&self, scene: &Scene) -> Result<Floquet, Failure> {
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = (entry(scene)?.system)(scene).map_err(refused)?;
-        Floquet::of(scene, &*system).map_err(|error| match error {
+        let system = entry(scene)?.system(scene).map_err(refused)?;
+        Floquet::of(scene, &system).map_err(|error| match error {
             FloquetError::Refused(refusal) => refused(refusal),
             other => Failure::Impossible {
                 what: format!("scene {} has no Floquet multipliers", scene.name),

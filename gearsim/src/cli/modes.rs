@@ -102,12 +102,12 @@ impl Verb for Modes {
     fn run(self) -> Result<(), Failure> {
         let scene = self.source.load()?;
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = (entry(&scene)?.system)(&scene).map_err(refused)?;
-        let courses = steady::courses(&scene, &*system).map_err(refused)?;
+        let system = entry(&scene)?.system(&scene).map_err(refused)?;
+        let courses = steady::courses(&scene, &system).map_err(refused)?;
         let springs = springs::of(&scene, entry(&scene)?).map_err(refused)?;
-        let chosen = modes::of(&*system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
+        let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
         let cells = modes::combinations(&courses);
-        let cells = cells.iter().map(|k| modes::of(&*system, k, &springs)).collect::<Result<Vec<_>, _>>();
+        let cells = cells.iter().map(|k| modes::of(&system, k, &springs)).collect::<Result<Vec<_>, _>>();
         let cells = cells.map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;

@@ -62,6 +62,6 @@ pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
     let entry = entry(scene)?;
     let mut progress = Progress::new(scene.t_end, quiet);
     let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-    let outcome = (entry.run)(scene, &mut |t| progress.at(t)).map_err(refused)?;
-    Ok(digits::noted(scene, outcome, &|companion| (entry.run)(companion, &mut |_| {})))
+    let outcome = entry.run(scene, &mut |t| progress.at(t)).map_err(refused)?;
+    Ok(digits::noted(scene, outcome, &|companion| entry.run(companion, &mut |_| {})))
 }

@@ -3,20 +3,19 @@
 
 use std::collections::HashMap;
 
-use nalgebra::SVector;
-
 use crate::engine::cell::Cell;
 use crate::engine::dead_band::{DeadBand, Elastic, REGIMES, Regime};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::Law;
 use crate::engine::record::State;
+use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
 
 /// The cells of a scene.
 #[derive(Debug, Clone)]
-pub struct Cells<const N: usize> {
-    cells: Vec<Prepared<N>>,
+pub struct Cells {
+    cells: Vec<Prepared>,
     /// Where each combination met so far stands; `None` where all of them stand in their order.
     met: Option<HashMap<usize, usize>>,
     /// Where the present one stands.
@@ -27,38 +26,38 @@ pub struct Cells<const N: usize> {
 
 /// A cell, and what is watched in it.
 #[derive(Debug, Clone)]
-pub struct Prepared<const N: usize> {
+pub struct Prepared {
     /// Its modes.
-    pub cell: Cell<N>,
+    pub cell: Cell,
     /// n.X of each law: how its modes take part in the phase.
-    pub participation: Vec<SVector<f64, N>>,
+    pub participation: Vec<Vector>,
     /// n.Y of each law, where damping couples the modes: how the phase follows their speeds.
-    pub on_speed: Vec<Option<SVector<f64, N>>>,
+    pub on_speed: Vec<Option<Vector>>,
     /// Of each dead band, its contact and what can end its regime.
-    pub bands: Vec<Banded<N>>,
+    pub bands: Vec<Banded>,
 }
 
 /// A dead band in a cell.
 #[derive(Debug, Clone)]
-pub struct Banded<const N: usize> {
+pub struct Banded {
     /// Spring and damper of its contact.
     pub elastic: Elastic,
     /// What can end its regime, and the one after it.
-    pub exits: Vec<(Regime, Watch<N>)>,
+    pub exits: Vec<(Regime, Watch)>,
 }
 
 /// What cells are combinations of.
-pub type Stand<'a, const N: usize> = (&'a [Law<N>], &'a [DeadBand<N>], &'a [f64]);
+pub type Stand<'a> = (&'a [Law], &'a [DeadBand], &'a [f64]);
 
 /// More cells than this are worked out as they are met: the modes of all would take long.
 const MOST_BEFOREHAND: usize = 1024;
 
-impl<const N: usize> Cells<N> {
+impl Cells {
     /// The cells of laws and dead bands, whose values are `k`, of equations with so many rigid `motions`.
     ///
     /// # Errors
     /// Where one of them has no modes.
-    pub fn new(equations: &dyn Equations<N>, motions: usize, (laws, bands, k): Stand<'_, N>) -> Result<Self, Refusal> {
+    pub fn new(equations: &dyn Equations, motions: usize, (laws, bands, k): Stand<'_>) -> Result<Self, Refusal> {
         let count = laws.iter().map(|l| l.pitch.cells()).chain(bands.iter().map(|_| REGIMES.len()));
         let count = count.fold(1, usize::saturating_mul);
         if count > MOST_BEFOREHAND {
@@ -83,7 +82,7 @@ impl<const N: usize> Cells<N> {
     /// # Errors
     /// Where it has no modes.
     #[inline]
-    pub fn meet(&mut self, equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Result<(), Refusal> {
+    pub fn meet(&mut self, equations: &dyn Equations, (laws, bands, k): Stand<'_>) -> Result<(), Refusal> {
         self.present = index(laws, bands);
         let Some(met) = &mut self.met else { return Ok(()) };
         self.present = match met.get(&self.present) {
@@ -99,22 +98,22 @@ impl<const N: usize> Cells<N> {
     }
 
     /// All of them, by their numbers; `None` where they are worked out as they are met.
-    pub fn all(&self) -> Option<&[Prepared<N>]> {
+    pub fn all(&self) -> Option<&[Prepared]> {
         self.met.is_none().then_some(&self.cells)
     }
 
     /// The present one.
     #[inline]
-    pub fn here(&self) -> &Prepared<N> {
+    pub fn here(&self) -> &Prepared {
         &self.cells[self.present]
     }
 }
 
-impl<const N: usize> Prepared<N> {
+impl Prepared {
     /// A cell with the laws' participation and the exits of the dead bands.
-    pub fn new(cell: Cell<N>, equations: &dyn Equations<N>, (laws, bands, k): Stand<'_, N>) -> Self {
+    pub fn new(cell: Cell, equations: &dyn Equations, (laws, bands, k): Stand<'_>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
-        let banded = |band: &DeadBand<N>| {
+        let banded = |band: &DeadBand| {
             let elastic = band.elastic(equations, k);
             Banded { elastic, exits: band.exits(&cell, elastic) }
         };
@@ -125,13 +124,13 @@ impl<const N: usize> Prepared<N> {
 
 /// The number of the cell in which laws and dead bands stand: the first law's counts fastest.
 #[inline]
-pub fn index<const N: usize>(laws: &[Law<N>], bands: &[DeadBand<N>]) -> usize {
+pub fn index(laws: &[Law], bands: &[DeadBand]) -> usize {
     let of_bands = bands.iter().rev().fold(0, |index, band| index * REGIMES.len() + band.place());
     laws.iter().rev().fold(of_bands, |index, law| index * law.pitch.cells() + law.cell)
 }
 
 /// Has laws and dead bands stand in the cell of a number.
-fn stand<const N: usize>(laws: &mut [Law<N>], bands: &mut [DeadBand<N>], mut index: usize) {
+fn stand(laws: &mut [Law], bands: &mut [DeadBand], mut index: usize) {
     let mut digit = |base: usize| {
         let digit = index % base;
         index /= base;
@@ -143,7 +142,7 @@ fn stand<const N: usize>(laws: &mut [Law<N>], bands: &mut [DeadBand<N>], mut ind
 
 /// Writes the present values of laws and dead bands, which follow the laws, to where they belong in `k`.
 #[inline]
-pub fn write<const N: usize>(laws: &[Law<N>], bands: &mut [DeadBand<N>], k: &mut [f64]) {
+pub fn write(laws: &[Law], bands: &mut [DeadBand], k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
     for band in bands {
         band.follow(k);
@@ -152,17 +151,13 @@ pub fn write<const N: usize>(laws: &[Law<N>], bands: &mut [DeadBand<N>], k: &mut
 }
 
 /// Has dead bands follow steps of transmission errors, to `laws` where they stand now; tells how many flanks have met.
-pub fn displace<const N: usize>(
-    (laws, bands): (&[Law<N>], &mut [DeadBand<N>]),
-    k: &mut [f64],
-    state: &State<N>,
-) -> u64 {
+pub fn displace((laws, bands): (&[Law], &mut [DeadBand]), k: &mut [f64], state: &State) -> u64 {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
-    bands.iter_mut().map(|band| u64::from(band.displace(k, state))).sum()
+    bands.iter_mut().map(|band| u64::from(band.displace(k, &state.q))).sum()
 }
 
 /// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.
-pub fn levels<const N: usize>(laws: &[Law<N>], index: usize, rest: &[f64]) -> Vec<f64> {
+pub fn levels(laws: &[Law], index: usize, rest: &[f64]) -> Vec<f64> {
     let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
     stand(&mut laws, &mut [], index);
     write(&laws, &mut [], &mut k);

@@ -4,47 +4,48 @@
 //! by which every flight would push the rotation, mostly to the same side where cells are met again and again in the same
 //! way: over many events that adds up. What z.M X comes to is known in twice the digits, and taken back.
 
-use nalgebra::{SMatrix, SVector};
 use xprec::Df64;
 
 use crate::engine::cell::Cell;
+use crate::engine::vector::{Matrix, Vector};
 
 /// A rigid motion in a cell.
 #[derive(Debug, Clone)]
-pub struct Conserved<const N: usize> {
+pub struct Conserved {
     /// z (N).
-    pub motion: SVector<f64, N>,
+    pub motion: Vector,
     /// z.M X of the vibrations, over z.M z; 0 for rigid modes (N).
-    pub on_gained: SVector<f64, N>,
+    pub on_gained: Vector,
     /// The same of the shapes that follow the modes' speeds, where damping couples them.
-    pub on_further: Option<SVector<f64, N>>,
+    pub on_further: Option<Vector>,
 }
 
 /// Roundings, of what they are sums of, in forces that are none.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
-impl<const N: usize> Conserved<N> {
+impl Conserved {
     /// The motion `z` in a cell with M, C, K; `None` where it meets with forces there, or numbers overflow.
-    pub fn of(z: SVector<f64, N>, cell: &Cell<N>, [m, c, k]: [&SMatrix<f64, N, N>; 3]) -> Option<Self> {
-        let free = |a: &SMatrix<f64, N, N>| {
-            let (force, sum) = (a * z, a.abs() * z.abs());
-            force.iter().zip(&sum).all(|(force, sum)| force.abs() <= ROUNDINGS * sum)
+    pub fn of(z: Vector, cell: &Cell, [m, c, k]: [&Matrix; 3]) -> Option<Self> {
+        let free = |a: &Matrix| {
+            let (force, sum) = (a * &z, &a.abs() * &z.abs());
+            force.iter().zip(&*sum).all(|(force, sum)| force.abs() <= ROUNDINGS * sum)
         };
         if !free(c) || !free(k) {
             return None;
         }
-        let sum = |of: &dyn Fn(usize) -> Df64| (0..N).fold(Df64::from(0.0), |sum, i| sum + of(i));
-        let momentum: [Df64; N] = std::array::from_fn(|j| sum(&|i| Df64::from(z[i]) * Df64::from(m[(i, j)])));
+        let sum = |of: &dyn Fn(usize) -> Df64| (0..z.len()).fold(Df64::from(0.0), |sum, i| sum + of(i));
+        let product = |i: usize, j: usize| Df64::from(z[i]) * Df64::from(m[(i, j)]);
+        let momentum: Vec<Df64> = (0..z.len()).map(|j| sum(&|i| product(i, j))).collect();
         let along = |x: &dyn Fn(usize) -> f64| sum(&|j| momentum[j] * Df64::from(x(j)));
         let size = along(&|j| z[j]);
-        let excess = |shapes: &SMatrix<f64, N, N>| -> SVector<f64, N> {
+        let excess = |shapes: &Matrix| -> Vector {
             let of = |i: usize| (along(&|j| shapes[(j, i)]) / size).hi();
-            SVector::from_fn(|i, _| if cell.modes[i].is_rigid() { 0.0 } else { of(i) })
+            Vector::from_fn(z.len(), |i| if cell.modes[i].is_rigid() { 0.0 } else { of(i) })
         };
         let on_further = cell.coupling.as_ref().map(|coupling| excess(&coupling.shapes));
         let on_gained = excess(&cell.shapes);
         // Beyond what numbers can hold it is not known.
-        let known = on_gained.iter().chain(on_further.iter().flatten()).all(|x| x.is_finite());
+        let known = on_gained.iter().chain(on_further.iter().flat_map(|x| x.iter())).all(|x| x.is_finite());
         known.then_some(Conserved { motion: z, on_gained, on_further })
     }
 }

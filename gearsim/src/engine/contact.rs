@@ -8,7 +8,7 @@
 //! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it part;
 //! - a step of another stiffness gives an impulse: what is held is let go, and bounces or leaves.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector};
 
 use crate::engine::cell::{Cell, Flight, Point};
 use crate::engine::cells::{Prepared, Stand};
@@ -19,6 +19,7 @@ use crate::engine::forcing::linear::Linear;
 use crate::engine::forcing::window::Window;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
+use crate::engine::vector::{Matrix, Vector};
 use crate::engine::watch::Watch;
 
 /// Energy of the normal motion, relative to T + V, below which a pressed phase is held.
@@ -42,73 +43,66 @@ pub enum Ending {
 
 /// Phases held at steps, and the motion that is left.
 #[derive(Debug, Clone)]
-pub struct Contact<const N: usize> {
+pub struct Contact {
     /// The laws held, and at which side of their cell.
     pub laws: Vec<(usize, Side)>,
     /// The motion with the phases held.
-    pub left: Prepared<N>,
+    pub left: Prepared,
     /// The same, where torques vary.
-    pub linear: Linear<N>,
+    pub linear: Linear,
     /// Forces beside the equations' load as the hold began (N).
-    further: SVector<f64, N>,
-    watches: Vec<Ends<N>>,
+    further: Vector,
+    watches: Vec<Ends>,
 }
 
 /// What can end the hold of a law.
 #[derive(Debug, Clone)]
-struct Ends<const N: usize> {
+struct Ends {
     law: usize,
     ending: Ending,
-    watch: Watch<N>,
+    watch: Watch,
     /// How its value changes with the load.
-    on_load: SVector<f64, N>,
+    on_load: Vector,
 }
 
 /// Whether a phase that was just turned back at `side` is pressed against the step so hard, and bounces so little, that
 /// it is to be held. `acceleration` is q'' now, `rate` bounds the rates of the cell, `energy` is T + V.
-pub fn presses<const N: usize>(
-    law: &Law<N>,
-    side: Side,
-    state: &State<N>,
-    acceleration: &SVector<f64, N>,
-    rate: f64,
-    energy: f64,
-) -> bool {
+pub fn presses(law: &Law, side: Side, state: &State, acceleration: &Vector, rate: f64, energy: f64) -> bool {
     let v = law.surface.normal.dot(&state.q_dot).abs();
     let a = side.sign() * law.surface.normal.dot(acceleration);
     a > 0.0 && v * v <= HOLD * energy * 2.0 * law.surface.compliance && 2.0 * v * rate <= SHORT * a
 }
 
-impl<const N: usize> Contact<N> {
+impl Contact {
     /// Holds the phases of `held`, those of them whose reactions press; `None` if none does. Brings the normal speeds
     /// to rest and gives the energy that this ignores [J].
     ///
     /// # Errors
     /// Where the motion that is left has no modes.
     pub fn begin(
-        equations: &dyn Equations<N>,
-        (laws, bands, k): Stand<'_, N>,
+        equations: &dyn Equations,
+        (laws, bands, k): Stand<'_>,
         mut held: Vec<(usize, Side)>,
-        state: &mut State<N>,
-        further: &SVector<f64, N>,
+        state: &mut State,
+        further: &Vector,
     ) -> Result<(Option<Self>, f64), Refusal> {
         loop {
             if held.is_empty() {
                 return Ok((None, 0.0));
             }
             // Outward normals, and the reactions (nᵀM⁻¹n)⁻¹ nᵀM⁻¹ (f - K q - C q') along them.
-            let normals = DMatrix::from_fn(N, held.len(), |i, c| {
+            let n = state.q.len();
+            let normals = DMatrix::from_fn(n, held.len(), |i, c| {
                 let (law, side) = held[c];
                 side.sign() * laws[law].surface.normal[i]
             });
-            let matrix = |rows: [[f64; N]; N]| DMatrix::from_fn(N, N, |i, j| rows[i][j]);
-            let mass = matrix(equations.mass()).cholesky().ok_or(Refusal::Mass)?;
+            let mass = equations.mass().cholesky().ok_or(Refusal::Mass)?;
             let mobility = mass.solve(&normals);
             let compliance = (normals.transpose() * &mobility).cholesky().ok_or(Refusal::Mass)?;
             let to_reactions = compliance.solve(&mobility.transpose());
-            let (stiffness, damping) = (matrix(equations.stiffness(k)), matrix(equations.damping(k)));
+            let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
             let load = equations.load(k);
-            let load = DVector::from_fn(N, |i, _| load[i] + further[i]);
+            let load = DVector::from(&(load + further));
 
             let (cell, linear) = Cell::held(equations, k, &normals)?;
             let reactions: Vec<_> = held
@@ -116,13 +110,13 @@ impl<const N: usize> Contact<N> {
                 .enumerate()
                 .map(|(c, &(law, _))| {
                     let w = to_reactions.rows(c, 1);
-                    let row = |m: DMatrix<f64>| SVector::<f64, N>::from_fn(|i, _| -m[(0, i)]);
+                    let row = |m: Matrix| Vector::from_fn(n, |i| -m[(0, i)]);
                     let (on_q, on_speed) = (row(w * &stiffness), row(w * &damping));
                     let loaded = (w * &load)[0];
                     let forces = loaded.abs() + on_q.abs().dot(&state.q.abs()) + on_speed.abs().dot(&state.q_dot.abs());
                     // Its zero is where it pulls by RELEASE.
                     let constant = loaded + RELEASE * forces;
-                    let on_load = SVector::from_fn(|i, _| w[(0, i)]);
+                    let on_load = Vector::from_fn(n, |i| w[(0, i)]);
                     let watch = Watch::new(&cell, constant, on_q, on_speed);
                     Ends { law, ending: Ending::Release, watch, on_load }
                 })
@@ -132,20 +126,20 @@ impl<const N: usize> Contact<N> {
                 continue;
             }
 
-            let speeds = normals.transpose() * DVector::from_iterator(N, state.q_dot.iter().copied());
+            let speeds = normals.transpose() * DVector::from(&state.q_dot);
             let impulses = compliance.solve(&speeds);
             let change = mobility * &impulses;
-            state.q_dot -= SVector::from_fn(|i, _| change[i]);
-            state.lost = SVector::zeros();
+            state.q_dot -= &Vector::from(&change);
+            state.lost = Vector::zeros(n);
             let ignored = 0.5 * speeds.dot(&impulses);
 
             let slips = held.iter().flat_map(|&(law, side)| {
                 let watches = barriers(equations, (laws, bands, k), &cell, law, side, state).into_iter();
-                watches.map(move |watch| Ends { law, ending: Ending::Slip, watch, on_load: SVector::zeros() })
+                watches.map(move |watch| Ends { law, ending: Ending::Slip, watch, on_load: Vector::zeros(n) })
             });
             let watches = reactions.into_iter().chain(slips).collect();
             let left = Prepared::new(cell, equations, (laws, bands, k));
-            let contact = Contact { laws: held, left, linear, further: *further, watches };
+            let contact = Contact { laws: held, left, linear, further: further.clone(), watches };
             return Ok((Some(contact), ignored));
         }
     }
@@ -161,10 +155,10 @@ impl<const N: usize> Contact<N> {
     /// Where the search does not end, or leaves the numbers.
     pub fn first_ending(
         &self,
-        flight: &Flight<'_, N>,
-        state: &State<N>,
+        flight: &Flight<'_>,
+        state: &State,
         mut horizon: f64,
-        point: &mut Point<N>,
+        point: &mut Point,
         cost: &mut Cost,
     ) -> Result<Option<(usize, Ending)>, Lost> {
         let mut first = None;
@@ -181,15 +175,15 @@ impl<const N: usize> Contact<N> {
     /// The first end of a hold in a window, before its part `until`: where, and which.
     pub fn first_in(
         &self,
-        window: &Window<'_, N>,
-        state: &State<N>,
-        load: &SVector<f64, N>,
+        window: &Window<'_>,
+        state: &State,
+        load: &Vector,
         mut until: f64,
         cost: &mut Cost,
     ) -> Option<(f64, usize, Ending)> {
         let mut first = None;
         for Ends { law, ending, watch, on_load } in &self.watches {
-            let value = watch.value(state) + on_load.dot(&(load - self.further));
+            let value = watch.value(state) + on_load.dot(&(load - &self.further));
             let zero = watch.first_zero_in(value, on_load, window, cost);
             if let Some(x) = zero.filter(|x| *x < until) {
                 (until, first) = (x, Some((x, *law, *ending)));
@@ -200,12 +194,7 @@ impl<const N: usize> Contact<N> {
 }
 
 /// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
-pub fn is_void<const N: usize>(
-    equations: &dyn Equations<N>,
-    stand: Stand<'_, N>,
-    (law, side): (usize, Side),
-    state: &State<N>,
-) -> bool {
+pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize, Side), state: &State) -> bool {
     let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
     equations.stiffness(k) == equations.stiffness(&beyond) && equations.load(k) == equations.load(&beyond)
 }
@@ -216,35 +205,37 @@ pub fn is_void<const N: usize>(
 ///   mere stiffness it is c (x - e)²/2.
 ///
 /// Nothing where the law strains more than one deflection: they do not vanish together.
-fn barriers<const N: usize>(
-    equations: &dyn Equations<N>,
-    stand: Stand<'_, N>,
-    cell: &Cell<N>,
+fn barriers(
+    equations: &dyn Equations,
+    stand: Stand<'_>,
+    cell: &Cell,
     law: usize,
     side: Side,
-    state: &State<N>,
-) -> Vec<Watch<N>> {
+    state: &State,
+) -> Vec<Watch> {
     let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
     let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
     let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
-    let stiffness = DMatrix::from_fn(N, N, |i, j| there[i][j] - here[i][j]);
-    let load = SVector::<f64, N>::from_fn(|i, _| load_there[i] - load_here[i]);
-    let h = equations.potential(&[0.0; N], &beyond) - equations.potential(&[0.0; N], k);
+    let (stiffness, load) = (there - here, load_there - &load_here);
+    let n = load.len();
+    let still = Vector::zeros(n);
+    let h = equations.potential(&still, &beyond) - equations.potential(&still, k);
     if stiffness.amax() == 0.0 {
-        return vec![Watch::new(cell, h, -load, SVector::zeros())];
+        return vec![Watch::new(cell, h, -load, still)];
     }
     let diagonal = stiffness.diagonal();
     let row = diagonal.iamax();
     let c = diagonal[row];
-    let d = SVector::<f64, N>::from_fn(|i, _| stiffness[(i, row)] / c);
+    let d = Vector::from_fn(n, |i| stiffness[(i, row)] / c);
     let g = load[row];
-    let one = DMatrix::from_fn(N, N, |i, j| c * d[i] * d[j]);
-    let of_one = (&stiffness - one).amax() <= SAME * stiffness.amax() && (load - d * g).amax() <= SAME * load.amax();
+    let one = DMatrix::from_fn(n, n, |i, j| c * d[i] * d[j]);
+    let of_one =
+        (&stiffness - one).amax() <= SAME * stiffness.amax() && (&load - &(&d * g)).amax() <= SAME * load.amax();
     if !of_one {
         return vec![];
     }
     let (middle, square) = (g / c, (g / c).powi(2) - 2.0 * h / c);
-    let at = |x: f64| Watch::new(cell, -x, d, SVector::zeros());
+    let at = |x: f64| Watch::new(cell, -x, d.clone(), still.clone());
     match square.abs() <= SAME * middle.powi(2) {
         true => vec![at(middle)],
         false if square < 0.0 => vec![],

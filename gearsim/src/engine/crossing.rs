@@ -70,9 +70,9 @@ pub enum Lost {
 
 /// A signal between two boundaries.
 #[derive(Debug)]
-pub struct Search<'a, const N: usize> {
+pub struct Search<'a> {
     /// What is watched.
-    pub signal: Signal<'a, N>,
+    pub signal: Signal<'a>,
     /// Its rate at the start, as exactly as it is known.
     pub rate: f64,
     /// Distance to the lower boundary, >= 0; may be infinite.
@@ -86,14 +86,14 @@ pub struct Search<'a, const N: usize> {
 /// A bracket is halved to rounding in fewer steps than this.
 const MOST_NEWTON: u64 = 200;
 
-impl<const N: usize> Search<'_, N> {
+impl Search<'_> {
     /// The first boundary met before the horizon, with `point` moved there; else `point` is anywhere. `point` is to be at
     /// the start.
     ///
     /// # Errors
     /// Where the search does not end, or leaves the numbers.
     #[inline]
-    pub fn first(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, Lost> {
+    pub fn first(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         self.first_near(&mut Lateness::default(), point, cost)
     }
 
@@ -105,7 +105,7 @@ impl<const N: usize> Search<'_, N> {
     pub fn first_near(
         &self,
         lateness: &mut Lateness,
-        point: &mut Point<N>,
+        point: &mut Point,
         cost: &mut Cost,
     ) -> Result<Option<Side>, Lost> {
         let (drift, wobble) = self.signal.drift_and_wobble();
@@ -117,7 +117,7 @@ impl<const N: usize> Search<'_, N> {
 
     /// The crossing that Newton's method alone leads to, from the same guess: no bound, no certificate that it is the first,
     /// no bracket that binds. For measuring what the guarantee costs.
-    pub(super) fn unguarded(&self, lateness: &mut Lateness, point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
+    pub(super) fn unguarded(&self, lateness: &mut Lateness, point: &mut Point, cost: &mut Cost) -> Option<Side> {
         let drift = self.signal.drift_and_wobble().0;
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let steady = gap / drift.abs();
@@ -140,7 +140,7 @@ impl<const N: usize> Search<'_, N> {
         drift: f64,
         wobble: f64,
         lateness: &mut Lateness,
-        point: &mut Point<N>,
+        point: &mut Point,
         cost: &mut Cost,
     ) -> Option<Side> {
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
@@ -162,7 +162,7 @@ impl<const N: usize> Search<'_, N> {
     /// Once the root of the local Taylor polynomial is near, the motion is carried there by its series: one evaluation of the
     /// motion in full is mostly enough, two nearly always.
     #[inline]
-    fn newton(&self, side: Side, gap: f64, bracket: (f64, f64), point: &mut Point<N>, cost: &mut Cost) -> Option<Side> {
+    fn newton(&self, side: Side, gap: f64, bracket: (f64, f64), point: &mut Point, cost: &mut Cost) -> Option<Side> {
         let sign = side.sign();
         let (mut low, mut high) = bracket;
         for _ in 0..MOST_NEWTON {
@@ -203,7 +203,7 @@ impl<const N: usize> Search<'_, N> {
     }
 
     #[inline]
-    fn go(&self, point: &mut Point<N>, t: f64, cost: &mut Cost) {
+    fn go(&self, point: &mut Point, t: f64, cost: &mut Cost) {
         cost.evaluations += 1;
         self.signal.flight.go(point, t);
     }

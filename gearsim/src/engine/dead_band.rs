@@ -15,12 +15,10 @@
 //! A transmission error e moves both edges. Where it steps, flanks may part or meet at once, and V steps with the regime: an
 //! impulse like any other ([`law::barrier`](crate::engine::law::barrier)).
 
-use nalgebra::SVector;
-
 use crate::engine::cell::Cell;
 use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
-use crate::engine::record::State;
+use crate::engine::vector::{Matrix, Vector};
 use crate::engine::watch::Watch;
 use crate::model::Model;
 
@@ -60,11 +58,11 @@ impl Grip {
 
 /// A dead band under way.
 #[derive(Debug, Clone)]
-pub struct DeadBand<const N: usize> {
+pub struct DeadBand {
     /// Where its law values begin.
     at: usize,
     /// Gradient of its deflection (N).
-    pub normal: SVector<f64, N>,
+    pub normal: Vector,
     /// Half its width.
     pub half: f64,
     /// The laws that move its deflection, and by how much a unit of each does.
@@ -99,12 +97,12 @@ pub struct Elastic {
     pub damper: f64,
 }
 
-impl<const N: usize> DeadBand<N> {
+impl DeadBand {
     /// The dead bands of a model that its effects ask for, free of contact.
-    pub fn all(equations: &dyn Equations<N>, model: &Model) -> Vec<DeadBand<N>> {
+    pub fn all(equations: &dyn Equations, model: &Model) -> Vec<DeadBand> {
         let band = |i| {
             let (band, at) = (equations.dead_band(i)?, model.laws.len() + VALUES * i);
-            let (normal, half, errors) = (band.normal.into(), band.half, band.errors);
+            let (normal, half, errors) = (band.normal, band.half, band.errors);
             Some(DeadBand { at, normal, half, errors, offset: 0.0, regime: Free })
         };
         (0..model.dead_bands.len()).filter_map(band).collect()
@@ -128,13 +126,13 @@ impl<const N: usize> DeadBand<N> {
     }
 
     /// Depth beyond an edge, negative within the play.
-    pub fn depth(&self, side: Side, state: &State<N>) -> f64 {
-        side.sign() * (self.normal.dot(&state.q) + self.offset) - self.half
+    pub fn depth(&self, side: Side, q: &[f64]) -> f64 {
+        side.sign() * (self.normal.dot(q) + self.offset) - self.half
     }
 
     /// The same as a function of the coordinates: what it is where they are zero, and its slopes along them (N).
-    pub fn depth_along(&self, side: Side) -> (f64, SVector<f64, N>) {
-        (side.sign() * self.offset - self.half, self.normal * side.sign())
+    pub fn depth_along(&self, side: Side) -> (f64, Vector) {
+        (side.sign() * self.offset - self.half, &self.normal * side.sign())
     }
 
     /// Follows the transmission errors among the law values `k`.
@@ -144,18 +142,18 @@ impl<const N: usize> DeadBand<N> {
 
     /// Follows them over a step: where it has moved the edges, to the flank that is then in contact in `state`. Tells whether
     /// flanks have met.
-    pub fn displace(&mut self, k: &[f64], state: &State<N>) -> bool {
+    pub fn displace(&mut self, k: &[f64], q: &[f64]) -> bool {
         let (offset, regime) = (self.offset, self.regime);
         self.follow(k);
         if self.offset != offset {
-            self.regime = self.met(state);
+            self.regime = self.met(q);
         }
         regime == Free && self.regime != Free
     }
 
     /// Its regime by where the deflection is; the grip is kept by a contact that lasts.
-    pub fn met(&self, state: &State<N>) -> Regime {
-        let beyond = [Side::Upper, Side::Lower].into_iter().find(|side| self.depth(*side, state) > 0.0);
+    pub fn met(&self, q: &[f64]) -> Regime {
+        let beyond = [Side::Upper, Side::Lower].into_iter().find(|side| self.depth(*side, q) > 0.0);
         match (self.regime, beyond) {
             (_, None) => Free,
             (Contact(side, grip), Some(beyond)) if side == beyond => Contact(side, grip),
@@ -164,7 +162,7 @@ impl<const N: usize> DeadBand<N> {
     }
 
     /// Spring and damper of its contact where the law values are `k`: what K and C are more in contact than free, along n.
-    pub fn elastic(&self, equations: &dyn Equations<N>, k: &[f64]) -> Elastic {
+    pub fn elastic(&self, equations: &dyn Equations, k: &[f64]) -> Elastic {
         let with = |contact: bool| {
             let mut band = self.clone();
             band.regime = if contact { Contact(Side::Upper, Touch) } else { Free };
@@ -173,21 +171,18 @@ impl<const N: usize> DeadBand<N> {
             (equations.stiffness(&k), equations.damping(&k))
         };
         let ((k1, c1), (k0, c0)) = (with(true), with(false));
-        let n = self.normal / self.normal.norm_squared();
-        let along = |a: [[f64; N]; N], b: [[f64; N]; N]| {
-            let entry = |i: usize, j: usize| n[i] * n[j] * (a[i][j] - b[i][j]);
-            (0..N).map(|i| (0..N).map(|j| entry(i, j)).sum::<f64>()).sum::<f64>()
-        };
+        let n = &self.normal * (1.0 / self.normal.dot(&self.normal));
+        let along = |a: Matrix, b: Matrix| n.dot(&(&(a - b) * &n));
         Elastic { spring: along(k1, k0), damper: along(c1, c0) }
     }
 
     /// Its regime with the grip that the forces at `state` ask for; where they are equal, it keeps its grip.
-    pub fn gripped(&self, Elastic { spring, damper }: Elastic, state: &State<N>) -> Regime {
+    pub fn gripped(&self, Elastic { spring, damper }: Elastic, q: &[f64], q_dot: &[f64]) -> Regime {
         let Contact(side, grip) = self.regime else { return Free };
         if damper == 0.0 {
             return Contact(side, Touch);
         }
-        let (spring, damper) = (spring * self.depth(side, state), damper * side.sign() * self.normal.dot(&state.q_dot));
+        let (spring, damper) = (spring * self.depth(side, q), damper * side.sign() * self.normal.dot(q_dot));
         Contact(
             side,
             match (damper - spring, damper + spring) {
@@ -201,12 +196,12 @@ impl<const N: usize> DeadBand<N> {
     }
 
     /// What can end its present regime in `cell`, and the regime after it. Each watch is >= 0 until then.
-    pub fn exits(&self, cell: &Cell<N>, Elastic { spring, damper }: Elastic) -> Vec<(Regime, Watch<N>)> {
+    pub fn exits(&self, cell: &Cell, Elastic { spring, damper }: Elastic) -> Vec<(Regime, Watch)> {
         // a x + b x' beyond the edge at `side`.
         let watch = |side: Side, a: f64, b: f64| {
             let (constant, slopes) = self.depth_along(side);
             let slack = a.abs() * ROUNDINGS * f64::EPSILON * (self.half + self.offset.abs());
-            let mut watch = Watch::new(cell, a * constant, slopes * a, slopes * b);
+            let mut watch = Watch::new(cell, a * constant, &slopes * a, &slopes * b);
             watch.slack = slack;
             watch
         };
@@ -228,16 +223,16 @@ impl<const N: usize> DeadBand<N> {
         }
     }
 
-    /// What the clipped damper takes where the deflection moves on by `moved` from `state` [J].
-    pub fn clipped(&self, elastic: Elastic, state: &State<N>, dq: &SVector<f64, N>) -> f64 {
+    /// What the clipped damper takes where the deflection moves on from `q` by `dq` [J].
+    pub fn clipped(&self, elastic: Elastic, q: &[f64], dq: &[f64]) -> f64 {
         let Contact(side, grip) = self.regime else { return 0.0 };
-        let (x, dx) = (self.depth(side, state), side.sign() * self.normal.dot(dq));
+        let (x, dx) = (self.depth(side, q), side.sign() * self.normal.dot(dq));
         grip.clip() * elastic.spring * dx * (x + 0.5 * dx)
     }
 
-    /// The power that the clipped damper takes in `state` [W].
-    pub fn clipped_power(&self, elastic: Elastic, state: &State<N>) -> f64 {
+    /// The power that the clipped damper takes [W].
+    pub fn clipped_power(&self, elastic: Elastic, q: &[f64], q_dot: &[f64]) -> f64 {
         let Contact(side, grip) = self.regime else { return 0.0 };
-        grip.clip() * elastic.spring * self.depth(side, state) * side.sign() * self.normal.dot(&state.q_dot)
+        grip.clip() * elastic.spring * self.depth(side, q) * side.sign() * self.normal.dot(q_dot)
     }
 }

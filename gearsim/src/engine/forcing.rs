@@ -4,11 +4,11 @@
 //! load ([`Forcing::load`]); where one is straight or harmonic, the motion goes on in windows of a power series
 //! ([`window`]). A breakpoint of a course is an event: the next piece is state, as the cell of a stiffness is.
 
-use nalgebra::SVector;
 use xprec::Df64;
 
 use crate::engine::clock::Clock;
-use crate::engine::equations::{Derived, Equations};
+use crate::engine::equations::{DerivedModel, Equations};
+use crate::engine::vector::Vector;
 use crate::scene::{Course, Scene};
 
 pub mod linear;
@@ -18,29 +18,29 @@ use window::TERMS;
 
 /// What varies.
 #[derive(Debug, Clone)]
-pub struct Forcing<const N: usize> {
-    drives: Vec<Drive<N>>,
+pub struct Forcing {
+    drives: Vec<Drive>,
     /// Work of each torque beyond that of its value at the start, so far [J].
     pub work: Vec<f64>,
 }
 
 /// A parameter that varies.
 #[derive(Debug, Clone)]
-struct Drive<const N: usize> {
+struct Drive {
     course: Course,
     /// T_p(0).
     at_start: f64,
     /// B_p: generalised forces of a unit (N).
-    load: SVector<f64, N>,
+    load: Vector,
     /// Power of each torque at a unit, by the speeds (N each).
-    power: Vec<SVector<f64, N>>,
+    power: Vec<Vector>,
     /// The piece of its course. State: never computed from the time.
     piece: usize,
 }
 
-impl<const N: usize> Forcing<N> {
-    /// What varies in a scene of model `D` and moves it; `None` if nothing does.
-    pub fn of<D: Derived<N>>(scene: &Scene) -> Option<Self> {
+impl Forcing {
+    /// What varies in a scene and moves it; `None` if nothing does.
+    pub fn of(derived: &DerivedModel, scene: &Scene) -> Option<Self> {
         let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
         let varies = scene.model.parameters.iter().map(|p| p.varies);
         let bare: Vec<f64> =
@@ -50,15 +50,17 @@ impl<const N: usize> Forcing<N> {
             // The forces are linear in it: those of a unit less those of nothing.
             let mut unit = bare.clone();
             unit[*p] = 1.0;
-            let unit = D::equations(scene.effects.0, &unit, &mids)?;
-            let none = D::equations(scene.effects.0, &bare, &mids)?;
-            let force = |e: &dyn Equations<N>| SVector::from(e.force(&[0.0; N], &[0.0; N], &k, &flat));
-            let load = force(&*unit) - force(&*none);
+            let unit = (derived.equations)(scene.effects.0, &unit, &mids)?;
+            let none = (derived.equations)(scene.effects.0, &bare, &mids)?;
+            let n = unit.coordinates();
+            let still = Vector::zeros(n);
+            let force = |e: &dyn Equations| e.force(&still, &still, &k, &flat);
+            let load = force(&*unit) - &force(&*none);
             let along = |i: usize, j: usize| {
-                let unit_dq = std::array::from_fn(|k| f64::from(u8::from(k == j)));
+                let unit_dq = Vector::from_fn(n, |k| f64::from(u8::from(k == j)));
                 unit.torque_work(i, &unit_dq) - none.torque_work(i, &unit_dq)
             };
-            let power = (0..scene.model.torques.len()).map(|i| SVector::from_fn(|j, _| along(i, j))).collect();
+            let power = (0..scene.model.torques.len()).map(|i| Vector::from_fn(n, |j| along(i, j))).collect();
             let (course, piece) = (course.clone(), course.piece(0.0));
             let at_start = course.at(piece, 0.0);
             (load.amax() > 0.0).then_some(Drive { course, at_start, load, power, piece })
@@ -69,7 +71,7 @@ impl<const N: usize> Forcing<N> {
 
     /// When a course next breaks \[s\]; infinite where none does.
     pub fn next(&self) -> f64 {
-        let next = |d: &Drive<N>| d.course.pieces.get(d.piece + 1).map_or(f64::INFINITY, |piece| piece.begin);
+        let next = |d: &Drive| d.course.pieces.get(d.piece + 1).map_or(f64::INFINITY, |piece| piece.begin);
         self.drives.iter().map(next).fold(f64::INFINITY, f64::min)
     }
 
@@ -93,17 +95,21 @@ impl<const N: usize> Forcing<N> {
     }
 
     /// T_p(t) - T_p(0) of each.
-    fn changes(&self, t: f64) -> impl Iterator<Item = (&Drive<N>, f64)> {
+    fn changes(&self, t: f64) -> impl Iterator<Item = (&Drive, f64)> {
         self.drives.iter().map(move |d| (d, d.course.at(d.piece, t) - d.at_start))
     }
 
     /// The generalised forces beyond those of the start at the time `t` \[s\] (N).
-    pub fn load(&self, t: f64) -> SVector<f64, N> {
-        self.changes(t).fold(SVector::zeros(), |sum, (d, change)| sum + d.load * change)
+    pub fn load(&self, t: f64) -> Vector {
+        let n = self.drives.first().map_or(0, |drive| drive.load.len());
+        self.changes(t).fold(Vector::zeros(n), |mut sum, (d, change)| {
+            sum.add_times(change, &d.load);
+            sum
+        })
     }
 
     /// Power of each torque beyond that of its value at the start, at the speeds `q_dot` \[W\].
-    pub fn power(&self, t: f64, q_dot: &SVector<f64, N>) -> Vec<f64> {
+    pub fn power(&self, t: f64, q_dot: &Vector) -> Vec<f64> {
         let mut power = vec![0.0; self.work.len()];
         for (d, change) in self.changes(t) {
             power.iter_mut().zip(&d.power).for_each(|(sum, row)| *sum += change * row.dot(q_dot));
@@ -112,7 +118,7 @@ impl<const N: usize> Forcing<N> {
     }
 
     /// [`Forcing::work`] after a further displacement `dq` from the time `t` on, while all is flat.
-    pub fn work_after(&self, t: f64, dq: &SVector<f64, N>) -> Vec<f64> {
+    pub fn work_after(&self, t: f64, dq: &Vector) -> Vec<f64> {
         self.work.iter().zip(self.power(t, dq)).map(|(work, more)| work + more).collect()
     }
 
@@ -125,7 +131,7 @@ impl<const N: usize> Forcing<N> {
 /// 2 pi in 32 digits: its rounding, and what that lacks.
 const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
 
-impl<const N: usize> Drive<N> {
+impl Drive {
     fn series(&self, clock: &Clock, width: f64) -> [f64; TERMS] {
         let mut c = [0.0; TERMS];
         let piece = self.course.pieces[self.piece];

@@ -1,7 +1,5 @@
 //! Watches the events go by: those that come ever faster, and those that come together.
 
-use nalgebra::SVector;
-
 use crate::engine::cells::Stand;
 use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
@@ -10,6 +8,7 @@ use crate::engine::error::Stop;
 use crate::engine::jump::Passage;
 use crate::engine::law;
 use crate::engine::record::State;
+use crate::engine::vector::Vector;
 
 /// What was seen of the events so far.
 #[derive(Debug, Clone, Default)]
@@ -31,13 +30,7 @@ impl Guard {
     /// # Errors
     /// [`Stop::Cascade`].
     #[inline]
-    pub fn against_cascades<const N: usize>(
-        &mut self,
-        clock: &Clock,
-        rate: f64,
-        state: &State<N>,
-        cell: usize,
-    ) -> Result<(), Stop> {
+    pub fn against_cascades(&mut self, clock: &Clock, rate: f64, state: &State, cell: usize) -> Result<(), Stop> {
         let (since, events) = &mut self.cascade;
         let span = clock.until_about(*since).abs();
         if span * rate > CASCADE_SPAN {
@@ -54,14 +47,14 @@ impl Guard {
 
 /// Whether `law`, at its boundary, meets it together with another law of another phase, and the two give other speeds in
 /// the opposite order: the motion beyond is then one of several.
-pub fn order_matters<const N: usize>(
-    equations: &dyn Equations<N>,
-    (laws, bands, k): Stand<'_, N>,
-    state: &State<N>,
+pub fn order_matters(
+    equations: &dyn Equations,
+    (laws, bands, k): Stand<'_>,
+    state: &State,
     law: usize,
     side: Side,
 ) -> bool {
-    let pass = |(l, side): (usize, Side), (speeds, k): &mut (SVector<f64, N>, Vec<f64>)| {
+    let pass = |(l, side): (usize, Side), (speeds, k): &mut (Vector, Vec<f64>)| {
         // The second step is met only if the first leaves the phase on its way to it.
         if side.sign() * laws[l].surface.normal.dot(speeds) <= 0.0 {
             return;
@@ -77,12 +70,12 @@ pub fn order_matters<const N: usize>(
         (laws[i].phase != laws[law].phase && laws[i].is_at(side, state, 4.0 * laws[i].rounding())).then_some((i, side))
     });
     let differs = |other| {
-        let (mut there, mut back) = ((state.q_dot, k.to_vec()), (state.q_dot, k.to_vec()));
+        let (mut there, mut back) = ((state.q_dot.clone(), k.to_vec()), (state.q_dot.clone(), k.to_vec()));
         pass((law, side), &mut there);
         pass(other, &mut there);
         pass(other, &mut back);
         pass((law, side), &mut back);
-        (there.0 - back.0).amax() > ORDER * there.0.amax()
+        (&there.0 - &back.0).amax() > ORDER * there.0.amax()
     };
     laws[law].switching == Switching::WithJump && others.into_iter().any(differs)
 }

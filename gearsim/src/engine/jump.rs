@@ -5,10 +5,9 @@
 //! One number decides. Equality transmits, with v+ = 0. Steps of several laws at the same place of the same phase are one
 //! step, with the sum of their dV.
 
-use nalgebra::SVector;
-
 use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
+use crate::engine::vector::Vector;
 
 /// What happened at a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,44 +20,44 @@ pub enum Passage {
 
 /// The geometry of one law's steps, constant through a run.
 #[derive(Debug, Clone)]
-pub struct Surface<const N: usize> {
+pub struct Surface {
     /// n, gradient of the phase (N).
-    pub normal: SVector<f64, N>,
+    pub normal: Vector,
     /// G = n.M⁻¹n.
     pub compliance: f64,
     /// M⁻¹n / G (N).
-    pub direction: SVector<f64, N>,
+    pub direction: Vector,
 }
 
-impl<const N: usize> Surface<N> {
+impl Surface {
     /// The surface of law `law`.
-    pub fn new(equations: &dyn Equations<N>, law: usize) -> Self {
+    pub fn new(equations: &dyn Equations, law: usize) -> Self {
         Surface {
-            normal: SVector::from(equations.normal(law)),
+            normal: equations.normal(law),
             compliance: equations.compliance(law),
-            direction: SVector::from(equations.direction(law)),
+            direction: equations.direction(law),
         }
     }
 
     /// What the speeds gain (N) at a step of the potential energy by `dv` [J], met on the way to `side`.
     #[inline]
-    pub fn jump(&self, q_dot: &SVector<f64, N>, side: Side, dv: f64) -> (Passage, SVector<f64, N>) {
+    pub fn jump(&self, q_dot: &Vector, side: Side, dv: f64) -> (Passage, Vector) {
         let v = self.normal.dot(q_dot);
         let lost = 2.0 * self.compliance * dv;
         let square = v * v - lost;
         if square < 0.0 {
-            return (Passage::Reflected, self.direction * (-2.0 * v));
+            return (Passage::Reflected, &self.direction * (-2.0 * v));
         }
         // v+ - v without cancellation; both lead to the side that is met, or are zero.
         let after = square.sqrt();
         let gained = if after > 0.0 || v != 0.0 { side.sign() * -lost / (after + v.abs()) } else { 0.0 };
-        (Passage::Transmitted, self.direction * gained)
+        (Passage::Transmitted, &self.direction * gained)
     }
 
     /// Changes the speeds so.
-    pub fn pass(&self, q_dot: &mut SVector<f64, N>, side: Side, dv: f64) -> Passage {
+    pub fn pass(&self, q_dot: &mut Vector, side: Side, dv: f64) -> Passage {
         let (passage, gained) = self.jump(q_dot, side, dv);
-        *q_dot += gained;
+        *q_dot += &gained;
         passage
     }
 }

@@ -10,18 +10,19 @@ use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
 use crate::engine::phase::{Pitch, turn};
 use crate::engine::record::State;
+use crate::engine::vector::Vector;
 use crate::model::{Model, Role};
 use crate::scene::Scene;
 
 /// A stepping law: what it is, and where it stands.
 #[derive(Debug, Clone)]
-pub struct Law<const N: usize> {
+pub struct Law {
     /// How it switches with the effects in force.
     pub switching: Switching,
     /// Its levels and boundaries.
     pub pitch: Pitch,
     /// Geometry of its steps.
-    pub surface: Surface<N>,
+    pub surface: Surface,
     /// Coordinate that is its phase.
     pub phase: usize,
     /// Whether it is a transmission error.
@@ -50,15 +51,15 @@ struct Frozen {
     origin: f64,
 }
 
-impl<const N: usize> Law<N> {
+impl Law {
     /// The laws that a scene has, as it starts them; `state`'s rolling coordinates are left with their remainders.
     ///
     /// # Errors
     /// Where a phase is so far off that its place in the pitch is lost, or an inertia beyond numbers.
-    pub fn begin(equations: &dyn Equations<N>, scene: &Scene, state: &mut State<N>) -> Result<Vec<Law<N>>, Refusal> {
+    pub fn begin(equations: &dyn Equations, scene: &Scene, state: &mut State) -> Result<Vec<Law>, Refusal> {
         let model = scene.model;
-        let absolute = state.q;
-        let mut laws: Vec<Law<N>> = vec![];
+        let absolute = state.q.clone();
+        let mut laws: Vec<Law> = vec![];
         for (i, (law, given)) in scene.present().enumerate() {
             let switching = equations.switching(i);
             let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
@@ -153,7 +154,7 @@ impl<const N: usize> Law<N> {
 
     /// Whether this law's phase is at that side of its cell too, on the way of `other`, which met it: one step for both.
     #[inline]
-    pub fn joins(&self, other: &Law<N>, side: Side, state: &State<N>) -> bool {
+    pub fn joins(&self, other: &Law, side: Side, state: &State) -> bool {
         self.phase == other.phase && self.is_at(side, state, 4.0 * self.rounding())
     }
 
@@ -166,7 +167,7 @@ impl<const N: usize> Law<N> {
 
     /// Whether the phase is at that side of its cell, to within `slack`.
     #[inline]
-    pub fn is_at(&self, side: Side, state: &State<N>, slack: f64) -> bool {
+    pub fn is_at(&self, side: Side, state: &State, slack: f64) -> bool {
         if self.switching == Switching::Never || self.frozen.is_some() {
             return false;
         }
@@ -194,7 +195,7 @@ impl<const N: usize> Law<N> {
 
     /// Puts the phase exactly on a boundary of the cell.
     #[inline]
-    pub fn snap(&self, side: Side, state: &mut State<N>) {
+    pub fn snap(&self, side: Side, state: &mut State) {
         if self.frozen.is_none() {
             state.q[self.phase] = self.boundary(side);
         }
@@ -202,7 +203,7 @@ impl<const N: usize> Law<N> {
 
     /// Goes on into the cell beyond a side. Gives the turns that this counts off the coordinate, for the others on it.
     #[inline]
-    pub fn enter(&mut self, side: Side, state: &mut State<N>) -> i64 {
+    pub fn enter(&mut self, side: Side, state: &mut State) -> i64 {
         let (beyond, entered, turn) = self.pitch.beyond(self.cell, side);
         self.cell = beyond;
         if self.turns && self.frozen.is_none() {
@@ -223,24 +224,19 @@ impl<const N: usize> Law<N> {
 }
 
 /// Length of one turn of each coordinate (N), 0 where none are counted.
-pub fn turn_lengths<const N: usize>(laws: &[Law<N>]) -> [f64; N] {
-    std::array::from_fn(|i| laws.iter().find(|law| law.phase == i).map_or(0.0, Law::turn))
+pub fn turn_lengths(n: usize, laws: &[Law]) -> Vector {
+    Vector::from_fn(n, |i| laws.iter().find(|law| law.phase == i).map_or(0.0, Law::turn))
 }
 
 /// What steps where `law` meets a boundary: it, and whatever joins it.
 #[inline]
-pub fn met<'a, const N: usize>(
-    laws: &'a [Law<N>],
-    law: usize,
-    side: Side,
-    state: &'a State<N>,
-) -> impl Iterator<Item = usize> + 'a {
+pub fn met<'a>(laws: &'a [Law], law: usize, side: Side, state: &'a State) -> impl Iterator<Item = usize> + 'a {
     (0..laws.len()).filter(move |&i| i == law || laws[i].joins(&laws[law], side, state))
 }
 
 /// Takes `law`, and whatever joins it at its boundary, on into the cells beyond.
 #[inline(never)]
-pub fn enter<const N: usize>(laws: &mut [Law<N>], law: usize, side: Side, state: &mut State<N>) {
+pub fn enter(laws: &mut [Law], law: usize, side: Side, state: &mut State) {
     let entering: Vec<usize> = met(laws, law, side, state).collect();
     let phase = laws[law].phase;
     let turns: i64 = entering.into_iter().map(|i| laws[i].enter(side, state)).sum();
@@ -249,14 +245,8 @@ pub fn enter<const N: usize>(laws: &mut [Law<N>], law: usize, side: Side, state:
 
 /// What the potential energy gains there, dV [J].
 #[inline]
-pub fn barrier<const N: usize>(
-    equations: &dyn Equations<N>,
-    (laws, bands, k): Stand<'_, N>,
-    law: usize,
-    side: Side,
-    state: &State<N>,
-) -> f64 {
-    let q = &state.q.data.0[0];
+pub fn barrier(equations: &dyn Equations, (laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State) -> f64 {
+    let q = &state.q;
     if let [only] = laws
         && !moves(only, bands)
     {
@@ -278,23 +268,23 @@ pub fn barrier<const N: usize>(
 
 /// Whether a law moves the edges of a dead band.
 #[inline]
-fn moves<const N: usize>(law: &Law<N>, bands: &[DeadBand<N>]) -> bool {
+fn moves(law: &Law, bands: &[DeadBand]) -> bool {
     law.is_error && !bands.is_empty()
 }
 
 /// The law values beyond that boundary.
-pub fn beyond<const N: usize>((laws, bands, k): Stand<'_, N>, law: usize, side: Side, state: &State<N>) -> Vec<f64> {
+pub fn beyond((laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State) -> Vec<f64> {
     let mut beyond = k.to_vec();
     met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
     for mut band in bands.iter().filter(|band| !band.errors.is_empty()).cloned() {
-        band.displace(&beyond, state);
+        band.displace(&beyond, &state.q);
         band.write(&mut beyond);
     }
     beyond
 }
 
 /// What is not constant within the cells of `laws`, in words; `None` where all stiffnesses are.
-pub fn curved<const N: usize>(model: &Model, laws: &[Law<N>]) -> Option<String> {
+pub fn curved(model: &Model, laws: &[Law]) -> Option<String> {
     let curved: Vec<_> = model.laws.iter().zip(laws).filter(|(_, law)| !law.pitch.steps_only()).collect();
     let names: Vec<_> = curved.iter().map(|(law, _)| format!("{}({})", law.name, law.phase)).collect();
     (!names.is_empty()).then(|| format!("{} varies within a cell, in V and its forces", names.join(", ")))

@@ -31,6 +31,7 @@ pub mod signal;
 pub mod simulate;
 pub(crate) mod start;
 pub mod system;
+pub mod vector;
 pub mod watch;
 
 pub use error::{Refusal, Stop};

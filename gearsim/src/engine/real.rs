@@ -7,7 +7,8 @@ use xprec::Df64;
 /// A real number with the operations of the grammar of derived equations.
 #[allow(missing_docs)] // those of f64
 pub trait Real:
-    Copy
+    nalgebra::Scalar
+    + Copy
     + From<f64>
     + Add<Output = Self>
     + AddAssign

@@ -1,36 +1,46 @@
 //! Writes down what a run does: samples at a chosen rate, and the left and right limits at events.
 
-use nalgebra::SVector;
+use smallvec::SmallVec;
 
 use crate::engine::equations::Equations;
 use crate::engine::error::Stop;
+use crate::engine::vector::Vector;
 use crate::model::Model;
 use crate::trajectory::{Moment, Trajectory};
 
+/// Whole pitches of each coordinate (n).
+pub type Turns = SmallVec<[i64; 10]>;
+
 /// A state as the engine has it: remainders of the angles, and the pitches counted off.
-#[derive(Debug, Clone, Copy)]
-pub struct State<const N: usize> {
+#[derive(Debug, Clone)]
+pub struct State {
     /// Coordinates, less whole pitches (N).
-    pub q: SVector<f64, N>,
+    pub q: Vector,
     /// Speeds (N).
-    pub q_dot: SVector<f64, N>,
+    pub q_dot: Vector,
     /// Whole pitches of each coordinate (N).
-    pub turns: [i64; N],
+    pub turns: Turns,
     /// What the speeds have lost to rounding since they were set (N), see [`State::gain`].
-    pub lost: SVector<f64, N>,
+    pub lost: Vector,
 }
 
-impl<const N: usize> State<N> {
-    /// A state that has lost nothing yet.
-    pub fn new(q: SVector<f64, N>, q_dot: SVector<f64, N>, turns: [i64; N]) -> Self {
-        State { q, q_dot, turns, lost: SVector::zeros() }
+impl State {
+    /// A state with no turns counted yet.
+    pub fn new(q: Vector, q_dot: Vector) -> Self {
+        let (turns, lost) = (SmallVec::from_elem(0, q.len()), Vector::zeros(q.len()));
+        State { q, q_dot, turns, lost }
+    }
+
+    /// The state after the increments `dq` and `dv` (n each).
+    pub fn moved(&self, dq: &Vector, dv: &Vector) -> Self {
+        State { turns: self.turns.clone(), ..State::new(&self.q + dq, &self.q_dot + dv) }
     }
 
     /// Adds `dv` to the speeds (N), and keeps what their last digits do not hold (Knuth's two-sum). A speed that rolls on
     /// is large beside what it gains at an event: rounded away, that adds up, and angles drift by it.
     #[inline]
-    pub fn gain(&mut self, dv: &SVector<f64, N>) {
-        for i in 0..N {
+    pub fn gain(&mut self, dv: &Vector) {
+        for i in 0..self.q.len() {
             let (v, dv) = (self.q_dot[i], dv[i] + self.lost[i]);
             let sum = v + dv;
             let part = sum - v;
@@ -43,7 +53,7 @@ impl<const N: usize> State<N> {
     pub fn is_finite(&self) -> bool {
         // What is not finite stays so in a sum; where the sum alone is beyond numbers, one by one.
         let mut sum = 0.0;
-        for i in 0..N {
+        for i in 0..self.q.len() {
             sum += self.q[i] + self.q_dot[i];
         }
         sum.is_finite() || self.q.iter().chain(self.q_dot.iter()).all(|x| x.is_finite())
@@ -51,21 +61,21 @@ impl<const N: usize> State<N> {
 
     /// The state in words, for messages.
     pub fn describe(&self) -> String {
-        let list = |v: &SVector<f64, N>| v.iter().map(|x| format!("{x:.6e}")).collect::<Vec<_>>().join(", ");
+        let list = |v: &[f64]| v.iter().map(|x| format!("{x:.6e}")).collect::<Vec<_>>().join(", ");
         format!("q = [{}], q' = [{}]", list(&self.q), list(&self.q_dot))
     }
 
     /// The coordinates unwrapped, with `pitch` the length of one turn of each.
-    pub fn unwrapped(&self, pitch: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.turns[i] as f64 * pitch[i] + self.q[i])
+    pub fn unwrapped(&self, pitch: &[f64]) -> Vector {
+        Vector::from_fn(pitch.len(), |i| self.turns[i] as f64 * pitch[i] + self.q[i])
     }
 }
 
 /// The account and the columns of a run.
-pub struct Recorder<'a, const N: usize> {
-    equations: &'a dyn Equations<N>,
-    pitch: [f64; N],
-    start: State<N>,
+pub struct Recorder<'a> {
+    equations: &'a dyn Equations,
+    pitch: Vector,
+    start: State,
     /// T + V at the start [J].
     pub energy_at_start: f64,
     /// Work of each torque beyond that of a constant one [J] in the next row (n_torques); empty where all are constant.
@@ -76,16 +86,10 @@ pub struct Recorder<'a, const N: usize> {
     pub most_rows: u64,
 }
 
-impl<'a, const N: usize> Recorder<'a, N> {
+impl<'a> Recorder<'a> {
     /// A recorder of a run that starts at `start` with law values `k`.
-    pub fn new(
-        model: &'static Model,
-        equations: &'a dyn Equations<N>,
-        pitch: [f64; N],
-        start: State<N>,
-        k: &[f64],
-    ) -> Self {
-        let energy_at_start = equations.kinetic(&start.q_dot.into()) + equations.potential(&start.q.into(), k);
+    pub fn new(model: &'static Model, equations: &'a dyn Equations, pitch: Vector, start: State, k: &[f64]) -> Self {
+        let energy_at_start = equations.kinetic(&start.q_dot) + equations.potential(&start.q, k);
         let (beyond, trajectory) = (vec![], Trajectory::new(model));
         Recorder { equations, pitch, start, energy_at_start, beyond, trajectory, most_rows: u64::MAX }
     }
@@ -105,21 +109,20 @@ impl<'a, const N: usize> Recorder<'a, N> {
     }
 
     /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].
-    pub fn row(&mut self, t: f64, moment: Moment, state: &State<N>, k: &[f64], lost: (f64, f64)) {
+    pub fn row(&mut self, t: f64, moment: Moment, state: &State, k: &[f64], lost: (f64, f64)) {
         let (dissipated, ignored) = lost;
-        let q: [f64; N] = state.q.into();
-        let (kinetic, strain) = (self.equations.kinetic(&state.q_dot.into()), self.equations.potential(&q, k));
+        let (kinetic, strain) = (self.equations.kinetic(&state.q_dot), self.equations.potential(&state.q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
-        let moved: [f64; N] = std::array::from_fn(|i| {
-            (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (q[i] - self.start.q[i])
+        let moved = Vector::from_fn(state.q.len(), |i| {
+            (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (state.q[i] - self.start.q[i])
         });
         let mut work = self.equations.work(&moved);
         self.beyond.iter().for_each(|beyond| work += beyond);
         let row = &mut self.trajectory;
         row.t.push(t);
         row.moment.push(moment);
-        for (i, x) in state.unwrapped(&self.pitch).into_iter().enumerate() {
-            row.q[i].push(x);
+        for (i, x) in state.unwrapped(&self.pitch).iter().enumerate() {
+            row.q[i].push(*x);
             row.q_dot[i].push(state.q_dot[i]);
         }
         row.kinetic.push(kinetic);

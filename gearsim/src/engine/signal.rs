@@ -1,19 +1,18 @@
 //! A linear function of the motion along a flight, less its value at the start: a phase, or the reaction of a contact.
 
-use nalgebra::SVector;
-
 use crate::engine::cell::{Flight, Point};
 use crate::engine::mode::Mode;
+use crate::engine::vector::Vector;
 
 /// s(t) = c.dxi(t) + d.dxi'(t).
 #[derive(Debug, Clone, Copy)]
-pub struct Signal<'a, const N: usize> {
+pub struct Signal<'a> {
     /// The motion.
-    pub flight: &'a Flight<'a, N>,
+    pub flight: &'a Flight<'a>,
     /// c: what each mode contributes by its displacement (N).
-    pub on_moved: &'a SVector<f64, N>,
+    pub on_moved: &'a Vector,
     /// d: what it contributes by its speed (N), if it does.
-    pub on_speed: Option<&'a SVector<f64, N>>,
+    pub on_speed: Option<&'a Vector>,
 }
 
 /// A signal as a steady course and what swings about it, from a point on.
@@ -70,10 +69,10 @@ impl Reach {
     }
 }
 
-impl<const N: usize> Signal<'_, N> {
+impl Signal<'_> {
     /// Its value at a point.
     #[inline]
-    pub fn value(&self, point: &Point<N>) -> f64 {
+    pub fn value(&self, point: &Point) -> f64 {
         self.on_moved.dot(&point.moved) + self.on_speed.map_or(0.0, |d| d.dot(&point.gained))
     }
 
@@ -81,7 +80,7 @@ impl<const N: usize> Signal<'_, N> {
     #[inline]
     pub fn drift_and_wobble(&self) -> (f64, f64) {
         let (mut drift, mut wobble) = (0.0, 0.0);
-        for i in 0..N {
+        for i in 0..self.flight.modes().len() {
             let (c, mode) = (self.on_moved[i], &self.flight.modes()[i]);
             let (v, a) = self.flight.rates_at_start(i);
             if mode.is_rigid() && a == 0.0 {
@@ -102,7 +101,7 @@ impl<const N: usize> Signal<'_, N> {
 
     /// The bound on what the accelerations of the modes add to its rate.
     #[cold]
-    fn wobble_by_speeds(&self, d: &SVector<f64, N>) -> f64 {
+    fn wobble_by_speeds(&self, d: &Vector) -> f64 {
         let bound = |(i, mode): (usize, &Mode)| {
             let (v, a) = self.flight.rates_at_start(i);
             if d[i] == 0.0 { 0.0 } else { d[i].abs() * mode.rough_bound(a, mode.next(v, a)) }
@@ -112,9 +111,9 @@ impl<const N: usize> Signal<'_, N> {
 
     /// Its value at a point and its first four derivatives there.
     #[inline]
-    pub fn derivatives(&self, point: &Point<N>) -> [f64; 5] {
+    pub fn derivatives(&self, point: &Point) -> [f64; 5] {
         let mut sum = [0.0; 5];
-        for i in 0..N {
+        for i in 0..self.flight.modes().len() {
             let (c, mode) = (self.on_moved[i], &self.flight.modes()[i]);
             let (v, a) = self.flight.rates(i, point);
             let jerk = mode.next(v, a);
@@ -131,7 +130,7 @@ impl<const N: usize> Signal<'_, N> {
 
     /// What the speeds of the modes add to it and its derivatives.
     #[cold]
-    fn add_by_speeds(&self, d: &SVector<f64, N>, point: &Point<N>, sum: &mut [f64; 5]) {
+    fn add_by_speeds(&self, d: &Vector, point: &Point, sum: &mut [f64; 5]) {
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let (v, a) = self.flight.rates(i, point);
             let jerk = mode.next(v, a);
@@ -143,7 +142,7 @@ impl<const N: usize> Signal<'_, N> {
     }
 
     /// Bounds on its second, third and fourth derivative from a point on.
-    pub fn bounds(&self, point: &Point<N>) -> [f64; 3] {
+    pub fn bounds(&self, point: &Point) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let (v, a) = self.flight.rates(i, point);
@@ -165,7 +164,7 @@ impl<const N: usize> Signal<'_, N> {
     }
 
     /// What it and its first derivatives at a point may be off by rounding: of what they are the sum of, now and at the start.
-    pub fn rounding(&self, point: &Point<N>) -> Rounding {
+    pub fn rounding(&self, point: &Point) -> Rounding {
         let mut sum = [0.0; 4];
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let mut sizes = mode.sizes(self.flight.rates_at_start(i));
@@ -206,7 +205,7 @@ impl<const N: usize> Signal<'_, N> {
     }
 
     /// How far the oscillations carry it about its steady course, from a point on.
-    pub fn reach(&self, point: &Point<N>) -> Reach {
+    pub fn reach(&self, point: &Point) -> Reach {
         let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));

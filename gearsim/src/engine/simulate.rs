@@ -16,6 +16,7 @@ use crate::engine::guard::Guard;
 use crate::engine::law::{self, Law};
 use crate::engine::record::{Recorder, State};
 use crate::engine::start::{self, Begun};
+use crate::engine::vector::Vector;
 use crate::model::Model;
 use crate::scene::Scene;
 use crate::trajectory::Moment;
@@ -50,9 +51,9 @@ impl Counts {
 }
 
 /// A simulation under way: one scene's equations, cells and state.
-pub struct Simulation<'a, const N: usize> {
-    equations: &'a dyn Equations<N>,
-    cells: Cells<N>,
+pub struct Simulation<'a> {
+    equations: &'a dyn Equations,
+    cells: Cells,
     guard: Guard,
     /// How late the phase was in each cell of a pitch, when it was last there; of a single law, whose motion repeats itself.
     lateness: Vec<Lateness>,
@@ -62,21 +63,21 @@ pub struct Simulation<'a, const N: usize> {
     /// Time.
     pub clock: Clock,
     /// State.
-    pub state: State<N>,
+    pub state: State,
     /// Where the stiffnesses stand. To be set by [`Simulation::go_on_from`] alone.
-    pub laws: Vec<Law<N>>,
+    pub laws: Vec<Law>,
     /// Where the dead bands stand.
-    pub bands: Vec<DeadBand<N>>,
+    pub bands: Vec<DeadBand>,
     /// When flanks last met or parted, and how often since without passing time.
     rattle: (f64, u32),
     /// The law values now: of the laws, then touch, edge, damp, clip of each dead band of the model.
     k: Vec<f64>,
     /// Phases held at a step that they cannot climb.
-    contact: Option<Box<Contact<N>>>,
+    contact: Option<Box<Contact>>,
     /// The state in twice the digits, if it is carried.
-    compensated: Option<Box<Compensated<N>>>,
+    compensated: Option<Box<Compensated>>,
     /// What varies in time, if anything does.
-    forcing: Option<Box<forced::Forced<N>>>,
+    forcing: Option<Box<forced::Forced>>,
     /// Energy lost to damping so far [J].
     pub dissipated: f64,
     /// Energy of bounces that were not followed to their ends, so far [J].
@@ -103,12 +104,12 @@ enum End {
     Run,
 }
 
-impl<'a, const N: usize> Simulation<'a, N> {
+impl<'a> Simulation<'a> {
     /// Prepares a scene with constant torques: its cells, its start.
     ///
     /// # Errors
     /// Where the numbers do not make a system that can be simulated.
-    pub fn new(model: &Model, equations: &'a dyn Equations<N>, scene: &Scene) -> Result<Self, Refusal> {
+    pub fn new(model: &Model, equations: &'a dyn Equations, scene: &Scene) -> Result<Self, Refusal> {
         match scene.varying() {
             Some(torques) => Err(Refusal::Varying { torques }),
             None => Self::driven(model, equations, scene, None),
@@ -121,9 +122,9 @@ impl<'a, const N: usize> Simulation<'a, N> {
     /// Those of [`Simulation::new`].
     pub fn driven(
         model: &Model,
-        equations: &'a dyn Equations<N>,
+        equations: &'a dyn Equations,
         scene: &Scene,
-        forcing: Option<Forcing<N>>,
+        forcing: Option<Forcing>,
     ) -> Result<Self, Refusal> {
         Self::begun(model, equations, scene, start::begin(equations, scene)?, forcing)
     }
@@ -134,10 +135,10 @@ impl<'a, const N: usize> Simulation<'a, N> {
     /// Those of [`Simulation::new`].
     pub fn begun(
         model: &Model,
-        equations: &'a dyn Equations<N>,
+        equations: &'a dyn Equations,
         scene: &Scene,
-        begun: Begun<N>,
-        forcing: Option<Forcing<N>>,
+        begun: Begun,
+        forcing: Option<Forcing>,
     ) -> Result<Self, Refusal> {
         let terms = scene.effects.nonlinear(model);
         if !terms.is_empty() {
@@ -180,7 +181,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     ///
     /// # Errors
     /// Those of [`Compensated::new`].
-    pub fn compensate(&mut self, matrices: &dyn Fn(&[Df64]) -> Matrices<N, Df64>) -> Result<(), Refusal> {
+    pub fn compensate(&mut self, matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>) -> Result<(), Refusal> {
         if !self.bands.is_empty() || self.laws.iter().any(|law| law.is_error) {
             return Err(Refusal::CompensatedCells);
         }
@@ -196,7 +197,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     /// Where the run cannot go on; what was recorded until then is in the recorder.
     pub fn run(
         &mut self,
-        mut recorder: Option<(&mut Recorder<'_, N>, f64, bool)>,
+        mut recorder: Option<(&mut Recorder<'_>, f64, bool)>,
         watch: &mut dyn FnMut(f64),
     ) -> Result<(), Stop> {
         let mut sample = 0;
@@ -216,7 +217,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     #[inline]
     pub fn step(
         &mut self,
-        recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>,
+        recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>,
         sample: &mut u64,
     ) -> Result<bool, Stop> {
         if self.forcing.as_ref().is_some_and(|forcing| !forcing.is_flat()) {
@@ -237,13 +238,13 @@ impl<'a, const N: usize> Simulation<'a, N> {
         }
         // Propagate to it.
         let (dq, dv) = flight.increments(&point);
-        self.dissipated += flight.dissipated(&point) + self.clipped(here, &self.state, &dq);
+        self.dissipated += flight.dissipated(&point) + self.clipped(here, &dq);
         self.counts.cost = cost;
         self.lateness[cell] = lateness;
         if let Some(forcing) = &mut self.forcing {
             forcing.account(&self.clock, &dq);
         }
-        self.state.q += dq;
+        self.state.q += &dq;
         self.state.gain(&dv);
         let t = if self.compensated.is_none() { point.t.into() } else { self.propagate_again(end, point.t) };
         self.clock.advance(t);
@@ -252,7 +253,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
 
     /// What happens where a flight ends; tells whether the run is over.
     #[inline(always)]
-    fn finish(&mut self, end: End, recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>) -> Result<bool, Stop> {
+    fn finish(&mut self, end: End, recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>) -> Result<bool, Stop> {
         self.demand_numbers()?;
         // Jump: through the step, or back from it.
         if end == End::Run {
@@ -309,7 +310,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     ///
     /// # Errors
     /// Where the cell has no modes.
-    pub fn go_on_from(&mut self, state: State<N>, laws: Vec<Law<N>>, bands: Vec<DeadBand<N>>) -> Result<(), Stop> {
+    pub fn go_on_from(&mut self, state: State, laws: Vec<Law>, bands: Vec<DeadBand>) -> Result<(), Stop> {
         (self.state, self.laws, self.bands) = (state, laws, bands);
         self.change_cell()
     }
@@ -336,24 +337,24 @@ impl<'a, const N: usize> Simulation<'a, N> {
 
     /// The cell with what is held in it.
     #[inline]
-    fn here(&self) -> &Prepared<N> {
+    fn here(&self) -> &Prepared {
         self.contact.as_ref().map_or_else(|| self.cells.here(), |contact| &contact.left)
     }
 
     /// Its equations.
-    pub fn equations(&self) -> &'a dyn Equations<N> {
+    pub fn equations(&self) -> &'a dyn Equations {
         self.equations
     }
 
     /// Its cells.
-    pub fn cells(&self) -> &Cells<N> {
+    pub fn cells(&self) -> &Cells {
         &self.cells
     }
 
     /// Whether its next event could be a plain one: one stiffness whose phase rolls with the motion, nothing held, nothing
     /// carried in more digits.
     pub fn is_plain(&self) -> bool {
-        let rolls = |law: &Law<N>| law.turn() > 0.0 && law.switching != Switching::Never && law.next_switch().is_none();
+        let rolls = |law: &Law| law.turn() > 0.0 && law.switching != Switching::Never && law.next_switch().is_none();
         let one = matches!(&self.laws[..], [law] if rolls(law)) && self.bands.is_empty();
         one && self.contact.is_none() && self.compensated.is_none() && self.forcing.is_none()
     }
@@ -369,7 +370,7 @@ impl<'a, const N: usize> Simulation<'a, N> {
     }
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.
-    pub fn turn_lengths(&self) -> [f64; N] {
-        law::turn_lengths(&self.laws)
+    pub fn turn_lengths(&self) -> Vector {
+        law::turn_lengths(self.state.q.len(), &self.laws)
     }
 }

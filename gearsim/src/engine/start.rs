@@ -2,32 +2,31 @@
 
 mod equilibrium;
 
-use nalgebra::SVector;
-
 use crate::engine::crossing::Side;
 use crate::engine::dead_band::{DeadBand, Grip, Regime};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
+use crate::engine::vector::Vector;
 use crate::scene::Scene;
 
 use equilibrium::{Equilibrium, Settled, courses};
 
 /// A start: the state, the laws and the dead bands, each in the cell or regime in which the motion begins.
 #[derive(Clone)]
-pub struct Begun<const N: usize> {
-    pub state: State<N>,
-    pub laws: Vec<Law<N>>,
-    pub bands: Vec<DeadBand<N>>,
+pub struct Begun {
+    pub state: State,
+    pub laws: Vec<Law>,
+    pub bands: Vec<DeadBand>,
     /// Other static equilibria that were found, in words; `None` where there is one, or none was asked for.
     pub others: Option<String>,
 }
 
-impl<const N: usize> Begun<N> {
+impl Begun {
     /// The coordinates, turns included (N).
-    pub fn absolute(&self) -> [f64; N] {
-        self.state.unwrapped(&law::turn_lengths(&self.laws))
+    pub fn absolute(&self) -> Vector {
+        self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
 }
 
@@ -40,20 +39,21 @@ impl<const N: usize> Begun<N> {
 ///
 /// # Errors
 /// Where that balance is not determined, or a phase too far off.
-pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Result<Begun<N>, Refusal> {
-    let mut q_dot = SVector::<f64, N>::zeros();
+pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal> {
+    let n = equations.coordinates();
+    let mut q_dot = Vector::zeros(n);
     for (i, size) in scene.start.motions.iter().enumerate() {
-        q_dot += SVector::from(equations.motion(i)) * *size;
+        q_dot.add_times(*size, &equations.motion(i));
     }
     for (i, given) in scene.start.q_dot.iter().enumerate() {
         if let Some(given) = given {
             q_dot[i] = *given;
         }
     }
-    let guess = SVector::<f64, N>::from_fn(|i, _| scene.start.q[i].guess());
-    let free: Vec<usize> = (0..N).filter(|&i| scene.start.q[i].is_static()).collect();
+    let guess = Vector::from_fn(n, |i| scene.start.q[i].guess());
+    let free: Vec<usize> = (0..n).filter(|&i| scene.start.q[i].is_static()).collect();
     let mut bands = DeadBand::all(equations, scene.model);
-    let (mut state, mut others) = (State::new(guess, q_dot, [0; N]), None);
+    let (mut state, mut others) = (State::new(guess.clone(), q_dot.clone()), None);
     let laws = if free.is_empty() {
         Law::begin(equations, scene, &mut state)?
     } else {
@@ -75,7 +75,7 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
     let [mut k, ..] = courses(scene, &state, &laws);
     for band in &mut bands {
         band.follow(&k);
-        let sides = [Side::Upper, Side::Lower].map(|side| (side, band.depth(side, &state)));
+        let sides = [Side::Upper, Side::Lower].map(|side| (side, band.depth(side, &state.q)));
         let outwards = |side: Side| side.sign() * band.normal.dot(&state.q_dot) > 0.0;
         let resting = |side: Side| band.regime == Regime::Contact(side, Grip::Touch);
         let beyond = sides.into_iter().find(|&(side, x)| x > 0.0 || (x == 0.0 && (outwards(side) || resting(side))));
@@ -83,18 +83,18 @@ pub fn begin<const N: usize>(equations: &dyn Equations<N>, scene: &Scene) -> Res
     }
     bands.iter().for_each(|band| band.write(&mut k));
     for band in &mut bands {
-        band.regime = band.gripped(band.elastic(equations, &k), &state);
+        band.regime = band.gripped(band.elastic(equations, &k), &state.q, &state.q_dot);
     }
     Ok(Begun { state, laws, bands, others })
 }
 
 /// Finds the flanks on which dead bands rest: `settle` gives the equilibrium with the bands in their regimes. A band that does not
 /// press on its drive flank is tried on the other, then free.
-fn on_flanks<const N: usize>(
+fn on_flanks(
     scene: &Scene,
-    bands: &mut [DeadBand<N>],
-    mut settle: impl FnMut(&[DeadBand<N>]) -> Result<Settled<N>, Refusal>,
-) -> Result<Settled<N>, Refusal> {
+    bands: &mut [DeadBand],
+    mut settle: impl FnMut(&[DeadBand]) -> Result<Settled, Refusal>,
+) -> Result<Settled, Refusal> {
     bands.iter_mut().for_each(|band| band.regime = Regime::Contact(Side::Upper, Grip::Touch));
     // Each band is tried in three places at most; then the last attempt stands.
     for _ in 0..=2 * bands.len() {

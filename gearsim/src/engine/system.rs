@@ -1,95 +1,87 @@
-//! The equations of a scene as analyses see them: matrices of any size, whatever the number of coordinates.
-
-use nalgebra::{DMatrix, SVector};
+//! The equations of a scene as analyses see them: matrices, propagators, the start.
 
 use crate::engine::cell::{self, Cell};
-use crate::engine::equations::{self, Derived, Equations, Switching};
+use crate::engine::equations::{DerivedModel, Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::modal::Matrices;
 use crate::engine::start;
+use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
 use crate::scene::Scene;
 
-/// Equations that are linear between two steps; `k` holds the present value of each law, or of
-/// the stiffnesses alone, which come first: then no flank is in error. Play is taken up: every
-/// dead band is in contact, its deflection counted from its edge.
-pub trait System: Send + Sync {
+/// The equations of a scene whose cells are linear; `k` holds the present value of each law, or of the stiffnesses alone,
+/// which come first: then there are no transmission errors. Play is taken up: every dead band is in contact, its deflection
+/// counted from its edge.
+pub struct System {
+    equations: Box<dyn Equations>,
+    model: &'static Model,
+}
+
+impl System {
+    /// The system of a scene.
+    ///
+    /// # Errors
+    /// Where the model's cells are not linear, or its effects contradict one another.
+    pub fn of(derived: &DerivedModel, scene: &Scene) -> Result<System, Refusal> {
+        let terms = scene.effects.nonlinear(derived.model);
+        if !terms.is_empty() {
+            return Err(Refusal::Nonlinear { terms });
+        }
+        Ok(System { equations: derived.equations(scene)?, model: derived.model })
+    }
+
     /// V at the coordinates `q` (n) [J].
-    fn potential(&self, q: &[f64], k: &[f64]) -> f64;
+    pub fn potential(&self, q: &[f64], k: &[f64]) -> f64 {
+        self.equations.potential(q, &self.values(k))
+    }
 
     /// M, M⁻¹, C, K, f.
     ///
     /// # Errors
     /// Where the numbers make no system.
-    fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal>;
+    pub fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
+        cell::matrices(&*self.equations, &self.values(k))
+    }
 
-    /// What a small disturbance (dq, dq') becomes after the time `t` [s] (2n x 2n), by the modes that the engine has.
+    /// What a small disturbance (dq, dq') becomes after the time `t` [s] (2n x 2n), by the modes of the cell.
     ///
     /// # Errors
     /// Those of the modes of a cell.
-    fn propagator(&self, k: &[f64], t: f64) -> Result<DMatrix<f64>, Refusal>;
-
-    /// How law `i` switches with the effects in force.
-    fn switching(&self, law: usize) -> Switching;
-
-    /// Speeds q' of rigid motion `i` of unit size (n).
-    fn motion(&self, i: usize) -> Vec<f64>;
-
-    /// The coordinates with which a scene of these equations starts (n), those in static equilibrium included.
-    ///
-    /// # Errors
-    /// Where that equilibrium is not determined.
-    fn start(&self, scene: &Scene) -> Result<Vec<f64>, Refusal>;
-}
-
-/// The system of a scene of model `D`.
-///
-/// # Errors
-/// Where the model's cells are not linear, or its effects contradict one another.
-pub fn of<D: Derived<N>, const N: usize>(scene: &Scene) -> Result<Box<dyn System>, Refusal> {
-    let terms = scene.effects.nonlinear(&D::MODEL);
-    if !terms.is_empty() {
-        return Err(Refusal::Nonlinear { terms });
-    }
-    Ok(Box::new(Of(equations::of::<D, N>(scene)?, &D::MODEL)))
-}
-
-struct Of<const N: usize>(Box<dyn Equations<N>>, &'static Model);
-
-impl<const N: usize> System for Of<N> {
-    fn potential(&self, q: &[f64], k: &[f64]) -> f64 {
-        let k = self.1.in_contact(k.iter().copied());
-        self.0.potential(&std::array::from_fn(|i| q[i]), &k)
-    }
-
-    fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
-        cell::matrices(&*self.0, &self.1.in_contact(k.iter().copied()))
-    }
-
-    fn propagator(&self, k: &[f64], t: f64) -> Result<DMatrix<f64>, Refusal> {
-        let cell = Cell::new(&*self.0, &self.1.in_contact(k.iter().copied()))?;
-        let mut propagator = DMatrix::identity(2 * N, 2 * N);
-        for column in 0..2 * N {
-            let unit = |from: usize| SVector::<f64, N>::from_fn(|i, _| f64::from(u8::from(from + i == column)));
-            let flight = cell.difference(&unit(0), &unit(N));
+    pub fn propagator(&self, k: &[f64], t: f64) -> Result<Matrix, Refusal> {
+        let cell = Cell::new(&*self.equations, &self.values(k))?;
+        let n = self.equations.coordinates();
+        let mut propagator = Matrix::identity(2 * n, 2 * n);
+        for column in 0..2 * n {
+            let unit = |from: usize| Vector::from_fn(n, |i| f64::from(u8::from(from + i == column)));
+            let flight = cell.difference(&unit(0), &unit(n));
             let (dq, dv) = flight.increments(&flight.at(t));
-            for i in 0..N {
+            for i in 0..n {
                 propagator[(i, column)] += dq[i];
-                propagator[(N + i, column)] += dv[i];
+                propagator[(n + i, column)] += dv[i];
             }
         }
         Ok(propagator)
     }
 
-    fn switching(&self, law: usize) -> Switching {
-        self.0.switching(law)
+    /// How law `i` switches with the effects in force.
+    pub fn switching(&self, law: usize) -> Switching {
+        self.equations.switching(law)
     }
 
-    fn motion(&self, i: usize) -> Vec<f64> {
-        self.0.motion(i).to_vec()
+    /// Speeds q' of rigid motion `i` of unit size (n).
+    pub fn motion(&self, i: usize) -> Vector {
+        self.equations.motion(i)
     }
 
-    fn start(&self, scene: &Scene) -> Result<Vec<f64>, Refusal> {
-        Ok(start::begin(&*self.0, scene)?.absolute().to_vec())
+    /// The coordinates with which a scene of these equations starts (n), those in static equilibrium included.
+    ///
+    /// # Errors
+    /// Where that equilibrium is not determined.
+    pub fn start(&self, scene: &Scene) -> Result<Vector, Refusal> {
+        Ok(start::begin(&*self.equations, scene)?.absolute())
+    }
+
+    fn values(&self, k: &[f64]) -> Vec<f64> {
+        self.model.in_contact(k.iter().copied())
     }
 }

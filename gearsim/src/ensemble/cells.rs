@@ -82,12 +82,13 @@ impl<const N: usize, const L: usize> Cells<N, L> {
     }
 
     /// Fills a lane with cell `place` of the only law of a simulation.
-    pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_, N>, place: usize) {
+    pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_>, place: usize) {
         let (law, cells) = (&simulation.laws[0], simulation.cells());
         let prepared = &cells.all().expect("a plain simulation has few cells")[place];
-        let cell: &Cell<N> = &prepared.cell;
+        let cell: &Cell = &prepared.cell;
+        let n = cell.modes.len();
         let matrix = |to: &mut [[Pack<L>; N]; N], of: &dyn Fn(usize, usize) -> f64| {
-            (0..N).for_each(|i| (0..N).for_each(|j| to[i][j].0[lane] = of(i, j)));
+            (0..n).for_each(|i| (0..n).for_each(|j| to[i][j].0[lane] = of(i, j)));
         };
         matrix(&mut self.shapes, &|i, j| cell.shapes[(i, j)]);
         let excess = |i, j| cell.conserved.iter().map(|c| c.motion[i] * c.on_gained[j]).sum();
@@ -110,7 +111,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
                 simulation.equations().stiffness(&k)
             };
             let (there, here) = (stiffness(beyond), stiffness(place));
-            matrix(&mut self.step[i], &|i, j| 0.5 * (there[i][j] - here[i][j]));
+            matrix(&mut self.step[i], &|i, j| 0.5 * (there[(i, j)] - here[(i, j)]));
         }
     }
 

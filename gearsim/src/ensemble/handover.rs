@@ -10,10 +10,12 @@ use crate::ensemble::lanes::Lanes;
 use crate::ensemble::pack::Pack;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// Empty lanes for simulations of one kind.
-    pub fn new(kind: Kind<N>) -> Self {
+    /// Empty lanes for simulations of one kind, of at most N coordinates.
+    pub fn new(kind: &Kind) -> Self {
         let zero = Pack::all(0.0);
-        let Kind { places, phase, rigid } = kind;
+        let Kind { places, phase, ref rigid } = *kind;
+        // Modes beyond those of the model are at rest.
+        let rigid = std::array::from_fn(|i| rigid.get(i).copied().unwrap_or(true));
         Lanes {
             tables: vec![Cells::empty(); places],
             rigid,
@@ -34,16 +36,16 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     }
 
     /// Puts a simulation into a lane; its cells only if it is `new` there.
-    pub fn load(&mut self, lane: usize, simulation: &Simulation<'_, N>, new: bool) {
+    pub fn load(&mut self, lane: usize, simulation: &Simulation<'_>, new: bool) {
         let law = &simulation.laws[0];
         if new {
             self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
             self.lateness.iter_mut().for_each(|lateness| lateness.0[lane] = 0.0);
             let impulse = law.switching == Switching::WithJump;
             self.compliance.0[lane] = if impulse { law.surface.compliance } else { 0.0 };
-            (0..N).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
+            (0..simulation.state.q.len()).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
         }
-        for i in 0..N {
+        for i in 0..simulation.state.q.len() {
             self.q[i].0[lane] = simulation.state.q[i];
             self.q_dot[i].0[lane] = simulation.state.q_dot[i];
             self.lost[i].0[lane] = simulation.state.lost[i];
@@ -55,8 +57,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     }
 
     /// Hands its state back to a simulation.
-    pub fn unload(&self, lane: usize, simulation: &mut Simulation<'_, N>) {
-        for i in 0..N {
+    pub fn unload(&self, lane: usize, simulation: &mut Simulation<'_>) {
+        for i in 0..simulation.state.q.len() {
             simulation.state.q[i] = self.q[i].0[lane];
             simulation.state.q_dot[i] = self.q_dot[i].0[lane];
             simulation.state.lost[i] = self.lost[i].0[lane];

@@ -27,7 +27,6 @@ use pulp::{Arch, NullaryFnOnce};
 
 use crate::engine::Stop;
 use crate::engine::simulate::Simulation;
-use crate::model::Model;
 use kind::Kind;
 use lanes::Lanes;
 use pack::Mask;
@@ -35,36 +34,25 @@ use pack::Mask;
 /// Simulations side by side on a processor core: what its vectors hold.
 const LANES: usize = 8;
 /// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
-const LARGEST: usize = 8;
-
-/// Whether simulations of a model can be in lanes. A plain event is one of a single stiffness law ([`Simulation::is_plain`]): for models with
-/// none or several no lanes are compiled.
-pub const fn suits(model: &Model) -> bool {
-    let one = match model.laws {
-        [] => false,
-        [_] => true,
-        [_, next, ..] => next.with.is_some(),
-    };
-    model.coordinates.len() <= LARGEST && one
-}
+const LARGEST: usize = 6;
 
 /// Runs simulations to their ends, unrecorded.
 ///
 /// # Errors
 /// For each, why it could not go on.
-pub fn run<const N: usize>(simulations: &mut [Simulation<'_, N>]) -> Vec<Result<(), Stop>> {
+pub fn run(simulations: &mut [Simulation<'_>]) -> Vec<Result<(), Stop>> {
     let kinds: Vec<_> = simulations.iter().map(Kind::of).collect();
     let mut results = vec![Ok(()); simulations.len()];
     let mut ensemble = Ensemble { results: &mut results, simulations };
-    let mut done: Vec<Option<Kind<N>>> = vec![];
+    let mut done: Vec<&Option<Kind>> = vec![];
     for kind in &kinds {
-        if !done.contains(kind) {
-            done.push(*kind);
+        if !done.contains(&kind) {
+            done.push(kind);
             let members: Vec<usize> = (0..kinds.len()).filter(|i| kinds[*i] == *kind).collect();
             match kind {
                 // One by itself goes the same way, to the same bits, without seven empty lanes.
-                Some(kind) if members.len() == 1 => ensemble.side_by_side::<1>(*kind, &members),
-                Some(kind) => ensemble.side_by_side::<LANES>(*kind, &members),
+                Some(kind) if members.len() == 1 => ensemble.of_size::<1>(kind, &members),
+                Some(kind) => ensemble.of_size::<LANES>(kind, &members),
                 None => members.into_iter().for_each(|which| while !ensemble.step(which) {}),
             }
         }
@@ -73,14 +61,23 @@ pub fn run<const N: usize>(simulations: &mut [Simulation<'_, N>]) -> Vec<Result<
 }
 
 /// Simulations, and what has become of them.
-struct Ensemble<'s, 'a, const N: usize> {
-    simulations: &'s mut [Simulation<'a, N>],
+struct Ensemble<'s, 'a> {
+    simulations: &'s mut [Simulation<'a>],
     results: &'s mut [Result<(), Stop>],
 }
 
-impl<const N: usize> Ensemble<'_, '_, N> {
+impl Ensemble<'_, '_> {
+    /// Runs the `members` of one kind in lanes compiled for at least as many coordinates.
+    fn of_size<const L: usize>(&mut self, kind: &Kind, members: &[usize]) {
+        match kind.rigid.len() {
+            0..=2 => self.side_by_side::<2, L>(kind, members),
+            3..=4 => self.side_by_side::<4, L>(kind, members),
+            _ => self.side_by_side::<LARGEST, L>(kind, members),
+        }
+    }
+
     /// Runs the `members` of one kind in lanes.
-    fn side_by_side<const L: usize>(&mut self, kind: Kind<N>, members: &[usize]) {
+    fn side_by_side<const N: usize, const L: usize>(&mut self, kind: &Kind, members: &[usize]) {
         let mut lanes = Lanes::<N, L>::new(kind);
         let mut members = members.iter().copied();
         let mut held = [None; L];

@@ -21,7 +21,7 @@ speed = "300 rpm"
 t_end = "0.1 s"
 "#;
 
-type Prepared = (Scene, Box<dyn Equations<2>>);
+type Prepared = (Scene, Box<dyn Equations>);
 
 fn prepare(overrides: &[String]) -> Prepared {
     let scene = Scene::parse("ensemble", "a test", SCENE, overrides, &[&GearPair::MODEL]).unwrap();
@@ -29,7 +29,7 @@ fn prepare(overrides: &[String]) -> Prepared {
     (scene, equations)
 }
 
-fn simulations(scenes: &[Prepared]) -> Vec<Simulation<'_, 2>> {
+fn simulations(scenes: &[Prepared]) -> Vec<Simulation<'_>> {
     scenes.iter().map(|(scene, e)| Simulation::new(scene.model, &**e, scene).unwrap()).collect()
 }
 
@@ -41,12 +41,12 @@ fn check(scenes: &[Prepared], tolerance: f64) {
     for ((alone, together), (scene, _)) in alone.iter().zip(&together).zip(scenes) {
         let (a, b) = (&alone.counts, &together.counts);
         assert_eq!((a.cell_changes, a.reflections, a.holds), (b.cell_changes, b.reflections, b.holds), "{scene:?}");
-        assert_eq!((alone.state.turns, alone.clock), (together.state.turns, together.clock));
+        assert_eq!((&alone.state.turns, alone.clock), (&together.state.turns, together.clock));
         let speeds = alone.state.q_dot.amax();
         let apart = [
             (alone.state.q[0] - together.state.q[0]).abs(),
             (alone.state.q[1] - together.state.q[1]).abs() / 0.01,
-            (alone.state.q_dot - together.state.q_dot).amax() / speeds,
+            (&alone.state.q_dot - &together.state.q_dot).amax() / speeds,
             (alone.dissipated - together.dissipated).abs() / (alone.dissipated + 1.0),
         ];
         assert!(apart.iter().all(|x| *x <= tolerance), "{apart:?} of {scene:?}");
@@ -93,12 +93,17 @@ fn a_lane_does_not_feel_its_neighbours() {
     for (i, together) in all.iter().enumerate() {
         let mut one = simulations(&scenes[i..=i]);
         run(&mut one);
-        assert_eq!((one[0].state.q, one[0].state.q_dot), (together.state.q, together.state.q_dot), "{} rpm", speeds[i]);
+        assert_eq!(
+            (&one[0].state.q, &one[0].state.q_dot),
+            (&together.state.q, &together.state.q_dot),
+            "{} rpm",
+            speeds[i]
+        );
         assert_eq!((one[0].clock, one[0].dissipated), (together.clock, together.dissipated));
     }
 }
 
 #[test]
 fn an_empty_ensemble_is_one() {
-    assert!(run::<2>(&mut []).is_empty());
+    assert!(run(&mut []).is_empty());
 }

@@ -17,9 +17,10 @@ use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::guard::Guard;
 use crate::engine::law;
-use crate::engine::record::{Recorder, State};
+use crate::engine::record::{Recorder, State, Turns};
 use crate::engine::simulate::Counts;
 use crate::engine::start::{self, Begun};
+use crate::engine::vector::{Matrix, Vector};
 use crate::scene::Scene;
 use crate::trajectory::Moment;
 
@@ -58,26 +59,26 @@ const STIFF_STEPS: u32 = 15;
 const MOST_REJECTED: u32 = 100;
 
 /// A run under way.
-pub struct Advance<'a, const N: usize> {
-    field: Field<'a, N>,
-    method: Box<dyn Method<N>>,
+pub struct Advance<'a> {
+    field: Field<'a>,
+    method: Box<dyn Method>,
     settings: Settings,
-    control: Control<N>,
+    control: Control,
     guard: Guard,
     t_end: f64,
     /// The fastest rate of the motion at the start \[1/s\].
     fastest: f64,
     /// The state, and its rate.
-    y: Flow<N>,
-    rate: Flow<N>,
+    y: Flow,
+    rate: Flow,
     stiff: u32,
     /// Whether each dead band was free of contact after the last step.
     free: Vec<bool>,
     /// The method that takes over with the next step.
-    replacement: Option<Box<dyn Method<N>>>,
+    replacement: Option<Box<dyn Method>>,
 
     /// Whole turns of each coordinate (N).
-    pub turns: [i64; N],
+    pub turns: Turns,
     /// Work of each torque as far as it is not constant [J]; empty where all are.
     work: Vec<f64>,
     /// Time.
@@ -113,31 +114,31 @@ enum Due {
 }
 
 /// What is recorded: by whom, at which rate \[1/s\], and whether with the limits at events.
-type Recording<'r, 'e, const N: usize> = Option<(&'r mut Recorder<'e, N>, f64, bool)>;
+type Recording<'r, 'e> = Option<(&'r mut Recorder<'e>, f64, bool)>;
 
-impl<'a, const N: usize> Advance<'a, N> {
+impl<'a> Advance<'a> {
     /// Prepares a scene with what varies in time.
     ///
     /// # Errors
     /// Where the start is not determined.
     pub fn new(
-        equations: &'a dyn Equations<N>,
+        equations: &'a dyn Equations,
         scene: &Scene,
-        method: Box<dyn Method<N>>,
+        method: Box<dyn Method>,
         settings: Settings,
-        forcing: Option<Forcing<N>>,
+        forcing: Option<Forcing>,
     ) -> Result<Self, Refusal> {
         Ok(Self::begun(equations, scene, start::begin(equations, scene)?, method, settings, forcing))
     }
 
     /// The same from a start that is known.
     pub fn begun(
-        equations: &'a dyn Equations<N>,
+        equations: &'a dyn Equations,
         scene: &Scene,
-        begun: Begun<N>,
-        method: Box<dyn Method<N>>,
+        begun: Begun,
+        method: Box<dyn Method>,
         settings: Settings,
-        forcing: Option<Forcing<N>>,
+        forcing: Option<Forcing>,
     ) -> Self {
         let swings = forcing.as_ref().map_or(0.0, Forcing::fastest);
         let torques = if forcing.is_some() || equations.has_powers() { scene.model.torques.len() } else { 0 };
@@ -146,13 +147,14 @@ impl<'a, const N: usize> Advance<'a, N> {
         let mut field = Field::new(scene.model, equations, (laws, bands), forcing);
         let rate = field.rate(0.0, &y);
         // Speeds that the energy at the start allows, or the forces soon give; the fastest of the motion.
-        let energy = equations.kinetic(&y.v.into()) + equations.potential(&y.q.into(), field.levels(0.0, &y));
+        let energy = equations.kinetic(&y.v) + equations.potential(&y.q, field.levels(0.0, &y));
         let [by_q, by_v] = field.jacobian(0.0, &y);
-        let sum = |rows: &[[f64; N]; N]| rows.iter().map(|r| r.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
+        let sum = |a: &Matrix| a.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
         let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(swings).max(1.0 / scene.t_end);
         let mobility = equations.mobility();
-        let speeds = std::array::from_fn(|i| (2.0 * energy * mobility[i][i]).sqrt().max(rate.v[i].abs() / fastest));
-        let control = Control::new(settings.steps, &y, speeds, fastest, method.exponent(), scene.t_end);
+        let speeds =
+            Vector::from_fn(y.q.len(), |i| (2.0 * energy * mobility[(i, i)]).sqrt().max(rate.v[i].abs() / fastest));
+        let control = Control::new(settings.steps, &y, &speeds, fastest, method.exponent(), scene.t_end);
         let free = field.bands.iter().map(|band| band.regime == Regime::Free).collect();
         Advance {
             free,
@@ -180,7 +182,7 @@ impl<'a, const N: usize> Advance<'a, N> {
     ///
     /// # Errors
     /// Where the run cannot go on; what was recorded until then is in the recorder.
-    pub fn run(&mut self, mut recording: Recording<'_, '_, N>, watch: &mut dyn FnMut(f64)) -> Result<(), Stop> {
+    pub fn run(&mut self, mut recording: Recording<'_, '_>, watch: &mut dyn FnMut(f64)) -> Result<(), Stop> {
         let mut sample = 0;
         loop {
             // Step, as far as the run and the laws that switch by time allow.
@@ -188,7 +190,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             let (h, trial) = self.step(left)?;
             let dense = match h > 0.0 {
                 true => self.method.dense(&mut self.field, &self.y, h, &trial),
-                false => Dense::new(&[self.y]),
+                false => Dense::new(vec![self.y.clone()]),
             };
             // Locate, and land there.
             let met = self.first_met(&dense);
@@ -252,10 +254,10 @@ impl<'a, const N: usize> Advance<'a, N> {
     }
 
     /// A step of at most `left` whose error is small enough: how long, and where it leads.
-    fn step(&mut self, left: f64) -> Result<(f64, Trial<N>), Stop> {
+    fn step(&mut self, left: f64) -> Result<(f64, Trial), Stop> {
         let exponent = self.method.exponent();
         if left <= 0.0 {
-            return Ok((0.0, Trial { end: self.y, rate: self.rate, error: 0.0, stiffness: 0.0 }));
+            return Ok((0.0, Trial { end: self.y.clone(), rate: self.rate.clone(), error: 0.0, stiffness: 0.0 }));
         }
         for _ in 0..MOST_REJECTED {
             let h = self.control.step(left);
@@ -270,7 +272,7 @@ impl<'a, const N: usize> Advance<'a, N> {
             let trial = self.method.attempt(&mut self.field, &self.y, &self.rate, h, &self.control.allowed());
             // A step that leads nowhere is as bad as one whose error is not a number.
             let usable = trial.filter(|trial| trial.end.is_finite() && trial.rate.is_finite());
-            let error = usable.map_or(f64::NAN, |trial| trial.error);
+            let error = usable.as_ref().map_or(f64::NAN, |trial| trial.error);
             if self.control.accepts(h, error, exponent) {
                 let Some(trial) = usable else { break };
                 self.steps.0 += 1;
@@ -284,7 +286,7 @@ impl<'a, const N: usize> Advance<'a, N> {
     }
 
     /// Gives way to an implicit method once stability, step after step, is what holds an explicit one back.
-    fn watch_stiffness(&mut self, trial: &Trial<N>) {
+    fn watch_stiffness(&mut self, trial: &Trial) {
         let Steps::Adaptive(tolerance) = self.settings.steps else { return };
         if !self.settings.give_way || self.gave_way.is_some() {
             return;
@@ -296,15 +298,7 @@ impl<'a, const N: usize> Advance<'a, N> {
         }
     }
 
-    fn samples(
-        &mut self,
-        dense: &Dense<N>,
-        h: f64,
-        taken: f64,
-        rate: f64,
-        next: &mut u64,
-        recorder: &mut Recorder<'_, N>,
-    ) {
+    fn samples(&mut self, dense: &Dense, h: f64, taken: f64, rate: f64, next: &mut u64, recorder: &mut Recorder<'_>) {
         loop {
             let at = *next as f64 / rate;
             let tau = self.clock.until(at);
@@ -312,8 +306,8 @@ impl<'a, const N: usize> Advance<'a, N> {
             if tau > taken || at >= self.t_end {
                 return;
             }
-            let y = if h > 0.0 { dense.at((tau / h).clamp(0.0, 1.0)) } else { self.y };
-            let state = State::new(y.q, y.v, self.turns);
+            let y = if h > 0.0 { dense.at((tau / h).clamp(0.0, 1.0)) } else { self.y.clone() };
+            let state = State { turns: self.turns.clone(), ..State::new(y.q.clone(), y.v.clone()) };
             let lost = (y.lost, 0.0);
             recorder.beyond = self.work_after(dense, h, tau);
             recorder.row(at, Moment::Sample, &state, self.field.levels(tau, &y), lost);
@@ -322,14 +316,14 @@ impl<'a, const N: usize> Advance<'a, N> {
     }
 
     /// Notes the state as it is.
-    pub fn note(&mut self, recorder: &mut Recorder<'_, N>, moment: Moment) {
-        let (state, y) = (self.state(), self.y);
+    pub fn note(&mut self, recorder: &mut Recorder<'_>, moment: Moment) {
+        let (state, y) = (self.state(), self.y.clone());
         recorder.beyond.clone_from(&self.work);
         recorder.row(self.clock.now(), moment, &state, self.field.levels(0.0, &y), (y.lost, 0.0));
     }
 
     /// An event, its left and right limits noted.
-    fn event(&mut self, recording: &mut Recording<'_, '_, N>, act: impl FnOnce(&mut Self)) -> Result<(), Stop> {
+    fn event(&mut self, recording: &mut Recording<'_, '_>, act: impl FnOnce(&mut Self)) -> Result<(), Stop> {
         let noting = recording.as_ref().is_some_and(|(.., noting)| *noting);
         let mut recorder = recording.as_mut().filter(|_| noting);
         if let Some((recorder, ..)) = &mut recorder {
@@ -351,17 +345,17 @@ impl<'a, const N: usize> Advance<'a, N> {
     }
 
     /// The state as the engine has it.
-    pub fn state(&self) -> State<N> {
-        State::new(self.y.q, self.y.v, self.turns)
+    pub fn state(&self) -> State {
+        State { turns: self.turns.clone(), ..State::new(self.y.q.clone(), self.y.v.clone()) }
     }
 
-    fn set(&mut self, state: State<N>) {
+    fn set(&mut self, state: State) {
         (self.y.q, self.y.v, self.turns) = (state.q, state.q_dot, state.turns);
     }
 
     /// The laws' values now.
     pub fn levels(&mut self) -> Vec<f64> {
-        let y = self.y;
+        let y = self.y.clone();
         self.field.levels(0.0, &y).to_vec()
     }
 
@@ -370,8 +364,8 @@ impl<'a, const N: usize> Advance<'a, N> {
     }
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.
-    pub fn turn_lengths(&self) -> [f64; N] {
-        law::turn_lengths(&self.field.laws)
+    pub fn turn_lengths(&self) -> Vector {
+        law::turn_lengths(self.y.q.len(), &self.field.laws)
     }
 
     /// The name of the method at work.

@@ -32,7 +32,7 @@ const HIGH_ORDER: f64 = 1e-7;
 ///
 /// # Errors
 /// Where the scene names the exact one, and its cells are not linear.
-pub fn of<const N: usize>(scene: &Scene, laws: &[Law<N>]) -> Result<Choice, Refusal> {
+pub fn of(scene: &Scene, laws: &[Law]) -> Result<Choice, Refusal> {
     let terms = match scene.effects.nonlinear(scene.model) {
         terms if terms.is_empty() => curved(scene.model, laws),
         terms => Some(terms),
@@ -56,8 +56,8 @@ pub fn of<const N: usize>(scene: &Scene, laws: &[Law<N>]) -> Result<Choice, Refu
 }
 
 /// The method of a name and how it is to be run; `None` for the exact one, which is not a numerical method.
-pub fn numerical<const N: usize>(choice: &Choice, scene: &Scene) -> Option<(Box<dyn Method<N>>, Settings)> {
-    let method: Box<dyn Method<N>> = match choice.method {
+pub fn numerical(choice: &Choice, scene: &Scene) -> Option<(Box<dyn Method>, Settings)> {
+    let method: Box<dyn Method> = match choice.method {
         Name::Exact => return None,
         Name::Dopri5 => Box::new(Explicit::new(DOPRI5)),
         Name::Dop853 => Box::new(Explicit::new(DOP853)),

@@ -1,8 +1,7 @@
 //! How long a step is: by its error (adaptive), or always the same (fixed).
 
-use nalgebra::SVector;
-
 use super::flow::{Flow, Scale};
+use crate::engine::vector::Vector;
 
 /// How long steps are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,24 +22,24 @@ const GROW: f64 = 6.0;
 
 /// The control of steps under way.
 #[derive(Debug, Clone)]
-pub struct Control<const N: usize> {
+pub struct Control {
     steps: Steps,
     /// What each component has reached.
-    reached: Scale<N>,
+    reached: Scale,
     /// The next step to try \[s\].
     pub h: f64,
     /// Whether the last step tried was rejected: the next one does not grow.
     rejected: bool,
 }
 
-impl<const N: usize> Control<N> {
+impl Control {
     /// The control of a run from `start`. `speeds` are what its energy allows (N), `rate` the fastest of its motion \[1/s\],
     /// `exponent` that of the method, `most` the longest step \[s\].
-    pub fn new(steps: Steps, start: &Flow<N>, speeds: [f64; N], rate: f64, exponent: f64, most: f64) -> Self {
+    pub fn new(steps: Steps, start: &Flow, speeds: &Vector, rate: f64, exponent: f64, most: f64) -> Self {
         let rate = rate.max(1.0 / most);
         let size = |v: f64| if v > 0.0 && v.is_finite() { v } else { 1.0 };
-        let v = SVector::from(speeds.map(|speed| FLOOR * size(speed)));
-        let mut reached = Scale { q: v / rate, v };
+        let v = speeds.map(|speed| FLOOR * size(speed));
+        let mut reached = Scale { q: &v * (1.0 / rate), v };
         reached.reach(start);
         let h = match steps {
             Steps::Adaptive(tolerance) => (tolerance.powf(exponent) / rate).min(most),
@@ -50,18 +49,18 @@ impl<const N: usize> Control<N> {
     }
 
     /// The error allowed in each component.
-    pub fn allowed(&self) -> Scale<N> {
+    pub fn allowed(&self) -> Scale {
         match self.steps {
-            Steps::Adaptive(tolerance) => Scale { q: self.reached.q * tolerance, v: self.reached.v * tolerance },
-            Steps::Fixed(_) => self.reached,
+            Steps::Adaptive(tolerance) => Scale { q: &self.reached.q * tolerance, v: &self.reached.v * tolerance },
+            Steps::Fixed(_) => self.reached.clone(),
         }
     }
 
     /// What the coordinates within a step are known to (N); nothing tells that of steps of one length.
-    pub fn slack(&self) -> SVector<f64, N> {
+    pub fn slack(&self) -> Vector {
         match self.steps {
             Steps::Adaptive(_) => self.allowed().q,
-            Steps::Fixed(_) => SVector::zeros(),
+            Steps::Fixed(_) => Vector::zeros(self.reached.q.len()),
         }
     }
 
@@ -91,7 +90,7 @@ impl<const N: usize> Control<N> {
     }
 
     /// Takes note of where the motion has got to.
-    pub fn reach(&mut self, flow: &Flow<N>) {
+    pub fn reach(&mut self, flow: &Flow) {
         self.reached.reach(flow);
     }
 }

@@ -58,22 +58,29 @@ pub enum Interpolant {
 
 /// An explicit method at work.
 #[derive(Debug, Clone)]
-pub struct Explicit<const N: usize> {
+pub struct Explicit {
     tableau: Tableau,
-    k: Vec<Flow<N>>,
+    /// The rates of the stages.
+    k: Vec<Flow>,
 }
 
-impl<const N: usize> Explicit<N> {
+impl Explicit {
     /// The method of a tableau.
     pub fn new(tableau: Tableau) -> Self {
-        Explicit { tableau, k: vec![Flow::zero(); tableau.rows.len()] }
+        Explicit { tableau, k: vec![Flow::zero(0); tableau.rows.len()] }
     }
 
-    fn sum(&self, row: Row) -> Flow<N> {
-        row.iter().fold(Flow::zero(), |sum, (j, a)| sum.plus(*a, &self.k[*j]))
+    fn sum(&self, row: Row) -> Flow {
+        self.combined(Flow::zero(self.k[0].q.len()), 1.0, row)
     }
 
-    fn error(&self, h: f64, scale: &Scale<N>) -> f64 {
+    /// start + h sum_j a_j k_j.
+    fn combined(&self, mut start: Flow, h: f64, row: Row) -> Flow {
+        row.iter().for_each(|(j, a)| start.add(h * a, &self.k[*j]));
+        start
+    }
+
+    fn error(&self, h: f64, scale: &Scale) -> f64 {
         let size = |row| h * scale.norm(&self.sum(row));
         match self.tableau.error {
             Error::None => 0.0,
@@ -86,7 +93,7 @@ impl<const N: usize> Explicit<N> {
     }
 }
 
-impl<const N: usize> Method<N> for Explicit<N> {
+impl Method for Explicit {
     fn name(&self) -> &'static str {
         self.tableau.name
     }
@@ -99,53 +106,47 @@ impl<const N: usize> Method<N> for Explicit<N> {
         self.tableau.stability
     }
 
-    fn attempt(
-        &mut self,
-        field: &mut Field<'_, N>,
-        start: &Flow<N>,
-        rate: &Flow<N>,
-        h: f64,
-        scale: &Scale<N>,
-    ) -> Option<Trial<N>> {
+    fn attempt(&mut self, field: &mut Field<'_>, start: &Flow, rate: &Flow, h: f64, scale: &Scale) -> Option<Trial> {
         let Tableau { rows, nodes, last, .. } = self.tableau;
-        self.k[0] = *rate;
-        let (mut end, mut before) = (*start, *start);
+        self.k[0] = rate.clone();
+        let (mut end, mut before) = (start.clone(), start.clone());
         for i in 1..=last {
             before = end;
-            end = start.plus(h, &self.sum(rows[i]));
+            end = self.combined(start.clone(), h, rows[i]);
             self.k[i] = field.rate(nodes[i] * h, &end);
         }
         // |df| / |dy| of the two stages that end at t + h.
         let (df, dy) = (self.k[last].plus(-1.0, &self.k[last - 1]), end.plus(-1.0, &before));
         let (df, dy) = (scale.norm(&df), scale.norm(&dy));
         let stiffness = if dy > 0.0 { h * df / dy } else { 0.0 };
-        Some(Trial { end, rate: self.k[last], error: self.error(h, scale), stiffness })
+        Some(Trial { end, rate: self.k[last].clone(), error: self.error(h, scale), stiffness })
     }
 
-    fn dense(&mut self, field: &mut Field<'_, N>, start: &Flow<N>, h: f64, trial: &Trial<N>) -> Dense<N> {
+    fn dense(&mut self, field: &mut Field<'_>, start: &Flow, h: f64, trial: &Trial) -> Dense {
         match self.tableau.interpolant {
             Interpolant::Powers(factors) => {
-                let mut c = [Flow::zero(); 5];
-                c[0] = *start;
+                let mut c = vec![Flow::zero(start.q.len()); 5];
+                c[0] = start.clone();
                 for (i, powers) in factors {
                     for (c, p) in c[1..].iter_mut().zip(powers) {
                         c.add(h * p, &self.k[*i]);
                     }
                 }
-                Dense::new(&c)
+                Dense::new(c)
             }
             Interpolant::Nested(rows) => {
                 for i in self.tableau.last + 1..self.tableau.rows.len() {
-                    let argument = start.plus(h, &self.sum(self.tableau.rows[i]));
+                    let argument = self.combined(start.clone(), h, self.tableau.rows[i]);
                     self.k[i] = field.rate(self.tableau.nodes[i] * h, &argument);
                 }
                 let rise = trial.end.plus(-1.0, start);
-                let mut f = [rise; 7];
-                f[1] = Flow::zero().plus(h, &self.k[0]).plus(-1.0, &rise);
-                f[2] = Flow::zero().plus(2.0, &rise).plus(-h, &trial.rate).plus(-h, &self.k[0]);
-                for (f, row) in f[3..].iter_mut().zip(rows) {
-                    *f = Flow::zero().plus(h, &self.sum(row));
-                }
+                let zero = Flow::zero(start.q.len());
+                let mut f = vec![
+                    rise.clone(),
+                    zero.plus(h, &self.k[0]).plus(-1.0, &rise),
+                    zero.plus(2.0, &rise).plus(-h, &trial.rate).plus(-h, &self.k[0]),
+                ];
+                f.extend(rows.iter().map(|row| zero.plus(h, &self.sum(row))));
                 Dense::nested(start, &f)
             }
         }

@@ -1,29 +1,27 @@
 //! The right-hand side that methods integrate, smooth within a cell: q'' = M⁻¹F(q, q', k(s), dk/ds, t), and what damping takes.
 
-use nalgebra::SVector;
-
 use crate::engine::cells;
 use crate::engine::dead_band::{DeadBand, Elastic};
-use crate::engine::equations::{Equations, accelerated, product};
+use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
 use crate::engine::law::Law;
-use crate::engine::record::State;
+use crate::engine::vector::{Matrix, Vector};
 use crate::methods::flow::Flow;
 use crate::model::Model;
 
 /// The equations of a scene with its laws where they stand.
-pub struct Field<'a, const N: usize> {
+pub struct Field<'a> {
     /// The equations.
-    pub equations: &'a dyn Equations<N>,
+    pub equations: &'a dyn Equations,
     /// Where the stiffnesses stand.
-    pub laws: Vec<Law<N>>,
+    pub laws: Vec<Law>,
     /// Where the dead bands stand; what their dampers do is asked of each state.
-    pub bands: Vec<DeadBand<N>>,
+    pub bands: Vec<DeadBand>,
     elastic: Vec<Elastic>,
     /// What varies in time, if anything does.
-    pub forcing: Option<Box<Forcing<N>>>,
+    pub forcing: Option<Box<Forcing>>,
     /// M⁻¹ (N x N).
-    mobility: Box<[[f64; N]; N]>,
+    mobility: Matrix,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
@@ -35,13 +33,13 @@ pub struct Field<'a, const N: usize> {
     ddk: Vec<f64>,
 }
 
-impl<'a, const N: usize> Field<'a, N> {
+impl<'a> Field<'a> {
     /// The field of `equations` with `laws`.
     pub fn new(
         model: &Model,
-        equations: &'a dyn Equations<N>,
-        (laws, bands): (Vec<Law<N>>, Vec<DeadBand<N>>),
-        forcing: Option<Forcing<N>>,
+        equations: &'a dyn Equations,
+        (laws, bands): (Vec<Law>, Vec<DeadBand>),
+        forcing: Option<Forcing>,
     ) -> Self {
         let none = vec![0.0; laws.len()];
         let in_contact = model.in_contact(none.iter().copied());
@@ -53,7 +51,7 @@ impl<'a, const N: usize> Field<'a, N> {
             bands,
             elastic: vec![],
             forcing: forcing.map(Box::new),
-            mobility: Box::new(equations.mobility()),
+            mobility: equations.mobility(),
             begins: 0.0,
             evaluations: 0,
             steps_only,
@@ -84,64 +82,59 @@ impl<'a, const N: usize> Field<'a, N> {
     }
 
     /// The laws' values at `y`, the time `t` after the step began.
-    pub fn levels(&mut self, t: f64, y: &Flow<N>) -> &[f64] {
+    pub fn levels(&mut self, t: f64, y: &Flow) -> &[f64] {
         self.set(t, y);
         &self.k
     }
 
     /// y' at `y`, the time `t` after the step began.
     #[inline]
-    pub fn rate(&mut self, t: f64, y: &Flow<N>) -> Flow<N> {
+    pub fn rate(&mut self, t: f64, y: &Flow) -> Flow {
         self.evaluations += 1;
         self.set(t, y);
-        let mut force = self.equations.force(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk);
+        let mut force = self.equations.force(&y.q, &y.v, &self.k, &self.dk);
         if let Some(forcing) = &self.forcing {
-            force = (SVector::from(force) + forcing.load(self.begins + t)).into();
+            force += &forcing.load(self.begins + t);
         }
-        let a = product(&self.mobility, &force).into();
-        let dissipation = self.equations.dissipation(&y.v.data.0[0], &self.k);
-        Flow { q: y.v, v: a, lost: 2.0 * dissipation + self.clipped(y) }
+        let a: Vector = &self.mobility * &force;
+        let dissipation = self.equations.dissipation(&y.v, &self.k);
+        Flow { q: y.v.clone(), v: a, lost: 2.0 * dissipation + self.clipped(y) }
     }
 
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
-    pub fn jacobian(&mut self, t: f64, y: &Flow<N>) -> [[[f64; N]; N]; 2] {
+    pub fn jacobian(&mut self, t: f64, y: &Flow) -> [Matrix; 2] {
         self.set(t, y);
-        let of_force = self.equations.jacobian(&y.q.data.0[0], &y.v.data.0[0], &self.k, &self.dk, &self.ddk);
-        accelerated(&self.mobility, &of_force)
+        let of_force = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
+        accelerated(&self.mobility, of_force)
     }
 
     #[inline]
-    fn set(&mut self, t: f64, y: &Flow<N>) {
+    fn set(&mut self, t: f64, y: &Flow) {
         if !self.steps_only {
             for (i, law) in self.laws.iter().enumerate() {
                 [self.k[i], self.dk[i], self.ddk[i]] = law.course(y.q[law.phase], self.begins + t);
             }
             self.stretch();
         }
-        if self.bands.is_empty() {
-            return;
-        }
-        let state = State::new(y.q, y.v, [0; N]);
         for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
             if wanders(band, &self.laws) {
                 band.follow(&self.k);
-                band.regime = band.met(&state);
+                band.regime = band.met(&y.q);
             }
-            band.regime = band.gripped(*elastic, &state);
+            band.regime = band.gripped(*elastic, &y.q, &y.v);
             band.write(&mut self.k);
         }
     }
 
     /// Power that the clipped dampers take at `y`, where the field was last evaluated \[W\].
     #[inline]
-    fn clipped(&self, y: &Flow<N>) -> f64 {
-        let state = State::new(y.q, y.v, [0; N]);
-        self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped_power(*elastic, &state)).sum()
+    fn clipped(&self, y: &Flow) -> f64 {
+        self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped_power(*elastic, &y.q, &y.v)).sum()
     }
 }
 
 /// Whether the edges of a dead band move along curves. Flanks then part and meet within steps, where their force has a kink,
 /// for the control of the step to deal with.
-pub fn wanders<const N: usize>(band: &DeadBand<N>, laws: &[Law<N>]) -> bool {
+pub fn wanders(band: &DeadBand, laws: &[Law]) -> bool {
     band.errors.iter().any(|&(law, _)| laws.get(law).is_some_and(|law| !law.pitch.steps_only()))
 }

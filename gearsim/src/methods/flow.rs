@@ -1,37 +1,38 @@
 //! The vector that methods integrate: coordinates, speeds, and the energy that damping has taken.
 
-use nalgebra::SVector;
+use crate::engine::vector::Vector;
 
 /// y = (q, q', energy lost), or its derivative by time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Flow<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flow {
     /// Coordinates, less whole turns (N).
-    pub q: SVector<f64, N>,
+    pub q: Vector,
     /// Speeds (N).
-    pub v: SVector<f64, N>,
+    pub v: Vector,
     /// Energy lost to damping \[J\]: a quadrature beside the motion, on which nothing depends.
     pub lost: f64,
 }
 
-impl<const N: usize> Flow<N> {
-    /// Nothing.
-    pub fn zero() -> Self {
-        Flow { q: SVector::zeros(), v: SVector::zeros(), lost: 0.0 }
+impl Flow {
+    /// Zero, of n coordinates.
+    pub fn zero(n: usize) -> Self {
+        Flow { q: Vector::zeros(n), v: Vector::zeros(n), lost: 0.0 }
     }
 
     /// Adds `factor` times `other`.
     #[inline]
-    pub fn add(&mut self, factor: f64, other: &Flow<N>) {
-        self.q += other.q * factor;
-        self.v += other.v * factor;
+    pub fn add(&mut self, factor: f64, other: &Flow) {
+        self.q.add_times(factor, &other.q);
+        self.v.add_times(factor, &other.v);
         self.lost += other.lost * factor;
     }
 
     /// `self` + `factor` `other`.
     #[inline]
-    pub fn plus(mut self, factor: f64, other: &Flow<N>) -> Self {
-        self.add(factor, other);
-        self
+    pub fn plus(&self, factor: f64, other: &Flow) -> Self {
+        let mut sum = self.clone();
+        sum.add(factor, other);
+        sum
     }
 
     /// Whether all of it is finite.
@@ -42,20 +43,20 @@ impl<const N: usize> Flow<N> {
 }
 
 /// What an error of each component is measured by: never zero.
-#[derive(Debug, Clone, Copy)]
-pub struct Scale<const N: usize> {
+#[derive(Debug, Clone)]
+pub struct Scale {
     /// Of the coordinates (N).
-    pub q: SVector<f64, N>,
+    pub q: Vector,
     /// Of the speeds (N).
-    pub v: SVector<f64, N>,
+    pub v: Vector,
 }
 
-impl<const N: usize> Scale<N> {
+impl Scale {
     /// The largest component of the motion in `flow`, each in units of its scale. The quadrature has none.
     #[inline]
-    pub fn norm(&self, flow: &Flow<N>) -> f64 {
+    pub fn norm(&self, flow: &Flow) -> f64 {
         let mut norm = 0.0f64;
-        for i in 0..N {
+        for i in 0..flow.q.len() {
             let x = (flow.q[i] / self.q[i]).abs().max((flow.v[i] / self.v[i]).abs());
             // Not `max`, which would pass over NaN.
             norm = if x > norm || x.is_nan() { x } else { norm };
@@ -65,8 +66,8 @@ impl<const N: usize> Scale<N> {
 
     /// Widens the scale to what `flow` has reached.
     #[inline]
-    pub fn reach(&mut self, flow: &Flow<N>) {
-        for i in 0..N {
+    pub fn reach(&mut self, flow: &Flow) {
+        for i in 0..flow.q.len() {
             self.q[i] = self.q[i].max(flow.q[i].abs());
             self.v[i] = self.v[i].max(flow.v[i].abs());
         }

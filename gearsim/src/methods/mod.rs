@@ -27,7 +27,7 @@ use field::Field;
 use flow::{Flow, Scale};
 
 /// A one-step method.
-pub trait Method<const N: usize> {
+pub trait Method {
     /// Its name in scenes.
     fn name(&self) -> &'static str;
 
@@ -39,26 +39,19 @@ pub trait Method<const N: usize> {
 
     /// Tries the step from `start`, where the rate is `rate`, of length `h` \[s\]. `scale` is the error allowed in each
     /// component. `None` where the step's equations have no solution that is found.
-    fn attempt(
-        &mut self,
-        field: &mut Field<'_, N>,
-        start: &Flow<N>,
-        rate: &Flow<N>,
-        h: f64,
-        scale: &Scale<N>,
-    ) -> Option<Trial<N>>;
+    fn attempt(&mut self, field: &mut Field<'_>, start: &Flow, rate: &Flow, h: f64, scale: &Scale) -> Option<Trial>;
 
     /// The motion within the step that `attempt` tried last.
-    fn dense(&mut self, field: &mut Field<'_, N>, start: &Flow<N>, h: f64, trial: &Trial<N>) -> Dense<N>;
+    fn dense(&mut self, field: &mut Field<'_>, start: &Flow, h: f64, trial: &Trial) -> Dense;
 }
 
 /// A step that was tried.
-#[derive(Debug, Clone, Copy)]
-pub struct Trial<const N: usize> {
+#[derive(Debug, Clone)]
+pub struct Trial {
     /// Where it ends.
-    pub end: Flow<N>,
+    pub end: Flow,
     /// The rate there.
-    pub rate: Flow<N>,
+    pub rate: Flow,
     /// Its estimated error, in parts of what is allowed.
     pub error: f64,
     /// h |lambda| as two of its stages measure it; 0 where not measured.

@@ -11,6 +11,7 @@ use super::dense::Dense;
 use super::field::Field;
 use super::flow::{Flow, Scale};
 use super::{Method, Trial};
+use crate::engine::vector::{Matrix, Vector};
 
 /// The eigenvectors of A: Z = T W.
 const T: [[f64; 3]; 3] = [
@@ -28,25 +29,26 @@ const MOST_NEWTON: u32 = 8;
 
 /// The method at work.
 #[derive(Debug, Clone)]
-pub struct Radau<const N: usize> {
+pub struct Radau {
     /// Error allowed in Newton's method, in parts of the error allowed in a step.
     newton: f64,
     /// The stages' displacements Z of the last attempt.
-    z: [Flow<N>; 3],
+    z: [Flow; 3],
 }
 
 /// gamma I - J of one of the two systems, its rates of the coordinates eliminated.
-struct System<T: ComplexField, const N: usize> {
+struct System<T: ComplexField> {
     gamma: T,
-    by_v: DMatrix<f64>,
+    by_v: Matrix,
     lu: LU<T, Dyn, Dyn>,
 }
 
-impl<T: ComplexField<RealField = f64> + Copy, const N: usize> System<T, N> {
+impl<T: ComplexField<RealField = f64> + Copy> System<T> {
     /// (gamma² I - gamma J_v - J_q) x = r_v + gamma r_q - J_v r_q, x_v = gamma x_q - r_q.
-    fn new(gamma: T, [by_q, by_v]: &[DMatrix<f64>; 2]) -> Self {
+    fn new(gamma: T, [by_q, by_v]: &[Matrix; 2]) -> Self {
         let lift = |x: f64| T::from_real(x);
-        let matrix = DMatrix::from_fn(N, N, |i, j| {
+        let n = by_q.nrows();
+        let matrix = DMatrix::from_fn(n, n, |i, j| {
             let unit = if i == j { gamma * gamma } else { T::zero() };
             unit - gamma * lift(by_v[(i, j)]) - lift(by_q[(i, j)])
         });
@@ -54,20 +56,21 @@ impl<T: ComplexField<RealField = f64> + Copy, const N: usize> System<T, N> {
     }
 
     fn solve(&self, r_q: &DVector<T>, r_v: &DVector<T>) -> Option<(DVector<T>, DVector<T>)> {
+        let n = r_q.len();
         let damped =
-            DVector::from_fn(N, |i, _| (0..N).fold(T::zero(), |sum, j| sum + T::from_real(self.by_v[(i, j)]) * r_q[j]));
-        let right = DVector::from_fn(N, |i, _| r_v[i] + self.gamma * r_q[i] - damped[i]);
+            DVector::from_fn(n, |i, _| (0..n).fold(T::zero(), |sum, j| sum + T::from_real(self.by_v[(i, j)]) * r_q[j]));
+        let right = DVector::from_fn(n, |i, _| r_v[i] + self.gamma * r_q[i] - damped[i]);
         let q = self.lu.solve(&right)?;
-        let v = DVector::from_fn(N, |i, _| self.gamma * q[i] - r_q[i]);
+        let v = DVector::from_fn(n, |i, _| self.gamma * q[i] - r_q[i]);
         Some((q, v))
     }
 }
 
-impl<const N: usize> Radau<N> {
+impl Radau {
     /// The method at a relative tolerance.
     pub fn new(tolerance: f64) -> Self {
         let newton = (10.0 * f64::EPSILON / tolerance).max(tolerance.sqrt().min(0.03));
-        Radau { newton, z: [Flow::zero(); 3] }
+        Radau { newton, z: std::array::from_fn(|_| Flow::zero(0)) }
     }
 
     fn nodes() -> [f64; 3] {
@@ -82,40 +85,38 @@ impl<const N: usize> Radau<N> {
         (3.0 + b - a, Complex::new(3.0 + 0.5 * (a - b), imaginary))
     }
 
-    fn combine(factors: &[f64; 3], of: &[Flow<N>; 3]) -> Flow<N> {
-        (0..3).fold(Flow::zero(), |sum, i| sum.plus(factors[i], &of[i]))
+    fn combine(factors: &[f64; 3], of: &[Flow; 3]) -> Flow {
+        (0..3).fold(Flow::zero(of[0].q.len()), |sum, i| sum.plus(factors[i], &of[i]))
     }
 
     /// Solves for the stages; `None` where Newton's method does not converge.
     fn stages(
         &self,
-        field: &mut Field<'_, N>,
-        start: &Flow<N>,
+        field: &mut Field<'_>,
+        start: &Flow,
         h: f64,
-        scale: &Scale<N>,
-        real: &System<f64, N>,
-        complex: &System<Complex<f64>, N>,
-    ) -> Option<[Flow<N>; 3]> {
+        scale: &Scale,
+        real: &System<f64>,
+        complex: &System<Complex<f64>>,
+    ) -> Option<[Flow; 3]> {
         let nodes = Self::nodes();
-        let mut w = [Flow::zero(); 3];
-        let mut z = [Flow::zero(); 3];
+        let n = start.q.len();
+        let zero = || std::array::from_fn(|_| Flow::zero(n));
+        let (mut w, mut z): ([Flow; 3], [Flow; 3]) = (zero(), zero());
         let mut before: Option<f64> = None;
         for iteration in 0..MOST_NEWTON {
-            let f: [Flow<N>; 3] = std::array::from_fn(|i| field.rate(nodes[i] * h, &start.plus(1.0, &z[i])));
-            let g: [Flow<N>; 3] = std::array::from_fn(|i| Self::combine(&T_INVERSE[i], &f));
+            let f: [Flow; 3] = std::array::from_fn(|i| field.rate(nodes[i] * h, &start.plus(1.0, &z[i])));
+            let g: [Flow; 3] = std::array::from_fn(|i| Self::combine(&T_INVERSE[i], &f));
             // Residuals: T⁻¹f - gamma W.
-            let residual = |flow: &Flow<N>, w: &Flow<N>, gamma: f64| flow.plus(-gamma, w);
+            let residual = |flow: &Flow, w: &Flow, gamma: f64| flow.plus(-gamma, w);
             let r = residual(&g[0], &w[0], real.gamma);
-            let of = |v: &nalgebra::SVector<f64, N>| DVector::from_iterator(N, v.iter().copied());
-            let (dq, dv) = real.solve(&of(&r.q), &of(&r.v))?;
-            let pair = |a: &nalgebra::SVector<f64, N>, b: &nalgebra::SVector<f64, N>| {
-                DVector::from_fn(N, |i, _| Complex::new(a[i], b[i]))
-            };
+            let (dq, dv) = real.solve(&DVector::from(&r.q), &DVector::from(&r.v))?;
+            let pair = |a: &Vector, b: &Vector| DVector::from_fn(n, |i, _| Complex::new(a[i], b[i]));
             let (wq, wv) = (pair(&w[1].q, &w[2].q), pair(&w[1].v, &w[2].v));
             let (rq, rv) = (pair(&g[1].q, &g[2].q), pair(&g[1].v, &g[2].v));
             let (cq, cv) = complex.solve(&(rq - wq * complex.gamma), &(rv - wv * complex.gamma))?;
-            let mut dw = [Flow::zero(); 3];
-            for i in 0..N {
+            let mut dw: [Flow; 3] = zero();
+            for i in 0..n {
                 (dw[0].q[i], dw[0].v[i]) = (dq[i], dv[i]);
                 (dw[1].q[i], dw[1].v[i]) = (cq[i].re, cv[i].re);
                 (dw[2].q[i], dw[2].v[i]) = (cq[i].im, cv[i].im);
@@ -140,7 +141,7 @@ impl<const N: usize> Radau<N> {
         }
         // The quadrature, by the collocation's own weights: Z = h A f.
         let lost: [f64; 3] =
-            std::array::from_fn(|i| 2.0 * field.equations.dissipation(&(start.v + z[i].v).data.0[0], field.k()));
+            std::array::from_fn(|i| 2.0 * field.equations.dissipation(&(&start.v + &z[i].v), field.k()));
         for (z, row) in z.iter_mut().zip(weights()) {
             z.lost = h * (0..3).map(|j| row[j] * lost[j]).sum::<f64>();
         }
@@ -158,7 +159,7 @@ fn weights() -> [[f64; 3]; 3] {
     ]
 }
 
-impl<const N: usize> Method<N> for Radau<N> {
+impl Method for Radau {
     fn name(&self) -> &'static str {
         "radau"
     }
@@ -171,18 +172,11 @@ impl<const N: usize> Method<N> for Radau<N> {
         f64::INFINITY
     }
 
-    fn attempt(
-        &mut self,
-        field: &mut Field<'_, N>,
-        start: &Flow<N>,
-        rate: &Flow<N>,
-        h: f64,
-        scale: &Scale<N>,
-    ) -> Option<Trial<N>> {
-        let jacobian = field.jacobian(0.0, start).map(|rows| DMatrix::from_fn(N, N, |i, j| rows[i][j]));
+    fn attempt(&mut self, field: &mut Field<'_>, start: &Flow, rate: &Flow, h: f64, scale: &Scale) -> Option<Trial> {
+        let jacobian = field.jacobian(0.0, start);
         let (mu, nu) = Self::eigenvalues();
-        let real = System::<f64, N>::new(mu / h, &jacobian);
-        let complex = System::<Complex<f64>, N>::new(nu / h, &jacobian);
+        let real = System::<f64>::new(mu / h, &jacobian);
+        let complex = System::<Complex<f64>>::new(nu / h, &jacobian);
         // Newton's error is measured in units of the error allowed.
         self.z = self.stages(field, start, h, scale, &real, &complex)?;
         let end = start.plus(1.0, &self.z[2]);
@@ -191,14 +185,9 @@ impl<const N: usize> Method<N> for Radau<N> {
         // (mu/h I - J)⁻¹ (f_0 + E Z/h); where a stiff part outweighs all, once more through f.
         let s = 6f64.sqrt();
         let e = Self::combine(&[(-13.0 - 7.0 * s) / 3.0, (-13.0 + 7.0 * s) / 3.0, -1.0 / 3.0], &self.z);
-        let filtered = |r: &Flow<N>| {
-            let of = |v: &nalgebra::SVector<f64, N>| DVector::from_iterator(N, v.iter().copied());
-            let (q, v) = real.solve(&of(&r.q), &of(&r.v))?;
-            let mut error = Flow::zero();
-            for i in 0..N {
-                (error.q[i], error.v[i]) = (q[i], v[i]);
-            }
-            Some(error)
+        let filtered = |r: &Flow| {
+            let (q, v) = real.solve(&DVector::from(&r.q), &DVector::from(&r.v))?;
+            Some(Flow { q: (&q).into(), v: (&v).into(), lost: 0.0 })
         };
         let mut error = filtered(&rate.plus(1.0 / h, &e))?;
         if scale.norm(&error) > 1.0 {
@@ -209,7 +198,7 @@ impl<const N: usize> Method<N> for Radau<N> {
     }
 
     /// The collocation's own polynomial: through the start and the three stages.
-    fn dense(&mut self, _: &mut Field<'_, N>, start: &Flow<N>, _: f64, _: &Trial<N>) -> Dense<N> {
+    fn dense(&mut self, _: &mut Field<'_>, start: &Flow, _: f64, _: &Trial) -> Dense {
         let s = 6f64.sqrt();
         let powers = [
             [13.0 / 3.0 + 7.0 * s / 3.0, 13.0 / 3.0 - 7.0 * s / 3.0, 1.0 / 3.0],
@@ -217,6 +206,6 @@ impl<const N: usize> Method<N> for Radau<N> {
             [10.0 / 3.0 + 5.0 * s, 10.0 / 3.0 - 5.0 * s, 10.0 / 3.0],
         ];
         let [a, b, c] = powers.map(|factors| Self::combine(&factors, &self.z));
-        Dense::new(&[*start, a, b, c])
+        Dense::new(vec![start.clone(), a, b, c])
     }
 }

@@ -1,6 +1,6 @@
 //! Methods against the exact engine, on scenes whose cells are linear: orders, events, accounts; and their ends.
 
-use crate::engine::equations;
+use crate::engine::equations::DerivedModel;
 use crate::engine::equations::Equations;
 use crate::engine::record::Recorder;
 use crate::engine::{Refusal, Stop};
@@ -57,7 +57,7 @@ pub(super) fn run(overrides: &[&str]) -> Outcome {
 fn try_run(overrides: &[&str]) -> Result<Outcome, Refusal> {
     let scene = scene(overrides);
     let entry = MODELS.iter().find(|m| m.model.name == scene.model.name).unwrap();
-    (entry.run)(&scene, &mut |_| {})
+    entry.run(&scene, &mut |_| {})
 }
 
 /// The largest difference of two trajectories' rows, each column in units of its own largest value, or a millionth of the
@@ -75,7 +75,7 @@ pub(crate) fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     most
 }
 
-fn methods() -> Vec<(Box<dyn Method<2>>, u32)> {
+fn methods() -> Vec<(Box<dyn Method>, u32)> {
     vec![
         (Box::new(Explicit::new(RK4)), 4),
         (Box::new(Explicit::new(DOPRI5)), 5),
@@ -85,7 +85,7 @@ fn methods() -> Vec<(Box<dyn Method<2>>, u32)> {
 }
 
 /// A run by `method` in steps of length `h`, with the end row alone or with samples.
-fn fixed(equations: &dyn Equations<2>, scene: &Scene, method: Box<dyn Method<2>>, h: f64) -> Trajectory {
+fn fixed(equations: &dyn Equations, scene: &Scene, method: Box<dyn Method>, h: f64) -> Trajectory {
     let (steps, events) = (Steps::Fixed(h), Events::Located);
     let settings = Settings { steps, events, give_way: false, most_steps: u64::MAX };
     let mut advance = Advance::new(equations, scene, method, settings, None).unwrap();
@@ -101,7 +101,7 @@ fn fixed(equations: &dyn Equations<2>, scene: &Scene, method: Box<dyn Method<2>>
 fn methods_keep_their_orders_through_jumps() {
     let exact = run(&["output.rate=\"50 Hz\""]).trajectory;
     let scene = scene(&["output.rate=\"50 Hz\""]);
-    let equations = equations::of::<GearPair, 2>(&scene).unwrap();
+    let equations = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     assert!(exact.moment.iter().filter(|m| **m == Moment::Before).count() >= 8);
     for i in 0..methods().len() {
         let (name, order) = (methods()[i].0.name(), methods()[i].1);
@@ -124,7 +124,7 @@ fn dense_output_has_its_order() {
     let overrides = ["output.events=false", "run.t_end=\"0.003 s\"", "output.rate=\"70 kHz\""];
     let exact = run(&overrides).trajectory;
     let scene = scene(&overrides);
-    let equations = equations::of::<GearPair, 2>(&scene).unwrap();
+    let equations = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     for (i, expected) in [4.0, 5.0, 8.0, 4.0].into_iter().enumerate() {
         let coarse = if i == 2 { 1e-4 } else { 1.5e-5 };
         let error = |part| difference(&fixed(&*equations, &scene, methods().swap_remove(i).0, coarse * part), &exact);
@@ -234,7 +234,7 @@ fn a_grid_without_events_is_of_first_order() {
 #[test]
 fn ends_are_named() {
     let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
-    let equations: Box<dyn Equations<2>> = equations::of::<GearPair, 2>(&scene).unwrap();
+    let equations: Box<dyn Equations> = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };
     let mut advance = Advance::new(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings, None).unwrap();
     let stop = advance.run(None, &mut |_| {}).unwrap_err();

@@ -61,6 +61,6 @@ impl fmt::Display for Account {
 
 /// Whether the account must close: not where the scene leaves out the jump terms or lets time move a phase, for then energy comes
 /// from nowhere by the scene's own choice.
-pub fn closes<const N: usize>(laws: &[Law<N>]) -> bool {
+pub fn closes(laws: &[Law]) -> bool {
     laws.iter().all(|law| matches!(law.switching, Switching::WithJump | Switching::Never))
 }

@@ -121,8 +121,8 @@ impl Sweep {
             }
         }
         let mut outcomes = match self.needs_only_ends() {
-            true => (self.entry.ends)(&scenes),
-            false => scenes.iter().map(|scene| (self.entry.run)(scene, &mut |_| {})).collect(),
+            true => self.entry.ends(&scenes),
+            false => scenes.iter().map(|scene| self.entry.run(scene, &mut |_| {})).collect(),
         };
         if self.groups.iter().any(|group| group.digits) {
             self.note_digits(&scenes, &mut outcomes);
@@ -139,7 +139,7 @@ impl Sweep {
         let both =
             || scenes.iter().zip(&*outcomes).filter_map(|(scene, outcome)| Some((scene, outcome.as_ref().ok()?)));
         let companions: Vec<Scene> = both().map(|(scene, outcome)| digits::companion(scene, outcome, true)).collect();
-        let ends = (self.entry.ends)(&companions);
+        let ends = self.entry.ends(&companions);
         let noted: Vec<_> =
             both().zip(ends).map(|((scene, run), end)| Some(digits::left(scene, run, &end.ok()?))).collect();
         outcomes.iter_mut().flatten().zip(noted).for_each(|(outcome, noted)| outcome.digits = noted);

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-use gearsim::engine::equations;
 use gearsim::engine::equations::Derived;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::record::Recorder;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -70,10 +70,11 @@ impl Numbers<'_> {
 pub fn check(data: &[u8]) {
     let mut numbers = Numbers(data);
     let Some(scene) = scene(&mut numbers) else { return };
-    let equations = equations::of::<GearPair, 2>(&scene).expect("the effects do not contradict one another");
+    let equations =
+        DerivedModel::of::<GearPair>().equations(&scene).expect("the effects do not contradict one another");
     let Ok(mut simulation) = Simulation::new(scene.model, &*equations, &scene) else { return };
     let lengths = simulation.turn_lengths();
-    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state, simulation.levels());
+    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state.clone(), simulation.levels());
     let (mut events, mut half) = (0, 0.0);
     let run = AssertUnwindSafe(|| {
         simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |t| {
@@ -100,7 +101,7 @@ pub fn check(data: &[u8]) {
         return;
     }
     let state = &simulation.state;
-    assert!(state.q.iter().chain(&state.q_dot).all(|x| x.is_finite()), "{state:?}");
+    assert!(state.q.iter().chain(state.q_dot.iter()).all(|x| x.is_finite()), "{state:?}");
     // Energies are squares, and may overflow where no state does; a state in them must not be none.
     let rows = recorder.trajectory;
     let columns = rows.q.iter().chain(&rows.q_dot).chain([&rows.t]);

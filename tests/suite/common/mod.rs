@@ -37,7 +37,7 @@ pub fn scene(name: &str, overrides: &[String]) -> Scene {
 
 /// Runs a scene to its end.
 pub fn run(scene: &Scene) -> Outcome {
-    let outcome = (model(scene.model.name).run)(scene, &mut |_| {}).unwrap();
+    let outcome = model(scene.model.name).run(scene, &mut |_| {}).unwrap();
     if let Some(stop) = &outcome.stopped_by {
         panic!("{}: {stop}", scene.name);
     }

@@ -3,7 +3,7 @@
 #![allow(dead_code)] // each test binary uses its part
 
 use gearsim::engine::Stop;
-use gearsim::engine::equations;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::law::Law;
 use gearsim::engine::record::{Recorder, State};
 use gearsim::engine::simulate::{Counts, Simulation};
@@ -37,9 +37,9 @@ pub struct Pair {
 /// Where a run has got to, all that the next needs.
 #[derive(Debug, Clone)]
 pub struct Ran {
-    pub state: State<2>,
+    pub state: State,
     pub cell: usize,
-    pub laws: Vec<Law<2>>,
+    pub laws: Vec<Law>,
     /// Times of the events since its start [s].
     pub times: Vec<f64>,
     pub counts: Counts,
@@ -89,7 +89,7 @@ impl Pair {
 
     fn run_from(&self, from: Option<&Ran>) -> Ran {
         let scene = self.scene();
-        let equations = equations::of::<GearPair, 2>(&scene).expect("its effects agree");
+        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("its effects agree");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
         if let Some(from) = from {
@@ -105,7 +105,7 @@ impl Pair {
     /// What the recorder of the program writes of its run, until it ends or has to stop.
     pub fn recorded(&self) -> Trajectory {
         let scene = self.scene();
-        let equations = equations::of::<GearPair, 2>(&scene).expect("its effects agree");
+        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("its effects agree");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
         simulation.state.q[1] = self.q[1];
         let (state, k) = (simulation.state, simulation.levels().to_vec());
@@ -124,7 +124,7 @@ impl Pair {
     }
 
     /// The largest difference of two states in terms of its sizes, whole pitches counted.
-    pub fn difference(&self, a: &State<2>, b: &State<2>) -> f64 {
+    pub fn difference(&self, a: &State, b: &State) -> f64 {
         let turns = (a.turns[0] - b.turns[0]) as f64 * PITCH;
         let [q, v]: [SVector<f64, 2>; 2] = [a.q - b.q, a.q_dot - b.q_dot];
         let by = [q[0] + turns, q[1], v[0], v[1]];

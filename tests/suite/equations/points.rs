@@ -42,7 +42,7 @@ impl Point {
     }
 
     /// The generated equations with the same numbers.
-    pub fn equations(&self, effects: u32) -> Box<dyn Equations<2>> {
+    pub fn equations(&self, effects: u32) -> Box<dyn Equations> {
         let p = &self.pair;
         Generated::equations(
             effects,

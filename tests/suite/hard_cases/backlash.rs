@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 use gearsim::engine::Refusal;
 use gearsim::engine::dead_band::{Grip, Regime};
-use gearsim::engine::equations;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair;
 use gearsim::scene::{Effects, Precision, Scene};
@@ -224,7 +224,7 @@ fn pulls(note: &mut String) -> f64 {
     let worst = (0..60).map(|_| {
         let scene = rattling(&mut noise, &[]);
         let zeta = scene.parameter("zeta").expect("a parameter");
-        let equations = equations::of::<gear_pair::GearPair, 2>(&scene).expect("effects that go together");
+        let equations = DerivedModel::of::<gear_pair::GearPair>().equations(&scene).expect("effects that go together");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("a system");
         let (_, _, c) = constants(zeta);
         let c = c * (scene.laws[0].mid() / ((1430.0 + 2780.0) / 2.0)).sqrt();
@@ -236,7 +236,7 @@ fn pulls(note: &mut String) -> f64 {
             let ([k, .., damp, clip], band) = (simulation.levels(), &simulation.bands[0]) else { unreachable!() };
             regimes.insert(format!("{:?}", band.regime));
             let Regime::Contact(side, grip) = band.regime else { continue };
-            let x = band.depth(side, &simulation.state);
+            let x = band.depth(side, &simulation.state.q);
             let (spring, damper) = (k * x, c * side.sign() * simulation.state.q_dot[1]);
             // The forces of the contact by its definition, and by the law values that the engine goes by.
             let force = spring + damper.clamp(-spring.abs(), spring.abs());
@@ -335,7 +335,7 @@ fn refused(_: &mut String) -> f64 {
     let with = |change: fn(&mut Scene)| {
         let mut scene = common::scene("backlash", &[]);
         change(&mut scene);
-        (common::model("gear_pair").run)(&scene, &mut |_| {}).err()
+        common::model("gear_pair").run(&scene, &mut |_| {}).err()
     };
     let compensated = with(|scene| scene.solver.precision = Precision::Compensated);
     let without = |line: &str| {

@@ -64,7 +64,7 @@ fn sum() -> &'static Sum {
             let t_end = until_pressed(&pair::run(&pair, &start, t_end).events, pair.w0()).unwrap_or(t_end);
             let exact = scene(&pair, &start, t_end, 50).end;
             let scene = pair::scene(&pair, &start, t_end);
-            let run = |scene: &_| (common::model("gear_pair").run)(scene, &mut |_| {});
+            let run = |scene: &_| common::model("gear_pair").run(scene, &mut |_| {});
             let outcome = digits::noted(&scene, run(&scene).expect("a sound scene"), &run);
             let claimed = outcome.digits.expect("a companion that runs").at_end;
             let (q, v) = error::sizes(&outcome.trajectory);

@@ -67,7 +67,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-const PRESSED: Entry = Entry::new::<Pressed, 2>();
+const PRESSED: Entry = Entry::new::<Pressed>();
 /// T + V of the pressed rotor at rest: load²/(2 k) [J].
 const ENERGY: f64 = 10.0;
 

@@ -6,9 +6,9 @@ use gearsim::engine::cell::Cell;
 use gearsim::engine::crossing::{Cost, Search, Side};
 use gearsim::engine::error::Refusal;
 use gearsim::engine::signal::Signal;
+use gearsim::engine::vector::Vector;
 use gearsim_tests::precise::exponential::Exponential;
 use gearsim_tests::precise::number::{Real, Scalar};
-use nalgebra::SVector;
 
 use crate::case::{Case, NONE, WRONG, largest};
 use crate::linear::{Linear, diagonal};
@@ -86,7 +86,7 @@ fn digits<const N: usize>(x: &[f64; N]) -> Vec<Digits> {
 /// The error of q and q' after `t`, in roundings of (1 + rate t) of the largest speed; all in units of sqrt(M).
 fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64) -> f64 {
     let cell = system.cell();
-    let flight = cell.flight(&SVector::from(*q), &SVector::from(*v));
+    let flight = cell.flight(&Vector::from(*q), &Vector::from(*v));
     let (dq, dv) = flight.increments(&flight.at(t));
     let exact = exact(system);
     let (x, y) = exact.over(&Digits::exact(t)).of(&digits(q), &digits(v));
@@ -155,7 +155,7 @@ fn losses(note: &mut String) -> f64 {
     let worst = of_all!(&mut noise, drawn => {
         let system = &drawn.system;
         let cell = system.cell();
-        let flight = cell.flight(&SVector::from(drawn.q), &SVector::from(drawn.v));
+        let flight = cell.flight(&Vector::from(drawn.q), &Vector::from(drawn.v));
         let lost = flight.dissipated(&flight.at(drawn.t));
         let (q, v) = exact(system).over(&Digits::exact(drawn.t)).of(&digits(&drawn.q), &digits(&drawn.v));
         let [before, after] = [(digits(&drawn.q), digits(&drawn.v)), (q.clone(), v)].map(|(q, v)| {
@@ -217,11 +217,11 @@ fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize
     let (up, down) = ((0.2 + 0.9 * noise.unit()) * high, (0.2 + 0.9 * noise.unit()) * low);
     let (up, down) = (if up > 0.0 { up } else { low }, if down > 0.0 { down } else { high });
     let cell = system.cell();
-    let flight = cell.flight(&SVector::from(drawn.q), &SVector::from(drawn.v));
-    let (on_moved, on_speed) = cell.follow(&SVector::from(system.normal), None);
+    let flight = cell.flight(&Vector::from(drawn.q), &Vector::from(drawn.v));
+    let (on_moved, on_speed) = cell.follow(&Vector::from(system.normal), None);
     let signal = Signal { flight: &flight, on_moved: &on_moved, on_speed: on_speed.as_ref() };
     let mut point = flight.begin();
-    let rate = SVector::from(system.normal).dot(&SVector::from(drawn.v));
+    let rate = Vector::from(system.normal).dot(&Vector::from(drawn.v));
     let found = Search { signal, rate, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());
     let Ok(side) = found else { return 1.0 };
     let end = if side.is_some() { point.t } else { drawn.t };
@@ -252,7 +252,7 @@ fn continuity(_: &mut String) -> f64 {
             normal: [1.0; 3],
         };
         let cell = system.cell();
-        let flight = cell.flight(&SVector::from([0.1, -0.2, 0.3]), &SVector::from([0.5, 0.4, -0.3]));
+        let flight = cell.flight(&Vector::from([0.1, -0.2, 0.3]), &Vector::from([0.5, 0.4, -0.3]));
         let point = flight.at(20.0);
         let (dq, dv) = flight.increments(&point);
         (dq, dv, flight.dissipated(&point))
@@ -261,7 +261,7 @@ fn continuity(_: &mut String) -> f64 {
     largest((4..=32).map(|half| {
         let coupling = 10f64.powf(-0.5 * f64::from(half));
         let with = at(coupling);
-        let apart = (with.0 - none.0).amax().max((with.1 - none.1).amax()).max((with.2 - none.2).abs());
+        let apart = (&with.0 - &none.0).amax().max((&with.1 - &none.1).amax()).max((with.2 - none.2).abs());
         apart / (coupling + 16.0 * f64::EPSILON)
     }))
 }

@@ -1,9 +1,9 @@
 //! Row 6: damping factors 0, 1 +- 10^-k, up to 1e6.
 
+use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::{GearPair, State};
 use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::number::{Real, Scalar};
-use nalgebra::SVector;
 
 use crate::case::{Case, largest};
 use crate::linear::Linear;
@@ -51,7 +51,7 @@ fn responses(note: &mut String) -> f64 {
     largest(zetas.into_iter().flat_map(|zeta| {
         let (omega, v, force) = (3.0, 0.7, -4.0);
         let cell = Linear::modal([(zeta * omega, omega * omega)], [force]).cell();
-        let flight = cell.flight(&SVector::zeros(), &SVector::from([v]));
+        let flight = cell.flight(&Vector::zeros(1), &Vector::from([v]));
         let exact = |t: f64| {
             let [sigma, omega2, force, v] =
                 [cell.modes[0].sigma, cell.modes[0].omega2, force, v].map(Real::<192>::exact);
@@ -77,7 +77,7 @@ fn responses(note: &mut String) -> f64 {
 fn continuity(_: &mut String) -> f64 {
     let at = |zeta: f64, t: f64| {
         let cell = Linear::modal([(zeta, 1.0)], [-0.6]).cell();
-        let flight = cell.flight(&SVector::zeros(), &SVector::from([0.8]));
+        let flight = cell.flight(&Vector::zeros(1), &Vector::from([0.8]));
         flight.at(t).moved[0]
     };
     largest((4..=16).flat_map(|k| {

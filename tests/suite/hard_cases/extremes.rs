@@ -30,7 +30,7 @@ pub const CASES: &[Case] = &[
 /// What a run of a scene with these overrides comes to: refused, or the finiteness of its last row.
 fn end(overrides: &[String]) -> Result<bool, String> {
     let scene = load(overrides)?;
-    let outcome = (common::model(scene.model.name).run)(&scene, &mut |_| {}).map_err(|e| e.to_string())?;
+    let outcome = common::model(scene.model.name).run(&scene, &mut |_| {}).map_err(|e| e.to_string())?;
     let t = &outcome.trajectory;
     let last = t.len() - 1;
     Ok(outcome.stopped_by.is_some() || (0..2).all(|i| t.q[i][last].is_finite() && t.q_dot[i][last].is_finite()))

@@ -5,10 +5,10 @@ mod incidence;
 
 use gearsim::engine::equations::Equations;
 use gearsim::engine::jump::{Passage, Surface};
+use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::GearPair;
 use gearsim_tests::precise::number::Scalar;
 use incidence::{Digits, incidences, square};
-use nalgebra::SVector;
 
 use crate::case::{Case, NONE, WRONG, count, largest};
 use crate::linear::{Linear, diagonal};
@@ -67,11 +67,11 @@ pub const CASES: &[Case] = &[
 const IN_CONTACT: &[f64] = &[0.0, 1.0, 0.0, 1.0, 0.0];
 
 /// What the engine makes of an incidence, with the equations of the gear pair.
-fn pass(equations: &dyn Equations<2>, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
-    let mut q_dot = SVector::from(v);
+fn pass(equations: &dyn Equations, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
+    let mut q_dot = Vector::from(v);
     let side = if v[0] >= 0.0 { Side::Upper } else { Side::Lower };
     let passage = Surface::new(equations, 0).pass(&mut q_dot, side, equations.step(0, &q, IN_CONTACT, dk));
-    (passage, q_dot.into())
+    (passage, [q_dot[0], q_dot[1]])
 }
 
 fn branches(note: &mut String) -> f64 {

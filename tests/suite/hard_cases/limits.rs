@@ -1,5 +1,6 @@
 //! Row 13: coincident and defective modes, against the matrix exponential.
 
+use gearsim::engine::vector::Vector;
 use gearsim_tests::precise::exponential::Exponential;
 use gearsim_tests::precise::number::{Real, Scalar};
 use nalgebra::{SMatrix, SVector};
@@ -79,7 +80,7 @@ fn cells(note: &mut String, seed: u64, kind: Kind) -> f64 {
         let (q, v) = ([(); 3].map(|()| noise.even()), [(); 3].map(|()| noise.even()));
         let t = noise.power(-2.0, 1.0);
         let cell = system.cell();
-        let flight = cell.flight(&SVector::from(q), &SVector::from(v));
+        let flight = cell.flight(&Vector::from(q), &Vector::from(v));
         let (dq, dv) = flight.increments(&flight.at(t));
         let exact = propagate(&system, q, v, t);
         let rate = omega.iter().fold(0.0, |m: f64, w| m.max(w * (1.0 + 2.0 * zeta)));

@@ -2,9 +2,9 @@
 
 use gearsim::engine::cell::{Cell, Flight, Point};
 use gearsim::engine::crossing::{Cost, Lost, Search, Side};
-use gearsim::engine::equations::{DeadBand, Equations, Switching};
+use gearsim::engine::equations::{DeadBand, Equations, Switching, matrix};
 use gearsim::engine::signal::Signal;
-use nalgebra::SVector;
+use gearsim::engine::vector::{Matrix, Vector, dot};
 
 /// The matrices themselves. V = q.K q/2, and at a step dk of its one law dV = dk q_0²/2.
 #[derive(Debug, Clone, Copy)]
@@ -34,69 +34,68 @@ impl<const N: usize> Linear<N> {
     }
 
     /// Its modes.
-    pub fn cell(&self) -> Cell<N> {
+    pub fn cell(&self) -> Cell {
         Cell::new(self, &[]).unwrap_or_else(|refusal| panic!("{refusal}: {self:?}"))
     }
 }
 
-fn times<const N: usize>(a: &[[f64; N]; N], x: &[f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| (0..N).map(|j| a[i][j] * x[j]).sum())
-}
-
-fn dot<const N: usize>(x: &[f64; N], y: &[f64; N]) -> f64 {
-    (0..N).map(|i| x[i] * y[i]).sum()
-}
-
-impl<const N: usize> Equations<N> for Linear<N> {
-    fn kinetic(&self, q_dot: &[f64; N]) -> f64 {
+impl<const N: usize> Equations for Linear<N> {
+    fn coordinates(&self) -> usize {
+        N
+    }
+    fn kinetic(&self, q_dot: &[f64]) -> f64 {
         0.5 * dot(q_dot, &times(&self.mass, q_dot))
     }
-    fn potential(&self, q: &[f64; N], _: &[f64]) -> f64 {
+    fn potential(&self, q: &[f64], _: &[f64]) -> f64 {
         0.5 * dot(q, &times(&self.stiffness, q))
     }
-    fn dissipation(&self, q_dot: &[f64; N], _: &[f64]) -> f64 {
+    fn dissipation(&self, q_dot: &[f64], _: &[f64]) -> f64 {
         0.5 * dot(q_dot, &times(&self.damping, q_dot))
     }
-    fn torque_work(&self, _: usize, dq: &[f64; N]) -> f64 {
+    fn torque_work(&self, _: usize, dq: &[f64]) -> f64 {
         self.work(dq)
     }
-    fn work(&self, dq: &[f64; N]) -> f64 {
+    fn work(&self, dq: &[f64]) -> f64 {
         dot(&self.load, dq)
     }
-    fn force(&self, q: &[f64; N], q_dot: &[f64; N], _: &[f64], _: &[f64]) -> [f64; N] {
+    fn write_force(&self, q: &[f64], q_dot: &[f64], _: &[f64], _: &[f64], force: &mut [f64]) {
         let (c, k) = (times(&self.damping, q_dot), times(&self.stiffness, q));
-        std::array::from_fn(|i| self.load[i] - c[i] - k[i])
+        (0..N).for_each(|i| force[i] = self.load[i] - c[i] - k[i]);
     }
-    fn jacobian(&self, _: &[f64; N], _: &[f64; N], _: &[f64], _: &[f64], _: &[f64]) -> [[[f64; N]; N]; 2] {
+    fn jacobian(&self, _: &[f64], _: &[f64], _: &[f64], _: &[f64], _: &[f64]) -> [Matrix; 2] {
         unreachable!("linear cells are not integrated")
     }
-    fn mass(&self) -> [[f64; N]; N] {
-        self.mass
+    fn mass(&self) -> Matrix {
+        matrix(&self.mass)
     }
-    fn damping(&self, _: &[f64]) -> [[f64; N]; N] {
-        self.damping
+    fn damping(&self, _: &[f64]) -> Matrix {
+        matrix(&self.damping)
     }
-    fn stiffness(&self, _: &[f64]) -> [[f64; N]; N] {
-        self.stiffness
+    fn stiffness(&self, _: &[f64]) -> Matrix {
+        matrix(&self.stiffness)
     }
-    fn load(&self, _: &[f64]) -> [f64; N] {
-        self.load
+    fn load(&self, _: &[f64]) -> Vector {
+        self.load.into()
     }
-    fn motion(&self, _: usize) -> [f64; N] {
-        [1.0; N]
+    fn motion(&self, _: usize) -> Vector {
+        [1.0; N].into()
     }
     fn switching(&self, _: usize) -> Switching {
         Switching::WithJump
     }
-    fn normal(&self, _: usize) -> [f64; N] {
-        self.normal
+    fn normal(&self, _: usize) -> Vector {
+        self.normal.into()
     }
-    fn step(&self, _: usize, q: &[f64; N], _: &[f64], dk: f64) -> f64 {
+    fn step(&self, _: usize, q: &[f64], _: &[f64], dk: f64) -> f64 {
         0.5 * dk * q[0] * q[0]
     }
-    fn dead_band(&self, _: usize) -> Option<DeadBand<N>> {
+    fn dead_band(&self, _: usize) -> Option<DeadBand> {
         None
     }
+}
+
+fn times<const N: usize>(a: &[[f64; N]; N], x: &[f64]) -> [f64; N] {
+    a.map(|row| dot(&row, x))
 }
 
 /// What a search found: the boundary and the time [s], and what it cost.
@@ -108,13 +107,8 @@ pub struct Met {
 }
 
 /// Searches for the first boundary that n.q meets, `down` and `up` away, before `horizon` [s].
-pub fn first<const N: usize>(
-    flight: &Flight<'_, N>,
-    participation: &SVector<f64, N>,
-    [down, up]: [f64; 2],
-    horizon: f64,
-) -> Result<Met, Lost> {
-    let (mut point, mut cost): (Point<N>, Cost) = (flight.begin(), Cost::default());
+pub fn first(flight: &Flight<'_>, participation: &Vector, [down, up]: [f64; 2], horizon: f64) -> Result<Met, Lost> {
+    let (mut point, mut cost): (Point, Cost) = (flight.begin(), Cost::default());
     let signal = Signal { flight, on_moved: participation, on_speed: None };
     let search = Search { signal, rate: signal.derivatives(&point)[1], down, up, horizon };
     let side = search.first(&mut point, &mut cost)?;
@@ -124,7 +118,7 @@ pub fn first<const N: usize>(
 /// [`first`] from rest of `q` at 0 and the speeds `v`.
 pub fn first_from<const N: usize>(system: &Linear<N>, v: [f64; N], gaps: [f64; 2], horizon: f64) -> Met {
     let cell = system.cell();
-    let flight = cell.flight(&SVector::zeros(), &SVector::from(v));
-    let participation = cell.participation(&SVector::from(system.normal));
+    let flight = cell.flight(&Vector::zeros(N), &v.into());
+    let participation = cell.participation(&system.normal.into());
     first(&flight, &participation, gaps, horizon).expect("a search that ends")
 }

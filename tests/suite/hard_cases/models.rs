@@ -7,7 +7,7 @@ use gearsim::scene::Scene;
 pub fn run(entry: &Entry, text: &str) -> Outcome {
     let scene = Scene::parse("case", "case.toml", text, &[], &[entry.model])
         .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)));
-    let outcome = (entry.run)(&scene, &mut |_| {}).expect("a scene that can be simulated");
+    let outcome = entry.run(&scene, &mut |_| {}).expect("a scene that can be simulated");
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
 }

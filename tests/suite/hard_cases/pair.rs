@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use gearsim::engine::equations;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::equations::Equations;
 use gearsim::generated::gear_pair;
 use gearsim::model::Start;
@@ -40,8 +40,10 @@ pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
 }
 
 /// The equations of a gear pair with all its effects.
-pub fn equations(pair: &GearPair) -> Box<dyn Equations<2>> {
-    equations::of::<gear_pair::GearPair, 2>(&scene(pair, &pair.start(0.0), 1.0)).expect("effects that go together")
+pub fn equations(pair: &GearPair) -> Box<dyn Equations> {
+    DerivedModel::of::<gear_pair::GearPair>()
+        .equations(&scene(pair, &pair.start(0.0), 1.0))
+        .expect("effects that go together")
 }
 
 /// Runs a gear pair in the engine. A run that stops early has the events until then.
@@ -51,7 +53,7 @@ pub fn run(pair: &GearPair, start: &State, t_end: f64) -> Run {
 
 /// Runs a scene of two steps a pitch.
 pub fn of(scene: &Scene) -> Run {
-    let outcome = (common::model(scene.model.name).run)(scene, &mut |_| {}).unwrap_or_else(|e| panic!("{e}"));
+    let outcome = common::model(scene.model.name).run(scene, &mut |_| {}).unwrap_or_else(|e| panic!("{e}"));
     let t = &outcome.trajectory;
     let width = scene.laws[0].steps[0].width;
     let befores = (0..t.len()).filter(|&i| t.moment[i] == Moment::Before);

@@ -1,8 +1,8 @@
 //! Row 5: stiffness and inertia ratios of 1e+-9, cells without stiffness.
 
 use gearsim::engine::cell::Cell;
+use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::{GearPair, State};
-use nalgebra::SVector;
 
 use crate::case::{Case, largest};
 use crate::noise::Noise;
@@ -98,8 +98,8 @@ fn flight(_: &mut String) -> f64 {
     let equations = pair::equations(&GearPair::paper(0.0, 0.0));
     let cell = Cell::new(&*equations, &[0.0]).expect("a cell without stiffness");
     largest((0..1000).map(|_| {
-        let v = SVector::from([noise.even(), noise.even()]);
-        let (flight, t) = (cell.flight(&SVector::from([noise.even(), noise.even()]), &v), noise.power(-9.0, 9.0));
+        let v = Vector::from([noise.even(), noise.even()]);
+        let (flight, t) = (cell.flight(&Vector::from([noise.even(), noise.even()]), &v), noise.power(-9.0, 9.0));
         let (dq, dv) = flight.increments(&flight.at(t));
         let way = largest([dq[0] - v[0] * t, dq[1] - v[1] * t].map(f64::abs)) / (v.amax() * t);
         largest([way, dv.amax() / v.amax()]) / f64::EPSILON
@@ -112,7 +112,7 @@ fn momentum(_: &mut String) -> f64 {
         let equations = pair::equations(&GearPair { i2: 2.89e-3 * ratio, ..GearPair::paper(0.0, 3.0) });
         let (cell, m) = (Cell::new(&*equations, &[2000.0]).expect("a cell"), equations.mass()[0]);
         [(); 50].map(|()| {
-            let [q, v] = [(); 2].map(|()| SVector::from([noise.even(), noise.even()]));
+            let [q, v] = [(); 2].map(|()| Vector::from([noise.even(), noise.even()]));
             let flight = cell.flight(&q, &v);
             let (_, dv) = flight.increments(&flight.at(noise.unit() / cell.modes[1].rate));
             let largest = largest([m[0] * (v[0].abs() + dv[0].abs()), (m[1] * (v[1].abs() + dv[1].abs())).abs()]);

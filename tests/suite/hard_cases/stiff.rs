@@ -2,8 +2,8 @@
 
 use gearsim::engine::cell::Cell;
 use gearsim::engine::crossing::Side;
+use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::GearPair;
-use nalgebra::SVector;
 
 use crate::case::{Case, largest};
 use crate::linear::{Linear, diagonal, first_from};
@@ -84,7 +84,7 @@ fn rolling(_: &mut String) -> f64 {
     let equations = pair::equations(&GearPair::paper(0.05, 0.0));
     largest([1430.0, 2780.0].map(|k| {
         let cell = Cell::new(&*equations, &[k]).expect("a cell of the paper's");
-        let flight = cell.flight(&SVector::zeros(), &SVector::from([1500.0, 0.0]));
+        let flight = cell.flight(&Vector::zeros(2), &Vector::from([1500.0, 0.0]));
         let (dq, _) = flight.increments(&flight.at(1e-3));
         (dq[1] / dq[0]).abs()
     }))

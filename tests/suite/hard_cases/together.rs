@@ -35,8 +35,8 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-const MESHES: Entry = Entry::new::<Meshes, 3>();
-const TWICE: Entry = Entry::new::<Twice, 2>();
+const MESHES: Entry = Entry::new::<Meshes>();
+const TWICE: Entry = Entry::new::<Twice>();
 
 /// Both meshes are met at t = 0.2 s, and passed, with inertia `mu` between them.
 fn meet(mu: f64, k: [f64; 2], l: [f64; 2]) -> Outcome {

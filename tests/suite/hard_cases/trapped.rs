@@ -49,7 +49,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-const PRESSED: Entry = Entry::new::<Pressed, 2>();
+const PRESSED: Entry = Entry::new::<Pressed>();
 
 /// Times of the reflections.
 fn reflections(outcome: &Outcome) -> Vec<f64> {

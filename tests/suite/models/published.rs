@@ -53,7 +53,7 @@ pub const CASES: &[Case] = &[
             (11775.3, 1, TENTH),
         ],
         reason: PRINTED,
-        ours: || train::<planar_planetary_3::PlanarPlanetary3, 18>(&lin_parker(3)).frequencies(),
+        ours: || train::<planar_planetary_3::PlanarPlanetary3>(&lin_parker(3)).frequencies(),
     },
     Case {
         source: LIN_PARKER,
@@ -77,7 +77,7 @@ pub const CASES: &[Case] = &[
             (13071.1, 1, TENTH),
         ],
         reason: PRINTED,
-        ours: || train::<planar_planetary_4::PlanarPlanetary4, 21>(&lin_parker(4)).frequencies(),
+        ours: || train::<planar_planetary_4::PlanarPlanetary4>(&lin_parker(4)).frequencies(),
     },
     Case {
         source: FRISWELL,
@@ -86,7 +86,7 @@ pub const CASES: &[Case] = &[
         printed: &[(0.0, 1, DIGITS), (176.1, 1, 3e-4)],
         reason: "half a digit of 176.1",
         ours: || {
-            train::<chain_2::Chain2, 2>(&[("I1", 211.4), ("I2", 8.3), ("k1", 9.775e6), NONE[0], NONE[1]]).frequencies()
+            train::<chain_2::Chain2>(&[("I1", 211.4), ("I2", 8.3), ("k1", 9.775e6), NONE[0], NONE[1]]).frequencies()
         },
     },
     Case {
@@ -98,7 +98,7 @@ pub const CASES: &[Case] = &[
         ours: || {
             let discs = [("I1", 3.5e-3), ("I2", 3.5e-3), ("I3", 3.5e-3), ("I4", 0.15), ("I5", 0.05)];
             let shafts = [("k1", 12e3), ("k2", 12e3), ("k3", 14e3), ("k4", 10e3)];
-            train::<chain_5::Chain5, 5>(&[&discs[..], &shafts, &NONE].concat()).frequencies()
+            train::<chain_5::Chain5>(&[&discs[..], &shafts, &NONE].concat()).frequencies()
         },
     },
     Case {
@@ -110,7 +110,7 @@ pub const CASES: &[Case] = &[
         ours: || {
             let rotors = [("I_m", 400e-6), ("I1", 25e-6), ("I2", 25e-6), ("I_a", 700e-6), ("I_b", 700e-6)];
             let shafts = [("k_m", 1e4), ("k_a", 5e3), ("k_b", 5e3)];
-            train::<geared_branches::GearedBranches, 4>(&[&rotors[..], &shafts, &NONE].concat()).frequencies()
+            train::<geared_branches::GearedBranches>(&[&rotors[..], &shafts, &NONE].concat()).frequencies()
         },
     },
 ];

@@ -129,6 +129,6 @@ fn an_error_that_does_not_change_is_an_offset() {
 fn what_does_not_follow_it_is_refused() {
     let effects = r#"effects=["stiffness_step", "transmission_error"]"#;
     let set = [effects.into(), OF_TEETH.into(), "run.precision=\"compensated\"".into()];
-    let refused = (common::model("gear_pair").run)(&common::scene("oh2005/energy_300rpm", &set), &mut |_| {});
+    let refused = common::model("gear_pair").run(&common::scene("oh2005/energy_300rpm", &set), &mut |_| {});
     assert_eq!(refused.err(), Some(Refusal::CompensatedCells));
 }

@@ -25,7 +25,7 @@ pub fn agree(scene: &Scene) -> Result<String, String> {
     let mut scene = scene.clone();
     scene.output.rate = 500.0 / scene.t_end;
     scene.solver = Solver { tolerance: TOLERANCE, precision: Precision::Plain, ..Solver::default() };
-    let run = |scene: &Scene| (common::model(scene.model.name).run)(scene, &mut |_| {});
+    let run = |scene: &Scene| common::model(scene.model.name).run(scene, &mut |_| {});
     let (first, left) = loop {
         let outcome = digits::noted(&scene, run(&scene).map_err(|e| e.to_string())?, &run);
         let left = outcome.digits.ok_or("the companion was refused")?;

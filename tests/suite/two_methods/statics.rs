@@ -61,7 +61,7 @@ pub fn balance(name: &str) -> Result<String, String> {
 /// boundary, which holds it.
 fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
     let entry = common::model(scene.model.name);
-    let outcome = (entry.run)(scene, &mut |_| {}).map_err(|e| e.to_string())?;
+    let outcome = entry.run(scene, &mut |_| {}).map_err(|e| e.to_string())?;
     let at = |columns: &[Vec<f64>]| columns.iter().map(|column| column[0]).collect::<Vec<_>>();
     let (q, v) = (at(&outcome.trajectory.q), at(&outcome.trajectory.q_dot));
     let coordinate = |name: &str| scene.model.coordinates.iter().position(|c| c.name == name).expect("a phase");
@@ -74,7 +74,7 @@ fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
         }
         levels.push(level);
     }
-    let matrices = (entry.system)(scene).and_then(|system| system.matrices(&levels)).map_err(|e| e.to_string())?;
+    let matrices = entry.system(scene).and_then(|system| system.matrices(&levels)).map_err(|e| e.to_string())?;
     let mut worst = 0.0f64;
     for i in (0..q.len()).filter(|i| is_static[*i]) {
         let springs = (0..q.len()).map(|j| matrices.stiffness[(i, j)] * q[j]);

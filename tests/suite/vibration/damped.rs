@@ -20,7 +20,7 @@ pub fn cell(k: f64, c1: f64, c2: f64, torque: f64) -> Exponential<192> {
 }
 
 fn run(more: &str) -> Outcome {
-    let outcome = (DAMPERS.run)(&scene(more), &mut |_| {}).expect("a scene that can be simulated");
+    let outcome = DAMPERS.run(&scene(more), &mut |_| {}).expect("a scene that can be simulated");
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
 }

@@ -4,60 +4,30 @@
 //! Chapter 9.
 
 use gearsim::analysis::modes::{self, CellModes, springs};
-use gearsim::engine::Refusal;
-use gearsim::engine::equations::Switching;
 use gearsim::engine::modal::Matrices;
-use gearsim::engine::system::System;
-use gearsim::scene::Scene;
 use nalgebra::{DMatrix, DVector};
 
 use crate::models::{DAMPERS, scene};
 
-/// Discs, and shafts between two of them; no laws.
-struct Discs {
-    inertias: Vec<f64>,
-    shafts: Vec<(usize, usize, f64)>,
-}
-
-impl System for Discs {
-    fn potential(&self, _: &[f64], _: &[f64]) -> f64 {
-        unreachable!("nobody asks for the energy")
-    }
-    fn matrices(&self, _: &[f64]) -> Result<Matrices, Refusal> {
-        let n = self.inertias.len();
-        let mut stiffness = DMatrix::zeros(n, n);
-        for &(i, j, k) in &self.shafts {
-            stiffness[(i, i)] += k;
-            stiffness[(j, j)] += k;
-            stiffness[(i, j)] -= k;
-            stiffness[(j, i)] -= k;
-        }
-        let diagonal = DVector::from_vec(self.inertias.clone());
-        Ok(Matrices {
-            mass: DMatrix::from_diagonal(&diagonal),
-            mobility: DMatrix::from_diagonal(&diagonal.map(|j| 1.0 / j)),
-            damping: DMatrix::zeros(n, n),
-            stiffness,
-            load: DVector::zeros(n),
-        })
-    }
-    fn propagator(&self, _: &[f64], _: f64) -> Result<DMatrix<f64>, Refusal> {
-        unreachable!("nobody asks for the motion")
-    }
-    fn switching(&self, _: usize) -> Switching {
-        Switching::Never
-    }
-    fn motion(&self, _: usize) -> Vec<f64> {
-        vec![]
-    }
-    fn start(&self, _: &Scene) -> Result<Vec<f64>, Refusal> {
-        unreachable!("nobody asks for a start")
-    }
-}
-
+/// The modes of discs with these inertias, and shafts between two of them.
 fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
-    let discs = Discs { inertias: inertias.to_vec(), shafts: shafts.to_vec() };
-    modes::of(&discs, &[], &[]).expect("discs on shafts have modes")
+    let n = inertias.len();
+    let mut stiffness = DMatrix::zeros(n, n);
+    for &(i, j, k) in shafts {
+        stiffness[(i, i)] += k;
+        stiffness[(j, j)] += k;
+        stiffness[(i, j)] -= k;
+        stiffness[(j, i)] -= k;
+    }
+    let diagonal = DVector::from_column_slice(inertias);
+    let matrices = Matrices {
+        mass: DMatrix::from_diagonal(&diagonal),
+        mobility: DMatrix::from_diagonal(&diagonal.map(|j| 1.0 / j)),
+        damping: DMatrix::zeros(n, n),
+        stiffness,
+        load: DVector::zeros(n),
+    };
+    modes::of_matrices(&matrices, &[], &[], &[]).expect("discs on shafts have modes")
 }
 
 /// Frequencies as printed, to half a unit of their last digit.
@@ -98,9 +68,9 @@ fn three_branches_at_a_pair_of_gears() {
 fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
     use nalgebra::Complex;
     let scene = scene("parameters = { c1 = \"0.4 N*m*s\", c2 = \"0.3 N*m*s\" }\nrun.t_end = \"1 s\"");
-    let system = (DAMPERS.system)(&scene).expect("a linear model");
+    let system = DAMPERS.system(&scene).expect("a linear model");
     let springs = springs::of(&scene, &DAMPERS).expect("it has springs");
-    let cell = modes::of(&*system, &[5.0], &springs).expect("it has modes");
+    let cell = modes::of(&system, &[5.0], &springs).expect("it has modes");
     assert!(cell.coupled);
     let m = system.matrices(&[5.0]).expect("matrices");
     let mut oscillating = 0;

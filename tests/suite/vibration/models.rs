@@ -52,7 +52,7 @@ mod dampers {
     }
 }
 
-pub const DAMPERS: Entry = Entry::new::<dampers::Dampers, 3>();
+pub const DAMPERS: Entry = Entry::new::<dampers::Dampers>();
 
 /// Its levels over one turn of alpha, which is 1 long, and where the first ends.
 pub const LEVELS: [f64; 2] = [5.0, 50.0];

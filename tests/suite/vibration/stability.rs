@@ -12,7 +12,7 @@ use crate::models::{DAMPERS, FIRST_ENDS, LEVELS, scene};
 /// rotation so fast that the mesh frequency is `ratio` of the natural frequency at the mean stiffness; and with damping zeta
 /// relative to that frequency.
 fn pair(base: &Scene, zeta: f64, ratio: f64) -> Floquet {
-    let system = |scene: &Scene| (common::model("gear_pair").system)(scene).expect("the gear pair is linear");
+    let system = |scene: &Scene| common::model("gear_pair").system(scene).expect("the gear pair is linear");
     let mut scene = base.clone();
     let law = &scene.laws[0];
     // The model's zeta is relative to the mid stiffness.
@@ -20,9 +20,9 @@ fn pair(base: &Scene, zeta: f64, ratio: f64) -> Floquet {
     scene.parameters[of("zeta")] = zeta * (law.mean() / law.mid()).sqrt();
     scene.start.motions = vec![0.0; scene.start.motions.len()];
     scene.start.q_dot[0] = Some(1.0);
-    let natural = Floquet::of(&scene, &*system(&scene)).expect("it has multipliers").natural;
+    let natural = Floquet::of(&scene, &system(&scene)).expect("it has multipliers").natural;
     scene.start.q_dot[0] = Some(ratio * natural * std::f64::consts::TAU);
-    Floquet::of(&scene, &*system(&scene)).expect("it has multipliers")
+    Floquet::of(&scene, &system(&scene)).expect("it has multipliers")
 }
 
 fn base() -> Scene {
@@ -97,8 +97,8 @@ fn multipliers_of_coupled_damping_are_those_of_the_matrix_exponential() {
         let scene = scene(&format!(
             "parameters = {{ c1 = \"{c1:?} N*m*s\", c2 = \"{c2:?} N*m*s\" }}\nstart.speed = \"{speed:?} rad/s\"\nrun.t_end = \"1 s\""
         ));
-        let system = (DAMPERS.system)(&scene).expect("a linear model");
-        let floquet = Floquet::of(&scene, &*system).expect("it has multipliers");
+        let system = DAMPERS.system(&scene).expect("a linear model");
+        let floquet = Floquet::of(&scene, &system).expect("it has multipliers");
         assert_eq!(floquet.rigid, 0);
         assert!((floquet.period - 1.0 / speed).abs() < 1e-15);
         let steps = [(LEVELS[0], FIRST_ENDS), (LEVELS[1], 1.0 - FIRST_ENDS)];
@@ -128,8 +128,8 @@ fn multipliers_of_coupled_damping_are_those_of_the_matrix_exponential() {
 #[test]
 fn what_is_not_periodic_is_refused_by_name() {
     let refused = |base: &Scene| {
-        let system = (common::model("gear_pair").system)(base).expect("the gear pair is linear");
-        Floquet::of(base, &*system).expect_err("no period")
+        let system = common::model("gear_pair").system(base).expect("the gear pair is linear");
+        Floquet::of(base, &system).expect_err("no period")
     };
     let still = common::scene("oh2005/energy_300rpm", &["start.speed=0 rpm".into()]);
     assert_eq!(refused(&still), FloquetError::Aperiodic(Aperiodic::Still { law: "k" }));

@@ -38,7 +38,7 @@ impl Groups {
     ///
     /// # Errors
     /// Where it has no modes.
-    pub fn of(scene: &Scene, system: &dyn System) -> Result<Groups, Refusal> {
+    pub fn of(scene: &Scene, system: &System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;
         let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
@@ -87,7 +87,7 @@ impl Groups {
 
 /// J of the step of a law between its extremes, at the static deflection of its lower level.
 fn strength(
-    system: &dyn System,
+    system: &System,
     mids: &[f64],
     (law, low, high): (usize, f64, f64),
     phase: usize,
@@ -104,7 +104,7 @@ fn strength(
 }
 
 /// Deflections in the cell with law values `k`, without its rigid motions (n).
-fn statics(system: &dyn System, k: &[f64]) -> Result<Vec<f64>, Refusal> {
+fn statics(system: &System, k: &[f64]) -> Result<Vec<f64>, Refusal> {
     let modal = crate::engine::modal::Modal::of(&system.matrices(k)?)?;
     let amplitude = |i: usize| if modal.modes[i].omega2 > 0.0 { modal.load[i] / modal.modes[i].omega2 } else { 0.0 };
     let xi = nalgebra::DVector::from_fn(modal.modes.len(), |i, _| amplitude(i));

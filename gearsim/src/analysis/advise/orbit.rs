@@ -65,7 +65,7 @@ const BALANCED: f64 = 1e-3;
 
 /// What a scene is in steady rotation.
 pub struct Steady<'a> {
-    system: &'a dyn System,
+    system: &'a System,
     /// The laws.
     pub courses: Vec<Course>,
     /// Coordinate that is the phase of each law.
@@ -110,7 +110,7 @@ impl<'a> Steady<'a> {
     ///
     /// # Errors
     /// Where its numbers do not make a settled motion that this finds.
-    pub fn of(scene: &Scene, system: &'a dyn System) -> Result<Steady<'a>, Unknown> {
+    pub fn of(scene: &Scene, system: &'a System) -> Result<Steady<'a>, Unknown> {
         if scene.present().any(|(_, law)| !law.steps_only()) {
             return Err(Unknown::Curved);
         }

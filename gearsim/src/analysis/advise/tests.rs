@@ -23,13 +23,13 @@ const FROZEN: &str = "\"stiffness_step\", \"damping\", \"torques\", \"frozen_pha
 
 fn run(scene: &Scene) -> Outcome {
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).unwrap();
-    (entry.run)(scene, &mut |_| {}).unwrap()
+    entry.run(scene, &mut |_| {}).unwrap()
 }
 
 fn steady_of<T>(scene: &Scene, f: impl FnOnce(&Steady<'_>) -> T) -> Result<T, Unknown> {
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).unwrap();
-    let system = (entry.system)(scene).unwrap();
-    Steady::of(scene, &*system).map(|steady| f(&steady))
+    let system = entry.system(scene).unwrap();
+    Steady::of(scene, &system).map(|steady| f(&steady))
 }
 
 /// The settled motion is that into which a run under the classical equations settles: its mean square, its peak and its lines.
@@ -79,8 +79,8 @@ fn a_slow_pitch_costs_its_steps() {
 fn the_jump_strength_is_the_papers() {
     let scene = scene(600.0, ALL, &["parameters.T0=10 N*m"]);
     let entry = MODELS.iter().find(|entry| entry.model.name == "gear_pair").unwrap();
-    let system = (entry.system)(&scene).unwrap();
-    let groups = groups::Groups::of(&scene, &*system).unwrap();
+    let system = entry.system(&scene).unwrap();
+    let groups = groups::Groups::of(&scene, &system).unwrap();
     let m2 = 0.5 * (24f64.powi(2) / 2.89e-3 + 96f64.powi(2) / 0.7402);
     let speed = 24.0 * 600.0 * TAU / 60.0;
     let j = m2 * (2780.0 - 1430.0) * (10.0f64 / 1430.0).powi(2) / (speed * speed);

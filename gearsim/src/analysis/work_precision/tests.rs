@@ -67,7 +67,7 @@ fn measured(scene: &str, overrides: &[&str]) -> WorkPrecision {
     let overrides: Vec<String> = overrides.iter().map(|set| set.to_string()).collect();
     let exact = Scene::load(&path, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
     let entry = MODELS.iter().find(|m| m.model.name == exact.model.name).unwrap();
-    let run = |scene: &Scene| (entry.run)(scene, &mut |_| {});
+    let run = |scene: &Scene| entry.run(scene, &mut |_| {});
     super::measure(&Scenes { exact, cheaper: vec![] }, &run, 1, &mut |_| {}).unwrap()
 }
 
@@ -119,7 +119,7 @@ fn errors_of_a_scene() {
     let exact = scene(r#""stiffness_step", "damping", "torques""#);
     let rigid = scene(r#""stiffness_step", "rigid_kinematics", "damping", "torques""#);
     let scenes = Scenes { exact, cheaper: vec![("rigid", rigid)] };
-    let run = |scene: &Scene| (MODELS.iter().find(|m| m.model.name == "gear_pair").unwrap().run)(scene, &mut |_| {});
+    let run = |scene: &Scene| MODELS.iter().find(|m| m.model.name == "gear_pair").unwrap().run(scene, &mut |_| {});
     let measured = super::measure(&scenes, &run, 1, &mut |_| {}).unwrap();
     let of = |name: &str| {
         let curve = measured.curves.iter().find(|curve| curve.label.contains(name)).unwrap();

@@ -3,7 +3,7 @@
 //! The plain shapes X are good to 1e-16. One step of X (1 - E/2 + 3 E²/8), E = XᵀMX - 1, makes them orthonormal to
 //! 1e-32, and Jacobi rotations of XᵀKX, which is nearly diagonal, do the rest.
 
-use nalgebra::{DMatrix, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
 use crate::engine::cell;
@@ -13,15 +13,15 @@ use crate::engine::error::Refusal;
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
-pub struct Cell<const N: usize> {
+pub struct Cell {
     /// The modes, in the order of the plain cell's.
-    pub modes: [Mode; N],
+    pub modes: Vec<Mode>,
     /// Mode shapes X, one a column: q = X xi.
-    pub shapes: SMatrix<Df64, N, N>,
+    pub shapes: DMatrix<Df64>,
     /// Xᵀ M: modal speeds from speeds.
-    pub momentum: SMatrix<Df64, N, N>,
+    pub momentum: DMatrix<Df64>,
     /// Xᵀ f: modal loads.
-    pub load: SVector<Df64, N>,
+    pub load: DVector<Df64>,
     /// Bound on the rates of its modes [1/s].
     pub rate: f64,
 }
@@ -33,42 +33,36 @@ const DIAGONAL: f64 = 1e-31;
 /// From nearly diagonal, Jacobi's method converges in two sweeps.
 const MOST_SWEEPS: usize = 20;
 
-impl<const N: usize> Cell<N> {
+impl Cell {
     /// The cell with the given matrices, from the `plain` one.
     ///
     /// # Errors
     /// Where damping couples the modes.
-    pub fn new(matrices: &Matrices<N, Df64>, plain: &cell::Cell<N>) -> Result<Self, Refusal> {
-        let matrix = |rows: &[[Df64; N]; N]| DMatrix::from_fn(N, N, |i, j| rows[i][j]);
-        let (mass, damping, stiffness) =
-            (matrix(&matrices.mass), matrix(&matrices.damping), matrix(&matrices.stiffness));
-        let mut x = DMatrix::from_fn(N, N, |i, j| Df64::from(plain.shapes[(i, j)]));
+    pub fn new(matrices: &Matrices<Df64>, plain: &cell::Cell) -> Result<Self, Refusal> {
+        let Matrices { mass, damping, stiffness, load, .. } = matrices;
+        let n = mass.nrows();
+        let mut x = plain.shapes.map(Df64::from);
         for _ in 0..2 {
-            x = orthonormal(&mass, &x);
+            x = orthonormal(mass, &x);
         }
         let omega2 = diagonal(x.transpose() * stiffness * &x, &mut x);
         let modal = x.transpose() * damping * &x;
-        let strongest = (0..N).map(|i| modal[(i, i)].hi().abs()).fold(0.0, f64::max);
-        let pairs = (0..N).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let strongest = (0..n).map(|i| modal[(i, i)].hi().abs()).fold(0.0, f64::max);
+        let pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
         let coupling = pairs.map(|at| modal[at].hi().abs()).fold(0.0, f64::max);
         if plain.coupling.is_some() || coupling > COUPLED * strongest {
             return Err(Refusal::CompensatedCoupling);
         }
-        let modes = std::array::from_fn(|i| {
+        let mode = |i: usize| {
             let zero_or = |is_zero: bool, x: Df64| if is_zero { Df64::from(0.0) } else { x };
             Mode::new(
                 zero_or(plain.modes[i].sigma == 0.0, modal[(i, i)] * 0.5),
                 zero_or(plain.modes[i].omega2 == 0.0, omega2[i]),
             )
-        });
+        };
         let momentum = x.transpose() * mass;
-        Ok(Cell {
-            modes,
-            rate: plain.rate,
-            load: SVector::from_fn(|i, _| (0..N).fold(Df64::from(0.0), |sum, j| sum + x[(j, i)] * matrices.load[j])),
-            shapes: SMatrix::from_fn(|i, j| x[(i, j)]),
-            momentum: SMatrix::from_fn(|i, j| momentum[(i, j)]),
-        })
+        let modes = (0..n).map(mode).collect();
+        Ok(Cell { modes, rate: plain.rate, load: x.transpose() * load, shapes: x, momentum })
     }
 }
 

@@ -1,27 +1,27 @@
 //! The motion in a cell in twice the digits, and the instant at which a phase meets a boundary.
 
-use nalgebra::SVector;
+use nalgebra::DVector;
 use xprec::Df64;
 
 use crate::engine::compensated::cell::Cell;
 
 /// A state in twice the digits.
-#[derive(Debug, Clone, Copy)]
-pub struct State<const N: usize> {
+#[derive(Debug, Clone)]
+pub struct State {
     /// Coordinates, less whole pitches (N).
-    pub q: SVector<Df64, N>,
+    pub q: DVector<Df64>,
     /// Speeds (N).
-    pub q_dot: SVector<Df64, N>,
+    pub q_dot: DVector<Df64>,
 }
 
 /// The motion in a cell from a given state on.
-pub struct Flight<'a, const N: usize> {
-    cell: &'a Cell<N>,
-    start: State<N>,
+pub struct Flight<'a> {
+    cell: &'a Cell,
+    start: State,
     /// Modal speeds at the start.
-    speed: SVector<Df64, N>,
+    speed: DVector<Df64>,
     /// Modal forces g - omega² xi at the start.
-    force: SVector<Df64, N>,
+    force: DVector<Df64>,
 }
 
 /// Newton's method from 16 digits needs one step; near a graze a few.
@@ -30,18 +30,19 @@ const MOST_STEPS: usize = 8;
 /// order: its cube is 1e-30.
 const NEAR: f64 = 1e-10;
 
-impl<'a, const N: usize> Flight<'a, N> {
+impl<'a> Flight<'a> {
     /// The motion from `start` on.
-    pub fn new(cell: &'a Cell<N>, start: State<N>) -> Self {
-        let speed = cell.momentum * start.q_dot;
-        let xi = cell.momentum * start.q;
-        let force = SVector::from_fn(|i, _| cell.load[i] - cell.modes[i].omega2 * xi[i]);
+    pub fn new(cell: &'a Cell, start: State) -> Self {
+        let speed = &cell.momentum * &start.q_dot;
+        let xi = &cell.momentum * &start.q;
+        let force = DVector::from_fn(xi.len(), |i, _| cell.load[i] - cell.modes[i].omega2 * xi[i]);
         Flight { cell, start, speed, force }
     }
 
     /// xi(t) - xi(0) and xi'(t) - xi'(0) of the modes.
-    fn modal(&self, t: Df64) -> (SVector<Df64, N>, SVector<Df64, N>) {
-        let (mut moved, mut gained) = (SVector::from_element(t), SVector::from_element(t));
+    fn modal(&self, t: Df64) -> (DVector<Df64>, DVector<Df64>) {
+        let n = self.speed.len();
+        let (mut moved, mut gained) = (DVector::from_element(n, t), DVector::from_element(n, t));
         for (i, mode) in self.cell.modes.iter().enumerate() {
             let (s1, s2) = mode.response(t);
             let (v, f) = (self.speed[i], self.force[i]);
@@ -52,29 +53,30 @@ impl<'a, const N: usize> Flight<'a, N> {
     }
 
     /// Modal speeds, accelerations and their rates.
-    fn rates(&self, moved: &SVector<Df64, N>, gained: &SVector<Df64, N>) -> [SVector<Df64, N>; 3] {
-        let v = self.speed + gained;
+    fn rates(&self, moved: &DVector<Df64>, gained: &DVector<Df64>) -> [DVector<Df64>; 3] {
+        let v = &self.speed + gained;
         let modes = &self.cell.modes;
-        let a = SVector::from_fn(|i, _| self.force[i] - modes[i].omega2 * moved[i] - modes[i].sigma * v[i] * 2.0);
-        let jerk = SVector::from_fn(|i, _| -(modes[i].omega2 * v[i] + modes[i].sigma * a[i] * 2.0));
+        let a =
+            DVector::from_fn(v.len(), |i, _| self.force[i] - modes[i].omega2 * moved[i] - modes[i].sigma * v[i] * 2.0);
+        let jerk = DVector::from_fn(v.len(), |i, _| -(modes[i].omega2 * v[i] + modes[i].sigma * a[i] * 2.0));
         [v, a, jerk]
     }
 
-    fn state(&self, moved: &SVector<Df64, N>, gained: &SVector<Df64, N>) -> State<N> {
-        State { q: self.start.q + self.cell.shapes * moved, q_dot: self.start.q_dot + self.cell.shapes * gained }
+    fn state(&self, moved: &DVector<Df64>, gained: &DVector<Df64>) -> State {
+        State { q: &self.start.q + &self.cell.shapes * moved, q_dot: &self.start.q_dot + &self.cell.shapes * gained }
     }
 
     /// The state after the time `t` [s].
-    pub fn at(&self, t: Df64) -> State<N> {
+    pub fn at(&self, t: Df64) -> State {
         let (moved, gained) = self.modal(t);
         self.state(&moved, &gained)
     }
 
     /// The time near `t` [s] at which coordinate `phase` is at `boundary`, and the state there. Where there is none, which
     /// is a touch within the tolerance of the plain search, `t` and the state then.
-    pub fn meet(&self, phase: usize, boundary: f64, t: f64) -> (Df64, State<N>) {
+    pub fn meet(&self, phase: usize, boundary: f64, t: f64) -> (Df64, State) {
         let weight = |i: usize| self.cell.shapes[(phase, i)];
-        let along = |x: &SVector<Df64, N>| (0..N).fold(Df64::from(0.0), |sum, i| sum + weight(i) * x[i]);
+        let along = |x: &DVector<Df64>| (0..x.len()).fold(Df64::from(0.0), |sum, i| sum + weight(i) * x[i]);
         let (gap, begun) = (Df64::from(boundary) - self.start.q[phase], Df64::from(t));
         let mut t = begun;
         for _ in 0..MOST_STEPS {
@@ -89,7 +91,7 @@ impl<'a, const N: usize> Flight<'a, N> {
                 break;
             }
             if dt.hi().abs() * self.cell.rate <= NEAR && lacking.abs() <= NEAR {
-                moved += (v + a * (dt * 0.5)) * dt;
+                moved += (v + &a * (dt * 0.5)) * dt;
                 gained += (a + jerk * (dt * 0.5)) * dt;
                 return (t + dt, self.state(&moved, &gained));
             }

@@ -12,7 +12,7 @@ mod cell;
 mod flight;
 mod mode;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
 use crate::engine::cells::{Cells, levels};
@@ -28,36 +28,36 @@ use flight::{Flight, State};
 
 /// The cells of a scene and its state, in twice the digits.
 #[derive(Debug, Clone)]
-pub struct Compensated<const N: usize> {
-    cells: Vec<Cell<N>>,
-    surfaces: Vec<Surface<N>>,
-    state: State<N>,
+pub struct Compensated {
+    cells: Vec<Cell>,
+    surfaces: Vec<Surface>,
+    state: State,
 }
 
 /// One law's steps.
 #[derive(Debug, Clone)]
-struct Surface<const N: usize> {
+struct Surface {
     /// Coordinate that is its phase.
     phase: usize,
     /// G.
     compliance: Df64,
     /// M⁻¹n / G (N).
-    direction: SVector<Df64, N>,
+    direction: DVector<Df64>,
     /// K per unit of the law.
-    stiffness: SMatrix<Df64, N, N>,
+    stiffness: DMatrix<Df64>,
 }
 
-impl<const N: usize> Compensated<N> {
+impl Compensated {
     /// Takes the plain `cells`, `laws` and `state` on from their digits; `matrices` are those of a cell with given law
     /// values, of which `rest` stand behind those of the laws.
     ///
     /// # Errors
     /// Where damping couples the modes.
     pub fn new(
-        matrices: &dyn Fn(&[Df64]) -> Matrices<N, Df64>,
-        cells: &Cells<N>,
-        (laws, rest): (&[Law<N>], &[f64]),
-        state: &record::State<N>,
+        matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>,
+        cells: &Cells,
+        (laws, rest): (&[Law], &[f64]),
+        state: &record::State,
     ) -> Result<Self, Refusal> {
         let cells = cells.all().ok_or(Refusal::CompensatedCells)?;
         let wide = |k: Vec<f64>| k.into_iter().map(Df64::from).collect::<Vec<_>>();
@@ -71,13 +71,13 @@ impl<const N: usize> Compensated<N> {
             // Column `phase` of M⁻¹ = X Xᵀ: the phase is a coordinate, n its unit vector.
             let phase = laws[l].phase;
             let x = &done[0].shapes;
-            let column: SVector<Df64, N> = SVector::from_fn(|i, _| x.row(i).dot(&x.row(phase)));
+            let column = DVector::from_fn(x.nrows(), |i, _| x.row(i).dot(&x.row(phase)));
             let compliance = column[phase];
             Surface {
                 phase,
                 compliance,
                 direction: column.map(|w| w / compliance),
-                stiffness: SMatrix::from_fn(|i, j| with.stiffness[i][j] - none.stiffness[i][j]),
+                stiffness: with.stiffness - &none.stiffness,
             }
         };
         let surfaces = (0..laws.len()).map(surface).collect();
@@ -85,31 +85,31 @@ impl<const N: usize> Compensated<N> {
     }
 
     /// Takes on a state in plain numbers.
-    pub fn set(&mut self, state: &record::State<N>) {
+    pub fn set(&mut self, state: &record::State) {
         self.state = State::of(state);
     }
 
     /// Puts the phase of a law where the plain state has it, exactly.
-    pub fn place(&mut self, law: usize, state: &record::State<N>) {
+    pub fn place(&mut self, law: usize, state: &record::State) {
         let phase = self.surfaces[law].phase;
         self.state.q[phase] = Df64::from(state.q[phase]);
     }
 
     /// Rounds to plain numbers.
-    pub fn round(&self, state: &mut record::State<N>) {
-        state.q = self.state.q.map(Df64::hi);
-        state.q_dot = self.state.q_dot.map(Df64::hi);
+    pub fn round(&self, state: &mut record::State) {
+        state.q.iter_mut().zip(&self.state.q).for_each(|(q, exact)| *q = exact.hi());
+        state.q_dot.iter_mut().zip(&self.state.q_dot).for_each(|(v, exact)| *v = exact.hi());
     }
 
     /// Moves on in a cell for the time `t` [s]; gives the time.
     pub fn go(&mut self, cell: usize, t: Df64) -> Df64 {
-        self.state = Flight::new(&self.cells[cell], self.state).at(t);
+        self.state = Flight::new(&self.cells[cell], self.state.clone()).at(t);
         t
     }
 
     /// Moves on in a cell to where the phase of a law is at `boundary`, which is after about the time `t` [s]; gives the time.
     pub fn meet(&mut self, cell: usize, law: usize, boundary: f64, t: f64) -> Df64 {
-        let flight = Flight::new(&self.cells[cell], self.state);
+        let flight = Flight::new(&self.cells[cell], self.state.clone());
         let (t, state) = flight.meet(self.surfaces[law].phase, boundary, t);
         self.state = state;
         t
@@ -121,7 +121,7 @@ impl<const N: usize> Compensated<N> {
         let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
         let q = &self.state.q;
         // V is a quadratic form in q between two steps, and linear in the laws.
-        let dv = steps.fold(Df64::from(0.0), |sum, (l, dk)| sum + q.dot(&(self.surfaces[l].stiffness * q)) * dk * 0.5);
+        let dv = steps.fold(Df64::from(0.0), |sum, (l, dk)| sum + q.dot(&(&self.surfaces[l].stiffness * q)) * dk * 0.5);
         let v = self.state.q_dot[*phase];
         let lost = *compliance * dv * 2.0;
         let square = v * v - lost;
@@ -137,8 +137,9 @@ impl<const N: usize> Compensated<N> {
     }
 }
 
-impl<const N: usize> State<N> {
-    fn of(state: &record::State<N>) -> State<N> {
-        State { q: state.q.map(Df64::from), q_dot: state.q_dot.map(Df64::from) }
+impl State {
+    fn of(state: &record::State) -> State {
+        let exact = |x: &[f64]| DVector::from_iterator(x.len(), x.iter().copied().map(Df64::from));
+        State { q: exact(&state.q), q_dot: exact(&state.q_dot) }
     }
 }

@@ -31,9 +31,9 @@ const HALVINGS: u32 = 60;
 /// Newton's steps to the return, at most.
 const MOST_NEWTON: u32 = 60;
 
-impl<const N: usize> Search<'_, N> {
+impl Search<'_> {
     /// Whether a phase that leaves a boundary is back soon; `None` where it does not leave one, or cannot be.
-    pub(super) fn depart(&self, start: &Point<N>) -> Option<Departure> {
+    pub(super) fn depart(&self, start: &Point) -> Option<Departure> {
         let (side, other) = match self.rate {
             r if r > 0.0 && self.down == 0.0 => (Side::Lower, self.up),
             r if r < 0.0 && self.up == 0.0 => (Side::Upper, self.down),

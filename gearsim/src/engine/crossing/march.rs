@@ -9,9 +9,9 @@ use crate::engine::cell::Point;
 /// More steps than this mean that the search is stuck.
 const MOST_STEPS: u64 = 1_000_000;
 
-impl<const N: usize> Search<'_, N> {
+impl Search<'_> {
     /// Marches by steps that cannot pass a crossing.
-    pub(super) fn march(&self, point: &mut Point<N>, cost: &mut Cost) -> Result<Option<Side>, Lost> {
+    pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         match self.depart(point) {
             Some(Departure::Back { side, t }) => {
                 self.go(point, t, cost);
@@ -91,7 +91,7 @@ impl<const N: usize> Search<'_, N> {
         full: f64,
         [gap, r, a]: [f64; 3],
         rounding: f64,
-        point: &mut Point<N>,
+        point: &mut Point,
         cost: &mut Cost,
     ) -> Option<Side> {
         let t = point.t;

@@ -1,7 +1,7 @@
 //! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
 
-use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility, solve};
-use nalgebra::SVector;
+use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility};
+use crate::engine::vector::{Matrix, Vector};
 
 use crate::generated::gear_pair::GearPair;
 use crate::generated::idler::Idler;
@@ -27,7 +27,7 @@ const K: [f64; 5] = [3.1e4, 1.0, 0.0, 1.0, 0.0];
 const DK: [f64; 1] = [1.7e5];
 const DDK: [f64; 1] = [-2.3e6];
 
-fn gear_pair(effects: u32) -> Box<dyn Equations<2>> {
+fn gear_pair(effects: u32) -> Box<dyn Equations> {
     GearPair::equations(effects, &NUMBERS, &[MID]).unwrap()
 }
 
@@ -69,7 +69,7 @@ fn accelerations() {
     let (smooth, jump) = (t0 - K[0] * phi - c * phi_dot, DK[0] * phi * phi / 2.0);
     let expected = [m1 * smooth - m2 * jump, m2 * smooth - m1 * jump];
     close(&e.acceleration(&Q, &V, &K, &DK), &expected);
-    close(&solve(&e.mass(), &e.force(&Q, &V, &K, &DK)), &expected);
+    close(&(&mobility(&e.mass()) * &e.force(&Q, &V, &K, &DK)), &expected);
 }
 
 /// The accelerations are at most quadratic in q and q' beside k, so central differences along them are all but exact;
@@ -77,22 +77,22 @@ fn accelerations() {
 #[test]
 fn jacobian() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
-    let [by_q, by_v] = accelerated(&e.mobility(), &e.jacobian(&Q, &V, &K, &DK, &DDK));
+    let [by_q, by_v] = accelerated(&e.mobility(), e.jacobian(&Q, &V, &K, &DK, &DDK));
     let at = |theta: f64, phi: f64, phi_dot: f64| {
         let k = [K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0]];
         e.acceleration(&[Q[0], Q[1] + phi], &[V[0], V[1] + phi_dot], &k, &[DK[0] + theta * DDK[0]])
     };
-    let slope = |[a, b]: [[f64; 2]; 2], h: f64| [(a[0] - b[0]) / (2.0 * h), (a[1] - b[1]) / (2.0 * h)];
+    let slope = |[a, b]: [Vector; 2], h: f64| [(a[0] - b[0]) / (2.0 * h), (a[1] - b[1]) / (2.0 * h)];
     let near = |found: [f64; 2], expected: [f64; 2]| {
         for (x, y) in found.iter().zip(expected) {
             assert!((x - y).abs() < 1e-6 * y.abs(), "{found:?} is not {expected:?}");
         }
     };
     let h = 1e-4;
-    near([by_q[0][0], by_q[1][0]], slope([at(h, 0.0, 0.0), at(-h, 0.0, 0.0)], h));
-    near([by_q[0][1], by_q[1][1]], slope([at(0.0, h, 0.0), at(0.0, -h, 0.0)], h));
-    near([by_v[0][1], by_v[1][1]], slope([at(0.0, 0.0, h), at(0.0, 0.0, -h)], h));
-    assert_eq!([by_v[0][0], by_v[1][0]], [0.0, 0.0]);
+    near([by_q[(0, 0)], by_q[(1, 0)]], slope([at(h, 0.0, 0.0), at(-h, 0.0, 0.0)], h));
+    near([by_q[(0, 1)], by_q[(1, 1)]], slope([at(0.0, h, 0.0), at(0.0, -h, 0.0)], h));
+    near([by_v[(0, 1)], by_v[(1, 1)]], slope([at(0.0, 0.0, h), at(0.0, 0.0, -h)], h));
+    assert_eq!([by_v[(0, 0)], by_v[(1, 0)]], [0.0, 0.0]);
 }
 
 /// Larger models are not inverted symbolically: the forces' derivatives then go through M⁻¹.
@@ -118,19 +118,19 @@ fn jacobian_of_a_larger_model() {
     let law = |order: usize, s: f64| courses.map(|c| [c[0] + c[1] * s + c[2] * s * s / 2.0, c[1] + c[2] * s][order]);
     let at = |q: [f64; 3], v: [f64; 3]| {
         let s = q[0] - 0.3;
-        SVector::from(e.acceleration(&q, &v, &law(0, s), &law(1, s)))
+        e.acceleration(&q, &v, &law(0, s), &law(1, s))
     };
     let found = e.jacobian(&q, &v, &law(0, 0.0), &law(1, 0.0), &courses.map(|c| c[2]));
-    let found = accelerated(&e.mobility(), &found);
+    let found = accelerated(&e.mobility(), found);
     let h = 1e-5;
     for j in 0..3 {
         let moved = |x: [f64; 3], by: f64| std::array::from_fn(|i| if i == j { x[i] + by } else { x[i] });
-        let by_q = (at(moved(q, h), v) - at(moved(q, -h), v)) / (2.0 * h);
-        let by_v = (at(q, moved(v, h)) - at(q, moved(v, -h))) / (2.0 * h);
+        let by_q = (at(moved(q, h), v) - &at(moved(q, -h), v)) * (0.5 / h);
+        let by_v = (at(q, moved(v, h)) - &at(q, moved(v, -h))) * (0.5 / h);
         for (found, expected) in found.iter().zip([by_q, by_v]) {
             let largest = expected.amax().max(1e-3);
             for i in 0..3 {
-                assert!((found[i][j] - expected[i]).abs() < 1e-8 * largest, "{i} {j}: {found:?} is not {expected}");
+                assert!((found[(i, j)] - expected[i]).abs() < 1e-8 * largest, "{i} {j}: {found:?} is not {expected:?}");
             }
         }
     }
@@ -163,11 +163,11 @@ fn cell_and_jump() {
     let [n1, n2, i1, i2, _, t0, ..] = NUMBERS;
     let (m1, m2, c) = constants();
     let (a, b) = (i1 / n1.powi(2), i2 / n2.powi(2));
-    close(e.mass().as_flattened(), &[a + b, a - b, a - b, a + b]);
-    close(e.mobility().as_flattened(), &[m2 / 2.0, m1 / 2.0, m1 / 2.0, m2 / 2.0]);
-    close(mobility(&e.mass()).as_flattened(), e.mobility().as_flattened());
-    close(e.damping(&K).as_flattened(), &[0.0, 0.0, 0.0, 2.0 * c]);
-    close(e.stiffness(&K).as_flattened(), &[0.0, 0.0, 0.0, 2.0 * K[0]]);
+    close(e.mass().as_slice(), &[a + b, a - b, a - b, a + b]);
+    close(e.mobility().as_slice(), &[m2 / 2.0, m1 / 2.0, m1 / 2.0, m2 / 2.0]);
+    close(mobility(&e.mass()).as_slice(), e.mobility().as_slice());
+    close(e.damping(&K).as_slice(), &[0.0, 0.0, 0.0, 2.0 * c]);
+    close(e.stiffness(&K).as_slice(), &[0.0, 0.0, 0.0, 2.0 * K[0]]);
     close(&e.load(&K), &[0.0, 2.0 * t0]);
     assert_eq!(e.normal(0), [1.0, 0.0]);
     close(&[e.compliance(0)], &[m2 / 2.0]);
@@ -191,10 +191,10 @@ fn absent_terms_are_absent() {
         assert_eq!([e.dissipation(&V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
         // Rigid kinematics keeps the moving phase: there the forces change with theta by the slope of k.
         let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
-        let [by_q, by_v] = accelerated(&e.mobility(), &e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]));
-        close(by_q.as_flattened(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
-        assert_eq!(by_v, [[0.0; 2]; 2]);
-        assert_eq!((e.damping(&K), e.load(&K)), ([[0.0; 2]; 2], [0.0; 2]));
+        let [by_q, by_v] = accelerated(&e.mobility(), e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]));
+        close(by_q.transpose().as_slice(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
+        assert_eq!(by_v.amax(), 0.0);
+        assert_eq!([e.damping(&K).amax(), e.load(&K).amax()], [0.0; 2]);
     }
 }
 
@@ -264,8 +264,8 @@ fn a_file_that_says_the_least() {
     assert_eq!(e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), [-1.0, -6.0]);
     // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].
     close(&e.acceleration(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), &[8.0 / 9.0, -22.0 / 9.0]);
-    close(e.mobility().as_flattened(), &[4.0 / 9.0, -2.0 / 9.0, -2.0 / 9.0, 4.0 / 9.0]);
-    assert_eq!((e.switching(0), e.normal(0)), (Switching::Never, [0.0, 1.0]));
+    close(e.mobility().as_slice(), &[4.0 / 9.0, -2.0 / 9.0, -2.0 / 9.0, 4.0 / 9.0]);
+    assert_eq!((e.switching(0), e.normal(0)), (Switching::Never, [0.0, 1.0].into()));
     close(&[e.compliance(0)], &[4.0 / 9.0]);
     close(&e.direction(0), &[-0.5, 1.0]);
     let range = two_masses::TwoMasses::MODEL.parameters[0].range;
@@ -277,14 +277,14 @@ fn a_file_that_says_the_least() {
 fn inverse_of_a_mass_matrix_in_odd_units() {
     let d = [1e100, 1.0, 1e-100];
     let scaled = |diagonal: f64, other: f64, d: [f64; 3]| {
-        [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { diagonal * d[i] * d[i] } else { other * d[i] * d[j] }))
+        Matrix::from_fn(3, 3, |i, j| if i == j { diagonal * d[i] * d[i] } else { other * d[i] * d[j] })
     };
     let w = mobility(&scaled(4.0, 1.0, d));
-    close(w.as_flattened(), scaled(5.0 / 18.0, -1.0 / 18.0, d.map(f64::recip)).as_flattened());
-    assert!((0..3).all(|i| (0..3).all(|j| w[i][j] == w[j][i])), "{w:?} is not symmetric");
+    close(w.as_slice(), scaled(5.0 / 18.0, -1.0 / 18.0, d.map(f64::recip)).as_slice());
+    assert!((0..3).all(|i| (0..3).all(|j| w[(i, j)] == w[(j, i)])), "{w:?} is not symmetric");
 }
 
 #[test]
 fn no_inverse_of_an_indefinite_matrix() {
-    assert!(mobility(&[[-1.0, 0.0], [0.0, 1.0]]).iter().flatten().all(|x| x.is_nan()));
+    assert!(mobility(&Matrix::from_row_slice(2, 2, &[-1.0, 0.0, 0.0, 1.0])).iter().all(|x| x.is_nan()));
 }

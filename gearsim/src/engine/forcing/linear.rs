@@ -1,63 +1,58 @@
 //! A linear cell in its undamped modes, with whatever damping between them: xi'' + G xi' + omega² xi = Xᵀ f(t).
 
-use nalgebra::{DMatrix, SMatrix, SVector};
-
 use crate::engine::cell;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::modal::Modal;
+use crate::engine::vector::{Matrix, Vector};
 
 /// One cell.
 #[derive(Debug, Clone)]
-pub struct Linear<const N: usize> {
+pub struct Linear {
     /// X: q = X xi.
-    pub shapes: SMatrix<f64, N, N>,
+    pub shapes: Matrix,
     /// Xᵀ M: modal speeds from speeds.
-    pub momentum: SMatrix<f64, N, N>,
+    pub momentum: Matrix,
     /// Xᵀ K, zero for rigid modes: modal spring forces from coordinates.
-    pub springs: SMatrix<f64, N, N>,
+    pub springs: Matrix,
     /// Xᵀ f of the start.
-    pub load: SVector<f64, N>,
-    /// omega² of each mode (N).
-    pub omega2: SVector<f64, N>,
+    pub load: Vector,
+    /// omega² of each mode (m).
+    pub omega2: Vector,
     /// G.
-    pub damping: SMatrix<f64, N, N>,
+    pub damping: Matrix,
     /// Whether G is diagonal.
     pub by_itself: bool,
     /// Bound on the rates of its modes \[1/s\].
     pub rate: f64,
 }
 
-impl<const N: usize> Linear<N> {
+impl Linear {
     /// The cell of `equations` with law values `k`.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
-    pub fn new(equations: &dyn Equations<N>, k: &[f64]) -> Result<Self, Refusal> {
+    pub fn new(equations: &dyn Equations, k: &[f64]) -> Result<Self, Refusal> {
         let modal = Modal::of(&cell::matrices(equations, k)?)?;
         Ok(Self::seen(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
-    /// That of some modes, of which there may be less than N; `shapes` and the like are those in all coordinates.
-    pub fn seen(modal: &Modal, shapes: &DMatrix<f64>, momentum: &DMatrix<f64>, springs: &DMatrix<f64>) -> Self {
-        // Modes that are not there are at rest for ever.
-        let entry = |a: &DMatrix<f64>, i: usize, j: usize| a.get((i, j)).copied().unwrap_or(0.0);
-        let whole = |a: &DMatrix<f64>| SMatrix::<f64, N, N>::from_fn(|i, j| entry(a, i, j));
-        let sigma = |i: usize| modal.modes.get(i).map_or(0.0, |mode| mode.sigma);
-        let omega2 = |i: usize| modal.modes.get(i).map_or(0.0, |mode| mode.omega2);
+    /// That of the given modes; `shapes` and the like are those in all coordinates.
+    pub fn seen(modal: &Modal, shapes: &Matrix, momentum: &Matrix, springs: &Matrix) -> Self {
+        let (m, modes) = (modal.modes.len(), &modal.modes);
         let damping = match &modal.coupled {
-            Some(coupled) => whole(&coupled.damping),
-            None => SMatrix::from_fn(|i, j| if i == j { 2.0 * sigma(i) } else { 0.0 }),
+            Some(coupled) => coupled.damping.clone(),
+            None => Matrix::from_fn(m, m, |i, j| if i == j { 2.0 * modes[i].sigma } else { 0.0 }),
         };
         // Of a symmetric matrix, the largest sum of a row bounds the eigenvalues.
         let strongest = damping.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);
-        let fastest = (0..N).map(|i| omega2(i).sqrt()).fold(0.0, f64::max);
+        let fastest = modes.iter().map(|mode| mode.omega2.sqrt()).fold(0.0, f64::max);
         Linear {
-            shapes: whole(shapes),
-            momentum: whole(momentum),
-            springs: whole(springs),
-            load: SVector::from_fn(|i, _| modal.load.get(i).copied().unwrap_or(0.0)),
-            omega2: SVector::from_fn(|i, _| omega2(i)),
+            shapes: shapes.clone(),
+            momentum: momentum.clone(),
+            springs: springs.clone(),
+            load: (&modal.load).into(),
+            omega2: Vector::from_fn(m, |i| modes[i].omega2),
             damping,
             by_itself: modal.coupled.is_none(),
             rate: fastest + strongest,

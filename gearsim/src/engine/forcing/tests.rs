@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::engine::Refusal;
-use crate::engine::equations;
+use crate::engine::equations::DerivedModel;
 use crate::engine::simulate::Simulation;
 use crate::generated::MODELS;
 use crate::generated::gear_pair::GearPair;
@@ -78,7 +78,7 @@ fn run(overrides: &[&str]) -> Outcome {
 
 fn run_of(text: &str, overrides: &[&str]) -> Outcome {
     let scene = parse(text, overrides);
-    let outcome = (entry(&scene).run)(&scene, &mut |_| {}).unwrap();
+    let outcome = entry(&scene).run(&scene, &mut |_| {}).unwrap();
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
 }
@@ -291,9 +291,9 @@ fn levels_are_constant_torques_one_after_another() {
 #[test]
 fn a_run_split_anywhere_is_the_whole() {
     let scene = scene(&ALL);
-    let equations = equations::of::<GearPair, 2>(&scene).unwrap();
+    let equations = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     let state = |splits: &[f64]| {
-        let forcing = Forcing::of::<GearPair>(&scene);
+        let forcing = Forcing::of(&DerivedModel::of::<GearPair>(), &scene);
         let mut simulation = Simulation::driven(scene.model, &*equations, &scene, forcing).unwrap();
         for t in splits.iter().chain([&scene.t_end]) {
             simulation.t_end = *t;
@@ -304,8 +304,8 @@ fn a_run_split_anywhere_is_the_whole() {
     let whole = state(&[]);
     for splits in [&[0.007][..], &[0.002, 0.0075], &[1e-9, 0.00700001, 0.0199999]] {
         let split = state(splits);
-        assert_eq!((split.2, split.3), (whole.2, whole.3));
-        assert!((split.0 - whole.0).amax() < 1e-12 && (split.1 - whole.1).amax() < 1e-9, "{split:?} {whole:?}");
+        assert_eq!((&split.2, split.3), (&whole.2, whole.3));
+        assert!((&split.0 - &whole.0).amax() < 1e-12 && (&split.1 - &whole.1).amax() < 1e-9, "{split:?} {whole:?}");
     }
 }
 
@@ -366,14 +366,14 @@ fn no_crossing_is_missed() {
 #[test]
 fn other_ways_refuse_or_stand_aside() {
     let compensated = scene(&[&ALL[..], &["run.precision=compensated"]].concat());
-    let refusal = (entry(&compensated).run)(&compensated, &mut |_| {}).unwrap_err();
+    let refusal = entry(&compensated).run(&compensated, &mut |_| {}).unwrap_err();
     assert_eq!(refusal, Refusal::CompensatedVarying { torques: "`T0`".into() });
     assert!(refusal.to_string().contains("varies in time (`T0`)"), "{refusal}");
-    let equations = equations::of::<GearPair, 2>(&compensated).unwrap();
+    let equations = DerivedModel::of::<GearPair>().equations(&compensated).unwrap();
     let plain = Simulation::new(compensated.model, &*equations, &compensated).err();
     assert_eq!(plain, Some(Refusal::Varying { torques: "`T0`".into() }));
     let scenes = [scene(&ALL), scene(&ALL[..3])];
-    let together = (entry(&scenes[0]).ends)(&scenes);
+    let together = entry(&scenes[0]).ends(&scenes);
     let alone = run(&ALL);
     let end = |o: &Outcome| o.trajectory.q.iter().map(|q| q[q.len() - 1]).collect::<Vec<_>>();
     assert_eq!(end(together[0].as_ref().unwrap()), end(&alone));

@@ -11,12 +11,11 @@
 //! remainder of 2²⁸/28! < 1e-21 of the motion, far below its rounding, and lose less than a digit to cancellation. So the first
 //! crossing is found, for certain, as the first root of a polynomial ([`root`](crate::engine::root)).
 
-use nalgebra::SVector;
-
 use super::Forcing;
 use super::linear::Linear;
 use crate::engine::clock::Clock;
 use crate::engine::mode::GAUSS_16;
+use crate::engine::vector::{Vector, transposed};
 
 /// Terms of the series.
 pub const TERMS: usize = 28;
@@ -27,14 +26,14 @@ pub const SPAN: f64 = 2.0;
 
 /// The motion over a window.
 #[derive(Debug, Clone)]
-pub struct Window<'a, const N: usize> {
-    linear: &'a Linear<N>,
+pub struct Window<'a> {
+    linear: &'a Linear,
     /// Generalised forces of a unit of each that varies.
-    units: Vec<SVector<f64, N>>,
+    units: Vec<Vector>,
     /// Its length W \[s\].
     pub width: f64,
     /// c_n, in modes.
-    terms: [SVector<f64, N>; TERMS],
+    terms: Vec<Vector>,
     /// Series of what varies.
     loads: Vec<[f64; TERMS]>,
 }
@@ -48,38 +47,42 @@ pub struct Gains {
     pub work: Vec<f64>,
 }
 
-impl<'a, const N: usize> Window<'a, N> {
+impl<'a> Window<'a> {
     /// From the state (q, q') at the clock's time on, at most for the time `longest` \[s\].
     pub fn begin(
-        linear: &'a Linear<N>,
-        forcing: &Forcing<N>,
+        linear: &'a Linear,
+        forcing: &Forcing,
         clock: &Clock,
-        q: &SVector<f64, N>,
-        q_dot: &SVector<f64, N>,
+        q: &Vector,
+        q_dot: &Vector,
         longest: f64,
     ) -> Self {
         let width = longest.min(SPAN / linear.rate.max(forcing.fastest()));
         let loads = forcing.series(clock, width);
-        let push: Vec<SVector<f64, N>> = forcing.drives.iter().map(|d| linear.shapes.tr_mul(&d.load)).collect();
-        let mut terms = [SVector::zeros(); TERMS];
-        terms[1] = linear.momentum * q_dot * width;
+        let push: Vec<Vector> = forcing.drives.iter().map(|d| transposed(&linear.shapes, &d.load)).collect();
+        let m = linear.omega2.len();
+        let mut terms = vec![Vector::zeros(m); TERMS];
+        terms[1] = &linear.momentum * q_dot * width;
         for n in 0..TERMS - 2 {
-            let own = if n == 0 { linear.load - linear.springs * q } else { -linear.omega2.component_mul(&terms[n]) };
-            let mut force = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push * load[n]);
+            let mut force = match n {
+                0 => &linear.load - &(&linear.springs * q),
+                _ => -linear.omega2.component_mul(&terms[n]),
+            };
+            push.iter().zip(&loads).for_each(|(push, load)| force.add_times(load[n], push));
             if n == 0 {
                 // Forces that balance leave none: their rounding must not part flanks that just touch.
-                let own = linear.load.abs() + linear.springs.abs() * q.abs();
-                let sizes = push.iter().zip(&loads).fold(own, |sum, (push, load)| sum + push.abs() * load[n].abs());
-                force.zip_apply(&sizes, |force, size| *force = beyond_rounding(*force, size));
+                let mut sizes = linear.load.abs() + &(&linear.springs.abs() * &q.abs());
+                push.iter().zip(&loads).for_each(|(push, load)| sizes.add_times(load[n].abs(), &push.abs()));
+                force = force.zip_map(&sizes, beyond_rounding);
             }
             let drag = match linear.by_itself {
-                true => SVector::from_fn(|i, _| linear.damping[(i, i)] * terms[n + 1][i]),
-                false => linear.damping * terms[n + 1],
+                true => Vector::from_fn(m, |i| linear.damping[(i, i)] * terms[n + 1][i]),
+                false => &linear.damping * &terms[n + 1],
             };
             let n = (n + 1) as f64;
-            terms[n as usize + 1] = (force * (width * width) - drag * (width * n)) / (n * (n + 1.0));
+            terms[n as usize + 1] = (force * (width * width) - &(drag * (width * n))) * (1.0 / (n * (n + 1.0)));
         }
-        let units = forcing.drives.iter().map(|d| d.load).collect();
+        let units = forcing.drives.iter().map(|d| d.load.clone()).collect();
         Window { linear, units, width, terms, loads }
     }
 
@@ -88,7 +91,7 @@ impl<'a, const N: usize> Window<'a, N> {
         let mut power = 1.0;
         self.width *= part;
         for n in 0..TERMS {
-            self.terms[n] *= power;
+            self.terms[n].iter_mut().for_each(|x| *x *= power);
             self.loads.iter_mut().for_each(|load| load[n] *= power);
             power *= part;
         }
@@ -96,8 +99,8 @@ impl<'a, const N: usize> Window<'a, N> {
 
     /// Coefficients of on_q.q, less its value at the start, in x. What is left of modes that cancel is zero: a torque that
     /// does not yet act on a phase at rest must not push it by its rounding.
-    pub fn along(&self, on_q: &SVector<f64, N>) -> [f64; TERMS] {
-        let modal = self.linear.shapes.tr_mul(on_q);
+    pub fn along(&self, on_q: &Vector) -> [f64; TERMS] {
+        let modal = transposed(&self.linear.shapes, on_q);
         std::array::from_fn(|n| {
             let parts = modal.component_mul(&self.terms[n]);
             beyond_rounding(parts.sum(), parts.abs().sum())
@@ -105,18 +108,13 @@ impl<'a, const N: usize> Window<'a, N> {
     }
 
     /// The same of on_q.q + on_speed.q' + on_load.f; those of n = 0 are not less the start's, and mean nothing.
-    pub fn course(
-        &self,
-        on_q: &SVector<f64, N>,
-        on_speed: &SVector<f64, N>,
-        on_load: &SVector<f64, N>,
-    ) -> [f64; TERMS] {
-        let [place, speed] = [on_q, on_speed].map(|on| self.linear.shapes.tr_mul(on));
+    pub fn course(&self, on_q: &Vector, on_speed: &Vector, on_load: &Vector) -> [f64; TERMS] {
+        let [place, speed] = [on_q, on_speed].map(|on| transposed(&self.linear.shapes, on));
         std::array::from_fn(|n| {
             let moved = place.component_mul(&self.terms[n]);
             let rate = match n + 1 < TERMS && self.width > 0.0 {
                 true => speed.component_mul(&self.terms[n + 1]) * ((n + 1) as f64 / self.width),
-                false => SVector::zeros(),
+                false => Vector::zeros(speed.len()),
             };
             let loads = self.units.iter().zip(&self.loads).map(|(unit, load)| on_load.dot(unit) * load[n]);
             let (load, size) = loads.fold((0.0, 0.0), |(sum, size): (f64, f64), x| (sum + x, size + x.abs()));
@@ -125,43 +123,49 @@ impl<'a, const N: usize> Window<'a, N> {
     }
 
     /// Increments of q and q' at the part `x` of the window.
-    pub fn increments(&self, x: f64) -> (SVector<f64, N>, SVector<f64, N>) {
-        let (mut moved, mut gained) = (SVector::zeros(), SVector::zeros());
+    pub fn increments(&self, x: f64) -> (Vector, Vector) {
+        let (n, m) = self.linear.shapes.shape();
         if self.width == 0.0 {
-            return (moved, gained);
+            return (Vector::zeros(n), Vector::zeros(n));
         }
+        let (mut moved, mut gained) = (Vector::zeros(m), Vector::zeros(m));
         for n in (1..TERMS).rev() {
-            moved = (moved + self.terms[n]) * x;
+            moved = (moved + &self.terms[n]) * x;
             if n > 1 {
-                gained = (gained + self.terms[n] * n as f64) * x;
+                gained.add_times(n as f64, &self.terms[n]);
+                gained = gained * x;
             }
         }
-        (self.linear.shapes * moved, self.linear.shapes * gained / self.width)
+        (&self.linear.shapes * &moved, &self.linear.shapes * &gained * (1.0 / self.width))
     }
 
     /// Modal speeds times the width at `x`.
-    fn speed(&self, x: f64) -> SVector<f64, N> {
-        (1..TERMS).rev().fold(SVector::zeros(), |sum, n| sum * x + self.terms[n] * n as f64)
+    fn speed(&self, x: f64) -> Vector {
+        (1..TERMS).rev().fold(Vector::zeros(self.linear.omega2.len()), |mut sum, n| {
+            sum = sum * x;
+            sum.add_times(n as f64, &self.terms[n]);
+            sum
+        })
     }
 
     /// What the account gains until the part `x`, by integration of the speeds: Gauss-Legendre, exact to rounding over so
     /// short a time.
-    pub fn gains(&self, forcing: &Forcing<N>, x: f64) -> Gains {
+    pub fn gains(&self, forcing: &Forcing, x: f64) -> Gains {
         let mut lost = 0.0;
-        let mut swept = vec![SVector::<f64, N>::zeros(); self.loads.len()];
+        let mut swept = vec![Vector::zeros(self.linear.omega2.len()); self.loads.len()];
         for (node, weight) in GAUSS_16 {
             for node in [-node, node] {
                 let at = 0.5 * x * (1.0 + node);
                 let speed = self.speed(at);
-                lost += weight * speed.dot(&(self.linear.damping * speed));
+                lost += weight * speed.dot(&(&self.linear.damping * &speed));
                 for (swept, load) in swept.iter_mut().zip(&self.loads) {
-                    *swept += speed * (weight * load.iter().rev().fold(0.0, |sum, c| sum * at + c));
+                    swept.add_times(weight * load.iter().rev().fold(0.0, |sum, c| sum * at + c), &speed);
                 }
             }
         }
         let mut work = vec![0.0; forcing.work.len()];
         for (drive, swept) in forcing.drives.iter().zip(swept) {
-            let swept = self.linear.shapes * swept * (0.5 * x);
+            let swept = &self.linear.shapes * &swept * (0.5 * x);
             work.iter_mut().zip(&drive.power).for_each(|(sum, row)| *sum += row.dot(&swept));
         }
         // The speeds are those by x: once for the square, and none for the work.

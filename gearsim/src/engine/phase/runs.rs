@@ -15,7 +15,7 @@ fn load(name: &str, set: &[String]) -> Scene {
 
 fn run(scene: &Scene) -> Outcome {
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).unwrap();
-    let outcome = (entry.run)(scene, &mut |_| {}).unwrap();
+    let outcome = entry.run(scene, &mut |_| {}).unwrap();
     assert!(outcome.stopped_by.is_none());
     outcome
 }
@@ -76,7 +76,7 @@ fn lanes_know_phases_too() {
     let set = |phase: f64| [format!("laws.k.phase={phase:?}"), "start.speed=-600 rpm".to_string()];
     let scenes: Vec<_> = phases.iter().map(|phase| load("oh2005/energy_300rpm", &set(*phase))).collect();
     let entry = MODELS.iter().find(|entry| entry.model.name == "gear_pair").unwrap();
-    for (scene, side) in scenes.iter().zip((entry.ends)(&scenes)) {
+    for (scene, side) in scenes.iter().zip(entry.ends(&scenes)) {
         let (alone, side) = (run(scene), side.unwrap());
         let off = apart(&end(&alone), &end(&side));
         assert!(off < 1e-9 && alone.counts.cell_changes == side.counts.cell_changes, "{off:e}");

@@ -1,7 +1,5 @@
 //! What happens where a flight ends: steps are passed or turn the motion back, phases are held, flanks meet.
 
-use nalgebra::SVector;
-
 use crate::engine::cells::{self, Banded, Stand};
 use crate::engine::contact::{self, Contact, Ending};
 use crate::engine::crossing::Side;
@@ -16,11 +14,11 @@ use crate::trajectory::Moment;
 
 use super::{End, Simulation};
 
-impl<const N: usize> Simulation<'_, N> {
+impl Simulation<'_> {
     /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
     pub(super) fn meet_at_the_end(
         &mut self,
-        recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>,
+        recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>,
     ) -> Result<(), Stop> {
         for i in 0..self.laws.len() {
             let v = self.laws[i].surface.normal.dot(&self.state.q_dot);
@@ -38,11 +36,7 @@ impl<const N: usize> Simulation<'_, N> {
 
     /// An event, its left and right limits noted.
     #[inline(always)]
-    pub(super) fn pass(
-        &mut self,
-        end: End,
-        recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>,
-    ) -> Result<(), Stop> {
+    pub(super) fn pass(&mut self, end: End, recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>) -> Result<(), Stop> {
         self.arrive(end);
         if end == End::Break {
             return self.act(end);
@@ -116,7 +110,7 @@ impl<const N: usize> Simulation<'_, N> {
 
     /// Where laws and dead bands stand.
     #[inline]
-    fn stand(&self) -> Stand<'_, N> {
+    fn stand(&self) -> Stand<'_> {
         (&self.laws, &self.bands, &self.k)
     }
 
@@ -173,7 +167,8 @@ impl<const N: usize> Simulation<'_, N> {
             return Ok(());
         }
         let here = self.cells.here();
-        let gripped = |(band, banded): (&DeadBand<N>, &Banded<N>)| band.gripped(banded.elastic, &self.state);
+        let gripped =
+            |(band, banded): (&DeadBand, &Banded)| band.gripped(banded.elastic, &self.state.q, &self.state.q_dot);
         let regimes: Vec<Regime> = self.bands.iter().zip(&here.bands).map(gripped).collect();
         if self.bands.iter().zip(&regimes).all(|(band, regime)| band.regime == *regime) {
             return Ok(());
@@ -184,11 +179,11 @@ impl<const N: usize> Simulation<'_, N> {
 
     /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
     fn press(&mut self, law: usize, side: Side) -> Result<(), Stop> {
-        let (q, v, k) = (self.state.q.into(), self.state.q_dot.into(), &self.k);
-        let energy = self.equations.kinetic(&v) + self.equations.potential(&q, k);
-        let mut acceleration = SVector::from(self.equations.acceleration(&q, &v, k, &vec![0.0; self.laws.len()]));
+        let (q, v, k) = (&self.state.q, &self.state.q_dot, &self.k);
+        let energy = self.equations.kinetic(v) + self.equations.potential(q, k);
+        let mut acceleration = self.equations.acceleration(q, v, k, &vec![0.0; self.laws.len()]);
         if self.forcing.is_some() {
-            acceleration += self.further_acceleration();
+            acceleration += &self.further_acceleration();
         }
         let rate = self.cells.here().cell.rate;
         if !contact::presses(&self.laws[law], side, &self.state, &acceleration, rate, energy) {
@@ -200,7 +195,7 @@ impl<const N: usize> Simulation<'_, N> {
 
     /// Holds phases at their steps, those of them that press.
     pub(super) fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
-        let further = if self.forcing.is_some() { self.further_load() } else { SVector::zeros() };
+        let further = self.further_load();
         let stand = (&self.laws[..], &self.bands[..], &self.k[..]);
         let begun = Contact::begin(self.equations, stand, held, &mut self.state, &further);
         let (contact, ignored) = begun.map_err(|reason| Stop::Held {

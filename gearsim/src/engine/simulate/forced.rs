@@ -3,8 +3,6 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use nalgebra::SVector;
-
 use super::{End, Simulation};
 use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
@@ -15,24 +13,25 @@ use crate::engine::forcing::linear::Linear;
 use crate::engine::forcing::window::{TERMS, Window};
 use crate::engine::record::{Recorder, State};
 use crate::engine::root;
+use crate::engine::vector::Vector;
 use crate::trajectory::Moment;
 
 /// What varies, and the cells in which windows are opened.
 #[derive(Debug, Clone)]
-pub(super) struct Forced<const N: usize> {
-    forcing: Forcing<N>,
+pub(super) struct Forced {
+    forcing: Forcing,
     /// The cells that were met, by their numbers; the present one.
-    cells: HashMap<usize, Linear<N>>,
+    cells: HashMap<usize, Linear>,
     present: usize,
 }
 
-impl<const N: usize> Forced<N> {
-    pub fn new(forcing: Forcing<N>) -> Self {
+impl Forced {
+    pub fn new(forcing: Forcing) -> Self {
         Forced { forcing, cells: HashMap::new(), present: 0 }
     }
 
     /// Makes the cell of number `index`, with law values `k`, the present one.
-    pub fn meet(&mut self, equations: &dyn Equations<N>, index: usize, k: &[f64]) -> Result<(), Refusal> {
+    pub fn meet(&mut self, equations: &dyn Equations, index: usize, k: &[f64]) -> Result<(), Refusal> {
         self.present = index;
         if let Entry::Vacant(place) = self.cells.entry(index) {
             place.insert(Linear::new(equations, k)?);
@@ -55,27 +54,27 @@ impl<const N: usize> Forced<N> {
         &self.forcing.work
     }
 
-    pub fn work_after(&self, clock: &Clock, dq: &SVector<f64, N>) -> Vec<f64> {
+    pub fn work_after(&self, clock: &Clock, dq: &Vector) -> Vec<f64> {
         self.forcing.work_after(clock.now(), dq)
     }
 
-    pub fn account(&mut self, clock: &Clock, dq: &SVector<f64, N>) {
+    pub fn account(&mut self, clock: &Clock, dq: &Vector) {
         self.forcing.work = self.work_after(clock, dq);
     }
 }
 
-impl<const N: usize> Simulation<'_, N> {
+impl Simulation<'_> {
     /// Generalised forces of what varies, beyond those of the start (N).
     #[cold]
-    pub(super) fn further_load(&self) -> SVector<f64, N> {
-        self.forcing.as_ref().map_or_else(SVector::zeros, |forced| forced.forcing.load(self.clock.now()))
+    pub(super) fn further_load(&self) -> Vector {
+        let none = || Vector::zeros(self.state.q.len());
+        self.forcing.as_ref().map_or_else(none, |forced| forced.forcing.load(self.clock.now()))
     }
 
     /// The accelerations that they give (N).
     #[cold]
-    pub(super) fn further_acceleration(&self) -> SVector<f64, N> {
-        let (mobility, load) = (self.equations.mobility(), self.further_load());
-        SVector::from_fn(|i, _| (0..N).map(|j| mobility[i][j] * load[j]).sum())
+    pub(super) fn further_acceleration(&self) -> Vector {
+        &self.equations.mobility() * &self.further_load()
     }
 
     /// Goes on into the next pieces of the courses.
@@ -95,7 +94,7 @@ impl<const N: usize> Simulation<'_, N> {
     #[cold]
     pub(super) fn step_in_window(
         &mut self,
-        recorder: &mut Option<(&mut Recorder<'_, N>, f64, bool)>,
+        recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>,
         sample: &mut u64,
     ) -> Result<bool, Stop> {
         let Some(forced) = &self.forcing else { return Ok(true) };
@@ -141,7 +140,7 @@ impl<const N: usize> Simulation<'_, N> {
         for (i, banded) in here.bands.iter().enumerate() {
             for (beyond, watch) in &banded.exits {
                 let value = self.left_to(watch);
-                let zero = watch.first_zero_in(value, &SVector::zeros(), &window, &mut cost);
+                let zero = watch.first_zero_in(value, &Vector::zeros(self.state.q.len()), &window, &mut cost);
                 if let Some(root) = zero.filter(|root| met.is_none() || *root < x) {
                     (x, met) = (root, Some(End::Flank(i, *beyond)));
                 }
@@ -160,13 +159,13 @@ impl<const N: usize> Simulation<'_, N> {
         // Propagate.
         let (dq, dv) = window.increments(x);
         let gains = window.gains(&forced.forcing, x);
-        let lost = gains.lost + self.clipped(here, &self.state, &dq);
+        let lost = gains.lost + self.clipped(here, &dq);
         let passed = x * window.width;
         // The window ended before anything else did.
         let open = met.is_none() && window.width < left;
         self.counts.cost = cost;
         self.dissipated += lost;
-        self.state.q += dq;
+        self.state.q += &dq;
         self.state.gain(&dv);
         if let Some(forced) = &mut self.forcing {
             forced.forcing.work.iter_mut().zip(gains.work).for_each(|(work, more)| *work += more);
@@ -180,7 +179,7 @@ impl<const N: usize> Simulation<'_, N> {
     }
 
     /// Shortens a window in which a phase would go far beyond its cell: its polynomial keeps its digits.
-    fn shorten(&self, window: &mut Window<'_, N>) {
+    fn shorten(&self, window: &mut Window<'_>) {
         for law in &self.laws {
             let (lower, upper) = law.bounds();
             for _ in 0..4 {
@@ -195,7 +194,7 @@ impl<const N: usize> Simulation<'_, N> {
         }
     }
 
-    fn samples_in(&self, window: &Window<'_, N>, x: f64, rate: f64, next: &mut u64, recorder: &mut Recorder<'_, N>) {
+    fn samples_in(&self, window: &Window<'_>, x: f64, rate: f64, next: &mut u64, recorder: &mut Recorder<'_>) {
         let Some(forced) = &self.forcing else { return };
         loop {
             let at = *next as f64 / rate;
@@ -206,9 +205,9 @@ impl<const N: usize> Simulation<'_, N> {
             let part = if window.width > 0.0 { (tau / window.width).clamp(0.0, x) } else { 0.0 };
             let (dq, dv) = window.increments(part);
             let gains = window.gains(&forced.forcing, part);
-            let state = State::new(self.state.q + dq, self.state.q_dot + dv, self.state.turns);
+            let state = self.state.moved(&dq, &dv);
             recorder.beyond = forced.forcing.work.iter().zip(gains.work).map(|(work, more)| work + more).collect();
-            let lost = self.dissipated + gains.lost + self.clipped(self.here(), &self.state, &dq);
+            let lost = self.dissipated + gains.lost + self.clipped(self.here(), &dq);
             recorder.row(at, Moment::Sample, &state, &self.k, (lost, self.ignored));
             *next += 1;
         }

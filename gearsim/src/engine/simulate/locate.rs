@@ -13,7 +13,7 @@ use super::{End, Simulation};
 /// Events of flanks at one time that are more than contacts and grips that change together.
 const RATTLES: u32 = 16;
 
-impl<const N: usize> Simulation<'_, N> {
+impl Simulation<'_> {
     /// The cell of the pitch, and how late the phase was when it was last there.
     #[inline]
     pub(super) fn expected(&self) -> (usize, Lateness) {
@@ -27,10 +27,10 @@ impl<const N: usize> Simulation<'_, N> {
     #[inline]
     pub(super) fn locate(
         &self,
-        here: &Prepared<N>,
-        flight: &Flight<'_, N>,
+        here: &Prepared,
+        flight: &Flight<'_>,
         lateness: &mut Lateness,
-        point: &mut Point<N>,
+        point: &mut Point,
         cost: &mut Cost,
     ) -> Result<End, Stop> {
         let lost = |lost| self.lost(lost);
@@ -84,10 +84,10 @@ impl<const N: usize> Simulation<'_, N> {
     #[inline(never)]
     fn leave(
         &self,
-        here: &Prepared<N>,
-        flight: &Flight<'_, N>,
+        here: &Prepared,
+        flight: &Flight<'_>,
         (mut end, mut horizon): (End, f64),
-        point: &mut Point<N>,
+        point: &mut Point,
         cost: &mut Cost,
     ) -> Result<End, Lost> {
         for (i, banded) in here.bands.iter().enumerate() {
@@ -111,7 +111,7 @@ impl<const N: usize> Simulation<'_, N> {
     ///
     /// A train that starts from rest moves at first by less than the roundings of its state. Where these have flanks meet
     /// and part again and again without passing time, they do so only once they are beyond by more than that.
-    pub(super) fn left_to(&self, watch: &Watch<N>) -> f64 {
+    pub(super) fn left_to(&self, watch: &Watch) -> f64 {
         let slack = if self.rattle.1 >= RATTLES { watch.slack } else { 0.0 };
         watch.value(&self.state).max(0.0) + slack
     }

@@ -1,23 +1,22 @@
 //! What is written down of a run.
 
-use nalgebra::SVector;
-
 use crate::engine::cell::Flight;
 use crate::engine::cells::Prepared;
-use crate::engine::record::{Recorder, State};
+use crate::engine::record::Recorder;
+use crate::engine::vector::Vector;
 use crate::trajectory::Moment;
 
 use super::Simulation;
 
-impl<const N: usize> Simulation<'_, N> {
+impl Simulation<'_> {
     pub(super) fn samples(
         &self,
-        here: &Prepared<N>,
-        flight: &Flight<'_, N>,
+        here: &Prepared,
+        flight: &Flight<'_>,
         t: f64,
         rate: f64,
         next: &mut u64,
-        recorder: &mut Recorder<'_, N>,
+        recorder: &mut Recorder<'_>,
     ) {
         // A sample a rounding before the event that ends the flight is not noted after it.
         let mut end = self.clock;
@@ -31,8 +30,8 @@ impl<const N: usize> Simulation<'_, N> {
             }
             let point = flight.at(tau.max(0.0));
             let (dq, dv) = flight.increments(&point);
-            let state = State::new(self.state.q + dq, self.state.q_dot + dv, self.state.turns);
-            let dissipated = flight.dissipated(&point) + self.clipped(here, &self.state, &dq);
+            let state = self.state.moved(&dq, &dv);
+            let dissipated = flight.dissipated(&point) + self.clipped(here, &dq);
             if let Some(forcing) = &self.forcing {
                 recorder.beyond = forcing.work_after(&self.clock, &dq);
             }
@@ -43,16 +42,16 @@ impl<const N: usize> Simulation<'_, N> {
     }
 
     /// Adds a row of how it stands.
-    pub fn note(&self, recorder: &mut Recorder<'_, N>, moment: Moment) {
+    pub fn note(&self, recorder: &mut Recorder<'_>, moment: Moment) {
         if let Some(forcing) = &self.forcing {
             recorder.beyond.clone_from(forcing.work());
         }
         recorder.row(self.clock.now(), moment, &self.state, &self.k, (self.dissipated, self.ignored));
     }
 
-    /// What the clipped dampers of dead bands take where the coordinates move on by `dq` from `state` [J].
+    /// What the clipped dampers of dead bands take where the coordinates move on by `dq` [J].
     #[inline]
-    pub(super) fn clipped(&self, here: &Prepared<N>, state: &State<N>, dq: &SVector<f64, N>) -> f64 {
-        self.bands.iter().zip(&here.bands).map(|(band, banded)| band.clipped(banded.elastic, state, dq)).sum()
+    pub(super) fn clipped(&self, here: &Prepared, dq: &Vector) -> f64 {
+        self.bands.iter().zip(&here.bands).map(|(band, banded)| band.clipped(banded.elastic, &self.state.q, dq)).sum()
     }
 }

@@ -7,7 +7,7 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector};
 
 use crate::engine::crossing::Side;
 use crate::engine::dead_band::DeadBand;
@@ -15,33 +15,34 @@ use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
+use crate::engine::vector::{Matrix, Vector};
 use crate::model::Coordinate;
 use crate::scene::Scene;
 
 /// The equilibrium of the coordinates `free`, the others as given.
-pub struct Equilibrium<'a, const N: usize> {
-    pub equations: &'a dyn Equations<N>,
+pub struct Equilibrium<'a> {
+    pub equations: &'a dyn Equations,
     pub scene: &'a Scene,
     /// Coordinates that are to be in equilibrium.
     pub free: &'a [usize],
     /// Speeds at the start (N): forces that depend on them, of a governor, a motor or a damper, act as they do then.
-    pub q_dot: SVector<f64, N>,
+    pub q_dot: Vector,
 }
 
 /// An equilibrium: the state, and the laws in the cells in which it lies.
 #[derive(Clone)]
-pub struct Settled<const N: usize> {
-    pub state: State<N>,
-    pub laws: Vec<Law<N>>,
+pub struct Settled {
+    pub state: State,
+    pub laws: Vec<Law>,
     /// Whether the strain energy is at a minimum there, in the coordinates that are not on a boundary.
     pub stable: bool,
 }
 
 /// A step of the iteration (N), zero in the coordinates that do not move.
-struct Step<const N: usize> {
-    step: SVector<f64, N>,
+struct Step {
+    step: Vector,
     /// The stiffness of each coordinate by itself (N).
-    stiffness: SVector<f64, N>,
+    stiffness: Vector,
     /// Whether V is convex here.
     stable: bool,
 }
@@ -57,19 +58,19 @@ const SAME: f64 = 1e-6;
 /// Step below which the iteration ends once it no longer falls: what is left is the rounding of the forces.
 const ROUNDING: f64 = 1e-8;
 
-impl<const N: usize> Equilibrium<'_, N> {
+impl Equilibrium<'_> {
     /// The equilibrium that is found from the coordinates `guess` (N), with the dead bands in their present regimes.
     ///
     /// # Errors
     /// [`Refusal::NoEquilibrium`] where the iteration finds none; those of [`Law::begin`].
-    pub fn from(&self, guess: &SVector<f64, N>, bands: &[DeadBand<N>]) -> Result<Settled<N>, Refusal> {
+    pub fn from(&self, guess: &Vector, bands: &[DeadBand]) -> Result<Settled, Refusal> {
         let mut bands = bands.to_vec();
-        let mut state = State::new(*guess, self.q_dot, [0; N]);
+        let mut state = State::new(guess.clone(), self.q_dot.clone());
         let mut laws = Law::begin(self.equations, self.scene, &mut state)?;
         // The coordinates that are on a boundary to which both cells push them.
         let mut held: Vec<usize> = vec![];
         let mut entered: Option<(usize, Side)> = None;
-        let (mut reached, mut last) = (SVector::<f64, N>::zeros(), f64::INFINITY);
+        let (mut reached, mut last) = (Vector::zeros(guess.len()), f64::INFINITY);
         for _ in 0..MOST_STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
             let Step { step, stiffness, stable } =
@@ -77,14 +78,14 @@ impl<const N: usize> Equilibrium<'_, N> {
             if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
                 // Pitches away: begin again there, rather than pass every boundary on the way.
                 let here = Settled { state, laws, stable };
-                state = State::new(here.absolute() + step, self.q_dot, [0; N]);
+                state = State::new(here.absolute() + &step, self.q_dot.clone());
                 laws = Law::begin(self.equations, self.scene, &mut state)?;
                 (held, entered, last) = (vec![], None, f64::INFINITY);
                 continue;
             }
             if let Some((part, law, side)) = first_boundary(&laws, &state, &step) {
                 let phase = laws[law].phase;
-                state.q += step * part;
+                state.q += &(&step * part);
                 laws[law].snap(side, &mut state);
                 if entered == Some((phase, side.opposite())) && part == 0.0 {
                     held.push(phase);
@@ -94,7 +95,7 @@ impl<const N: usize> Equilibrium<'_, N> {
                 (entered, last) = (Some((phase, side)), f64::INFINITY);
                 continue;
             }
-            state.q += step;
+            state.q += &step;
             reached = reached.zip_map(&state.q, |a, b| a.max(b.abs()));
             if step.iter().any(|x| *x != 0.0) {
                 entered = None;
@@ -109,7 +110,7 @@ impl<const N: usize> Equilibrium<'_, N> {
     }
 
     /// A phase on a boundary begins in the cell into which it moves, as everywhere.
-    fn settled(&self, mut state: State<N>, mut laws: Vec<Law<N>>, stable: bool) -> Result<Settled<N>, Refusal> {
+    fn settled(&self, mut state: State, mut laws: Vec<Law>, stable: bool) -> Result<Settled, Refusal> {
         for i in 0..laws.len() {
             let speed = self.q_dot[laws[i].phase];
             for (side, onwards) in [(Side::Upper, speed >= 0.0), (Side::Lower, speed < 0.0)] {
@@ -123,19 +124,13 @@ impl<const N: usize> Equilibrium<'_, N> {
 
     /// Newton's step. Where V is not convex its negative curvatures count as positive, so that the step leads downhill, to the
     /// equilibrium in whose valley it begins. `None` where the step is not determined.
-    fn newton(
-        &self,
-        moving: &[usize],
-        state: &State<N>,
-        laws: &[Law<N>],
-        bands: &mut [DeadBand<N>],
-    ) -> Option<Step<N>> {
-        let (mut step, mut diagonal) = (SVector::zeros(), SVector::zeros());
+    fn newton(&self, moving: &[usize], state: &State, laws: &[Law], bands: &mut [DeadBand]) -> Option<Step> {
+        let (mut step, mut diagonal) = (Vector::zeros(self.q_dot.len()), Vector::zeros(self.q_dot.len()));
         if moving.is_empty() {
             return Some(Step { step, stiffness: diagonal, stable: true });
         }
         let (force, stiffness) = self.balance(state, laws, bands);
-        let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| stiffness[moving[i]][moving[j]]);
+        let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| stiffness[(moving[i], moving[j])]);
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
         let (unit, scaled) = scaled(&stiffness);
@@ -159,28 +154,27 @@ impl<const N: usize> Equilibrium<'_, N> {
     }
 
     /// The generalised forces (N), and what they lose by the coordinates (N x N).
-    fn balance(&self, state: &State<N>, laws: &[Law<N>], bands: &mut [DeadBand<N>]) -> ([f64; N], [[f64; N]; N]) {
+    fn balance(&self, state: &State, laws: &[Law], bands: &mut [DeadBand]) -> (Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
         for band in bands {
             band.follow(&k);
             band.write(&mut k);
         }
-        let (q, v) = (state.q.data.0[0], self.q_dot.data.0[0]);
+        let (q, v) = (&state.q, &self.q_dot);
         if self.scene.effects.nonlinear(self.scene.model).is_empty() && laws.iter().all(|law| law.pitch.steps_only()) {
             let (stiffness, damping, load) =
                 (self.equations.stiffness(&k), self.equations.damping(&k), self.equations.load(&k));
-            let row = |a: &[f64; N], x: &[f64; N]| a.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
-            return (std::array::from_fn(|i| load[i] - row(&stiffness[i], &q) - row(&damping[i], &v)), stiffness);
+            return (load - &(&stiffness * q) - &(&damping * v), stiffness);
         }
-        let [slopes, _] = self.equations.jacobian(&q, &v, &k, &dk, &ddk);
-        (self.equations.force(&q, &v, &k, &dk), slopes.map(|row| row.map(|x| -x)))
+        let [slopes, _] = self.equations.jacobian(q, v, &k, &dk, &ddk);
+        (self.equations.force(q, v, &k, &dk), -slopes)
     }
 
     /// Other equilibria, found from guesses around `settled`: nearest to `guess` first.
     ///
     /// Cells that are linear in given regimes have one equilibrium each; others are looked for only where phases are free, in the
     /// neighbouring cells, or where cells are not linear.
-    pub fn others(&self, settled: &Settled<N>, guess: &SVector<f64, N>, bands: &[DeadBand<N>]) -> Vec<Settled<N>> {
+    pub fn others(&self, settled: &Settled, guess: &Vector, bands: &[DeadBand]) -> Vec<Settled> {
         let linear = self.scene.effects.nonlinear(self.scene.model).is_empty();
         let (at, mut found) = (settled.absolute(), vec![settled.clone()]);
         for &i in self.free {
@@ -200,7 +194,7 @@ impl<const N: usize> Equilibrium<'_, N> {
                 }
             };
             for step in steps.into_iter().filter(|step| *step != 0.0) {
-                let mut from = at;
+                let mut from = at.clone();
                 // Beyond a boundary, not on it.
                 from[i] += 1.001 * step;
                 let other = self.from(&from, bands).ok();
@@ -208,19 +202,22 @@ impl<const N: usize> Equilibrium<'_, N> {
             }
         }
         found.remove(0);
-        let distance = |other: &Settled<N>| (other.absolute() - guess).norm();
+        let distance = |other: &Settled| {
+            let apart = other.absolute() - guess;
+            apart.dot(&apart).sqrt()
+        };
         found.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
         found
     }
 
-    fn same(&self, a: &Settled<N>, b: &Settled<N>) -> bool {
+    fn same(&self, a: &Settled, b: &Settled) -> bool {
         let (a, b) = (a.absolute(), b.absolute());
         self.free.iter().all(|&i| (a[i] - b[i]).abs() <= SAME * a[i].abs().max(b[i].abs()))
     }
 
     /// What there is to say of `found` beside the equilibrium that is taken.
-    pub fn describe(&self, taken: &Settled<N>, found: &[Settled<N>]) -> Option<String> {
-        let place = |settled: &Settled<N>| {
+    pub fn describe(&self, taken: &Settled, found: &[Settled]) -> Option<String> {
+        let place = |settled: &Settled| {
             let at = settled.absolute();
             let coordinate = |&i: &usize| {
                 let Coordinate { name, unit, .. } = self.scene.model.coordinates[i];
@@ -248,23 +245,23 @@ impl<const N: usize> Equilibrium<'_, N> {
     }
 }
 
-impl<const N: usize> Settled<N> {
+impl Settled {
     /// How deep a flank of a dead band is in contact there, with the band's edges as the laws of the scene have them.
-    pub fn depth(&self, scene: &Scene, band: &DeadBand<N>, side: Side) -> f64 {
+    pub fn depth(&self, scene: &Scene, band: &DeadBand, side: Side) -> f64 {
         let mut band = band.clone();
         band.follow(&courses(scene, &self.state, &self.laws)[0]);
-        band.depth(side, &self.state)
+        band.depth(side, &self.state.q)
     }
 
     /// The coordinates, turns included (N).
-    pub fn absolute(&self) -> SVector<f64, N> {
-        self.state.unwrapped(&law::turn_lengths(&self.laws)).into()
+    pub fn absolute(&self) -> Vector {
+        self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
 }
 
 /// The values of the laws and their first and second derivatives by their phases, in the present cells; behind the values, room
 /// for those of the dead bands.
-pub fn courses<const N: usize>(scene: &Scene, state: &State<N>, laws: &[Law<N>]) -> [Vec<f64>; 3] {
+pub fn courses(scene: &Scene, state: &State, laws: &[Law]) -> [Vec<f64>; 3] {
     let courses: Vec<[f64; 3]> = laws.iter().map(|law| law.course(state.q[law.phase], 0.0)).collect();
     let padded = |i: usize| {
         let values = courses.iter().map(move |course| course[i]);
@@ -274,12 +271,8 @@ pub fn courses<const N: usize>(scene: &Scene, state: &State<N>, laws: &[Law<N>])
 }
 
 /// The first boundary on the way from `state` along `step`: the part of the step up to it, its law and side.
-fn first_boundary<const N: usize>(
-    laws: &[Law<N>],
-    state: &State<N>,
-    step: &SVector<f64, N>,
-) -> Option<(f64, usize, Side)> {
-    let moved = |law: &Law<N>| law.switching != Switching::Never && law.next_switch().is_none();
+fn first_boundary(laws: &[Law], state: &State, step: &Vector) -> Option<(f64, usize, Side)> {
+    let moved = |law: &Law| law.switching != Switching::Never && law.next_switch().is_none();
     let ways = laws.iter().enumerate().filter(|(_, law)| moved(law) && step[law.phase] != 0.0);
     let ways = ways.map(|(i, law)| {
         let side = if step[law.phase] > 0.0 { Side::Upper } else { Side::Lower };
@@ -297,6 +290,6 @@ fn scaled(a: &DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
 }
 
 /// The size of a displacement by its strain energy, which has one unit for all coordinates \[J^(1/2)\].
-fn energy<const N: usize>(stiffness: &SVector<f64, N>, x: &SVector<f64, N>) -> f64 {
+fn energy(stiffness: &Vector, x: &Vector) -> f64 {
     stiffness.zip_map(x, |k, x| k * x * x).sum().sqrt()
 }

@@ -16,9 +16,9 @@ use crate::methods::dense::Dense;
 use crate::methods::field::Field;
 use crate::methods::flow::Flow;
 
-impl<const N: usize> Advance<'_, N> {
+impl Advance<'_> {
     /// The first boundary that the motion of a step meets: at which part of it, and which.
-    pub(super) fn first_met(&mut self, dense: &Dense<N>) -> Option<(f64, Met)> {
+    pub(super) fn first_met(&mut self, dense: &Dense) -> Option<(f64, Met)> {
         if self.settings.events == Events::AfterStep {
             return None;
         }
@@ -30,8 +30,8 @@ impl<const N: usize> Advance<'_, N> {
             }
             let (lower, upper) = law.bounds();
             for (side, bound) in [(Side::Upper, upper), (Side::Lower, lower)] {
-                let (gap, n) = dense.gap(law.phase, bound, side.sign());
-                let found = root::first_known_to(&gap[..n], 4.0 * law.rounding(), slack[law.phase]);
+                let gap = dense.gap(law.phase, bound, side.sign());
+                let found = root::first_known_to(&gap, 4.0 * law.rounding(), slack[law.phase]);
                 self.counts.cost.steps += found.steps;
                 self.counts.cost.grazes += found.grazes;
                 if let Some(x) = found.root.filter(|x| first.is_none_or(|first| *x < first.0)) {
@@ -43,7 +43,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// What is left to a boundary, and its rate; positive before it is met.
-    fn gap(&self, met: Met, y: &Flow<N>) -> (f64, f64) {
+    fn gap(&self, met: Met, y: &Flow) -> (f64, f64) {
         match met {
             Met::Step(law, side) => {
                 let law = &self.field.laws[law];
@@ -57,11 +57,11 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// Takes the step that met a boundary at its part `x` again, as long as to there.
-    pub(super) fn land(&mut self, h: f64, x: f64, met: Met, dense: &Dense<N>) -> (f64, Trial<N>) {
-        let (start, rate, allowed) = (self.y, self.rate, self.control.allowed());
-        let interpolated = |field: &mut Field<'_, N>| {
+    pub(super) fn land(&mut self, h: f64, x: f64, met: Met, dense: &Dense) -> (f64, Trial) {
+        let (start, rate, allowed) = (self.y.clone(), self.rate.clone(), self.control.allowed());
+        let interpolated = |field: &mut Field<'_>| {
             let end = dense.at(x);
-            (x * h, Trial { end, rate: field.rate(x * h, &end), error: 0.0, stiffness: 0.0 })
+            (x * h, Trial { rate: field.rate(x * h, &end), end, error: 0.0, stiffness: 0.0 })
         };
         if x == 0.0 {
             return (0.0, Trial { end: start, rate, error: 0.0, stiffness: 0.0 });
@@ -84,8 +84,10 @@ impl<const N: usize> Advance<'_, N> {
             }
             // So near that two terms of Taylor's series carry the rest.
             if dt.abs() * self.fastest < 1e-6 {
-                trial.end.q += trial.end.v * dt + trial.rate.v * (0.5 * dt * dt);
-                trial.end.v += trial.rate.v * dt;
+                let Flow { q, v, .. } = &mut trial.end;
+                q.add_times(dt, v);
+                q.add_times(0.5 * dt * dt, &trial.rate.v);
+                v.add_times(dt, &trial.rate.v);
                 trial.end.lost += trial.rate.lost * dt;
                 trial.rate = self.field.rate(taken + dt, &trial.end);
                 return (taken + dt, trial);
@@ -96,7 +98,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// A boundary is passed, or turns the motion back.
-    pub(super) fn pass(&mut self, law: usize, side: Side, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+    pub(super) fn pass(&mut self, law: usize, side: Side, recording: &mut Recording<'_, '_>) -> Result<(), Stop> {
         let mut state = self.state();
         if self.settings.events == Events::Located {
             self.field.laws[law].snap(side, &mut state);
@@ -137,7 +139,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// Takes the boundaries that phases were found to have passed in the step, where they are found.
-    pub(super) fn catch_up(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+    pub(super) fn catch_up(&mut self, recording: &mut Recording<'_, '_>) -> Result<(), Stop> {
         for law in 0..self.field.laws.len() {
             for side in [Side::Upper, Side::Lower] {
                 loop {
@@ -166,7 +168,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
-    pub(super) fn meet_at_the_end(&mut self, recording: &mut Recording<'_, '_, N>) -> Result<(), Stop> {
+    pub(super) fn meet_at_the_end(&mut self, recording: &mut Recording<'_, '_>) -> Result<(), Stop> {
         for i in 0..self.field.laws.len() {
             let law = &self.field.laws[i];
             let v = law.surface.normal.dot(&self.y.v);

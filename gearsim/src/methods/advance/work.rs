@@ -4,7 +4,7 @@ use super::Advance;
 use crate::engine::mode::GAUSS_16;
 use crate::methods::dense::Dense;
 
-impl<const N: usize> Advance<'_, N> {
+impl Advance<'_> {
     /// Goes on into the next pieces of the courses.
     pub(super) fn enter_course(&mut self) {
         if let Some(forcing) = &mut self.field.forcing {
@@ -17,7 +17,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// The work of each torque, as far as it is not constant, the time `to` after the step of length `h` began \[J\].
-    pub(super) fn work_after(&mut self, dense: &Dense<N>, h: f64, to: f64) -> Vec<f64> {
+    pub(super) fn work_after(&mut self, dense: &Dense, h: f64, to: f64) -> Vec<f64> {
         let mut work = self.work.clone();
         if work.is_empty() || h <= 0.0 {
             return work;
@@ -30,7 +30,7 @@ impl<const N: usize> Advance<'_, N> {
                 let equations = self.field.equations;
                 let k = self.field.levels(at, &y);
                 for (i, work) in work.iter_mut().enumerate() {
-                    let power = equations.torque_power(i, &y.q.data.0[0], &y.v.data.0[0], k);
+                    let power = equations.torque_power(i, &y.q, &y.v, k);
                     *work += 0.5 * to * weight * (power + varying.as_ref().map_or(0.0, |varying| varying[i]));
                 }
             }
@@ -39,7 +39,7 @@ impl<const N: usize> Advance<'_, N> {
     }
 
     /// Adds the work of a step.
-    pub(super) fn work_on(&mut self, dense: &Dense<N>, h: f64, to: f64) {
+    pub(super) fn work_on(&mut self, dense: &Dense, h: f64, to: f64) {
         if !self.work.is_empty() {
             self.work = self.work_after(dense, h, to);
         }

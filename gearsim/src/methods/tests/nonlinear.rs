@@ -26,7 +26,7 @@ mod duffing {
     }
 }
 
-const ENTRY: Entry = Entry::new::<duffing::Duffing, 1>();
+const ENTRY: Entry = Entry::new::<duffing::Duffing>();
 
 fn run(method: &str, pull: f64, start: &str, t_end: f64) -> Outcome {
     let text = format!(
@@ -35,7 +35,7 @@ fn run(method: &str, pull: f64, start: &str, t_end: f64) -> Outcome {
     );
     let scene =
         Scene::parse("test", "test", &text, &[], &[ENTRY.model]).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-    let outcome = (ENTRY.run)(&scene, &mut |_| {}).unwrap();
+    let outcome = ENTRY.run(&scene, &mut |_| {}).unwrap();
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
 }

@@ -79,7 +79,7 @@ fn a_point_is_the_run_that_its_values_make() {
         let row = sweep.point(point);
         let overrides = [request.overrides.clone(), sweep.plan.overrides(point)].concat();
         let scene = Scene::load(&super::scene(), &overrides, &[MODELS[0].model]).unwrap();
-        let outcome: Outcome = (MODELS[0].run)(&scene, &mut |_| {}).unwrap();
+        let outcome: Outcome = MODELS[0].run(&scene, &mut |_| {}).unwrap();
         assert_eq!(row.status, Status::Done);
         let column = |name: &str| row.numbers[sweep.columns().iter().position(|(n, _)| n == name).unwrap()];
         let run = &outcome.trajectory;

@@ -3,11 +3,11 @@
 //! The rounding of the phase at t is taken as eps times the sum of |c| a (1 + omega min(t, 1/sigma)) over the modes: a
 //! bounds the way of a mode, and what follows is how often a rounding of its frequency counts before it has died away.
 
+use gearsim::engine::vector::Vector;
 use gearsim_tests::precise;
 use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::crossing::first_crossing_with;
 use gearsim_tests::precise::number::{Real, Scalar};
-use nalgebra::SVector;
 
 use super::draw::Drawn;
 use super::phase::bound;
@@ -73,8 +73,8 @@ impl Reference {
 pub fn judge<const N: usize>(drawn: &Drawn<N>) -> Verdict {
     let Drawn { system, v, level, far, horizon, upper, .. } = drawn;
     let cell = system.cell();
-    let flight = cell.flight(&SVector::zeros(), &SVector::from(*v));
-    let participation = cell.participation(&SVector::from(system.normal));
+    let flight = cell.flight(&Vector::zeros(N), &Vector::from(*v));
+    let participation = cell.participation(&Vector::from(system.normal));
     let gaps = if *upper { [*far, *level] } else { [*level, *far] };
     let met = match first(&flight, &participation, gaps, *horizon) {
         Ok(met) => met,

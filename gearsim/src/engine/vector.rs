@@ -1,0 +1,231 @@
+//! Vectors of a run: of coordinates, of speeds, of modal coordinates. Their length is known when the scene is.
+//!
+//! nalgebra's vectors of that kind are on the heap. A run makes several at every event, so these are on the stack up to
+//! [`INLINE`] numbers.
+
+use std::ops::{Add, AddAssign, Deref, DerefMut, Mul, Neg, Sub, SubAssign};
+
+use nalgebra::{DMatrix, DVector};
+use smallvec::SmallVec;
+
+/// A matrix of a scene.
+pub type Matrix = DMatrix<f64>;
+
+/// Numbers that need no heap: those of most drivetrains.
+const INLINE: usize = 10;
+
+/// A vector of n numbers.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Vector(SmallVec<[f64; INLINE]>);
+
+impl Vector {
+    /// n zeros.
+    #[inline]
+    pub fn zeros(n: usize) -> Self {
+        Vector(SmallVec::from_elem(0.0, n))
+    }
+
+    /// The n numbers f(i).
+    #[inline]
+    pub fn from_fn(n: usize, f: impl FnMut(usize) -> f64) -> Self {
+        Vector((0..n).map(f).collect())
+    }
+
+    /// The scalar product with a vector as long.
+    #[inline]
+    pub fn dot(&self, other: &[f64]) -> f64 {
+        self.iter().zip(other).map(|(a, b)| a * b).sum()
+    }
+
+    /// Its elements, each changed by `f`.
+    #[inline]
+    pub fn map(&self, mut f: impl FnMut(f64) -> f64) -> Vector {
+        Vector(self.iter().map(|x| f(*x)).collect())
+    }
+
+    /// f of each pair of elements of this and another.
+    #[inline]
+    pub fn zip_map(&self, other: &[f64], mut f: impl FnMut(f64, f64) -> f64) -> Vector {
+        Vector(self.iter().zip(other).map(|(a, b)| f(*a, *b)).collect())
+    }
+
+    /// The products of elements in the same place.
+    #[inline]
+    pub fn component_mul(&self, other: &[f64]) -> Vector {
+        self.zip_map(other, |a, b| a * b)
+    }
+
+    /// The absolute values of its elements.
+    pub fn abs(&self) -> Vector {
+        self.map(f64::abs)
+    }
+
+    /// The sum of its elements.
+    #[inline]
+    pub fn sum(&self) -> f64 {
+        self.iter().sum()
+    }
+
+    /// The largest absolute value of its elements.
+    pub fn amax(&self) -> f64 {
+        self.iter().fold(0.0, |most, x| most.max(x.abs()))
+    }
+
+    /// Adds `by` times another vector.
+    #[inline]
+    pub fn add_times(&mut self, by: f64, other: &[f64]) {
+        self.iter_mut().zip(other).for_each(|(a, b)| *a += by * b);
+    }
+}
+
+impl Deref for Vector {
+    type Target = [f64];
+
+    #[inline]
+    fn deref(&self) -> &[f64] {
+        &self.0
+    }
+}
+
+impl DerefMut for Vector {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.0
+    }
+}
+
+impl From<&[f64]> for Vector {
+    fn from(numbers: &[f64]) -> Self {
+        Vector(SmallVec::from_slice(numbers))
+    }
+}
+
+impl<const N: usize> From<[f64; N]> for Vector {
+    fn from(numbers: [f64; N]) -> Self {
+        Vector(SmallVec::from_slice(&numbers))
+    }
+}
+
+impl<const N: usize> PartialEq<[f64; N]> for Vector {
+    fn eq(&self, other: &[f64; N]) -> bool {
+        self[..] == other[..]
+    }
+}
+
+impl From<&DVector<f64>> for Vector {
+    fn from(vector: &DVector<f64>) -> Self {
+        vector.as_slice().into()
+    }
+}
+
+impl From<&Vector> for DVector<f64> {
+    fn from(vector: &Vector) -> Self {
+        DVector::from_column_slice(vector)
+    }
+}
+
+impl Add<&Vector> for Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn add(mut self, other: &Vector) -> Vector {
+        self += other;
+        self
+    }
+}
+
+impl Sub<&Vector> for Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn sub(mut self, other: &Vector) -> Vector {
+        self -= other;
+        self
+    }
+}
+
+impl Add for &Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn add(self, other: &Vector) -> Vector {
+        self.zip_map(other, |a, b| a + b)
+    }
+}
+
+impl Sub for &Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn sub(self, other: &Vector) -> Vector {
+        self.zip_map(other, |a, b| a - b)
+    }
+}
+
+impl Mul<f64> for &Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn mul(self, by: f64) -> Vector {
+        self.map(|x| x * by)
+    }
+}
+
+impl Mul<f64> for Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn mul(mut self, by: f64) -> Vector {
+        self.iter_mut().for_each(|x| *x *= by);
+        self
+    }
+}
+
+impl Neg for Vector {
+    type Output = Vector;
+
+    #[inline]
+    fn neg(self) -> Vector {
+        self * -1.0
+    }
+}
+
+impl AddAssign<&Vector> for Vector {
+    #[inline]
+    fn add_assign(&mut self, other: &Vector) {
+        self.iter_mut().zip(&**other).for_each(|(a, b)| *a += b);
+    }
+}
+
+impl SubAssign<&Vector> for Vector {
+    #[inline]
+    fn sub_assign(&mut self, other: &Vector) {
+        self.iter_mut().zip(&**other).for_each(|(a, b)| *a -= b);
+    }
+}
+
+impl Mul<&Vector> for &Matrix {
+    type Output = Vector;
+
+    /// Column by column, which vector instructions can hold.
+    #[inline]
+    fn mul(self, x: &Vector) -> Vector {
+        let mut y = Vector::zeros(self.nrows());
+        for (column, x) in self.as_slice().chunks_exact(self.nrows().max(1)).zip(&**x) {
+            y.add_times(*x, column);
+        }
+        y
+    }
+}
+
+/// The product of a transposed matrix and a vector.
+#[inline]
+pub fn transposed(a: &Matrix, x: &[f64]) -> Vector {
+    Vector(a.as_slice().chunks_exact(a.nrows().max(1)).map(|column| dot(column, x)).collect())
+}
+
+/// The scalar product of two vectors as long.
+#[inline]
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
