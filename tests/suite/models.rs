@@ -4,7 +4,7 @@
 //! With GEARSIM_PUBLISHED=FILE the run writes the published numbers beside the computed ones as a table, in Markdown:
 //! `cargo xtask published`.
 
-#[path = "models/by_hand.rs"]
+#[path = "models/by_hand/mod.rs"]
 mod by_hand;
 mod common;
 #[path = "models/limits.rs"]
