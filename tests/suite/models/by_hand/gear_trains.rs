@@ -21,7 +21,7 @@ pub fn branches() {
         &TORQUES,
     );
     let p = of(&numbers);
-    // Reduced to the first shaft: the second gear's inertia by the square of the ratio.
+    // The inertia of the second gear is referred to the first shaft by the square of the ratio.
     let ratio = p("N1") / p("N2");
     let by_hand = ByHand {
         inertia: vec![p("I_m"), p("I1") + p("I2") * ratio * ratio, p("I_a"), p("I_b")],

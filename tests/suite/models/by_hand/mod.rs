@@ -1,5 +1,5 @@
-//! Energies written by hand in absolute rotations and displacements, against the derived ones: at random states, and by
-//! the natural frequencies of the hand-written matrices.
+//! Energies written by hand in absolute rotations and displacements, compared with the derived ones at random states. The natural
+//! frequencies of the hand-written matrices are compared too. One file per family of models.
 
 mod belt;
 mod chains;
@@ -15,33 +15,36 @@ use nalgebra::DMatrix;
 
 use crate::train::{frequencies, train};
 
-/// Inertias of absolute coordinates, and springs: a stiffness and what it feels of them.
+/// A system in absolute coordinates: an inertia for each coordinate, and springs. A spring is a stiffness and its deflection, a sum
+/// of (coordinate index, coefficient).
 pub struct ByHand {
     inertia: Vec<f64>,
     springs: Vec<(f64, Vec<(usize, f64)>)>,
 }
 
 impl ByHand {
+    /// T with `x` as speeds, and V with `x` as coordinates.
     fn energies(&self, x: &[f64]) -> [f64; 2] {
-        let feels = |felt: &[(usize, f64)]| felt.iter().map(|(i, c)| c * x[*i]).sum::<f64>();
+        let deflection = |terms: &[(usize, f64)]| terms.iter().map(|(i, c)| c * x[*i]).sum::<f64>();
         let kinetic = self.inertia.iter().zip(x).map(|(m, v)| m * v * v / 2.0).sum();
-        [kinetic, self.springs.iter().map(|(k, felt)| k * feels(felt).powi(2) / 2.0).sum()]
+        [kinetic, self.springs.iter().map(|(k, terms)| k * deflection(terms).powi(2) / 2.0).sum()]
     }
 
+    /// Natural frequencies [Hz], rising.
     fn frequencies(&self) -> Vec<f64> {
         let n = self.inertia.len();
         let mut stiffness = DMatrix::zeros(n, n);
-        for (k, felt) in &self.springs {
-            felt.iter().for_each(|(i, a)| felt.iter().for_each(|(j, b)| stiffness[(*i, *j)] += k * a * b));
+        for (k, terms) in &self.springs {
+            terms.iter().for_each(|(i, a)| terms.iter().for_each(|(j, b)| stiffness[(*i, *j)] += k * a * b));
         }
         frequencies(DMatrix::from_fn(n, n, |i, j| if i == j { self.inertia[i] } else { 0.0 }), stiffness)
     }
 }
 
-/// A number for every parameter and law: none is alike, so that no two can be exchanged unseen.
+/// A number for every parameter and law. All numbers of a model differ, so that exchanging two of them changes the result.
 type Numbers = &'static [(&'static str, f64)];
 
-/// Compares the model `D` with a system by hand, whose coordinates `absolute` makes of the model's.
+/// Compares the model `D` with a system by hand. `absolute` computes the coordinates of that system from those of the model.
 fn compare<D: Derived<N>, const N: usize>(
     numbers: &[(&str, f64)],
     by_hand: &ByHand,
@@ -51,12 +54,12 @@ fn compare<D: Derived<N>, const N: usize>(
     let name = train.model.name;
     let index = |c: &str| train.model.coordinates.iter().position(|q| q.name == c).unwrap_or_else(|| panic!("no {c}"));
     for draw in 0..100 {
-        // Steps of the golden ratio fill the interval evenly and never repeat.
+        // Multiples of the golden ratio, modulo 1, fill the interval evenly and never repeat.
         let x: [f64; N] = std::array::from_fn(|i| ((draw * N + i + 1) as f64 * 0.618_033_988_749_895).fract() - 0.5);
         let found = train.energies(&x);
         let expected = by_hand.energies(&absolute(&|c| x[index(c)]));
         for ((found, expected), energy) in found.iter().zip(expected).zip(["T", "V"]) {
-            // Sums of up to a hundred products of numbers near one: their roundings, with room.
+            // The rounding errors of sums of up to a hundred products of numbers near one, with a margin.
             assert!((found - expected).abs() <= 1e-12 * expected, "{name}: {energy} = {found}, by hand {expected}");
         }
     }
@@ -64,7 +67,8 @@ fn compare<D: Derived<N>, const N: usize>(
     assert_eq!(found.len(), expected.len(), "{name}");
     let highest = expected.last().copied().unwrap_or(0.0);
     for (f, e) in found.iter().zip(&expected) {
-        // Squares of frequencies are right to eps of the largest; the root of that is what a rigid motion may show.
+        // The squares of the frequencies have errors of eps times the largest square. A rigid motion, whose frequency is zero,
+        // may therefore show sqrt(eps) times the largest frequency.
         let tolerance = 1e-10 * e + if *e < 1e-6 * highest { 1e-6 * highest } else { 0.0 };
         assert!((f - e).abs() <= tolerance, "{name}: {found:?}, by hand {expected:?}");
     }
@@ -90,12 +94,12 @@ fn with(numbers: Numbers, more: &[(&'static str, f64)]) -> Vec<(&'static str, f6
     [numbers, more].concat()
 }
 
-/// Looks numbers up by name.
+/// A function that looks a number up by its name.
 fn of<'a>(numbers: &'a [(&str, f64)]) -> impl Fn(&str) -> f64 + 'a {
     |name| numbers.iter().find(|n| n.0 == name).unwrap_or_else(|| panic!("no {name}")).1
 }
 
-/// A shaft between two rotors.
+/// A spring that acts on the difference of two rotations: a shaft between two rotors.
 fn twist(k: f64, i: usize, j: usize) -> (f64, Vec<(usize, f64)>) {
     (k, vec![(i, 1.0), (j, -1.0)])
 }

@@ -9,11 +9,11 @@ use super::{ByHand, TORQUES, compare, of, with};
 const PLANE: [(&str, f64); 7] =
     [("m_s", 1.3), ("m_c", 4.1), ("m_r", 3.3), ("kb_s", 7.1), ("kb_c", 7.3), ("kb_r", 7.7), ("kb_p", 8.3)];
 
-/// Lin & Parker's Eqs. (1)-(5) as printed, in absolute coordinates (x, y, u of sun, carrier and ring; zeta, eta, u of
-/// each planet) with u = r theta, each mesh and bearing a spring.
+/// Eqs. (1)-(5) of Lin & Parker as printed, in absolute coordinates: x, y, u of sun, carrier and ring; zeta, eta, u of each
+/// planet; u = r theta. Each mesh and each bearing is a spring.
 pub fn stages() {
     fn check<D: Derived<N>, const N: usize>(n: usize) {
-        // Not evenly spaced.
+        // The planets are not evenly spaced.
         let places = [("psi1", 0.0), ("psi2", 1.1), ("psi3", 2.9), ("psi4", 4.4), ("psi5", 5.2)];
         let numbers = with(STAGE, &[&TORQUES, &PLANE[..], &places[..n], &FURTHER[..2 * (n - 3)]].concat());
         let p = of(&numbers);

@@ -11,7 +11,8 @@ pub fn stages() {
         let numbers = with(STAGE, &[&TORQUES, &FURTHER[..2 * (n - 3)]].concat());
         let p = of(&numbers);
         let [r_s, r_p, r_r, a] = radii(&p);
-        // Sun, carrier, ring, planets. The planets' masses ride on the carrier; r_s + r_p = r_r - r_p = a cos(alpha).
+        // Sun, carrier, ring, planets. The masses of the planets add to the inertia of the carrier.
+        // r_s + r_p = r_r - r_p = a cos(alpha).
         let mut by_hand = ByHand {
             inertia: vec![p("I_s"), p("I_c") + n as f64 * p("m_p") * a * a, p("I_r")],
             springs: vec![(p("k_r"), vec![(2, 1.0)])],

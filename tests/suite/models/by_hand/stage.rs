@@ -2,6 +2,7 @@
 
 use super::Numbers;
 
+/// A stage with three planets.
 pub const STAGE: Numbers = &[
     ("Z_s", 27.0),
     ("Z_r", 99.0),
@@ -21,7 +22,7 @@ pub const STAGE: Numbers = &[
     ("k_r3", 6.3),
 ];
 
-/// The further planets, one after another.
+/// The mesh stiffnesses of planets 4 to 7.
 pub const FURTHER: [(&str, f64); 8] = [
     ("k_s4", 5.4),
     ("k_r4", 6.4),
@@ -33,13 +34,14 @@ pub const FURTHER: [(&str, f64); 8] = [
     ("k_r7", 6.7),
 ];
 
-/// Base radii of sun, planet and ring, and radius of the planets' circle.
+/// Base radii of sun, planet and ring, and the radius of the circle of planet centres.
 pub fn radii(p: &impl Fn(&str) -> f64) -> [f64; 4] {
     let [r_s, r_r] = [p("r_s"), p("r_s") * p("Z_r") / p("Z_s")];
     [r_s, (r_r - r_s) / 2.0, r_r, (r_r + r_s) / 2.0 / p("alpha").cos()]
 }
 
-/// Absolute rotations of sun and carrier, and of a planet that is `beyond` rolling.
+/// Absolute rotations of the sun and the carrier, and a function for that of a planet. Its argument is the planet's coordinate u:
+/// base radius times the rotation beyond rolling.
 pub fn rotations(p: &impl Fn(&str) -> f64, theta: f64, theta_c: f64) -> (f64, f64, impl Fn(f64) -> f64) {
     let [_, r_p, ..] = radii(p);
     let carrier = theta / p("Z_r") + theta_c;
