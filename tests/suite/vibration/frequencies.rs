@@ -1,4 +1,4 @@
-//! Published natural frequencies of torsional systems, and what a mode says of itself.
+//! Published natural frequencies of torsional systems, and the energies and shapes of modes.
 //!
 //! Source: M. I. Friswell, J. E. T. Penny, S. D. Garvey & A. W. Lees, Dynamics of Rotating Machines, Cambridge 2010,
 //! Chapter 9.
@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::models::{DAMPERS, scene};
 
-/// Discs, and shafts between two of them; no laws.
+/// Discs, and shafts (i, j, stiffness) between two of them; no laws.
 struct Discs {
     inertias: Vec<f64>,
     shafts: Vec<(usize, usize, f64)>,
@@ -21,7 +21,7 @@ struct Discs {
 
 impl System for Discs {
     fn potential(&self, _: &[f64], _: &[f64]) -> f64 {
-        unreachable!("nobody asks for the energy")
+        unreachable!("the modes do not need the energy")
     }
     fn matrices(&self, _: &[f64]) -> Result<Matrices, Refusal> {
         let n = self.inertias.len();
@@ -42,7 +42,7 @@ impl System for Discs {
         })
     }
     fn propagator(&self, _: &[f64], _: f64) -> Result<DMatrix<f64>, Refusal> {
-        unreachable!("nobody asks for the motion")
+        unreachable!("the modes do not need the motion")
     }
     fn switching(&self, _: usize) -> Switching {
         Switching::Never
@@ -51,7 +51,7 @@ impl System for Discs {
         vec![]
     }
     fn start(&self, _: &Scene) -> Result<Vec<f64>, Refusal> {
-        unreachable!("nobody asks for a start")
+        unreachable!("the modes do not need a start")
     }
 }
 
@@ -60,7 +60,7 @@ fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
     modes::of(&discs, &[], &[]).expect("discs on shafts have modes")
 }
 
-/// Frequencies as printed, to half a unit of their last digit.
+/// Checks frequencies against their printed values, to half a unit in the last digit.
 fn assert_frequencies(found: &CellModes, printed: &[&str]) {
     assert_eq!(found.modes.len(), printed.len());
     for (mode, printed) in found.modes.iter().zip(printed) {
@@ -70,12 +70,12 @@ fn assert_frequencies(found: &CellModes, printed: &[&str]) {
 }
 
 #[test]
-fn two_discs_on_a_shaft() {
+fn frequencies_of_two_discs_on_a_shaft_are_those_published() {
     assert_frequencies(&of(&[211.4, 8.3], &[(0, 1, 9.775e6)]), &["0", "176.1"]);
 }
 
 #[test]
-fn five_discs_in_a_row_example_9_7_1() {
+fn frequencies_of_five_discs_are_those_of_example_9_7_1() {
     let shafts = [(0, 1, 12e3), (1, 2, 12e3), (2, 3, 14e3), (3, 4, 10e3)];
     let found = of(&[3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], &shafts);
     assert_frequencies(&found, &["0", "81.21", "141.21", "378.95", "536.36"]);
@@ -85,22 +85,22 @@ fn five_discs_in_a_row_example_9_7_1() {
     }
 }
 
-/// Gear B meshes rigidly with gear A, 1:1: one coordinate for both, with three shafts.
+/// Gear B meshes rigidly with gear A, 1:1, so both have one coordinate; three shafts start there.
 #[test]
-fn three_branches_at_a_pair_of_gears() {
+fn frequencies_of_three_branches_at_a_gear_pair_are_those_published() {
     let shafts = [(0, 1, 1e4), (1, 2, 5e3), (1, 3, 5e3)];
     assert_frequencies(&of(&[400e-6, 50e-6, 700e-6, 700e-6], &shafts), &["0", "425.4", "634.1", "3247.2"]);
 }
 
-/// Where damping couples the modes: each eigenvalue and shape satisfy (lambda² M + lambda C + K) phi = 0, and the strain
-/// energies of the law and of the other spring are in the ratio of theirs.
+/// Where damping couples the modes, each eigenvalue and mode shape satisfy (lambda² M + lambda C + K) phi = 0. The strain energies that a
+/// mode reports for the law and for the other spring are those of its shape.
 #[test]
 fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
     use nalgebra::Complex;
     let scene = scene("parameters = { c1 = \"0.4 N*m*s\", c2 = \"0.3 N*m*s\" }\nrun.t_end = \"1 s\"");
     let system = (DAMPERS.system)(&scene).expect("a linear model");
-    let springs = springs::of(&scene, &DAMPERS).expect("it has springs");
-    let cell = modes::of(&*system, &[5.0], &springs).expect("it has modes");
+    let springs = springs::of(&scene, &DAMPERS).expect("a model with springs");
+    let cell = modes::of(&*system, &[5.0], &springs).expect("a cell with modes");
     assert!(cell.coupled);
     let m = system.matrices(&[5.0]).expect("matrices");
     let mut oscillating = 0;
@@ -113,7 +113,7 @@ fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
         let phi = DVector::from_vec(mode.shape.clone());
         let pencil = complex(&m.mass) * (lambda * lambda) + complex(&m.damping) * lambda + complex(&m.stiffness);
         let left = (pencil * &phi).map(|z| z.norm()).amax();
-        // Three products of a size of K |phi| = 50.
+        // The three products have the size K |phi| = 50.
         assert!(left < 1e-13 * 50.0, "{left:e}");
         let (second, third) = (mode.shape[1].norm_sqr() * 5.0, (mode.shape[2] - mode.shape[1]).norm_sqr() * 20.0);
         assert!((mode.strain[0] - second / (second + third)).abs() < 1e-13);
