@@ -21,7 +21,7 @@ pub struct Case {
 /// The unit of what is counted: there must be none.
 pub const WRONG: &str = "wrong";
 /// Why nothing counted may be wrong.
-pub const NONE: &str = "a decision, or bits: right or wrong";
+pub const NONE: &str = "a decision or a bit is right or wrong";
 
 /// The number of a case, and on what it was measured.
 #[derive(Debug, Clone)]

@@ -18,7 +18,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "random",
         name: "first crossings of random cells: found or not",
-        proves: "none missed, none invented, down to the depth at which rounding decides",
+        proves: "none missed, no false one, down to the depth at which rounding decides",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -30,11 +30,11 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "random",
-        name: "first crossings of random cells: when",
-        proves: "as exact as conditioning allows",
+        name: "first crossings of random cells: their times",
+        proves: "as accurate as the conditioning allows",
         tolerance: judge::MULTIPLE,
         unit: "(4 eps (up + down) + rounding of the phase)/slope + eps t",
-        reason: "the depth of a touch and the rounding of each mode, eps amplitude (1 + turns), some of each a mode",
+        reason: "the depth of a touch and the rounding error of each mode, eps amplitude (1 + turns)",
         measure: |note| {
             *note = format!("{} crossings", sum().crossed);
             sum().error

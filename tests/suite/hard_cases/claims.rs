@@ -17,11 +17,11 @@ use crate::scenes::draw;
 pub const CASES: &[Case] = &[
     Case {
         row: "random",
-        name: "digits left that a run claims and does not have",
-        proves: "the largest of all: a claim is never too many by more than one",
+        name: "digits that a run claims to have left and does not have",
+        proves: "the largest over all runs: a claim exceeds the truth by at most one digit",
         tolerance: 1.0,
         unit: "digits",
-        reason: "the estimate is the distance to one other run; the error may be some times as large",
+        reason: "the estimate is the distance to one other run; the error may be several times as large",
         measure: |note| {
             let Sum { scenes, lost, claims } = sum();
             *note = format!("{scenes} scenes, {lost} of them with less than one digit left");
@@ -30,11 +30,11 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "random",
-        name: "digits left that a run has and does not claim",
-        proves: "the median: an estimate that says little would always be right",
+        name: "digits that a run has left and does not claim",
+        proves: "the median over all runs: an estimate that claims too little would always be safe",
         tolerance: 3.0,
         unit: "digits",
-        reason: "one digit is a margin, as the two runs may come near by chance; the start and parameters are moved by four roundings",
+        reason: "one digit is a margin, because the two runs may be close by chance; the start and the parameters are moved by four rounding errors",
         measure: |note| {
             let Sum { scenes, claims, .. } = sum();
             *note = format!("{scenes} scenes");

@@ -11,8 +11,8 @@ use crate::pair;
 pub const CASES: &[Case] = &[
     Case {
         row: "9",
-        name: "a start 1e9 revolutions on, either way",
-        proves: "times, speeds and deflections have the same bits as from the first pitch",
+        name: "a start after 1e9 revolutions, in either direction",
+        proves: "times, speeds and deflections have the same bits as for a start in the first pitch",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -20,8 +20,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "9",
-        name: "3e8 s: time in units 2^28 times as long",
-        proves: "the motion does not know its unit of time: the same bits",
+        name: "a run of 3e8 s, compared with the same run with time scaled by 2^-28",
+        proves: "the motion does not depend on the unit of time: the same bits",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -30,10 +30,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "9",
         name: "the clock after 3e8 s, and a million flights of a microsecond",
-        proves: "a million short flights add up to rounding of the flights, not of the time",
+        proves: "the error of the sum is a rounding error of the flights, not of the time",
         tolerance: 1.0,
         unit: "eps of a second",
-        reason: "all flights together last a second; plain sums would be off by 1e8 times as much",
+        reason: "all flights together last a second; a plain sum would have 1e8 times this error",
         measure: clock,
     },
 ];

@@ -13,7 +13,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "start on a boundary",
-        proves: "moving out, or at rest and pushed out: one event, at t = 0; moving in, or pushed in: none there",
+        proves: "moving outwards, or at rest and accelerated outwards: one event, at t = 0; inwards: none there",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -21,8 +21,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "4",
-        name: "horizon at a crossing, and a bit before and after",
-        proves: "a crossing at the horizon itself is not before it; one bit later it is",
+        name: "horizon at a crossing, and one bit after it",
+        proves: "a crossing at the horizon is not found; with the horizon one bit later it is",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -31,10 +31,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "two boundaries one bit apart",
-        proves: "both fire, one after the other: three events a pitch for two, and the same motion",
+        proves: "both are events, one after the other: three events per pitch instead of two, and the same motion",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "the steps add up to the one that they replace; infinite if an event is lost",
+        reason: "the two steps add up to the step that they replace; infinite if an event is lost",
         measure: bits_apart,
     },
 ];

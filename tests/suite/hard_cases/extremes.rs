@@ -9,8 +9,8 @@ use crate::refusals::load;
 pub const CASES: &[Case] = &[
     Case {
         row: "15",
-        name: "parameters whose matrices are none",
-        proves: "refused before the run, by a named error",
+        name: "parameters that give no valid matrices",
+        proves: "refused before the run, with a named error",
         tolerance: 0.0,
         unit: "not refused",
         reason: NONE,
@@ -19,7 +19,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "15",
         name: "parameters of 5e-324 to 1e300, one and two at a time",
-        proves: "no panic, no endless loop, no silent NaN: refused, finite to the end, or stopped by name",
+        proves: "no panic, no endless loop, no silent NaN: refused, finite to the end, or stopped with a named error",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,

@@ -10,8 +10,8 @@ use crate::{noise::Noise, pair};
 pub const CASES: &[Case] = &[
     Case {
         row: "1",
-        name: "graze by 1e-1 to 1e-14 of the amplitude, over and short",
-        proves: "a crossing is found however shallow, and none is invented",
+        name: "crest 1e-1 to 1e-14 of the amplitude beyond a boundary, or short of it",
+        proves: "every crossing is found however shallow, and no false one",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "1",
         name: "time of a graze",
-        proves: "as exact as a root so flat allows",
+        proves: "as accurate as the conditioning of a flat root allows",
         tolerance: 8.0,
         unit: "eps amplitude/slope",
         reason: "the tolerance of a touch, 4 eps of twice the amplitude",
@@ -28,8 +28,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "1",
-        name: "exact tangency, again and again",
-        proves: "a touch is no event, every time",
+        name: "exact tangency, repeated",
+        proves: "a touch is never an event",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -46,8 +46,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "1",
-        name: "graze in a cell that is 1e-2 to 1e-8 of the swing",
-        proves: "the depth that is told follows the cell, not the swing",
+        name: "graze in a cell whose width is 1e-2 to 1e-8 of the swing",
+        proves: "the smallest depth that is resolved depends on the width of the cell, not on the swing",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -55,8 +55,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "1",
-        name: "gear pair swings to the end of its cell, short and over by 1e-1 to 1e-12 of its speed",
-        proves: "the same in a scene; the speed is found in 50 digits",
+        name: "gear pair that just reaches the end of its cell or stops short of it, by 1e-1 to 1e-12 of its speed",
+        proves: "there is an event exactly if the speed suffices; the limiting speed is found in 50 digits",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,

@@ -12,16 +12,16 @@ pub const CASES: &[Case] = &[
     Case {
         row: "13",
         name: "random cells of three coordinates, with a rigid-body mode or without",
-        proves: "q, q' as the matrix exponential in 50 digits says",
+        proves: "q and q' agree with the matrix exponential in 50 digits",
         tolerance: 64.0,
         unit: "eps (1 + rate t)",
-        reason: "roundings of the eigenvalue problem and of the transformations, conditioned up to 10",
+        reason: "rounding errors of the eigenvalue problem and of the transformations, whose condition number is up to 10",
         measure: |note| cells(note, 1301, Kind::Any),
     },
     Case {
         row: "13",
         name: "coincident modes, undamped and damped",
-        proves: "any basis of their plane gives the motion",
+        proves: "any basis of their eigenspace gives the motion",
         tolerance: 64.0,
         unit: "eps (1 + rate t)",
         reason: "as for random cells",
@@ -29,7 +29,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "13",
-        name: "defective: critically damped modes, coincident or alone",
+        name: "defective cells: critically damped modes, coincident or single",
         proves: "no basis of complex modes is needed",
         tolerance: 64.0,
         unit: "eps (1 + rate t)",

@@ -10,20 +10,20 @@ use crate::pair::{self, distance};
 pub const CASES: &[Case] = &[
     Case {
         row: "7",
-        name: "energy of an undamped, aperiodic gear pair, compensated",
-        proves: "nothing is lost or gained",
+        name: "energy of an undamped, aperiodic gear pair in compensated precision",
+        proves: "no energy is lost or gained",
         tolerance: 1e-12,
         unit: "of the energy",
-        reason: "the promise for 1e8 events (GEARSIM_EVENTS), kept by every shorter run",
+        reason: "the limit promised for 1e8 events (GEARSIM_EVENTS); every shorter run keeps it",
         measure: |note| energy(Precision::Compensated, note).0,
     },
     Case {
         row: "7",
-        name: "its drift in plain numbers",
-        proves: "an event costs less than one rounding of the energy",
+        name: "energy drift of the same gear pair in plain precision",
+        proves: "an event changes the energy by less than one rounding error",
         tolerance: f64::EPSILON,
-        unit: "of the energy an event",
-        reason: "constants of a cell, rounded, err always to the same side: the drift is linear, and stated",
+        unit: "of the energy per event",
+        reason: "the rounding errors of a cell's constants always have the same sign, so the drift is linear; it is documented",
         measure: |note| {
             let (lost, events) = energy(Precision::Plain, note);
             lost / events
@@ -32,10 +32,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "8",
         name: "time reversed after 20 to 2000 events",
-        proves: "the motion comes back to its start",
+        proves: "the motion returns to its start",
         tolerance: 8.0,
         unit: "eps growth of disturbances per event",
-        reason: "each event adds a few roundings; they grow as disturbances of the start do",
+        reason: "each event adds a few rounding errors, which grow as disturbances of the start do",
         measure: reversal,
     },
 ];

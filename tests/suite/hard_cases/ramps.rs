@@ -10,7 +10,7 @@ use crate::pair::{self, distance};
 pub const CASES: &[Case] = &[
     Case {
         row: "14",
-        name: "ramps of 4e-5 to 2.5e-6 rad, transmitted up and down, both ways round",
+        name: "ramps of 4e-5 to 2.5e-6 rad, transmitted up and down, in both directions",
         proves: "slope of log difference over log eps is 1",
         tolerance: 0.04,
         unit: "of slope",

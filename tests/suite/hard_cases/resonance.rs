@@ -13,19 +13,19 @@ pub const CASES: &[Case] = &[
     Case {
         row: "12",
         name: "Meissner's equation in its main resonance, undamped and damped",
-        proves: "after 100 pitches phi, phi' are the product of the cells' propagators, in 50 digits",
+        proves: "after 100 pitches phi and phi' equal the product of the cells' propagators in 50 digits",
         tolerance: 8.0,
         unit: "eps w t of the growth",
-        reason: "roundings of the frequencies and of the switching times turn the phase",
+        reason: "rounding errors of the frequencies and of the switching times shift the phase",
         measure: states,
     },
     Case {
         row: "12",
-        name: "growth a pitch in the main resonance",
-        proves: "the larger Floquet multiplier, damped or not: no growth is lost",
+        name: "growth per pitch in the main resonance",
+        proves: "it is the larger Floquet multiplier, with and without damping",
         tolerance: 1e-12,
         unit: "of the multiplier",
-        reason: "100 pitches' roundings over 100; the second multiplier has died away",
+        reason: "the rounding errors of 100 pitches over 100; the part of the second multiplier has died away",
         measure: multipliers,
     },
     Case {
@@ -34,7 +34,7 @@ pub const CASES: &[Case] = &[
         proves: "linear growth: x(2n) - 2 x(n) + x(0) = 0",
         tolerance: 1e-8,
         unit: "of x(2n)",
-        reason: "the edge is found to eps: the multipliers part from one another by a root of eps",
+        reason: "the edge is found to eps, so the two multipliers differ by sqrt(eps)",
         measure: edge,
     },
 ];

@@ -29,10 +29,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "random",
         name: "event times and ends of random gear pairs",
-        proves: "as exact as conditioning allows",
+        proves: "as accurate as the conditioning allows",
         tolerance: MULTIPLE,
-        unit: "eps (growth of disturbances + 1) an event",
-        reason: "each event adds some roundings of its own, which grow as disturbances do",
+        unit: "eps (growth of disturbances + 1) per event",
+        reason: "each event adds some rounding errors, which grow as disturbances do",
         measure: |note| {
             *note = format!("{} scenes", sum().scenes);
             sum().error

@@ -12,7 +12,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "runs that end at an event, 4 bits before, 4 bits after",
-        proves: "an event is in the run if and only if its time is",
+        proves: "an event is in the run if and only if its time is in it",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "4",
-        name: "runs split at a thousand instants, 40 events among them",
+        name: "runs split at a thousand random times and at 40 events",
         proves: "the events of the parts are those of the whole",
         tolerance: 0.0,
         unit: WRONG,
@@ -30,10 +30,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "ends of split runs",
-        proves: "two parts end where the whole does",
+        proves: "two parts end in the same state as the whole run",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "the motion is regular: roundings of 40 events add up, and no more",
+        reason: "the motion is regular: the rounding errors of 40 events only add up",
         measure: |_| splits().1,
     },
 ];
