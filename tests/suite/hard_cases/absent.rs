@@ -1,4 +1,4 @@
-//! Row 16: an effect that is absent, against present at zero strength.
+//! Row 16: an effect that is absent, compared with the effect at zero strength.
 
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
@@ -67,7 +67,7 @@ fn bits(note: &mut String) -> f64 {
     wrong
 }
 
-/// A run whose stiffness has one level throughout, with some effects.
+/// A run with these effects, whose stiffness has the same level everywhere.
 fn flat(effects: &str) -> Outcome {
     let steps = "laws.k.steps=[{ value = \"2 kN*m\", width = \"1.73 rad\" }, { value = \"2 kN*m\" }]";
     common::run(&scene(&[effects, steps, "start.phi_dot=20 rad/s", "output.events=false"]))

@@ -1,4 +1,4 @@
-//! Row 11: backlash. Both flanks, contact lost in the instant of a stiffness switch, a damper that would pull.
+//! Row 11: backlash. Both flanks, contact lost at a step of the stiffness, a damper that would pull.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
@@ -113,7 +113,7 @@ fn oscillator(overrides: &[&str]) -> Scene {
 }
 
 fn thrown(_: &mut String) -> f64 {
-    // From the drive edge outwards: contact, flight, contact, flight make a round.
+    // Starts at the edge of the drive flank, moving outwards. One round is contact, flight, contact, flight.
     let (v, half, w) = (7.0, FRAC_PI_8, (20e3f64 / 5.0).sqrt());
     let round = 2.0 * (PI / w + 2.0 * half / v);
     let t_end = format!("run.t_end={:?} s", 500.0 * round + 0.25 * half / v);
@@ -124,7 +124,7 @@ fn thrown(_: &mut String) -> f64 {
     if outcome.counts.impacts != 1000 {
         return f64::INFINITY;
     }
-    // 500 rounds, and a little into the contact that begins another.
+    // The end is after 500 rounds and a short time in the next contact.
     let after = 0.25 * half / v;
     let run = &outcome.trajectory;
     let (phi, speed) = (run.q[0][run.len() - 1], run.q_dot[0][run.len() - 1]);
@@ -132,7 +132,7 @@ fn thrown(_: &mut String) -> f64 {
     largest([(phi - expected[0]).abs() / (2.0 * half), (speed - expected[1]).abs() / v])
 }
 
-/// Sizes of phi, of its speed, and of the time.
+/// Scales of phi [rad], of its speed [rad/s], and of the time [s].
 const SIZES: [f64; 3] = [FRAC_PI_2, 66.0, 0.05];
 
 fn published(_: &mut String) -> f64 {
@@ -156,7 +156,7 @@ fn published(_: &mut String) -> f64 {
 fn let_go(_: &mut String) -> f64 {
     let (zeta, half, t0) = (0.1, 0.01, 5.0);
     let (_, m2, c) = constants(zeta);
-    // Just before the end of the stiffer cell, so deep and so fast that k x + C v is positive in it, negative beyond.
+    // Just before the end of the stiffer cell, with x and v for which k x + C v is positive in this cell and negative in the next.
     let x = 1e-3;
     let v = -0.75 * 2780.0 * x / c;
     let scene = common::scene(
@@ -178,7 +178,7 @@ fn let_go(_: &mut String) -> f64 {
     if !(force(switch - 1, 2780.0) > 0.0 && force(switch, 1430.0) < 0.0) {
         return f64::INFINITY;
     }
-    // A flight under the torque alone, to the edge: phi'' = M2 T0.
+    // The flight to the edge under the torque alone: phi'' = M2 T0.
     let (x, v, t) = (run.q[1][switch] - half, run.q_dot[1][switch], run.t[edge] - run.t[switch]);
     let (phi, speed) = (x + v * t + 0.5 * m2 * t0 * t * t, v + m2 * t0 * t);
     largest([(run.q[1][edge] - half).abs() / half, phi.abs() / x, (run.q_dot[1][edge] - speed).abs() / v.abs()])
@@ -188,7 +188,8 @@ fn held(_: &mut String) -> f64 {
     let (t0, half) = (-10.0, 0.02);
     let (m1, m2, _) = constants(0.0);
     let inertia: f64 = 2890e-6 / 576.0 + 740200e-6 / 9216.0;
-    // With theta held, phi swings about T0/k1 beyond the edge from there, 3 |T0|/k1 away: to the edge.
+    // T0 < 0. With theta held, phi swings about its rest, |T0|/k1 inside the edge, with an amplitude of 3 |T0|/k1, until it is at the
+    // edge.
     let (rest, w) = (10.0 / 1430.0, (2.0 * 1430.0 / inertia).sqrt());
     let (met, speed) = ((1.0f64 / 3.0).acos() / w, -3.0 * rest * w * (1.0f64 - 1.0 / 9.0).sqrt());
     let after = 1e-4;
@@ -238,7 +239,7 @@ fn pulls(note: &mut String) -> f64 {
             let Regime::Contact(side, grip) = band.regime else { continue };
             let x = band.depth(side, &simulation.state);
             let (spring, damper) = (k * x, c * side.sign() * simulation.state.q_dot[1]);
-            // The forces of the contact by its definition, and by the law values that the engine goes by.
+            // The contact force by its definition, and by the law values that the engine uses.
             let force = spring + damper.clamp(-spring.abs(), spring.abs());
             let ours = k * x * (1.0 + clip) + damp * damper;
             let size = spring.abs() + damper.abs() + k * band.half;

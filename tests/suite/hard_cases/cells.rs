@@ -1,6 +1,6 @@
-//! Random cells of 1 to 8 modes, a third of them grazing, against the first crossings of the engine in 50 digits.
+//! Random cells of 1 to 8 modes, a third of them grazing: first crossings compared with those of the engine in 50 digits.
 //!
-//! GEARSIM_CELLS sets how many, GEARSIM_SEED which.
+//! GEARSIM_CELLS sets their number, GEARSIM_SEED selects others.
 
 mod draw;
 mod judge;
@@ -42,10 +42,10 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// How many, unless the environment says.
+/// Number of cells, unless GEARSIM_CELLS is set.
 const CELLS: u64 = 30_000;
 
-/// What came of them all.
+/// The results of all cells.
 #[derive(Default)]
 struct Sum {
     cells: u64,
@@ -68,7 +68,7 @@ fn sum() -> &'static Sum {
 }
 
 impl Sum {
-    /// Cell `i` is the same whatever the others are.
+    /// Adds cell `i`, which does not depend on the other cells.
     fn add(&mut self, i: u64) {
         let noise = Noise::new(i.wrapping_mul(0x2545_f491_4f6c_dd1d));
         match i % 8 {
@@ -90,7 +90,7 @@ impl Sum {
             Verdict::Crossed(error) => {
                 self.crossed += 1;
                 if error > self.error {
-                    println!("cell {i}: off by {error:.2} of what conditioning explains, {drawn:?}");
+                    println!("cell {i}: error {error:.2} of what conditioning explains, {drawn:?}");
                     self.error = error;
                 }
             }

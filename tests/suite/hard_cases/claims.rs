@@ -1,6 +1,7 @@
-//! How many digits a run says are left, against those that are: random gear pairs, and the engine in 50 digits.
+//! The number of digits that a run claims to have left, compared with the true number, which 50 digits give, for random gear pairs.
 //!
-//! A quarter of the scenes run five times as long, so that some lose all their digits. GEARSIM_SCENES sets how many, GEARSIM_SEED which.
+//! A quarter of the scenes run five times as long, so that some lose all their digits. GEARSIM_SCENES sets their number, GEARSIM_SEED
+//! selects others.
 
 use std::sync::OnceLock;
 
@@ -47,11 +48,11 @@ pub const CASES: &[Case] = &[
 struct Sum {
     scenes: u64,
     lost: u64,
-    /// Digits claimed less digits there are, rising.
+    /// Claimed digits minus true digits, rising.
     claims: Vec<f64>,
 }
 
-/// Digits that a number in f64 can have: more are neither claimed nor counted.
+/// The number of digits of an f64. More are neither claimed nor counted.
 const MOST: f64 = 15.95;
 
 fn sum() -> &'static Sum {
@@ -76,9 +77,7 @@ fn sum() -> &'static Sum {
             let there = (-off.fold(f64::MIN_POSITIVE, f64::max).log10()).clamp(0.0, MOST);
             sum.lost += u64::from(there < 1.0);
             if claimed - there > 0.9 {
-                println!(
-                    "scene {i}: {claimed:.1} digits claimed, {there:.1} there; {pair:?} {start:?} until {t_end:e}"
-                );
+                println!("scene {i}: {claimed:.1} digits claimed, {there:.1} true; {pair:?} {start:?} until {t_end:e}");
             }
             sum.claims.push(claimed - there);
         }

@@ -1,4 +1,4 @@
-//! Row 13: damping that couples the modes, against the matrix exponential in 50 digits.
+//! Row 13: damping that couples the modes, compared with the matrix exponential in 50 digits.
 
 mod draw;
 
@@ -83,7 +83,8 @@ fn digits<const N: usize>(x: &[f64; N]) -> Vec<Digits> {
     x.iter().map(|x| Digits::exact(*x)).collect()
 }
 
-/// The error of q and q' after `t`, in roundings of (1 + rate t) of the largest speed; all in units of sqrt(M).
+/// The error of q and q' after `t`, relative to the largest speed, in units of eps (1 + rate t). Coordinates and speeds are multiplied by
+/// sqrt(M).
 fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64) -> f64 {
     let cell = system.cell();
     let flight = cell.flight(&SVector::from(*q), &SVector::from(*v));
@@ -96,7 +97,7 @@ fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64)
     let place = largest((0..N).map(|i| apart(i, q[i], dq[i], &x[i])));
     let speed = largest((0..N).map(|i| apart(i, v[i], dv[i], &y[i])));
     let size = |v: &dyn Fn(usize) -> f64| largest((0..N).map(|i| system.mass[i][i].sqrt() * v(i).abs()));
-    // The speeds on the way, at the ends and at two places between.
+    // The largest speed, from the two ends and two times between.
     let middle = |part: f64| {
         let (_, y) = exact.over(&Digits::exact(part * t)).of(&digits(q), &digits(v));
         size(&|i| y[i].approx())
@@ -106,7 +107,7 @@ fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64)
         / (f64::EPSILON * (1.0 + cell.rate * t))
 }
 
-/// Something of 40 cells of each of 2, 3, 4, 6 and 8 coordinates.
+/// The largest value of an expression over 40 random cells each of 2, 3, 4, 6 and 8 coordinates.
 macro_rules! of_all {
     ($noise:expr, $drawn:ident => $what:expr) => {
         largest(
@@ -194,10 +195,11 @@ fn crossings(note: &mut String) -> f64 {
     wrong
 }
 
-/// Samples of the exact motion on the way.
+/// Number of samples of the exact motion.
 const SAMPLES: usize = 400;
 
-/// 1 if the first crossing of n.q of a boundary within its reach is not what samples of the exact motion say.
+/// 1 if the first crossing of a boundary by n.q disagrees with samples of the exact motion, otherwise 0. The boundaries are drawn
+/// relative to the range of n.q.
 fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize) -> f64 {
     let system = Linear { normal: [(); N].map(|()| noise.even()), ..drawn.system };
     let propagator = exact(&system);
@@ -225,7 +227,7 @@ fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize
     let found = Search { signal, rate, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());
     let Ok(side) = found else { return 1.0 };
     let end = if side.is_some() { point.t } else { drawn.t };
-    // What the motion is known to, in the phase.
+    // The accuracy to which the phase is known.
     let slack = drawn.slack() * (high + low);
     let beyond = |x: f64| x > up + slack || x < -down - slack;
     let first = way.iter().position(|x| beyond(*x)).map_or(f64::INFINITY, |i| i as f64 * drawn.t / SAMPLES as f64);
@@ -266,12 +268,12 @@ fn continuity(_: &mut String) -> f64 {
     }))
 }
 
-/// Two oscillators whose vibrations coalesce where part = 0: the pencil's determinant is (lambda² + s lambda + b)².
-fn nearly_defective(part: f64) -> Linear<2> {
+/// Two oscillators whose vibrations coalesce at distance = 0: the determinant of the pencil is then (lambda² + s lambda + b)².
+fn nearly_defective(distance: f64) -> Linear<2> {
     let (s, b): (f64, f64) = (0.1, 1.0);
     Linear {
         mass: diagonal([1.0; 2]),
-        damping: diagonal([2.0 * s * (1.0 + part), 0.0]),
+        damping: diagonal([2.0 * s * (1.0 + distance), 0.0]),
         stiffness: [[s * s + b, s * b.sqrt()], [s * b.sqrt(), b]],
         load: [0.0; 2],
         normal: [1.0, 0.0],
@@ -280,17 +282,17 @@ fn nearly_defective(part: f64) -> Linear<2> {
 
 fn coalescing(_: &mut String) -> f64 {
     largest((1..=6).flat_map(|power| {
-        let part = 10f64.powi(-power);
-        [part, -part].map(|part| error(&nearly_defective(part), &[0.2, -0.1], &[1.0, 0.5], 30.0) * part.abs())
+        let size = 10f64.powi(-power);
+        [size, -size].map(|distance| error(&nearly_defective(distance), &[0.2, -0.1], &[1.0, 0.5], 30.0) * size)
     }))
 }
 
 fn coincident(note: &mut String) -> f64 {
-    let refused = |part: f64| matches!(Cell::new(&nearly_defective(part), &[]), Err(Refusal::Defective { .. }));
+    let refused = |distance: f64| matches!(Cell::new(&nearly_defective(distance), &[]), Err(Refusal::Defective { .. }));
     if !refused(0.0) || refused(1e-6) {
         return f64::INFINITY;
     }
-    // Two equal pairs of oscillators, damped alike, seen through a rotation of each two alike: all eigenvalues double.
+    // Two equal pairs of oscillators with equal damping: all eigenvalues are double.
     let mut worst = 0f64;
     for (c, k) in [
         ([0.2, 0.0, 0.05], [1.0, 3.0]),
@@ -308,7 +310,7 @@ fn coincident(note: &mut String) -> f64 {
             load: [0.1, 0.2, 0.0, -0.1],
             normal: [1.0; 4],
         };
-        // A critically damped mode beside two that are coupled.
+        // A critically damped mode and two coupled modes.
         let critical = Linear {
             mass: diagonal([1.0; 3]),
             damping: [[0.4, 0.3, 0.0], [0.3, 0.6, 0.0], [0.0, 0.0, 6.0]],

@@ -1,4 +1,4 @@
-//! Row 6: damping factors 0, 1 +- 10^-k, up to 1e6.
+//! Row 6: damping factors 0, 1 +- 10^-k, and up to 1e6.
 
 use gearsim_tests::oh2005::{GearPair, State};
 use gearsim_tests::precise::cell::{Law, Motion};

@@ -1,4 +1,4 @@
-//! Row 9: 1e9 revolutions, 3e8 seconds.
+//! Row 9: starts after 1e9 revolutions, and runs of 3e8 seconds.
 
 use gearsim::engine::clock::Clock;
 use gearsim_tests::oh2005::{GearPair, PITCH, State};
@@ -38,7 +38,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// How many entries of some columns differ in their bits, once `scaled`.
+/// The number of entries of two columns whose bits differ, after `a` is multiplied by `scale`.
 fn bits(a: &[f64], b: &[f64], scale: f64) -> f64 {
     let unlike = a.len().abs_diff(b.len()) as f64;
     unlike + count(a.iter().zip(b).map(|(a, b)| (a * scale).to_bits() != b.to_bits()))
@@ -48,7 +48,7 @@ fn revolutions(note: &mut String) -> f64 {
     let mut rows = 0;
     let wrong = [(1e9, 60.0), (1e9, -600.0), (-1e9, 60.0), (-1e9, -4500.0)].map(|(turns, rpm)| {
         let pair = GearPair::paper(0.05, 10.0);
-        // Any angle so far away will do; what is left of it beyond whole pitches is exact.
+        // Any angle this large will do; its remainder after whole pitches is exact.
         let far = State { theta: turns * pair.n1 * PITCH + 1.0, ..pair.start(rpm) };
         let near = State { theta: far.theta.rem_euclid(PITCH), ..far };
         let t_end = 50.0 / far.theta_dot.abs();

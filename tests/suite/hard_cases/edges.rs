@@ -1,4 +1,4 @@
-//! Row 11: play whose edges a transmission error moves. Flanks that part and meet where it steps, and within its waves.
+//! Row 11: play whose edges a transmission error moves. Flanks separate and meet at its steps, and where it varies smoothly.
 
 use std::f64::consts::{PI, TAU};
 
@@ -72,7 +72,8 @@ pub const CASES: &[Case] = &[
 /// Half the play [rad].
 const HALF: f64 = 0.02;
 
-/// The gear pair without damping; `errors` are those of the tooth below theta = 2 pi and of that above.
+/// Runs the gear pair without damping. `errors` are those of the tooth below theta = 2 pi and of the tooth above; `theta` and `phi` are
+/// the angle and the speed at the start.
 fn pair(t0: f64, errors: [f64; 2], theta: [f64; 2], phi: [f64; 2], t_end: f64) -> Outcome {
     common::run(&common::scene(
         "backlash",
@@ -117,7 +118,8 @@ fn parted() -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// The edge falls by 4e-3 below a deflection that is then x deep, 1e-3 or so: v+² = v² - M2 k x², if there is so much of it.
+/// The edge falls by 4e-3, below a deflection that then has the depth x, about 1e-3: v+² = v² - M2 k x² if this is not negative;
+/// otherwise theta is reflected.
 fn met(start: f64) -> f64 {
     let (m1, m2, _) = constants(0.0);
     let (t0, theta, after) = (5.0, TAU - 1e-6, 2e-5);
@@ -137,7 +139,7 @@ fn met(start: f64) -> f64 {
         let (s, c) = (w * after).sin_cos();
         (HALF + rest + (x - rest) * c + kick / w * s, kick * c - (x - rest) * w * s)
     };
-    // Nothing but phi's force acts on theta: theta'' = (M1/M2) phi''.
+    // Only the force of phi acts on theta: theta'' = (M1/M2) phi''.
     let theta_dot = beyond + m1 / m2 * (speed - kick);
     let passed = u64::from(!reflected);
     let counts = &outcome.counts;
@@ -151,7 +153,8 @@ fn met(start: f64) -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// Theta at rest is driven down against the step, below which the flanks would be x deep; phi flies back, x - v t - A t²/2.
+/// theta is at rest and is driven downwards against the step, below which the contact would have the depth x. phi moves back freely:
+/// x - v t - A t²/2.
 fn held() -> f64 {
     let (m1, m2, _) = constants(0.0);
     let inertia: f64 = 2890e-6 / 576.0 + 740200e-6 / 9216.0;
@@ -173,7 +176,7 @@ fn held() -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// A gear pair that rattles, with errors of three teeth as large as its play.
+/// A gear pair that rattles, with errors of three teeth of the size of its play.
 fn uneven(noise: &mut Noise) -> Scene {
     let errors: Vec<_> = (0..3).map(|_| format!("\"{:?} rad\"", 2e-2 * noise.even())).collect();
     let more = [

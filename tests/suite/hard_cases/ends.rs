@@ -1,4 +1,4 @@
-//! Row 4: events at t = 0, at the horizon, one bit apart.
+//! Row 4: events at t = 0, at the horizon of a search, and one bit apart.
 
 use gearsim::engine::crossing::Side;
 use gearsim::profile::Step;
@@ -40,7 +40,7 @@ pub const CASES: &[Case] = &[
 ];
 
 fn starts(_: &mut String) -> f64 {
-    // x'' = f from x = 0, in a cell whose boundary is there; the other one is 1 away.
+    // x'' = f from x = 0, in a cell with one boundary at 0; the other one is 1 away.
     let from = |v: f64, f: f64, upper: bool| {
         let gaps = if upper { [1.0, 0.0] } else { [0.0, 1.0] };
         let Met { side, t, .. } = first_from(&Linear::modal([(0.0, 0.0)], [f]), [v], gaps, 10.0);
@@ -97,7 +97,7 @@ fn bits_apart(note: &mut String) -> f64 {
         let [one, two] = [&plain, &split].map(pair::of);
         let [c1, c2] = [&one, &two].map(|run| &run.outcome.counts);
         events += c2.cell_changes;
-        // Of the boundaries passed every other one is doubled.
+        // Every other boundary that is passed is doubled.
         let doubled = c1.cell_changes.div_ceil(2)..=c1.cell_changes.div_ceil(2) + 1;
         if c1.reflections + c2.reflections > 0 || !doubled.contains(&(c2.cell_changes - c1.cell_changes + 1)) {
             println!("{c1:?} {c2:?}");

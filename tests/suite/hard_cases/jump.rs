@@ -63,10 +63,10 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// Law values of the gear pair without play; the step of the stiffness is all that counts of it.
+/// Law values of the gear pair without play. Only the step of the stiffness matters here.
 const IN_CONTACT: &[f64] = &[0.0, 1.0, 0.0, 1.0, 0.0];
 
-/// What the engine makes of an incidence, with the equations of the gear pair.
+/// The engine's decision at a step, and the speeds after it.
 fn pass(equations: &dyn Equations<2>, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
     let mut q_dot = SVector::from(v);
     let side = if v[0] >= 0.0 { Side::Upper } else { Side::Lower };

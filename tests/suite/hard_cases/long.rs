@@ -40,7 +40,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// What is unaccounted for at the end, over the energy at the start, and the number of events.
+/// The residual of the energy account at the end over the energy at the start, and the number of events.
 fn energy(precision: Precision, note: &mut String) -> (f64, f64) {
     // 480 events a second
     let pair = GearPair::paper(0.0, 10.0);
@@ -58,13 +58,13 @@ fn reversal(note: &mut String) -> f64 {
     let mut all = vec![];
     let worst = largest([(600.0, 0.04), (600.0, 0.08), (2000.0, 0.3), (4500.0, 0.55)].map(|(rpm, t)| {
         let pair = GearPair::paper(0.0, 1.0);
-        // Away from a step, where the way back would end, too.
+        // The start is not on a step, because the way back would end on it.
         let start = State { theta: 1.0, ..pair.start(rpm) };
         let turned = |end: &State| State { theta_dot: -end.theta_dot, phi_dot: -end.phi_dot, ..*end };
         let there = pair::run(&pair, &start, t);
         let turn = turned(&there.end);
         let back = pair::run(&pair, &turn, t);
-        // Of roundings on the way there, and where it turns.
+        // The growth of disturbances of the start, and of disturbances at the reversal.
         let grown = [(&start, &there), (&turn, &back)].map(|(from, run)| {
             let by = 1.0 + 1e-9;
             let disturbed = State { phi: from.phi * by, theta_dot: from.theta_dot * by, ..*from };

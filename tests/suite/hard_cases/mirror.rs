@@ -1,4 +1,4 @@
-//! Row 10: reverse rotation, speed through zero.
+//! Row 10: reverse rotation, and speeds that pass zero.
 
 use gearsim::engine::crossing::Side;
 use gearsim::profile::Step;
@@ -53,7 +53,7 @@ fn mirrored(note: &mut String) -> f64 {
     let mut noise = Noise::new(1001);
     let mut rows = 0;
     let wrong = (0..40).map(|_| {
-        // On a grid coarse enough for PITCH - x to be exact; the same for the width.
+        // The start angle is on a coarse grid and the width has few digits, so that PITCH - x is exact.
         let pair = GearPair { width1: 1.75, ..GearPair::paper(0.1 * noise.unit(), noise.power(0.0, 2.0)) };
         let standard = pair.start(noise.power(1.0, 3.5));
         let start = State { theta: (64.0 * PITCH * noise.unit()).round() / 64.0, phi_dot: noise.even(), ..standard };

@@ -1,4 +1,4 @@
-//! Row 5: stiffness and inertia ratios of 1e+-9, cells without stiffness.
+//! Row 5: ratios of stiffness and inertia from 1e-9 to 1e9, and cells without stiffness.
 
 use gearsim::engine::cell::Cell;
 use gearsim_tests::oh2005::{GearPair, State};
@@ -73,7 +73,7 @@ fn against(note: &mut String, pairs: impl Iterator<Item = GearPair>) -> f64 {
     let (mut events, mut runs) = (0, 0);
     let worst = largest(pairs.flat_map(|pair| [100.0, -900.0].map(|rpm| (pair, rpm))).map(|(pair, rpm)| {
         let start = State { phi: 2e-3, phi_dot: 1.0, theta: 0.5, ..pair.start(rpm) };
-        // A few turns of theta, and of the fastest oscillation not more than some thousand.
+        // A few pitches of theta, but at most a few hundred periods of the fastest oscillation.
         let fastest = (pair.m2() * pair.k1.max(pair.k2)).sqrt();
         let t_end = (20.0 / start.theta_dot.abs()).min(3e3 / fastest);
         let compared = compare(&pair, &start, t_end);

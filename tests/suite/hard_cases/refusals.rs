@@ -1,4 +1,4 @@
-//! Row 15: NaN, infinite, negative, empty: refused by a named error.
+//! Row 15: NaN, infinite, negative and empty values: refused with a named error.
 
 use std::panic::catch_unwind;
 
@@ -31,7 +31,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// The key, as it must be named, and what it is set to.
+/// A key, whose last part the error must name, and its bad value.
 const BAD: [(&str, &str); 35] = [
     ("parameters.I1", "nan"),
     ("parameters.I1", "inf"),

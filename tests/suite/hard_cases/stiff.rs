@@ -1,4 +1,4 @@
-//! Row 13: stiff shafts, and rigid-body modes.
+//! Row 13: stiff shafts and rigid-body modes.
 
 use gearsim::engine::cell::Cell;
 use gearsim::engine::crossing::Side;
@@ -40,7 +40,7 @@ pub const CASES: &[Case] = &[
 ];
 
 fn shaft(_: &mut String) -> f64 {
-    // m1 pulled by f drags m2 along: x1 = f t²/2m + (m2/m) twist, 0 <= twist <= 2 f/(m1 w²).
+    // The force f acts on m1, and the shaft pulls m2: x1 = f t²/(2 m) + (m2/m) twist, 0 <= twist <= 2 f/(m1 w²).
     let (m1, m2, f, level) = (1.0, 3.0, 2.0, 5.0);
     let m = m1 + m2;
     largest((2..=10).map(|power| {
@@ -58,7 +58,7 @@ fn shaft(_: &mut String) -> f64 {
         }
         let rigid = (2.0 * level * m / f).sqrt();
         let twist = 2.0 * f / (m1 * k * (1.0 / m1 + 1.0 / m2));
-        // The crest of the swing comes before: from there on the speed is at least 99 % of this.
+        // The boundary is met before the time of the rigid limit; from there on the speed is at least 99 % of that of the rigid limit.
         (rigid - met.t).abs() * (f / m * rigid) / (m2 / m * twist)
     }))
 }

@@ -1,4 +1,4 @@
-//! Row 4: steps met together, of one phase and of two.
+//! Row 4: steps that are met at the same time, of one phase and of two phases.
 
 use gearsim::run::{Entry, Outcome};
 
@@ -38,7 +38,7 @@ pub const CASES: &[Case] = &[
 const MESHES: Entry = Entry::new::<Meshes, 3>();
 const TWICE: Entry = Entry::new::<Twice, 2>();
 
-/// Both meshes are met at t = 0.2 s, and passed, with inertia `mu` between them.
+/// Steps of both meshes are met at t = 0.2 s and passed. The inertia `mu` couples the two rotors.
 fn meet(mu: f64, k: [f64; 2], l: [f64; 2]) -> Outcome {
     let text = format!(
         r#"

@@ -1,4 +1,4 @@
-//! Row 3: a phase between two steps that it cannot climb, free or damped; bounces on one step, however short.
+//! Row 3: a phase between two steps that reflect it, free or damped; bounces on one step, down to very short ones.
 
 use gearsim::run::{Entry, Outcome};
 use gearsim::trajectory::Moment;
@@ -51,13 +51,13 @@ pub const CASES: &[Case] = &[
 
 const PRESSED: Entry = Entry::new::<Pressed, 2>();
 
-/// Times of the reflections.
+/// Times of the reflections [s].
 fn reflections(outcome: &Outcome) -> Vec<f64> {
     let t = &outcome.trajectory;
     (0..t.len()).filter(|&i| t.moment[i] == Moment::Before).map(|i| t.t[i]).collect()
 }
 
-/// A rotor from the middle of a soft cell of 0.4 rad, at 1 rad/s and under damping `c`.
+/// A rotor starts in the middle of a soft cell of 0.4 rad, at 1 rad/s, with damping `c`.
 fn trapped(c: f64) -> f64 {
     let (t_end, expected) = if c == 0.0 { (0.4 * 999.0, 999) } else { (50.0 / c, (1.0f64 / c / 0.4 + 0.5) as usize) };
     let outcome = models::run(
@@ -86,14 +86,14 @@ fn trapped(c: f64) -> f64 {
     }))
 }
 
-/// s = -(1 + r) t + sin t + 1 - cos t, about t²/2 - r t: its modes move at 1, it at r.
+/// s = -(1 + r) t + sin t + 1 - cos t, about t²/2 - r t: the modes have speeds of 1, s only a speed of r.
 fn returns() -> f64 {
     largest((4..=40).flat_map(|k| [1.0, 1.37].map(|factor| factor * 2f64.powi(-k))).flat_map(|r| {
         let system = Linear::modal([(0.0, 0.0), (0.0, 1.0)], [0.0, 1.0]);
         let v = [-(1.0 + r), 1.0];
         let mode = |omega2, force, v| precise::Mode { sigma: 0.0, omega2, force, x: 0.0, v, weight: 1.0 };
-        let root = first_crossing(&[mode(0.0, 0.0, v[0]), mode(1.0, 1.0, v[1])], 0.0, 1.0).expect("it comes back");
-        // The same, and its mirror image.
+        let root = first_crossing(&[mode(0.0, 0.0, v[0]), mode(1.0, 1.0, v[1])], 0.0, 1.0).expect("s returns to 0");
+        // The motion and its mirror image.
         [1.0, -1.0].map(|sign| {
             let mirrored = Linear { normal: [sign; 2], ..system };
             let gaps = if sign > 0.0 { [10.0, 0.0] } else { [0.0, 10.0] };
@@ -104,7 +104,7 @@ fn returns() -> f64 {
     }))
 }
 
-/// At theta = 0 the mesh below is stiffer; phi at three times its rest pulls theta down, by a = 2 M1 T0.
+/// Below theta = 0 the mesh is stiffer. phi starts at three times its static deflection and accelerates theta downwards by a = 2 M1 T0.
 fn bounces(note: &mut String) -> f64 {
     let pair = GearPair::paper(0.0, 10.0);
     let pull = (pair.n1.powi(2) / pair.i1 - pair.n2.powi(2) / pair.i2) * pair.t0;
