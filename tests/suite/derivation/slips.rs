@@ -116,7 +116,7 @@ const SLIPS: &[Row] = &[
             m.torque("roll", -o.m * arm * side * o.x.dot(), o.x, "");
         });
     }),
-    ("a constant that depends on a coordinate", "the constant `F`", |m, o| {
+    ("a constant that moves", "the constant `F`", |m, o| {
         m.constant("F", o.s * o.x);
     }),
     ("a piecewise function", "`abs`", |m, o| m.potential(o.s * Expr::function("abs", o.x))),
@@ -166,7 +166,7 @@ const SLIPS: &[Row] = &[
     }),
     ("damping that is no square", "m*x_dot", |m, o| m.dissipation(o.m * o.x.dot())),
     ("damping that depends on the position", "`x`", |m, o| m.dissipation(o.m * (o.x * o.x.dot()).sq())),
-    ("a torque whose displacement is quadratic", "the torque `lift`", |m, o| {
+    ("a torque that works through a square", "the torque `lift`", |m, o| {
         m.torque("lift", o.s, o.x * (o.x + 1), "")
     }),
     ("a phase that is no coordinate", "`k`", |m, o| {
