@@ -166,9 +166,7 @@ const SLIPS: &[Row] = &[
     }),
     ("damping that is no square", "m*x_dot", |m, o| m.dissipation(o.m * o.x.dot())),
     ("damping that depends on the position", "`x`", |m, o| m.dissipation(o.m * (o.x * o.x.dot()).sq())),
-    ("a torque that works through a square", "the torque `lift`", |m, o| {
-        m.torque("lift", o.s, o.x * (o.x + 1), "")
-    }),
+    ("a torque that works through a square", "the torque `lift`", |m, o| m.torque("lift", o.s, o.x * (o.x + 1), "")),
     ("a phase that is no coordinate", "`k`", |m, o| {
         m.mesh_stiffness("k", "N/m", 2 * o.x, 1.0, "");
     }),
