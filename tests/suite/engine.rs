@@ -65,8 +65,8 @@ fn paper_scenes_agree_with_fifty_digits() {
     }
 }
 
-/// In plain precision the error is what the motion makes of rounding errors: those of the state at each event and those of the
-/// constants of a cell. In compensated precision only the rounding of the result itself remains.
+/// In plain precision the motion magnifies rounding errors: those of the state at each event and those of the constants of a cell. In
+/// compensated precision only the rounding error of the result itself remains.
 #[test]
 fn long_runs_agree_with_fifty_digits() {
     // zeta, speed [rpm], T0 [N m], t_end [s], allowed error in plain precision. The last motion is chaotic.

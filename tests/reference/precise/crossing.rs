@@ -22,7 +22,7 @@ use super::rough::Rough;
 pub struct Root {
     /// its time \[s\], as a sum of two numbers
     pub t: (f64, f64),
-    /// gap' there
+    /// gap' at the crossing
     pub slope: f64,
     /// the level is touched, to all computed digits, and not crossed
     pub tangency: bool,

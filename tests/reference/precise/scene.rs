@@ -8,7 +8,7 @@ use super::crossing::Surface;
 use super::number::{Real, Scalar};
 use crate::oh2005::{GearPair, Kind, PITCH, State};
 
-/// An encounter with the end of a cell.
+/// An event: theta meets an end of its cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
     /// time \[s\], as a sum of two numbers
@@ -41,7 +41,7 @@ pub struct End {
 /// A motion from its start to its end time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// encounters with ends of cells, in order
+    /// events, in order
     pub events: Vec<Event>,
     /// state at the end time
     pub end: End,

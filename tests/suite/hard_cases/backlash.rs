@@ -23,7 +23,7 @@ pub const CASES: &[Case] = &[
         tolerance: 1e-11,
         unit: "of b, of v",
         reason: "2000 events, each with a few rounding errors of its time",
-        measure: thrown,
+        measure: crossed_play,
     },
     Case {
         row: "11",
@@ -112,7 +112,7 @@ fn oscillator(overrides: &[&str]) -> Scene {
     common::scene("backlash_oscillator", &overrides.iter().map(|s| s.to_string()).collect::<Vec<_>>())
 }
 
-fn thrown(_: &mut String) -> f64 {
+fn crossed_play(_: &mut String) -> f64 {
     // Starts at the edge of the drive flank, moving outwards. One round is contact, flight, contact, flight.
     let (v, half, w) = (7.0, FRAC_PI_8, (20e3f64 / 5.0).sqrt());
     let round = 2.0 * (PI / w + 2.0 * half / v);

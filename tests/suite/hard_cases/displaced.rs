@@ -9,7 +9,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "3",
         name: "held at a step of a transmission error, until the reaction pulls",
-        proves: "held until phi has come to T0/k, then free: both in closed form",
+        proves: "held until phi = T0/k, then free: both in closed form",
         tolerance: 1e-13,
         unit: "of the motion's sizes",
         reason: "rounding errors; the release is late, at a pull of 1e-9 of the forces, and this delay counts squared",

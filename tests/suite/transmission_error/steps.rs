@@ -40,7 +40,7 @@ fn pitch_errors_give_the_motion_by_hand() {
         let theta_dot = rpm / 30.0 * std::f64::consts::PI * 24.0;
         let (expected, [passed, refused]) = pair.run([start, 0.004, theta_dot, 0.0], cell, t_end);
         let found = end(&outcome);
-        println!("{rpm} rpm: {passed} passed, {refused} refused; {found:?}, by hand {expected:?}");
+        println!("{rpm} rpm: {passed} transmitted, {refused} reflected; {found:?}, by hand {expected:?}");
         assert_eq!((outcome.counts.cell_changes, outcome.counts.reflections), (passed, refused), "{rpm} rpm");
         (total[0], total[1]) = (total[0] + passed, total[1] + refused);
         // The times by bisection have errors of 1e-16 s, which grow from event to event.
@@ -73,7 +73,7 @@ fn every_step_of_stiffness_and_error_keeps_the_energy() {
             assert!((other - m1 / m2 * (after - v)).abs() < 1e-12 * v.abs());
             if dv == 0.0 && after == -v { refused += 1 } else { passed += 1 }
         }
-        println!("{passed} passed, {refused} refused, {:.1e} unaccounted for", unaccounted(&outcome));
+        println!("{passed} transmitted, {refused} reflected, {:.1e} unaccounted for", unaccounted(&outcome));
         assert_eq!((passed, refused), (outcome.counts.cell_changes, outcome.counts.reflections));
         assert!(passed > 10 && unaccounted(&outcome) < 1e-13);
     }
