@@ -1,5 +1,5 @@
-"""A run in a process of its own, with a limit of processor time (the machine may be busy with other things): what fails
-or crashes there is told, and goes no further.
+"""A run in a process of its own, with a limit of processor time. Processor time, because the machine may be busy with other
+things. A failure or a crash there is reported and does not stop the other runs.
 """
 
 import json
@@ -9,7 +9,10 @@ import subprocess
 
 
 def apart(command, limit):
-    """What a command prints as JSON, its lines put together; with {"failed": reason} where it did not end well."""
+    """The JSON objects that a command prints, one per line, merged into one; with {"failed": reason} if it failed.
+
+    `limit` is the processor time [s] after which the command is stopped.
+    """
     limited = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
     done = subprocess.run(command, capture_output=True, text=True, preexec_fn=limited)
     result = {}

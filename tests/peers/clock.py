@@ -1,19 +1,19 @@
-"""Processor time of a peer: what is prepared once (compiled, set up) apart from what a run costs."""
+"""Processor time of a peer: the preparation (compilation, setup) and a run are measured separately."""
 
 from time import process_time
 
 SAMPLES = 5
-"""Times taken at most."""
+"""Largest number of samples."""
 SAMPLE = 0.2
-"""A sample runs again until it has taken as long [s]: on a busy machine the clock advances by ticks of 4 ms."""
+"""A sample repeats the run until this time has passed [s], because on a busy machine the clock advances in steps of 4 ms."""
 ENOUGH = 1.0
-"""Processor time after which no further sample is begun, once there are three [s]."""
+"""Total processor time [s] after which no further sample is taken, if there are at least three."""
 LONG = 3.0
-"""A run that takes as long is not repeated [s]."""
+"""A run that takes longer than this [s] is not repeated."""
 
 
 def sample(solve):
-    """The processor time of one run [s], out of as many as make a sample, and what the last run gave."""
+    """One sample: the mean processor time of its runs [s], their total time [s], and the result of the last run."""
     begun, runs, took = process_time(), 0, 0.0
     while took < SAMPLE:
         result = solve()
@@ -22,7 +22,7 @@ def sample(solve):
 
 
 def measure(prepare, solve):
-    """Prepares once, solves several times: what the last run gave, with the times in `prepare` and `cpu`."""
+    """Prepares once and solves several times. Returns the last result with the times [s] in `prepare` and `cpu`."""
     begun = process_time()
     prepared = prepare()
     setup = process_time() - begun
@@ -37,7 +37,7 @@ def measure(prepare, solve):
 
 
 def least(derive):
-    """The least of three processor times (one of what takes long), and what the last gave."""
+    """The smallest of three processor times [s] (of one, if that is long), and the last result."""
     times = []
     while len(times) < 3 and not (times and times[0] > LONG):
         time, _, result = sample(derive)

@@ -1,9 +1,9 @@
-"""Runs all peers on all scenes and all derivations, and writes the table: the whole of `cargo xtask peers`.
+"""Runs all peers on all scenes and all derivations, and writes the table. `cargo xtask peers` calls this program.
 
     main.py SCENES TABLE [--quick]                      everything, each run in a process of its own
     main.py --one SCENES NAME SOLVER METHOD TOLERANCE   one run, as JSON
 
-A process of its own means that a crash or an endless run of one is a row of the table and no more.
+Because each run has its own process, a crash or an endless run only gives a row of the table.
 """
 
 import json
@@ -17,7 +17,7 @@ from scene import Scene
 from solvers import SOLVERS, solver as module_of
 
 LIMITS = {"quick": 3, "scenes": 10}
-"""Processor time that a solver may take on a scene [s], its repetitions included."""
+"""The processor time [s] allowed for a solver on a scene, including its repetitions."""
 
 
 def load(path):
@@ -26,7 +26,7 @@ def load(path):
 
 
 def one(path, name, solver, method, tolerance):
-    """Runs a solver once; prints what it gives."""
+    """Runs one solver on one scene and prints the result as JSON."""
     scene = Scene(load(path)[name])
     scene.file = path
     scene.flags = ["--quick"] if Path(path).stem == "quick" else []
@@ -35,12 +35,12 @@ def one(path, name, solver, method, tolerance):
 
 
 def tolerances(path, module):
-    """Those of a solver; of a quick run one."""
+    """The tolerances of a solver; only one in a quick run."""
     return [module.TOLERANCES[-2:][0]] if Path(path).stem == "quick" else module.TOLERANCES
 
 
 def rows(path, name):
-    """The runs of all solvers on a scene. A tolerance is not tried where a looser one took too long."""
+    """The runs of all solvers on a scene. If a tolerance takes too long, tighter ones are not tried."""
     for solver in SOLVERS:
         module = module_of(solver)
         for method in module.METHODS:
@@ -65,7 +65,7 @@ def main(path, out, quick):
         "limits": [LIMITS[Path(path).stem], derivations.limit(quick)],
         "quick": quick,
     }
-    # Everything that was measured, for whoever wants another table of it.
+    # All measured values, for other evaluations.
     Path(path).with_suffix(".results.json").write_text(json.dumps(results))
     Path(out).write_text(table.write(**results))
 

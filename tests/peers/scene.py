@@ -1,19 +1,19 @@
 """A scene for all peers: the gear pair of Oh, Grosh & Barber (2005), its equations within a cell and its jump rule.
 
-The state is y = [theta, theta', phi, phi'] with theta counted from the lower end of the cell that it is in, so that no
-peer loses digits to an angle that grows. Within a cell of stiffness k, Eqs. (2), (3) are
+The state is y = [theta, theta', phi, phi']. theta is counted from the lower end of its cell, so that no peer loses digits because the
+angle grows. Within a cell of stiffness k, Eqs. (2), (3) are
 
     phi''   = M2 (T0 - k phi - C phi')
     theta'' = M1 (T0 - k phi - C phi')
 
-and at its ends the speeds jump by Eqs. (9), (11). All numbers come from `scenes.json`, which Rust writes.
+and at its ends the speeds jump by Eqs. (9), (11). All numbers come from `scenes.json`, which `cargo xtask peers` writes.
 """
 
 from math import copysign, sqrt
 
 
 class Scene:
-    """Numbers of a scene, and the two rules."""
+    """The numbers of a scene, its equations within a cell and its jump rule."""
 
     def __init__(self, data):
         self.name = data["name"]
@@ -22,7 +22,7 @@ class Scene:
         self.start, self.t_end, self.sizes = data["start"], data["t_end"], data["sizes"]
 
     def k(self, cell):
-        """Stiffness of a cell [N m]; cells are counted through the pitches, two a pitch."""
+        """Stiffness of a cell [N m]. Cells are counted on over the pitches, two per pitch."""
         return self.stiffness[cell % 2]
 
     def width(self, cell):
@@ -30,14 +30,14 @@ class Scene:
         return self.widths[cell % 2]
 
     def matrix(self, cell):
-        """The Jacobian of y' within a cell: a constant."""
+        """The Jacobian of y' within a cell, which is constant."""
         k, m1, m2, c = self.k(cell), self.m1, self.m2, self.c
         return [[0, 1, 0, 0], [0, 0, -m1 * k, -m1 * c], [0, 0, 0, 1], [0, 0, -m2 * k, -m2 * c]]
 
     def jump(self, cell, upwards, y):
-        """What follows at an end of a cell: what happened, the cell and the state after it.
+        """Applies the jump rule at an end of a cell. Returns the kind of event, and the cell and the state after it.
 
-        theta is put on the boundary to the bit, whatever root the peer's event location found.
+        theta is set exactly on the boundary, whatever root the peer's event location found.
         """
         _, theta_dot, phi, phi_dot = y
         beyond = cell + 1 if upwards else cell - 1
@@ -59,9 +59,9 @@ class Scene:
 
 
 def restart(scene, fly):
-    """The run with a solver that stops at an end of the cell: `fly(t, cell, y)` gives time, state and which end.
+    """Runs a scene with a solver that stops at the ends of a cell: `fly(t, cell, y)` returns time, state and whether it is the upper end.
 
-    The end is None where the end of the run came first. This is the loop that a user of such a solver writes.
+    Instead of the last it returns None if the run ended first. This is the loop that a user of such a solver writes.
     """
     t, cell, y, events = 0.0, 0, list(scene.start), []
     while True:

@@ -1,15 +1,15 @@
-"""The table: what was measured, in Markdown, with the machine and the versions it was measured with."""
+"""The table of the measured values in Markdown, with the machine and the versions."""
 
 import platform
 from pathlib import Path
 from statistics import median
 
 LARGE = 0.5
-"""An error as large, in units of the motion, is no solution."""
+"""An end with a larger error, in units of the motion, counts as no solution."""
 
 
 def number(x, digits=2):
-    """A number with few digits, small ones as a power of ten."""
+    """A number with few digits; very small and very large ones with a power of ten."""
     if x == 0:
         return "0"
     return f"{x:.{digits - 1}e}" if abs(x) < 1e-3 or abs(x) >= 1e4 else f"{x:.{digits}g}"
@@ -29,7 +29,7 @@ def markdown(head, rows):
 
 
 def end_error(scene, result):
-    """The largest difference of the end from the reference, in units of the motion's sizes."""
+    """The largest difference of the end from the reference, relative to the sizes of the motion."""
     reference = scene["reference"]
     below = lambda cell: cell // 2 * scene["pitch"] + cell % 2 * scene["width"][0]
     differences = [(x - high) - low for x, (high, low) in zip(result["end"], reference["end"])]
@@ -38,7 +38,7 @@ def end_error(scene, result):
 
 
 def agreement(scene, result):
-    """The events as they should be, in words, and the error of the last one's time [s] where all are found."""
+    """How many events agree with the reference, in words, and the error of the last event's time [s] if all agree."""
     wanted = scene["reference"]["events"]
     found = result.get("events")
     if found is None:
@@ -114,24 +114,24 @@ def write(scenes, runs, derivations, versions, limits, quick):
     )
     return f"""# Peers
 
-What other tools take for the same scenes and the same derivations, each written as its experienced user would: what was done
-to be fair stands at the head of its file in `tests/peers`. Written by
+The cost and accuracy of other tools on the same scenes and the same derivations, each used as an experienced user would. What was
+done to be fair is at the head of the tool's file in `tests/peers`. This file is written by
 
     {command}
 
-from one run; not to be edited. {machine()}. {"; ".join(dict.fromkeys(versions))}.
+from one run; do not edit it. {machine()}. {"; ".join(dict.fromkeys(versions))}.
 
-Errors are against an engine of 50 digits with an algorithm of its own, in units of the motion: theta over a pitch, theta' over
-its start, phi over T0/k1, phi' over w0 T0/k1; the largest of them. Events count as found up to the first that differs in kind or
-place. Times are processor times of a whole run, the least and the median of up to five
-samples of 0.2 s and more (of one, where a run takes longer than 3 s); "once, before" is compilation and setting up, not in them. What takes over {limits[0]} s on a scene,
-repetitions included, is stopped, and tighter tolerances of it are not tried. An error in bold is no solution.
+An error is the difference from an independent engine with 50 digits, in units of the motion: theta over a pitch, theta' over its
+start, phi over T0/k1, phi' over w0 T0/k1; the largest of these counts. Events count as found up to the first that differs in kind
+or place. Times are processor times of a whole run: the smallest and the median of up to five samples of at least 0.2 s (one sample
+if a run takes longer than 3 s). "once, before" is the time of compilation and setup, which the other times do not include. A tool
+that takes over {limits[0]} s on a scene, repetitions included, is stopped, and its tighter tolerances are not tried. An error in bold is no
+solution.
 
 {scenes_text}## Derivation
 
-From T, V, D and Q as gearsim prints them to equations of motion. "Forces" leave M on the left, "accelerations" have it
-inverted. gearsim's time is by the clock, with its proofs and its file in it, and its derivation has the jump terms, which no other has. Operations are counted one way
-for all, `tests/peers/derivations/operations.py`. The
-limit is {limits[1]} s.
+From T, V, D and Q, as gearsim prints them, to the equations of motion. "Forces" leave M on the left; for "accelerations" M is
+inverted. gearsim's time is wall clock time and includes its proofs and its file; its derivation has jump terms, which no other tool
+has. Operations are counted in the same way for all tools, by `tests/peers/derivations/operations.py`. The limit is {limits[1]} s.
 
 {derived}"""

@@ -1,4 +1,4 @@
-//! Independent references for gearsim: what its results are compared with, sharing none of its code.
+//! Independent reference solutions for the tests of gearsim. They share no code with it.
 
 pub mod oh2005;
 pub mod precise;

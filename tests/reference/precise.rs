@@ -1,8 +1,8 @@
-//! A second engine in 50 and more digits, with its own way to the first crossing: what `f64` engines are compared with.
+//! A second engine with 50 and more digits and its own search for the first crossing. Engines in `f64` are compared with it.
 //!
-//! Cells are linear, of any number of modes, under-, critically and overdamped or without stiffness. Numbers are
-//! dashu's integers with an exponent ([`number`]), the motion of a mode is in [`cell`], the first crossing in
-//! [`crossing`], any linear cell by its matrix exponential in [`exponential`], the gear pair of Oh, Grosh & Barber on top of them in [`mod@scene`].
+//! Cells are linear and have any number of modes: underdamped, critically damped, overdamped or without stiffness. A number is an
+//! integer of dashu with an exponent ([`number`]). The motion of a mode is in [`cell`], the first crossing in [`crossing`], any linear
+//! cell by its matrix exponential in [`exponential`]. The gear pair of Oh, Grosh & Barber is built on these in [`mod@scene`].
 
 pub mod cell;
 pub mod crossing;

@@ -1,9 +1,9 @@
-//! Data flows one way: what a module of gearsim may use lies below it.
+//! The modules of gearsim form layers: a module may use only the modules below it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules, from the bottom up. A module uses those before it; tests may use any.
+/// The modules, from the bottom up. A module may use those before it. Unit tests may use any module.
 const LAYERS: [&str; 15] = [
     "model",
     "profile",
@@ -33,7 +33,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The modules named in the code of a file, without its comments and its tests.
+/// The names that follow `crate::` in the code of a file; comments and unit tests are left out.
 fn named(text: &str) -> Vec<&str> {
     let code = text.split("#[cfg(test)]").next().unwrap_or("").lines();
     let code = code.filter(|line| !line.trim_start().starts_with("//"));
@@ -53,7 +53,10 @@ fn no_module_uses_one_above_it() {
         let layer = |name: &str| LAYERS.iter().position(|layer| *layer == name);
         let is_test = parts.iter().any(|part| ["tests", "runs", "fixture"].contains(&part.as_str()));
         let Some(own) = layer(&parts[0]).filter(|_| !is_test) else {
-            assert!(is_test || ["lib", "main"].contains(&parts[0].as_str()), "{parts:?} has no place among the layers");
+            assert!(
+                is_test || ["lib", "main"].contains(&parts[0].as_str()),
+                "{parts:?} is in no layer: add its module to LAYERS"
+            );
             continue;
         };
         let text = fs::read_to_string(&path).expect("a readable file");
@@ -64,6 +67,6 @@ fn no_module_uses_one_above_it() {
             }
         }
     }
-    assert!(seen > 200, "{seen} uses were found");
-    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(seen > 200, "only {seen} uses were found: the search for `crate::` misses some");
+    assert!(wrong.is_empty(), "a module uses one above it: {wrong:#?}");
 }

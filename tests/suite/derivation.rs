@@ -1,8 +1,8 @@
-//! The derivation: against the paper's equations, against the committed files, and against authors' slips.
+//! The derivation: compared with the paper's equations and with the committed files, and given models with mistakes.
 //!
-//! Everything here calls Symbolica, which without a key is for one thread of one process on a machine: a harness of
-//! its own, whose tests run one after another on the main thread. The child processes that derive afresh are run to
-//! their ends before this one first calls it.
+//! Everything here calls Symbolica. Without a licence key Symbolica runs in one thread of one process per machine. So this test
+//! has its own harness, which runs the tests one after another on the main thread. The child processes that derive a model
+//! afresh end before this process first calls Symbolica.
 
 mod paper;
 
@@ -37,24 +37,24 @@ fn main() -> ExitCode {
         Ok(())
     })];
     let tests: [(&str, fn()); _] = [
-        ("committed_files_are_what_the_energies_say", files::committed_files_are_current),
-        ("derived_equations_are_the_papers", gear_pair::equations_are_the_papers),
-        ("derived_jump_rule_is_the_papers", gear_pair::jump_rule_is_the_papers),
-        ("a_wrong_equation_is_told_from_the_derived_one", gear_pair::wrong_equations_are_told),
-        ("derived_equations_read_as_before", gear_pair::equations_read_as_before),
-        ("models_read_as_before", models::models_read_as_before),
-        ("every_inertia_is_proved_definite", models::every_inertia_is_proved_definite),
-        ("deflections_are_what_they_stand_for", models::deflections_are_what_they_stand_for),
-        ("mid_values_may_stand_in_energies", models::mid_values_may_stand_in_energies),
-        ("a_newcomers_file_is_what_the_energies_say", newcomer::files_are_current),
-        ("nonlinear_cells_are_named", newcomer::nonlinear_cells_are_named),
-        ("torques_by_speed_are_named_with_their_effects", newcomer::torques_by_speed_are_named_with_their_effects),
-        ("three_coordinates_are_proved", newcomer::three_coordinates_are_proved),
-        ("mobility_is_one_fraction_an_entry", blocks::mobility_is_one_fraction_an_entry),
-        ("mobility_is_left_out_where_it_is_not_known", blocks::mobility_is_left_out_where_it_is_not_known),
-        ("offsets_do_no_work", blocks::offsets_do_no_work),
-        ("nothing_is_said_of_no_constants", blocks::nothing_is_said_of_no_constants),
-        ("every_slip_is_refused_by_name", slips::every_slip_is_refused_by_name),
+        ("committed_files_match_a_new_derivation", files::committed_files_are_current),
+        ("derived_equations_equal_those_of_the_paper", gear_pair::equations_equal_those_of_the_paper),
+        ("derived_jump_rule_equals_that_of_the_paper", gear_pair::jump_rule_equals_that_of_the_paper),
+        ("a_wrong_equation_differs_from_the_derived_one", gear_pair::wrong_equations_are_detected),
+        ("equations_of_the_gear_pair_match_the_snapshot", gear_pair::equations_match_the_snapshot),
+        ("equations_of_models_match_the_snapshots", models::equations_match_the_snapshots),
+        ("every_mass_matrix_is_proved_positive_definite", models::every_mass_matrix_is_proved_positive_definite),
+        ("a_named_deflection_gives_the_same_equations", models::a_named_deflection_gives_the_same_equations),
+        ("energies_may_contain_mid_values", models::energies_may_contain_mid_values),
+        ("files_of_the_newcomer_models_match_a_new_derivation", newcomer::files_are_current),
+        ("nonlinear_terms_are_reported", newcomer::nonlinear_terms_are_reported),
+        ("torques_that_depend_on_speeds_are_reported", newcomer::torques_that_depend_on_speeds_are_reported),
+        ("a_model_with_three_coordinates_is_proved", newcomer::a_model_with_three_coordinates_is_proved),
+        ("each_mobility_entry_is_one_fraction", blocks::each_mobility_entry_is_one_fraction),
+        ("mobility_is_omitted_where_no_closed_form_exists", blocks::mobility_is_omitted_where_no_closed_form_exists),
+        ("constant_offsets_do_no_work", blocks::constant_offsets_do_no_work),
+        ("a_model_without_constants_has_no_constants_block", blocks::a_model_without_constants_has_no_constants_block),
+        ("every_mistake_is_refused_with_the_name_of_the_culprit", slips::every_mistake_is_refused),
         ("no_input_makes_the_derivation_panic", odd::no_input_panics),
     ];
     trials.extend(tests.map(|(name, test)| {

@@ -1,4 +1,4 @@
-//! What drives and loads a train: the scenes of `models/scenes/drives`, held to balances that need no simulation.
+//! Motors and loads: the scenes of `models/scenes/drives`, compared with balances of torque and energy computed without a simulation.
 
 mod common;
 
@@ -10,7 +10,7 @@ fn named(scene: &Scene, name: &str) -> f64 {
     scene.parameter(name).unwrap_or_else(|| panic!("no {name}"))
 }
 
-/// Mean speed of the motor over the last part of a run [rad/s]; its coordinates are theta, s, psi_m, psi_l.
+/// Mean speed of the motor [rad/s] over the last `part` (0 to 1) of a run. The model's coordinates are theta, s, psi_m, psi_l.
 fn motor_speed(scene: &Scene, outcome: &Outcome, part: f64) -> f64 {
     let t = &outcome.trajectory;
     let (n1, h) = (named(scene, "N1"), named(scene, "r1") / named(scene, "N1"));
@@ -20,7 +20,7 @@ fn motor_speed(scene: &Scene, outcome: &Outcome, part: f64) -> f64 {
     (angle(last) - angle(first)) / (t.t[last] - t.t[first])
 }
 
-/// T + V - W + D over the largest of its parts.
+/// Largest residual of the energy account T + V - W + D, relative to the largest of the four parts.
 fn unaccounted(outcome: &Outcome) -> f64 {
     let t = &outcome.trajectory;
     let peak = |column: &[f64]| column.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
@@ -28,7 +28,8 @@ fn unaccounted(outcome: &Outcome) -> f64 {
     peak(&t.residual) / scale
 }
 
-/// The speed at which the formula of Kloss and the fan, seen through the gears, are in balance; bisection, by hand.
+/// The motor speed [rad/s] at which the motor's torque, by the formula of Kloss, equals the torques of the fan and of damping,
+/// both referred to the motor shaft. Found by bisection.
 fn working_point(scene: &Scene) -> f64 {
     let of = |name| named(scene, name);
     let ratio = of("N1") / of("N2");
@@ -47,9 +48,10 @@ fn working_point(scene: &Scene) -> f64 {
     low
 }
 
-/// At rest on a step, and pulled off it by a shaft that winds up only by and by: no method may see steps there that are none.
+/// The run starts at rest on a step. The shaft winds up slowly and pulls the train off the step. No method may report events
+/// there that do not exist.
 #[test]
-fn methods_leave_a_step_from_rest() {
+fn methods_leave_a_step_from_rest_without_false_events() {
     let by = |method: &str, tolerance: f64| {
         let solver =
             [format!("run.method={method}"), format!("run.tolerance={tolerance:e}"), "run.t_end=0.04 s".into()];
@@ -69,7 +71,7 @@ fn methods_leave_a_step_from_rest() {
 }
 
 #[test]
-fn a_motor_brings_a_fan_to_their_working_point() {
+fn a_motor_and_a_fan_reach_their_working_point() {
     let scene = scene("drives/fan_run_up", &[]);
     let outcome = run(&scene);
     assert_eq!(outcome.solver.method, "dop853");
@@ -79,16 +81,17 @@ fn a_motor_brings_a_fan_to_their_working_point() {
     let (found, expected) = (motor_speed(&scene, &outcome, 0.2), working_point(&scene));
     assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
     assert!(unaccounted(&outcome) < 1e-6, "{:e}", unaccounted(&outcome));
-    // What the motor gives, the fan and damping take, but for what the train has stored.
+    // The motor does positive work and the fan negative work.
     let t = &outcome.trajectory;
-    let torque = |name: &str| t.model.torques.iter().position(|torque| torque.name == name).expect("it is there");
+    let torque =
+        |name: &str| t.model.torques.iter().position(|torque| torque.name == name).expect("a torque of the model");
     let last = t.len() - 1;
     assert!(t.torque_work[torque("induction")][last] > 0.0 && t.torque_work[torque("fan")][last] < 0.0);
 }
 
-/// The droop is torque over gain.
+/// The speed falls below the set point by the load torque over the gain.
 #[test]
-fn a_governor_droops_by_torque_over_gain() {
+fn the_droop_of_a_governor_is_torque_over_gain() {
     let scene = scene("drives/governor", &["output.rate=\"50 kHz\"".into()]);
     let outcome = run(&scene);
     assert_eq!(outcome.solver.method, "exact");
@@ -99,9 +102,10 @@ fn a_governor_droops_by_torque_over_gain() {
     assert!(unaccounted(&outcome) < 1e-11, "{:e}", unaccounted(&outcome));
 }
 
-/// A governor whose set point rises is exact too, though its damping couples the modes: against DOP853.
+/// A governor with a set point that varies in time is solved exactly too, although its damping couples the modes. Compared with
+/// DOP853.
 #[test]
-fn a_set_point_may_vary() {
+fn a_set_point_that_varies_is_solved_exactly() {
     let set: Vec<String> = [
         "parameters.n_motor={ramp={from=\"600 rpm\", to=\"700 rpm\", start=\"10 ms\", duration=\"20 ms\"}, \
          harmonics=[{amplitude=\"5 rpm\", frequency=\"150 Hz\"}]}",
@@ -123,9 +127,9 @@ fn a_set_point_may_vary() {
     }
 }
 
-/// Ramps, levels and harmonics: exact, with every joule accounted for.
+/// Torques that vary in time, as ramps, levels and harmonics, are solved exactly and the energy account closes.
 #[test]
-fn courses_are_exact_and_accounted_for() {
+fn torques_that_vary_in_time_are_solved_exactly() {
     for name in ["drives/start_up", "drives/torque_ripple"] {
         let outcome = run(&scene(name, &[]));
         assert_eq!(outcome.solver.method, "exact");
@@ -134,9 +138,9 @@ fn courses_are_exact_and_accounted_for() {
     }
 }
 
-/// A DC motor is the governor whose gain is stall torque over no-load speed: the same motion, to the last bit.
+/// A DC motor moves as a governor whose gain is stall torque over no-load speed.
 #[test]
-fn a_dc_motor_is_a_governor() {
+fn a_dc_motor_moves_as_the_equivalent_governor() {
     let set = |more: &[&str]| more.iter().map(|s| s.to_string()).collect::<Vec<_>>();
     let end = ["run.t_end=\"20 ms\""];
     let governor = run(&scene(

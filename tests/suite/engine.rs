@@ -1,4 +1,4 @@
-//! The engine against solvers that share nothing with it: a hand-written one, and one in 50 digits.
+//! The engine compared with two solvers that share no code with it: a hand-written one, and one in 50 digits.
 
 mod common;
 
@@ -7,7 +7,7 @@ use gearsim::scene::Precision;
 use gearsim_tests::oh2005::GearPair;
 use gearsim_tests::precise;
 
-/// T0 of the scans below [N m].
+/// Torques T0 of the runs that are compared with 50 digits [N m].
 const TORQUES: [f64; 3] = [1.0, 10.0, 20.0];
 
 #[test]
@@ -32,7 +32,7 @@ fn paper_scenes_agree_with_the_hand_written_six_steps() {
             println!("{name}: {what} {got:e}, error {error:.1e}");
             assert!(error < 1e-11, "{name}: {what} = {got:e}, by hand {want:e}, error {error:.1e}");
         }
-        // The events at which limits were recorded are those of the hand-written solver, at the same times.
+        // The rows recorded before and after events give the event times, which are those of the hand-written solver.
         let times: Vec<f64> = (0..t.len()).filter(|&i| t.moment[i].name() == "before").map(|i| t.t[i]).collect();
         assert_eq!(times.len(), by_hand.events.len());
         for (got, want) in times.iter().zip(&by_hand.events) {
@@ -65,11 +65,11 @@ fn paper_scenes_agree_with_fifty_digits() {
     }
 }
 
-/// What a motion makes of roundings limits plain numbers: those of the state at each event, and those of the cells' constants.
-/// In twice the digits what is left is the rounding of the result itself.
+/// In plain precision the motion magnifies rounding errors: those of the state at each event and those of the constants of a cell. In
+/// compensated precision only the rounding error of the result itself remains.
 #[test]
 fn long_runs_agree_with_fifty_digits() {
-    // The last one is chaos.
+    // zeta, speed [rpm], T0 [N m], t_end [s], allowed error in plain precision. The last motion is chaotic.
     let cases = [
         (0.05, 4500.0, 10.0, 1.0, 1e-11),
         (0.05, 4500.0, 10.0, 10.0, 1e-10),

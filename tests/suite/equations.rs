@@ -1,8 +1,8 @@
-//! Generated code against the equations of Oh, Grosh & Barber (2005) written by hand, Eqs. (2)-(6), (9), (11)-(13).
+//! Generated code compared with the equations of Oh, Grosh & Barber (2005) written by hand, Eqs. (2)-(6), (9), (11)-(13).
 //!
-//! 10,000 points each, parameters and states log-uniform over many decades. Both sides do some ten operations on the
-//! same terms, so they differ by some ten rounding errors of the largest term of the sum: a few 1e-15. The tolerance is
-//! 1e-13 of that term, below which no wrong coefficient can hide; that one would be seen is a test of its own.
+//! Each comparison is done at 10,000 points, with parameters and states log-uniform over many decades. Both sides do about ten
+//! operations on the same terms, so they differ by about ten rounding errors of the largest term of the sum: a few 1e-15. The
+//! tolerance is 1e-13 of that term. Further tests show that a coefficient that is wrong by 1e-12 is detected.
 
 #[path = "equations/cells.rs"]
 mod cells;
@@ -16,28 +16,29 @@ mod points;
 use gearsim_tests::oh2005::GearPair;
 use points::{DAMPING, FROZEN_PHASE, POINTS, Point, RIGID_KINEMATICS, STIFFNESS_STEP, TORQUES, points};
 
-/// Of the largest term of a sum.
+/// Allowed error, relative to the largest term of a sum.
 pub const TOLERANCE: f64 = 1e-13;
 
-/// The equations that are written by hand, with the effects that lead to them.
+/// The equations that are written by hand, with the effects that give them.
 const FORMS: [(&str, u32); 3] = [
     ("exact, Eqs. (2), (3)", STIFFNESS_STEP),
     ("rigid kinematics, Eqs. (4), (5)", STIFFNESS_STEP | RIGID_KINEMATICS),
     ("classical, Eq. (6)", STIFFNESS_STEP | FROZEN_PHASE),
 ];
 
-/// theta'' and phi'' by hand, and the largest term in each.
+/// theta'' and phi'' by hand, and the largest term of each sum.
 fn by_hand(pair: &GearPair, p: &Point, exact: bool) -> ([f64; 2], [f64; 2]) {
     let dk = if exact { p.dk } else { 0.0 };
     let (phi_ddot, theta_ddot) = pair.exact(p.k, dk, p.phi, p.phi_dot);
     let terms = [pair.t0, p.k * p.phi, pair.c() * p.phi_dot];
-    // Sums within M1 cancel: what counts is the larger of its terms, M2 at most.
+    // The two terms of M1 may cancel, so the scale is taken from their size, which is at most M2.
     let smooth = terms.into_iter().fold(0.0, |m: f64, x| m.max(x.abs())) * pair.m2();
     let largest = smooth.max((pair.m2() * dk * p.phi * p.phi / 2.0).abs());
     ([theta_ddot, phi_ddot], [largest; 2])
 }
 
-/// The largest error of the accelerations over all points, in units of the largest term; `change` may spoil them.
+/// The largest error of the accelerations over all points, in units of the largest term. `change` may put an error into the
+/// hand-written pair.
 fn largest_error(effects: u32, change: impl Fn(&mut GearPair)) -> f64 {
     let mut worst: f64 = 0.0;
     for p in points(POINTS) {
@@ -45,7 +46,7 @@ fn largest_error(effects: u32, change: impl Fn(&mut GearPair)) -> f64 {
         let mut pair = p.pair(effects);
         change(&mut pair);
         let (expected, scale) = by_hand(&pair, &p, effects & (RIGID_KINEMATICS | FROZEN_PHASE) == 0);
-        // The classical equation holds theta' where it is; only phi'' is its own.
+        // The classical equation keeps theta' constant; only phi'' is compared.
         let from = if effects & FROZEN_PHASE == 0 { 0 } else { 1 };
         let found = equations.acceleration(&p.q(), &p.q_dot(), &[p.k], &[p.dk]);
         for i in from..2 {
@@ -56,7 +57,7 @@ fn largest_error(effects: u32, change: impl Fn(&mut GearPair)) -> f64 {
 }
 
 #[test]
-fn accelerations_are_those_of_the_paper() {
+fn accelerations_equal_those_of_the_paper() {
     for (what, form) in FORMS {
         for others in [0, DAMPING, TORQUES, DAMPING | TORQUES] {
             let worst = largest_error(form | others, |_| {});
@@ -67,8 +68,8 @@ fn accelerations_are_those_of_the_paper() {
 }
 
 #[test]
-fn without_steps_the_stiffness_is_smooth() {
-    // No effect at all: Eqs. (4), (5) with the slope not even read.
+fn without_effects_the_slope_of_the_stiffness_is_not_read() {
+    // Without effects the equations are (4), (5). The slope is NaN here, so reading it would show.
     for p in points(POINTS) {
         let equations = p.equations(0);
         let (expected, scale) = by_hand(&p.pair(0), &p, false);
@@ -80,8 +81,8 @@ fn without_steps_the_stiffness_is_smooth() {
 }
 
 #[test]
-fn forces_and_accelerations_are_one_equation() {
-    // M q'' = F, with the mass matrix by hand; the residual is measured by the terms of its own sum.
+fn generated_forces_equal_mass_times_acceleration() {
+    // M q'' = F with the mass matrix by hand; the residual is compared with the largest term of its sum.
     for p in points(POINTS) {
         let equations = p.equations(STIFFNESS_STEP | DAMPING | TORQUES);
         let a = equations.acceleration(&p.q(), &p.q_dot(), &[p.k], &[p.dk]);
@@ -95,9 +96,9 @@ fn forces_and_accelerations_are_one_equation() {
     }
 }
 
-/// The assertion above can fail: one parameter off by 1e-12, or a term left out, is told in every form that has it.
+/// The comparison can fail: a parameter that is wrong by 1e-12, or a missing term, is detected in every form that contains it.
 #[test]
-fn a_wrong_coefficient_is_told() {
+fn a_wrong_coefficient_is_detected() {
     type Change = (&'static str, u32, fn(&mut GearPair));
     let changes: [Change; 6] = [
         ("I1", 0, |p| p.i1 *= 1.0 + 1e-12),
@@ -111,7 +112,7 @@ fn a_wrong_coefficient_is_told() {
         for (parameter, needs, change) in changes {
             let worst = largest_error(form | needs, change);
             println!("{what}: {parameter} off by 1e-12 gives {worst:.1e}");
-            assert!(worst > TOLERANCE, "{what}: {parameter} off by 1e-12 passes: {worst:e}");
+            assert!(worst > TOLERANCE, "{what}: {parameter} off by 1e-12 is not detected: {worst:e}");
         }
     }
     let exact = largest_error(STIFFNESS_STEP, |_| {});
@@ -120,5 +121,5 @@ fn a_wrong_coefficient_is_told() {
         let (expected, scale) = by_hand(&p.pair(0), &p, false);
         (found[0] - expected[0]).abs() > TOLERANCE * scale[0]
     });
-    assert!(exact < TOLERANCE && mixed, "the jump terms of (2), (3) pass for (4), (5)");
+    assert!(exact < TOLERANCE && mixed, "the comparison takes (2), (3) with jump terms for (4), (5)");
 }

@@ -1,7 +1,7 @@
-//! The bodies of the fuzz targets, on the committed corpus and on a bounded number of random cases.
+//! The bodies of the fuzz targets, run on the committed corpus and on a fixed number of random cases.
 //!
-//! `cargo xtask fuzz` looks for new cases with libFuzzer; every crash it finds belongs into `tests/fuzz/corpus`, from
-//! where each run of the tests takes it.
+//! `cargo xtask fuzz` searches for new cases with libFuzzer. Put every crash that it finds into `tests/fuzz/corpus`: each run
+//! of the tests then repeats it.
 
 #[path = "../fuzz/bodies/engine.rs"]
 mod engine;
@@ -13,14 +13,14 @@ mod common;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Random cases of each body; `FUZZ_CASES` sets another number.
+/// Number of random cases of each body; the environment variable `FUZZ_CASES` overrides it.
 const CASES: u64 = 1500;
 
 fn cases() -> u64 {
     std::env::var("FUZZ_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(CASES)
 }
 
-/// Random numbers of a test of its own `seed`; `FUZZ_SEED` makes them others.
+/// The random numbers of a test with this `seed`; the environment variable `FUZZ_SEED` selects another sequence.
 fn random(seed: u64) -> Random {
     let other = std::env::var("FUZZ_SEED").ok().and_then(|n| n.parse().ok()).unwrap_or(0u64);
     Random(seed ^ other.wrapping_mul(0x2545_f491_4f6c_dd1d))
@@ -50,27 +50,27 @@ impl Random {
     }
 }
 
-/// Runs a body, and names its case where it fails.
+/// Runs a body; if it fails, prints the case in hexadecimal and as text.
 fn run(body: fn(&[u8]), data: &[u8]) {
     if let Err(panic) = catch_unwind(AssertUnwindSafe(|| body(data))) {
         let hex: String = data.iter().map(|byte| format!("{byte:02x}")).collect();
-        eprintln!("failing case, for the corpus: {hex}\n{}", String::from_utf8_lossy(data));
+        eprintln!("failing case, to be added to the corpus: {hex}\n{}", String::from_utf8_lossy(data));
         std::panic::resume_unwind(panic);
     }
 }
 
 #[test]
-fn the_corpus_of_scenes() {
+fn scenes_of_the_corpus_are_read_or_refused() {
     corpus("scene").iter().for_each(|data| run(scene::check, data));
 }
 
 #[test]
-fn the_corpus_of_runs() {
+fn runs_of_the_corpus_end_or_stop_with_an_error() {
     corpus("engine").iter().for_each(|data| run(engine::check, data));
 }
 
 #[test]
-fn scenes_with_pieces_moved_and_bytes_changed() {
+fn mutated_scenes_are_read_or_refused() {
     let (corpus, mut random) = (corpus("scene"), random(1));
     for _ in 0..cases() {
         let mut data = corpus[random.below(corpus.len())].clone();
@@ -91,7 +91,7 @@ fn scenes_with_pieces_moved_and_bytes_changed() {
 }
 
 #[test]
-fn runs_of_arbitrary_numbers() {
+fn runs_of_arbitrary_numbers_end_or_stop_with_an_error() {
     let mut random = random(2);
     for _ in 0..cases() {
         let data: Vec<u8> = (0..64).map(|_| random.next() as u8).collect();
@@ -99,7 +99,7 @@ fn runs_of_arbitrary_numbers() {
     }
 }
 
-/// Found here, and mended.
+/// This failed once; the fuzzer found it.
 #[test]
 fn a_start_may_give_every_coordinate() {
     let scene = common::scene("oh2005/energy_300rpm", &["start.phi=0.01 rad".into()]);
@@ -107,13 +107,13 @@ fn a_start_may_give_every_coordinate() {
 }
 
 #[test]
-fn a_start_beyond_every_count_of_pitches_is_refused_or_run() {
+fn a_start_at_an_angle_too_large_to_count_pitches_does_not_panic() {
     let scene = common::scene("oh2005/energy_300rpm", &["start.theta=1e30 rad".into()]);
     let _ = common::model("gear_pair").run(&scene, &mut |_| {});
 }
 
 #[test]
-fn damping_beyond_numbers_is_refused_or_accounted_for() {
+fn damping_that_overflows_is_refused_or_gives_finite_energies() {
     let scene = common::scene("oh2005/energy_300rpm", &["parameters.zeta=1e200".into()]);
     if let Ok(outcome) = common::model("gear_pair").run(&scene, &mut |_| {}) {
         assert!(outcome.stopped_by.is_some() || outcome.trajectory.residual.iter().all(|x| x.is_finite()));

@@ -1,6 +1,7 @@
-//! Long runs: a billion revolutions and three hundred million seconds cost no digits.
+//! Long runs: a start after 1e9 revolutions or 3e8 seconds loses no digits.
 //!
-//! Angles are counts of pitches and remainders, times are two numbers each: what comes before a run must not show in it.
+//! An angle is a count of pitches and a remainder; a time is the sum of two numbers. So the motion before a run must not change
+//! the result of the run.
 
 mod common;
 
@@ -13,12 +14,12 @@ use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
 
-/// 2^35 pitches are 1.4e9 revolutions of the 24 teeth. A power of two: so many times 2 pi have no rounding error.
+/// 2^35 pitches are 1.4e9 revolutions of the gear with 24 teeth. The product of a power of two and 2 pi has no rounding error.
 const PITCHES: i64 = 1 << 35;
 /// Ten years of model time [s].
 const YEARS: f64 = 3e8;
 
-/// The scenes: every way in which a stiffness switches, both directions.
+/// Scene and speed: every effect that changes how a stiffness switches, in both directions.
 const SCENES: [(&str, &str); 5] = [
     ("spectrum_600rpm_exact", "600 rpm"),
     ("spectrum_600rpm_exact", "-600 rpm"),
@@ -37,8 +38,8 @@ fn scene(name: &str, speed: &str, theta: f64, span: f64) -> Scene {
     common::scene(&format!("oh2005/{name}"), &overrides)
 }
 
-/// The state at the end of a scene and the times of its events, begun when the clock shows `now` and with `more`
-/// pitches on the count.
+/// Runs a scene whose clock starts at `now` [s] and whose pitch count is raised by `more`. Returns the state at its end and the times
+/// of its events.
 fn run(scene: &Scene, now: f64, more: i64) -> (State, Vec<f64>) {
     let equations = DerivedModel::of::<GearPair>().equations(scene).unwrap();
     let mut simulation = Simulation::new(scene.model, &*equations, scene).unwrap();
@@ -50,9 +51,9 @@ fn run(scene: &Scene, now: f64, more: i64) -> (State, Vec<f64>) {
 }
 
 #[test]
-fn a_billion_revolutions_cost_no_bit() {
+fn a_start_after_a_billion_revolutions_gives_the_same_bits() {
     for (name, speed) in SCENES {
-        // Angles that are sums of few powers of two: exact beside 2^35 pitches as well.
+        // These angles are sums of few powers of two, so adding 2^35 pitches to them causes no rounding.
         for theta in [0.0, 0.5, 3.25] {
             let far = PITCHES as f64 * TAU + theta;
             assert_eq!(far - PITCHES as f64 * TAU, theta);
@@ -68,9 +69,9 @@ fn a_billion_revolutions_cost_no_bit() {
 }
 
 #[test]
-fn ten_years_on_the_clock_cost_no_digits_of_a_run() {
-    // Each flight begins at its own zero of time; the clock says only when the last one is to end. One that lost digits
-    // would end it 6e-8 s amiss, and theta 1e-4 rad.
+fn a_start_after_ten_years_loses_no_digits() {
+    // Each flight has its own zero of time; the clock decides only when the last flight ends. A clock in one f64 would be wrong
+    // by 6e-8 s there, and theta by 1e-4 rad.
     const SPAN: f64 = 0.25;
     for (name, speed) in &SCENES[..3] {
         let (near, times) = run(&scene(name, speed, 0.5, SPAN), 0.0, 0);
@@ -81,7 +82,7 @@ fn ten_years_on_the_clock_cost_no_digits_of_a_run() {
         assert_eq!(near.turns, far.turns);
         let error = (&near.q - &far.q).amax().max((&near.q_dot - &far.q_dot).amax() / near.q_dot.amax());
         println!("{name} {speed}: {} events, error {error:.1e}", times.len());
-        // The clock's two numbers hold the sum of the flights to far below a rounding of the last one.
+        // The two numbers of the clock hold the sum of the flights with an error far below a rounding error of the last flight.
         assert!(error < 1e-13, "{name} {speed}: {error:e}");
     }
 }
@@ -97,7 +98,7 @@ fn the_clock_keeps_the_spacing_of_events() {
         let spacing = before.until(before.now()) - clock.until(before.now());
         assert!((spacing - dt).abs() <= f64::EPSILON * dt, "{spacing:e}, not {dt:e}");
     }
-    // And of very many: their sum is off by no more than the last one's rounding.
+    // The error of the sum of very many advances is below the rounding error of one advance.
     let mut clock = Clock::default();
     for _ in 0..100_000_000 {
         clock.advance(0.003);
@@ -108,9 +109,9 @@ fn the_clock_keeps_the_spacing_of_events() {
     assert!(error.abs() < 1e-18);
 }
 
-/// Without damping, a hundred thousand events of a fast rotation: its energy stays.
+/// Without damping the energy stays constant over a hundred thousand events of a fast rotation.
 #[test]
-fn energy_does_not_drift() {
+fn energy_does_not_drift_over_many_events() {
     let overrides = ["parameters.zeta=0", "run.t_end=28 s", "output.rate=10 Hz"].map(String::from);
     let mut scene = common::scene("oh2005/spectrum_4500rpm_exact", &overrides);
     scene.output.events = false;

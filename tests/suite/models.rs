@@ -1,10 +1,10 @@
-//! The models: against published numbers, against energies written by hand, against each other in their limits, and
-//! their scenes against the conservation of energy.
+//! The models: compared with published frequencies, with energies written by hand and, in their limits, with each other. Every
+//! scene of a model must conserve energy.
 //!
-//! With GEARSIM_PUBLISHED=FILE the run writes the published numbers beside the computed ones as a table, in Markdown:
+//! With GEARSIM_PUBLISHED=FILE the run writes a table of the published and the computed numbers to FILE, in Markdown:
 //! `cargo xtask published`.
 
-#[path = "models/by_hand.rs"]
+#[path = "models/by_hand/mod.rs"]
 mod by_hand;
 mod common;
 #[path = "models/limits.rs"]

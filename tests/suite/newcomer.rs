@@ -1,9 +1,9 @@
-//! The round trip of a newcomer: a small model of one's own, derived, generated, run, and checked against its solution.
+//! What a new author of a model does: write a small model, derive it, generate its file, run it, compare it with its solution.
 //!
-//! `newcomer/model.rs` is what the newcomer writes; `newcomer/spring_rotor.rs` is what the derivation makes of it, which
-//! the tests of the derivation hold current. Here it is expanded and run as any model of the program.
+//! `newcomer/model.rs` is what the author writes; `newcomer/spring_rotor.rs` is the file that the derivation generates. The tests
+//! of the derivation check that this file is current. Here it is expanded and run like any model of the program.
 
-// Where the expansion finds the engine, as it does within gearsim.
+// The expansion of the models refers to these two as `crate::engine` and `crate::model`, as it does within gearsim.
 use gearsim::{engine, model};
 
 #[rustfmt::skip]
@@ -25,7 +25,7 @@ const CRACKED: Entry = Entry::new::<cracked_rotor::CrackedRotor>();
 const WELL: Entry = Entry::new::<double_well::DoubleWell>();
 
 const SCENE: &str = r#"
-about = "A sprung rotor sets out with a push; its spring stiffens and softens as the other rotor turns"
+about = "A sprung rotor starts with a push; its spring stiffens and softens as the other rotor turns"
 model = "spring_rotor"
 effects = ["stiffness_step"]
 
@@ -47,7 +47,7 @@ const J1: f64 = 1.0;
 const J2: f64 = 0.5;
 const LEVELS: [(f64, f64); 2] = [(2.0, 0.4), (50.0, 0.6)];
 
-/// Angles and speeds of the two rotors, and the events passed.
+/// Angles [rad] and speeds [rad/s] of the two rotors, and the numbers of steps transmitted and reflected.
 #[derive(Debug)]
 struct End {
     alpha: f64,
@@ -58,8 +58,8 @@ struct End {
     reflected: u64,
 }
 
-/// Solved by hand: alpha turns uniformly and beta swings harmonically in each cell; at its end the energy of the spring's
-/// step comes out of alpha's motion, alone, or turns it back. The torque is not there.
+/// The solution by hand, without the torque. In each cell alpha turns uniformly and beta swings harmonically. At the end of a cell the
+/// energy of the spring's step is taken from alpha's motion alone; if that does not suffice, alpha is reflected.
 fn by_hand(levels: &[(f64, f64)], t_end: f64) -> End {
     let cells = levels.len() as i64;
     let level = |cell: i64| levels[cell.rem_euclid(cells) as usize];
@@ -110,12 +110,12 @@ fn run_of(entry: &Entry, scene: &str, overrides: &[&str]) -> gearsim::run::Outco
 }
 
 #[test]
-fn a_newcomers_model_runs_as_solved_by_hand() {
-    is_as_by_hand(&run(&[]), &by_hand(&LEVELS, 15.0), 2e-12);
+fn a_newcomers_model_moves_as_solved_by_hand() {
+    assert_as_by_hand(&run(&[]), &by_hand(&LEVELS, 15.0), 2e-12);
 }
 
-/// Laws of one phase with the periods 3, 1 and 3/4, none of them first by length: their levels over three pitches, which all share,
-/// and the same solution by hand. The account closes, and a start many turns on is the same motion.
+/// Three laws of one phase with the periods 3, 1 and 3/4, not sorted by length. Their common period is three pitches; the levels
+/// over it go into the same solution by hand. The energy account closes, and a start many turns later gives the same motion.
 #[test]
 fn laws_of_different_periods_share_a_phase() {
     let laws: [(&str, &[(f64, f64)]); 3] =
@@ -129,7 +129,7 @@ fn laws_of_different_periods_share_a_phase() {
         );
     }
     text += &SCENE[SCENE.find("[start]").expect("a start")..];
-    // All boundaries within three pitches, and k - c + g between them.
+    // All boundaries within three pitches, and the stiffness k - c + g between them.
     let value = |steps: &[(f64, f64)], x: f64| {
         let period = steps[0].1 + steps[1].1;
         if x.rem_euclid(period) < steps[0].1 { steps[0].0 } else { steps[1].0 }
@@ -149,19 +149,19 @@ fn laws_of_different_periods_share_a_phase() {
     let cells: Vec<(f64, f64)> = cells.collect();
     let far = run_of(&CRACKED, &text, &["start.alpha=3e6 rad", "run.t_end=4 s"]);
     let near = run_of(&CRACKED, &text, &["run.t_end=4 s"]);
-    is_as_by_hand(&near, &by_hand(&cells, 4.0), 2e-12);
+    assert_as_by_hand(&near, &by_hand(&cells, 4.0), 2e-12);
     let end = |outcome: &gearsim::run::Outcome| outcome.trajectory.q[1].last().copied();
     assert_eq!((end(&far), far.counts.events()), (end(&near), near.counts.events()), "whole turns change nothing");
     let worst = near.trajectory.residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     assert!(worst < 1e-13 * near.energy_at_start, "{worst:e} J unaccounted for");
     let stepped = run_of(&CRACKED, &text, &["run.t_end=4 s", "run.method=dop853", "run.tolerance=1e-13"]);
-    is_as_by_hand(&stepped, &by_hand(&cells, 4.0), 1e-9);
+    assert_as_by_hand(&stepped, &by_hand(&cells, 4.0), 1e-9);
 }
 
-fn is_as_by_hand(outcome: &gearsim::run::Outcome, by_hand: &End, tolerance: f64) {
+fn assert_as_by_hand(outcome: &gearsim::run::Outcome, by_hand: &End, tolerance: f64) {
     let counts = (outcome.counts.cell_changes, outcome.counts.reflections);
     assert_eq!(counts, (by_hand.passed, by_hand.reflected));
-    assert!(by_hand.passed > 1 && by_hand.reflected > 1, "both kinds of event are met: {by_hand:?}");
+    assert!(by_hand.passed > 1 && by_hand.reflected > 1, "the run must have both kinds of event: {by_hand:?}");
     let t = &outcome.trajectory;
     let last = t.len() - 1;
     for (what, found, expected) in [
@@ -172,18 +172,18 @@ fn is_as_by_hand(outcome: &gearsim::run::Outcome, by_hand: &End, tolerance: f64)
     ] {
         let error = (found - expected).abs();
         println!("{what} = {found}, error {error:.1e}; {counts:?} events");
-        // All are of size one. Each event spreads neighbouring motions, by a factor of 1500 in all: 1e-16 in the
-        // speed at the start is 1.5e-13 in alpha at the end (and 7e-10 if it were to run for 20 s).
+        // All four are of size one. Events increase the distance of neighbouring motions, by a factor of 1500 in total: 1e-16 in
+        // the speed at the start is 1.5e-13 in alpha at the end. In a run of 20 s it would be 7e-10.
         assert!(error < tolerance, "{what} = {found}, by hand {expected}");
     }
 }
 
 #[test]
-fn its_energy_is_kept_at_every_row() {
+fn the_energy_of_a_newcomers_model_is_constant() {
     let t = run(&[]).trajectory;
     let start = t.kinetic[0] + t.strain[0];
     for i in 0..t.len() {
-        // T + V in the model's own terms; V with the level that the engine says holds.
+        // T by the model's own formula; V as recorded, with the stiffness level of the engine.
         let kinetic = (J1 * t.q_dot[0][i].powi(2) + J2 * t.q_dot[1][i].powi(2)) / 2.0;
         assert!((t.kinetic[i] - kinetic).abs() < 1e-14 * start, "row {i}");
         assert!((kinetic + t.strain[i] - start).abs() < 1e-13 * start, "row {i}: {}", kinetic + t.strain[i]);
@@ -191,14 +191,15 @@ fn its_energy_is_kept_at_every_row() {
 }
 
 #[test]
-fn its_inverse_inertias_are_in_closed_form() {
-    let equations = spring_rotor::SpringRotor::equations(0, &[J1, J2, 0.0], &[26.0]).expect("no effect contradicts");
+fn the_mobility_of_a_newcomers_model_is_in_closed_form() {
+    let equations =
+        spring_rotor::SpringRotor::equations(0, &[J1, J2, 0.0], &[26.0]).expect("no effects, so none contradict");
     assert_eq!(equations.mobility(), [[1.0 / J1, 0.0], [0.0, 1.0 / J2]]);
 }
 
-/// Without steps the spring has its mid stiffness and the rotors know nothing of each other: two closed forms.
+/// Without steps the spring has its mid stiffness and the rotors are independent, so each has a closed form.
 #[test]
-fn its_effects_are_chosen_by_the_scene() {
+fn the_scene_chooses_the_effects_of_a_newcomers_model() {
     let t = run(&[r#"effects=["torque"]"#, "parameters.T1=0.3 N*m"]).trajectory;
     let last = t.len() - 1;
     let (time, w) = (t.t[last], (26.0 / J2).sqrt());
@@ -210,15 +211,15 @@ fn its_effects_are_chosen_by_the_scene() {
     assert!((t.work[last] - 0.3 * (expected[0] - t.q[0][0])).abs() < 1e-12, "{}", t.work[last]);
 }
 
-/// A static start takes the equilibrium in whose valley the stated value lies, or zero, a stable one if there is one; and says which
-/// others there are. By hand: x (x^2 - a^2) = 2 a^2 F/k.
+/// A static start takes the equilibrium in whose valley the stated value lies. Without a stated value it starts from zero and takes a
+/// stable equilibrium if there is one. The remarks name the other equilibria. By hand: x (x^2 - a^2) = 2 a^2 F/k.
 #[test]
 fn of_several_equilibria_the_one_near_the_stated_value_is_taken() {
     let text = "model = \"double_well\"\neffects = []\n[parameters]\n[run]\nt_end = \"0.1 s\"\n";
     let start = |overrides: &[&str]| {
         let outcome = run_of(&WELL, text, overrides);
         let (x, rest) = (outcome.trajectory.q[0][0], outcome.trajectory.q[0].last().copied());
-        assert!((rest.expect("rows") - x).abs() < 1e-9, "at rest it stays: {x}, {rest:?}");
+        assert!((rest.expect("rows") - x).abs() < 1e-9, "a static start stays at rest: {x}, {rest:?}");
         (x, outcome.remarks.join(" "))
     };
     for (near, expected) in [("0.05 m", 0.1), ("0.2 m", 0.1), ("-0.07 m", -0.1), ("1 um", 0.1)] {
@@ -227,9 +228,9 @@ fn of_several_equilibria_the_one_near_the_stated_value_is_taken() {
         assert!(says.contains("one of several equilibria"), "{says}");
     }
     let (x, says) = start(&[]);
-    assert!((x.abs() - 0.1).abs() < 1e-12, "a stable one: {x}");
+    assert!((x.abs() - 0.1).abs() < 1e-12, "not a stable equilibrium: {x}");
     assert!(says.contains("(unstable)") && says.contains("static near"), "{says}");
-    // A force so large that one well is left.
+    // With a large force only one well remains.
     let (x, says) = start(&["parameters.F=100 N"]);
     assert!((x * (x * x - 0.01) - 2.0 * 0.01 * 100.0 / 1000.0).abs() < 1e-12, "{x}");
     assert_eq!(says, "");

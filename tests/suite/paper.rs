@@ -1,7 +1,7 @@
-//! The equations of Oh, Grosh & Barber (2005), written out by hand as symbols, with their numbers.
+//! The equations of Oh, Grosh & Barber (2005), written by hand as symbolic expressions, with their equation numbers.
 //!
-//! Parameters are spelled out: nothing here goes through what the derivation names M1, M2 or C. Damping is Rayleigh's,
-//! D = C phi'^2, hence in Eq. (3) too; the paper prints it in Eq. (2) alone, where it would change the total momentum.
+//! Everything is written in the parameters; nothing here uses the derivation's own M1, M2 or C. Damping is Rayleigh's, D = C phi'^2,
+//! so it is in Eq. (3) too. The paper prints it in Eq. (2) alone, which would change the total momentum.
 
 #![allow(non_snake_case)] // the paper's symbols
 
@@ -17,7 +17,7 @@ pub struct Paper {
     T0: Expr,
     phi: Expr,
     k: Expr,
-    /// Slope of k within a cell, or its step between two.
+    /// Slope of k within a cell, or its step between two cells.
     dk: Expr,
     /// k0 = (k1 + k2)/2, Eq. (14)
     k0: Expr,
@@ -53,17 +53,17 @@ impl Paper {
         2 * self.zeta * (self.k0 / self.M2()).sqrt()
     }
 
-    /// (2 zeta w0)^2, which (M2 C)^2 must be.
+    /// (2 zeta w0)^2, to which (M2 C)^2 must be equal.
     pub fn damping_squared(&self) -> Expr {
         4 * self.zeta * self.zeta * self.M2() * self.k0
     }
 
-    /// What the torques give to phi'', the right of Eqs. (2), (4), (6)
+    /// The term of the torques in phi'', the right side of Eqs. (2), (4), (6)
     pub fn eq4_of_torque(&self) -> Expr {
         self.M2() * self.T0
     }
 
-    /// What damping gives to phi'' in Eqs. (2), (4), (6)
+    /// The term of damping in phi'' in Eqs. (2), (4), (6)
     pub fn eq4_of_damping(&self) -> Expr {
         -self.M2() * self.C() * self.phi.dot()
     }
@@ -88,12 +88,12 @@ impl Paper {
         self.M1() * self.T0 - self.M1() * self.k * self.phi - self.M1() * self.C() * self.phi.dot()
     }
 
-    /// phi'' of Eq. (6), classical: phi'' + M2 C phi' + M2 k(Omega0 t) phi = M2 T0; k is a function of time here.
+    /// phi'' of Eq. (6), classical: phi'' + M2 C phi' + M2 k(Omega0 t) phi = M2 T0; here k is a function of time.
     pub fn eq6(&self) -> Expr {
         self.M2() * (self.T0 - self.k * self.phi - self.C() * self.phi.dot())
     }
 
-    /// What a step dk takes from theta'^2, Eq. (9): theta'+^2 - theta'-^2 + M2 dk phi^2 = 0
+    /// The amount by which a step dk lowers theta'^2, Eq. (9): theta'+^2 - theta'-^2 + M2 dk phi^2 = 0
     pub fn eq9(&self) -> Expr {
         self.M2() * self.dk * self.phi * self.phi
     }
@@ -103,7 +103,7 @@ impl Paper {
         self.M1() / self.M2()
     }
 
-    /// phi'' and theta'' of Eqs. (2), (3) with one thing in them wrong each; `true` stands for phi''.
+    /// phi'' and theta'' of Eqs. (2), (3), each with one error; `true` stands for phi''.
     pub fn wrong(&self) -> [(&'static str, bool, Expr); 6] {
         let (squared, speed) = (self.phi * self.phi, self.phi.dot());
         [
@@ -112,7 +112,7 @@ impl Paper {
             ("the jump term of (3) with M1 for M2", false, self.eq5() - self.M1() / 2 * self.dk * squared),
             ("the jump term of (3) with phi for phi^2", false, self.eq5() - self.M2() / 2 * self.dk * self.phi),
             ("(3) without damping, as printed", false, self.eq3() + self.M1() * self.C() * speed),
-            ("(2) with the sign of N2^2/I2 in M2 turned", true, self.eq2() - self.N2 * self.N2 / self.I2 * self.T0),
+            ("(2) with the opposite sign of N2^2/I2 in M2", true, self.eq2() - self.N2 * self.N2 / self.I2 * self.T0),
         ]
     }
 }

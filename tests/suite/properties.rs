@@ -1,8 +1,8 @@
-//! What holds of every motion, on random gear pairs: symmetries, handing over, and the energy account.
+//! Properties of every motion, tested on random gear pairs: symmetries, runs in two parts, and the energy account.
 //!
-//! Chaos multiplies rounding errors: a comparison of states allows `ROUNDINGS` of them an event, times the factor by which
-//! the motion itself multiplies a shift of its start (`Pair::conditioning`) and by which M's inertias blur (`Pair::ratio`). Where that leaves nothing to compare, the
-//! case is set aside. Where a property holds bit by bit, that is asked.
+//! A comparison of states allows `ROUNDINGS` rounding errors per event, times two factors: the growth of a small change of the start
+//! (`Pair::conditioning`) and the loss of digits of the smaller inertia in M (`Pair::ratio`). If the tolerance is then above
+//! `COARSE`, the case is skipped. Properties that hold bit by bit are tested bit by bit.
 
 mod common;
 #[path = "properties/draw.rs"]
@@ -15,24 +15,25 @@ mod scaled;
 use pair::{PITCH, Pair, Ran};
 use proptest::prelude::*;
 
-/// Rounding errors that an event may add to a state.
+/// Number of rounding errors that an event may add to a state.
 const ROUNDINGS: f64 = 32.0;
-/// A comparison coarser than this proves nothing.
+/// A comparison with a larger tolerance than this proves nothing.
 const COARSE: f64 = 1e-6;
 
-/// What two runs of a pair with `events` events may differ by.
+/// The difference allowed between two runs of a pair with `events` events.
 fn tolerance(pair: &Pair, events: usize) -> f64 {
     ROUNDINGS * f64::EPSILON * pair.ratio() * (events + 4) as f64 * pair.conditioning()
 }
 
-/// The motion backwards from where a run has ended. On a boundary the cell stays: an end is inside, but for chance.
+/// The end of a run with reversed speeds, as a start. The cell is kept; this is right because an end is inside a cell, except by
+/// chance.
 fn reversed(end: &Ran) -> Ran {
     let mut back = end.clone();
     back.state.q_dot = -back.state.q_dot;
     back
 }
 
-/// The pair seen in a mirror: every coordinate, speed and torque of the other sign, the steps in the other order.
+/// The mirror image of a pair: every coordinate, speed and torque has the opposite sign, and the steps come in reverse order.
 fn mirrored(pair: &Pair) -> Pair {
     Pair {
         t0: -pair.t0,
@@ -60,9 +61,9 @@ fn time_reversal_leads_back_to_the_start() {
 }
 
 #[test]
-fn a_mirror_changes_no_bit() {
+fn a_mirrored_pair_gives_mirrored_bits() {
     draw::check(draw::pair(draw::damping()), |pair| {
-        // Ends just after the last event: within a cell theta is not symmetric, its remainder counts from one side.
+        // theta is compared to rounding only: its remainder counts from one side of the pitch.
         let (a, b) = (pair.run(), mirrored(&pair).run());
         prop_assert_eq!(&a.times, &b.times);
         prop_assert_eq!(a.state.q_dot, -b.state.q_dot);
@@ -76,7 +77,7 @@ fn a_mirror_changes_no_bit() {
 }
 
 #[test]
-fn a_run_split_anywhere_is_the_whole() {
+fn two_parts_of_a_run_equal_the_whole_run() {
     draw::check((draw::pair(draw::damping()), 0.0..1.0f64), |(pair, part)| {
         let whole = pair.run();
         prop_assume!(whole.stop.is_none());
@@ -90,7 +91,7 @@ fn a_run_split_anywhere_is_the_whole() {
         prop_assert!(difference < tolerance, "{difference:e}, not {tolerance:e}");
         prop_assert_eq!(second.cell, whole.cell);
         prop_assert_eq!(first.times.len() + second.times.len(), whole.times.len());
-        // The steps of a search go by the time that is left to the end, so that roundings differ.
+        // The steps of a search depend on the time to the end of the run, so the rounding errors differ.
         let apart = first.times.iter().zip(&whole.times).map(|(a, b)| (a - b).abs() / pair.span).fold(0.0, f64::max);
         prop_assert!(apart < tolerance, "events {apart:e} of the span apart, not {tolerance:e}");
         Ok(())

@@ -1,9 +1,10 @@
-//! A step of stiffness as the limit of ramps: Eqs. (2), (3) through a ramp of width eps come to the jump rule as O(eps).
+//! A step of stiffness as the limit of ramps: the solution of Eqs. (2), (3) through a ramp of width eps approaches the jump rule
+//! with an error O(eps).
 //!
-//! The difference of end states is C eps + O(eps^2), so halving eps halves it: the ratio must lie within 2 +- 0.1 once
-//! eps is small, and the mean slope of log difference over log eps, over four octaves, within 1 +- 0.04. Critical
-//! incidence is left out: there the rate is another, since a ramp has no single instant of turning. The ramps are smooth:
-//! at the kinks of linear ones the integrator of the reference is of no order.
+//! The difference of the end states is C eps + O(eps^2). So halving eps halves the difference: for small eps the ratio must be
+//! within 2 +- 0.1, and the mean slope of log difference over log eps, over four octaves, within 1 +- 0.04. Critical incidence is left
+//! out, because it converges at another rate: a ramp has no single instant of reflection. The ramps are smooth, because the
+//! reference's integrator loses its order at the kinks of linear ramps.
 
 mod common;
 
@@ -12,14 +13,15 @@ use std::f64::consts::TAU;
 use common::{run, scene};
 use gearsim_tests::oh2005::{GearPair, Ramp, State};
 
-/// Widths of the ramps \[rad\]: octaves down from here. Wider ones show the next order, too; in ones narrower than
-/// a millionth the rounding of theta shows.
+/// The widest ramp \[rad\]; each next ramp is half as wide. Wider ramps would show the next order too. In ramps narrower than 1e-6 the
+/// rounding error of theta would show.
 const WIDEST: f64 = 4e-5;
 const OCTAVES: usize = 4;
-/// Of the steps through a ramp: their error must stay below the least difference, 4e-9.
+/// Fineness of the integration steps in a ramp. Their error must stay below the smallest difference, 4e-9.
 const FINENESS: f64 = 8.0;
 
-/// A run that meets one step, twice if it is turned back: phi, set swinging, soon lets theta through. It is given by where it starts \[rad\], how fast \[rpm\], and what the step does.
+/// A run that meets one step. If the step reflects it, it meets the step again: phi then swings, and soon theta is transmitted. `theta`
+/// is the start \[rad\], `rpm` the speed of the driving gear, `changes` and `reflections` the expected events.
 struct Case {
     name: &'static str,
     theta: f64,
@@ -33,10 +35,10 @@ const CASES: [Case; 5] = [
     Case { name: "down, forwards", theta: 6.0, rpm: 30.0, changes: 1, reflections: 0 },
     Case { name: "up, backwards", theta: 0.5, rpm: -60.0, changes: 1, reflections: 0 },
     Case { name: "down, backwards", theta: 1.9, rpm: -20.0, changes: 1, reflections: 0 },
-    Case { name: "turned back, then through", theta: 1.0, rpm: 20.0, changes: 1, reflections: 1 },
+    Case { name: "reflected, then transmitted", theta: 1.0, rpm: 20.0, changes: 1, reflections: 1 },
 ];
 
-/// The largest difference of two states in units of the motion's own sizes.
+/// The largest difference of two states, each component relative to its size in this motion.
 fn difference(a: &State, b: &State, pair: &GearPair, speed: f64) -> f64 {
     let (phi, w0) = (pair.t0 / pair.k1, pair.w0());
     let [theta, theta_dot] = [a.theta - b.theta, (a.theta_dot - b.theta_dot) / speed];
@@ -44,8 +46,8 @@ fn difference(a: &State, b: &State, pair: &GearPair, speed: f64) -> f64 {
     [theta, theta_dot, phi, phi_dot].into_iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-/// The end of the engine's run with the jump rule, from `start` \[rad, rad/s\] to `t_end` \[s\]; the scene starts phi
-/// where it is at rest.
+/// The end of the engine's run with the jump rule, from `start` \[rad, rad/s\] to `t_end` \[s\]. The scene starts phi in its static
+/// equilibrium.
 fn with_jump(case: &Case, pair: &GearPair, start: &State, t_end: f64) -> State {
     let set = |key: &str, value: f64, unit: &str| format!("{key}={value:?} {unit}");
     let overrides = [

@@ -1,4 +1,5 @@
-//! Friction between flanks: against pairs of teeth one by one, forces as vectors, closed forms of the loss, mirrors, accounts.
+//! Sliding friction between flanks: compared with a computation tooth pair by tooth pair, with forces as vectors and with a closed form
+//! of the mean loss; symmetries and the energy account.
 
 #[path = "sliding_friction/account.rs"]
 mod account;
@@ -14,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 use gearsim::run::Outcome;
 
-/// The gear pair by its teeth, with friction and what `overrides` make of it.
+/// Runs the gear pair given by its teeth, with friction and `overrides`.
 fn run(overrides: &[&str]) -> Outcome {
     let mut all = vec![
         r#"effects=["stiffness_step", "sliding_friction", "torques"]"#,
@@ -28,15 +29,15 @@ fn run(overrides: &[&str]) -> Outcome {
     common::run(&common::scene("gear_pair_teeth", &all.iter().map(|s| s.to_string()).collect::<Vec<_>>()))
 }
 
-/// T + V - W + D over the energy at the start, at its worst.
+/// The largest residual of the energy account T + V - W + D, relative to the energy at the start.
 fn unaccounted(outcome: &Outcome) -> f64 {
     outcome.trajectory.residual.iter().fold(0.0f64, |m, r| m.max(r.abs())) / outcome.energy_at_start
 }
 
-/// The work of a torque, row by row.
+/// The work of a torque at every row [J].
 fn work<'a>(outcome: &'a Outcome, torque: &str) -> &'a [f64] {
     let t = &outcome.trajectory;
-    &t.torque_work[t.model.torques.iter().position(|t| t.name == torque).expect("it has the torque")]
+    &t.torque_work[t.model.torques.iter().position(|t| t.name == torque).expect("a torque of the model")]
 }
 
 /// theta, phi and their speeds at a row.
@@ -45,21 +46,21 @@ fn state(outcome: &Outcome, row: usize) -> [f64; 4] {
     [t.q[0][row], t.q[1][row], t.q_dot[0][row], t.q_dot[1][row]]
 }
 
-/// Standard involute gears of 20 degrees, as in textbooks.
+/// Standard involute gears with a pressure angle of 20 degrees: numbers of teeth and module [m].
 struct Teeth {
     z: [f64; 2],
     module: f64,
 }
 
 impl Teeth {
-    /// Those of the scene.
+    /// The gears of the scene `gear_pair_teeth`.
     const SCENE: Teeth = Teeth { z: [24.0, 96.0], module: 6.35e-3 };
 
     fn alpha(&self) -> f64 {
         20f64.to_radians()
     }
 
-    /// Base radii.
+    /// Base radii [m].
     fn base(&self) -> [f64; 2] {
         self.z.map(|z| self.module * z / 2.0 * self.alpha().cos())
     }
@@ -68,7 +69,8 @@ impl Teeth {
         PI * self.module * self.alpha().cos()
     }
 
-    /// Paths of contact before and after the pitch point: the other gear's tip, the own tip.
+    /// Lengths of the path of contact before and after the pitch point [m]. The tip of gear 2 limits the first, the tip of gear 1 the
+    /// second.
     fn paths(&self) -> [f64; 2] {
         let path = |i: usize| {
             let (rb, ra) = (self.base()[i], self.module * (self.z[i] / 2.0 + 1.0));
@@ -77,7 +79,7 @@ impl Teeth {
         [path(1), path(0)]
     }
 
-    /// The pairs in contact at a phase, by how many pitches each is ahead of it.
+    /// The tooth pairs in contact at a phase [rad]; each is given by the number of pitches by which it is ahead of the phase.
     fn pairs(&self, phase: f64) -> Vec<f64> {
         let (p, [before, after]) = (self.base_pitch(), self.paths());
         let turns = (phase / TAU).round();

@@ -1,8 +1,8 @@
-//! The summary of each paper scene, as it was accepted: what a run came to, without what depends on the machine.
+//! Snapshots of the summary of each paper scene, without the entries that depend on the machine.
 //!
-//! Rounded to nine significant digits: the engine agrees with two references to 1e-11, and other processors' exp and
-//! sincos differ in the last place; a state, to the places of its largest value. What is zero but for rounding is shown
-//! as a bound on it. The scenes are settled by damping or short enough for rounding not to grow.
+//! Numbers are rounded to nine significant digits: the engine agrees with two references to 1e-11, and exp and sincos of other
+//! processors differ in the last place. A coordinate or speed is rounded to the decimal places of its largest value in the run. A
+//! residual that is zero except for rounding is shown as a bound. The scenes are damped or short, so rounding errors do not grow.
 
 mod common;
 
@@ -20,7 +20,7 @@ fn rounded(x: f64) -> String {
     format!("{x:.*e}", SIGNIFICANT - 1)
 }
 
-/// A number that may have come near zero, to the places that `scale` has.
+/// A number that may be near zero, rounded to the decimal places that `scale` has.
 fn rounded_to(scale: f64, x: f64) -> String {
     let places = SIGNIFICANT as i32 - 1 - scale.abs().log10().floor() as i32;
     format!("{x:.*}", places.max(0) as usize)
@@ -61,7 +61,7 @@ fn text(scene: &Scene, outcome: &Outcome) -> String {
 }
 
 #[test]
-fn summaries_of_the_paper_scenes_are_as_accepted() {
+fn summaries_of_the_paper_scenes_match_the_snapshot() {
     let folder = root().join("models/scenes/oh2005");
     let mut names: Vec<String> = std::fs::read_dir(&folder)
         .expect("the paper's scenes are there")

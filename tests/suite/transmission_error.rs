@@ -1,4 +1,5 @@
-//! Transmission errors, V = k (phi - e)²: closed forms, equations by hand, another method, the phases of planets, the energy account.
+//! Transmission errors, V = k (phi - e)²: compared with closed forms, with equations by hand and with another method; the phases of
+//! planets; the energy account.
 
 #[path = "transmission_error/by_hand.rs"]
 mod by_hand;
@@ -12,19 +13,19 @@ mod steps;
 
 use gearsim::run::Outcome;
 
-/// The gear pair of the paper with transmission errors, and what `overrides` make of it.
+/// Runs the gear pair of the paper with transmission errors and `overrides`.
 fn run(overrides: &[&str]) -> Outcome {
     let mut all = vec![r#"effects=["stiffness_step", "transmission_error", "torques"]"#];
     all.extend(overrides);
     common::run(&common::scene("oh2005/energy_300rpm", &all.iter().map(|s| s.to_string()).collect::<Vec<_>>()))
 }
 
-/// T + V - W + D over the energy at the start, at its worst.
+/// The largest residual of the energy account T + V - W + D, relative to the energy at the start.
 fn unaccounted(outcome: &Outcome) -> f64 {
     outcome.trajectory.residual.iter().fold(0.0f64, |m, r| m.max(r.abs())) / outcome.energy_at_start
 }
 
-/// M1 and M2 of the gear pair.
+/// M1 and M2 of the gear pair [1/(kg m²)].
 fn mobilities() -> (f64, f64) {
     let (a, b) = (24f64.powi(2) / 2890e-6, 96f64.powi(2) / 740200e-6);
     ((a - b) / 2.0, (a + b) / 2.0)

@@ -1,8 +1,8 @@
-//! Every scene by two methods, which share the equations and nothing else of the solution; and static starts by equations of their own.
+//! Every scene is solved by two methods that share only the equations. Static starts are checked by a balance of forces.
 //!
-//! Exact cells are compared with dop853, cells that are not linear with radau and dop853, each at a tight tolerance. A motion makes of
-//! the error of a method what it makes of a rounding: how much that is, the run says itself (`digits`), and so much is allowed. A scene
-//! that loses nearly all digits is compared up to an earlier time.
+//! Scenes with exact cells are compared with dop853, scenes with nonlinear cells with radau, each at a tight tolerance. A motion
+//! magnifies the error of a method as it magnifies a rounding error. The run reports this factor (`digits`), and the allowed difference
+//! contains it. A scene that loses nearly all digits is compared up to an earlier time.
 
 mod common;
 #[path = "two_methods/compare.rs"]
@@ -16,7 +16,7 @@ use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Trial};
 
-/// The names of all scenes under `models/scenes`, with their folders.
+/// The names of all scenes in `models/scenes`, with their folders.
 fn names() -> Vec<String> {
     let scenes = common::root().join("models/scenes");
     let mut names = vec![];
@@ -38,13 +38,13 @@ fn main() -> ExitCode {
     let mut trials = vec![];
     for name in names() {
         let (of_scene, of_random, of_statics) = (name.clone(), name.clone(), name.clone());
-        trials.push(Trial::test(format!("{name}_by_two_methods"), move || {
+        trials.push(Trial::test(format!("{name}_agrees_by_two_methods"), move || {
             compare::agree(&common::scene(&of_scene, &[])).map(|text| println!("{text}")).map_err(Into::into)
         }));
-        trials.push(Trial::test(format!("{name}_varied_at_random_by_two_methods"), move || {
+        trials.push(Trial::test(format!("random_variants_of_{name}_agree_by_two_methods"), move || {
             random::agree(&of_random).map(|text| println!("{text}")).map_err(Into::into)
         }));
-        trials.push(Trial::test(format!("{name}_starts_where_forces_balance"), move || {
+        trials.push(Trial::test(format!("static_starts_of_{name}_balance_the_forces"), move || {
             statics::balance(&of_statics).map(|text| println!("{text}")).map_err(Into::into)
         }));
     }

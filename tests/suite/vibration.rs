@@ -1,5 +1,5 @@
-//! Modes, damping that couples them, and the stability of steady rotation: against published numbers, closed forms and the
-//! matrix exponential in 50 digits.
+//! Modes, damping that couples modes, and the stability of steady rotation: compared with published numbers, with closed forms and
+//! with the matrix exponential in 50 digits.
 
 #[path = "vibration/apart.rs"]
 mod apart;
@@ -13,5 +13,5 @@ mod models;
 #[path = "vibration/stability.rs"]
 mod stability;
 
-// Where the expansion of the model finds the engine, as it does within gearsim.
+// The expansion of the model refers to these two as `crate::engine` and `crate::model`, as it does within gearsim.
 use gearsim::{engine, model};

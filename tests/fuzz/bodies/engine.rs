@@ -1,4 +1,4 @@
-//! Any finite numbers as a gear pair: a run ends in bounded time, finite, or in a named error.
+//! A gear pair with any finite numbers: the run ends after a bounded number of steps, with finite states or a named error.
 
 use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -10,7 +10,7 @@ use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
 
-/// A scene that every number is replaced in.
+/// The scene in which every number is replaced.
 const SCENE: &str = r#"
 model = "gear_pair"
 effects = []
@@ -18,22 +18,22 @@ parameters = { I1 = "1 kg*m^2", I2 = "1 kg*m^2", T0 = "1 N*m" }
 laws.k.steps = [{ value = "1 N*m" }]
 run.t_end = "1 s"
 "#;
-/// Sets of effects that do not contradict one another; damping and torques come on top.
+/// Sets of effects that do not contradict one another; damping and torques are added to them.
 const SETS: [&str; 4] =
     ["\"stiffness_step\"", "\"stiffness_step\", \"rigid_kinematics\"", "\"stiffness_step\", \"frozen_phase\"", ""];
-/// Events after which a run is left, once its time has been seen to go on: a pressed phase may bounce a million times
-/// before it is held, and without jumps one that is pushed against a step from both sides goes to and fro for ever.
+/// Number of events after which a run is stopped, if its time still advances. Some runs have more: a pressed phase may bounce a
+/// million times before it is held, and without jumps a phase that is pushed against a step from both sides crosses it for ever.
 const EVENTS: u32 = 200_000;
-/// Steps that a search may take, on the average of a run.
+/// Largest mean number of steps of a search for the next event, over a run.
 const STEPS: u64 = 1000;
-/// The same with play: the force of a contact damped by any number may be next to none for long, and its sign is sought. Of
-/// 1e37 times critical damping that took 273,811 steps; after a million a search gives up, by name.
+/// The same with play. A search for the sign change of a contact force takes many steps where damping keeps the force near zero
+/// for long: 273,811 steps were seen at 1e37 times critical damping. After a million steps a search stops with a named error.
 const STEPS_WITH_PLAY: u64 = 1_000_000;
 
-/// Why a run was left.
+/// The panic payload that stops a run after `EVENTS` events.
 struct Enough;
 
-/// Numbers out of bytes; zero where there are no more.
+/// Numbers read from bytes; the bytes are zero after the end.
 struct Numbers<'a>(&'a [u8]);
 
 impl Numbers<'_> {
@@ -43,12 +43,12 @@ impl Numbers<'_> {
         *first
     }
 
-    /// Part of a whole, in (0, 1).
+    /// A fraction in (0, 1).
     fn part(&mut self) -> f64 {
         (f64::from(self.byte()) * 256.0 + f64::from(self.byte()) + 0.5) / 65536.0
     }
 
-    /// Not negative: mostly of some thousands or thousandths, often extreme, sometimes zero, 1, or next to 1.
+    /// A number that is not negative: mostly between 1e-4 and 1e4, often extreme, sometimes zero, 1, or next to 1.
     fn size(&mut self) -> f64 {
         let (kind, part) = (self.byte(), self.part());
         match kind % 16 {
@@ -66,7 +66,7 @@ impl Numbers<'_> {
     }
 }
 
-/// Runs the gear pair that the bytes say.
+/// Runs the gear pair that the bytes describe.
 pub fn check(data: &[u8]) {
     let mut numbers = Numbers(data);
     let Some(scene) = scene(&mut numbers) else { return };
@@ -81,7 +81,7 @@ pub fn check(data: &[u8]) {
             events += 1;
             half = if events == EVENTS / 2 { t } else { half };
             if events == EVENTS {
-                assert!(t > half, "events without end");
+                assert!(t > half, "events without end: time does not advance");
                 resume_unwind(Box::new(Enough));
             }
         })
@@ -91,7 +91,7 @@ pub fn check(data: &[u8]) {
         Err(reason) => resume_unwind(reason),
         Ok(done) => Some(done),
     };
-    // A search after every event, and the first.
+    // One search after every event, and one at the start.
     let most = if simulation.bands.is_empty() { STEPS } else { STEPS_WITH_PLAY };
     let counts = &simulation.counts;
     assert!(counts.cost.steps <= most * (u64::from(events) + 1), "{events} events, {counts:?}");
@@ -102,18 +102,19 @@ pub fn check(data: &[u8]) {
     }
     let state = &simulation.state;
     assert!(state.q.iter().chain(state.q_dot.iter()).all(|x| x.is_finite()), "{state:?}");
-    // Energies are squares, and may overflow where no state does; a state in them must not be none.
+    // Energies are squares and may overflow where no state does, so only states and times must be finite.
     let rows = recorder.trajectory;
     let columns = rows.q.iter().chain(&rows.q_dot).chain([&rows.t]);
-    assert!(columns.flatten().all(|x| x.is_finite()), "a number in a row is none");
+    assert!(columns.flatten().all(|x| x.is_finite()), "a state or a time in a row is not finite");
     assert!(rows.t.is_sorted(), "time runs backwards");
-    // The loss over a short time is what is left of large terms: below rounding of the energies, it may be of either sign.
+    // The loss over a short time is a difference of large terms. If it is below the rounding error of the energies, it may have
+    // either sign.
     let largest = rows.kinetic.iter().chain(&rows.strain).fold(0.0, |m: f64, x| m.max(*x));
     let overflows = rows.kinetic.iter().chain(&rows.strain).any(|x| !x.is_finite()) || largest > 1e290;
-    assert!(overflows || simulation.dissipated >= -1e-12 * largest, "feeds {:e} J", -simulation.dissipated);
+    assert!(overflows || simulation.dissipated >= -1e-12 * largest, "damping adds {:e} J", -simulation.dissipated);
 }
 
-/// The scene that the bytes say, if it can be written.
+/// The scene that the bytes describe, if it is valid.
 fn scene(numbers: &mut Numbers<'_>) -> Option<Scene> {
     let kind = numbers.byte();
     let mut effects = vec![SETS[usize::from(kind % 4)]];
@@ -133,21 +134,21 @@ fn scene(numbers: &mut Numbers<'_>) -> Option<Scene> {
     let [theta, theta_dot, phi_dot] = [0; 3].map(|_| numbers.signed());
     let phi = numbers.byte().is_multiple_of(2).then(|| numbers.signed());
 
-    // Up to a hundred pitches or periods, whichever are over first: what is to be bounded must be short to begin with.
-    // A swing of phi by many pitches takes theta along, and a torque turns both ever faster.
+    // A run has at most a hundred pitches or a hundred periods, whichever ends first, so that its cost can be bounded. The rates
+    // include a swing of phi by many pitches, which moves theta too, and the acceleration by a torque.
     let stiffest = levels.iter().fold(0.0, |m: f64, k| m.max(*k));
     let m2 = 0.5 * (24.0f64.powi(2) / i1 + 96.0f64.powi(2) / i2);
     let rate = (m2 * stiffest).sqrt().max((m2 * t0.abs()).sqrt());
     let speed = theta_dot.abs().max(phi_dot.abs()).max(rate * phi.unwrap_or(0.0).abs());
     let fastest = (speed / TAU).max(rate);
     let t_end = (100.0 * numbers.part() / fastest).min(1e300);
-    // Last, so that older cases mean what they did.
+    // Read last, so that older cases of the corpus keep their meaning.
     let play = (numbers.byte() % 2 == 1).then(|| format!(", b = \"{:e} rad\"", numbers.size()));
     effects.extend(play.is_some().then_some("\"backlash\""));
     let play = play.unwrap_or_default();
     let phi = phi.map_or(String::new(), |phi| format!(", phi = \"{phi:e} rad\""));
     if t_end < 1e-300 {
-        return None; // no scene is so short
+        return None; // a scene refuses so short a run
     }
     let overrides = [
         format!("effects=[{}]", effects.join(", ")),

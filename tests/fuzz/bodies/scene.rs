@@ -1,9 +1,9 @@
-//! Any bytes as a scene with overrides: it is read, or every mistake in it is shown; nothing else.
+//! Any bytes as a scene with overrides: the scene is read, or its mistakes are reported. It never panics.
 
 use gearsim::generated::MODELS;
 use gearsim::scene::{PLOTS, Scene};
 
-/// The text up to the first zero byte is the scene, each text after one is an override.
+/// The text up to the first zero byte is the scene; each text after a zero byte is an override.
 pub fn check(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let mut parts = text.split('\0');
@@ -15,13 +15,13 @@ pub fn check(data: &[u8]) {
         Err(errors) => {
             assert!(!errors.problems().is_empty(), "refused without a reason");
             for (width, colour) in [(100, false), (20, true)] {
-                assert!(!errors.render(width, colour).trim().is_empty(), "refused without a word");
+                assert!(!errors.render(width, colour).trim().is_empty(), "the report of the problems is empty");
             }
         }
     }
 }
 
-/// Whether a scene that was accepted keeps what its documentation says.
+/// Checks that an accepted scene keeps the invariants in its documentation.
 fn sound(scene: &Scene) {
     let model = scene.model;
     assert_eq!(scene.parameters.len(), model.parameters.len());

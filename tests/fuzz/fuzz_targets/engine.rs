@@ -1,4 +1,4 @@
-//! libFuzzer's entry to `bodies/engine.rs`.
+//! The entry point of libFuzzer to `bodies/engine.rs`.
 #![no_main]
 
 #[path = "../bodies/engine.rs"]

@@ -1,4 +1,4 @@
-//! libFuzzer's entry to `bodies/scene.rs`.
+//! The entry point of libFuzzer to `bodies/scene.rs`.
 #![no_main]
 
 #[path = "../bodies/scene.rs"]

@@ -1,7 +1,7 @@
-"""The derivations: one file a tool, with its METHODS, `version()` and `run(energies, method)`, which tells each figure as soon
-as it is known. What was done to be fair to it is at its head.
+"""The derivations: one file per tool, with its METHODS, `version()` and `run(energies, method)`, which yields each figure as soon
+as it is known. The docstring of the file says what was done to be fair to the tool.
 
-    python -m derivations MODEL TOOL METHOD     one of them, as lines of JSON
+    python -m derivations MODEL TOOL METHOD     one derivation, as lines of JSON
 """
 
 import sys
@@ -14,8 +14,10 @@ TOOLS = {
     "SymPy": "sympy_lagrange",
     "heyoka": "heyoka_lagrangian",
 }
+
+
 def limit(quick):
-    """Processor time that one derivation with its counting may take [s]."""
+    """The processor time [s] allowed for one derivation and the counting of its operations."""
     return 5 if quick else 60
 
 
@@ -27,7 +29,7 @@ def tool(name):
 
 
 def rows(quick):
-    """All derivations, of a quick run the first, each in a process of its own."""
+    """All derivations (a quick run: only those of the first model), each in a process of its own."""
     from .energies import read
 
     for model in MODELS[:1] if quick else MODELS:

@@ -1,4 +1,4 @@
-"""One derivation, as lines of JSON, each when it is known: MODEL TOOL METHOD."""
+"""One derivation, printed as lines of JSON as soon as each figure is known: MODEL TOOL METHOD."""
 
 import json
 import sys

@@ -1,7 +1,8 @@
 """The energies T, V, D and forces Q of a model, read from the file that gearsim derived from them.
 
-So that all tools derive the same system, and no formula is typed twice. Constants stay symbols, mid values too; a
-deflection is put in where it stands, and its rate likewise, since deflections are linear in the coordinates.
+So all tools derive the same system, and no formula is written twice. Constants and mid values stay symbols. Deflections and their
+rates are replaced by their expressions; a rate has the same expression in the speeds, because deflections are linear in the
+coordinates.
 """
 
 import re
@@ -14,7 +15,7 @@ GENERATED = Path(__file__).parents[3] / "gearsim/src/generated"
 
 @dataclass
 class Energies:
-    """Texts with ** for powers; `q` are the names of the coordinates, their rates end in _dot."""
+    """Expressions as texts, with ** for powers. `q` has the names of the coordinates; the names of their rates end in _dot."""
 
     q: list
     kinetic: str
@@ -29,7 +30,7 @@ def names(*texts):
 
 
 def section(text, title):
-    """The plain lines of a section of a derived file, by what stands before =."""
+    """The equations in a section of a derived file: left side to right side."""
     found = re.search(rf"^//! # {title}\n//!\n//! ```text\n(.*?)//! ```", text, re.S | re.M)
     lines = found[1].splitlines() if found else []
     lines = (line.removeprefix("//! ") for line in lines)
@@ -38,12 +39,15 @@ def section(text, title):
 
 
 def plain(text, title):
-    """The same without play and transmission errors, which other tools do not know: what is told of them in words among the
-    deflections has the number that its line begins with."""
-    told = {name: value for name, value in section(text, "Deflections").items() if re.search(WORDS, value)}
-    absent = {name: re.match(r"\d+", value)[0] for name, value in told.items()}
-    absent |= {f"d{name}": "0" for name in told}
-    absent |= {name: "0" for value in told.values() for name in [*re.findall(r"with (\w+) = 0", value), "clip"]}
+    """The equations in a section without play and transmission errors, which the other tools do not have.
+
+    The section "Deflections" describes the symbols of play and of errors in words; the line of such a symbol begins with its value
+    where the effect is absent.
+    """
+    described = {name: value for name, value in section(text, "Deflections").items() if re.search(WORDS, value)}
+    absent = {name: re.match(r"\d+", value)[0] for name, value in described.items()}
+    absent |= {f"d{name}": "0" for name in described}
+    absent |= {name: "0" for value in described.values() for name in [*re.findall(r"with (\w+) = 0", value), "clip"]}
 
     def put(value):
         return re.sub(r"\b(" + "|".join(absent) + r")\b", lambda found: absent[found[0]], value) if absent else value

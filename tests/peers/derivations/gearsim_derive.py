@@ -1,9 +1,9 @@
-"""gearsim's own derivation, `cargo xtask derive --check`: its time, the least of three, is that on the clock and includes
-the proofs and the writing of the file.
+"""gearsim's own derivation, `cargo xtask derive --check`. Its time is the smallest of three wall clock times and includes the proofs
+and the writing of the file.
 
-Its derivation covers every set of effects at once and the jump terms; what is counted are the equations that it prints for
-people, all effects present, jump terms (zero within a cell) left out as the others have none. Where M is not inverted
-they are forces, else accelerations.
+The derivation covers every set of effects at once, and the jump terms. Operations are counted in the printed equations with all
+effects present. Jump terms (zero within a cell) are left out, because the other tools do not have them. Where M is not inverted,
+the equations are forces, otherwise accelerations.
 """
 
 import os

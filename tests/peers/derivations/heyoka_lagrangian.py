@@ -1,8 +1,8 @@
 """heyoka's lagrangian(), which gives accelerations.
 
-Fair: parameters are runtime parameters, as heyoka wants them (numbers would fold, and be another problem); it takes D but
-no other forces, so that constant torques go in as the potential -Q q. Operations as it wrote them, translated to SymPy
-and counted as all others; after sharing, the length of heyoka's own decomposition into elementary operations.
+Fair: parameters are runtime parameters, as heyoka recommends (numbers would be folded, which is another problem). heyoka takes D but
+no other forces, so constant torques enter as the potential -Q q. Operations as written are translated to SymPy and counted as for
+all other tools. After common subexpressions, the count is the length of heyoka's own decomposition into elementary operations.
 """
 
 import heyoka as hy

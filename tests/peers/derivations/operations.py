@@ -1,15 +1,15 @@
-"""How many operations expressions take, counted one way for all tools: what each wrote, and after SymPy's search for
-common subexpressions.
+"""The number of operations of expressions, counted in the same way for all tools: as written, and after SymPy's search for common
+subexpressions.
 
-A sum of n terms is n - 1 operations, a product of n factors n - 1, an integer power as many products as its exponent
-needs one after the other, a division, a function or a root one; signs are free.
+A sum of n terms is n - 1 operations, a product of n factors n - 1 operations, an integer power as many successive products as its
+exponent needs. A division, a function and a root are one operation each. Signs are free.
 """
 
 import sympy as sp
 
 
 def operations(expressions):
-    """The operations of SymPy expressions."""
+    """The number of operations of SymPy expressions."""
     return sum(of(expression) for expression in expressions)
 
 
@@ -27,7 +27,7 @@ def of(e):
 
 
 def counted(expressions):
-    """Operations as written, then after common subexpressions."""
+    """Yields the number of operations as written, then after common subexpressions."""
     expressions = [sp.sympify(e) for e in expressions]
     yield {"before": operations(expressions)}
     shared, rest = sp.cse(expressions)

@@ -1,8 +1,8 @@
 """SymPy's LagrangesMethod.
 
-Fair: constants and effects as symbols, no simplification (which is what takes longest); the Rayleigh function and the
-torques are added as dD/dq' - Q, since LagrangesMethod takes forces on points only. "forces": M and the right-hand side, as far as
-one goes for a numerical solve. "accelerations": solved by LU on top.
+Fair: constants and effects are symbols, and nothing is simplified, which would take longest. The Rayleigh function and the torques are
+added as dD/dq' - Q, because LagrangesMethod takes only forces on points. "forces": M and the right-hand side, which is enough for a
+numerical solution. "accelerations": additionally solved by LU.
 """
 
 import sympy as sp
@@ -30,7 +30,7 @@ def run(energies, method):
     q = list(moving.values())
 
     def derive():
-        # What a second run remembers of the first would not be its own time.
+        # Without this, a second run would profit from the cache of the first.
         clear_cache()
         lagrange = LagrangesMethod(kinetic - potential, q)
         lagrange.form_lagranges_equations()

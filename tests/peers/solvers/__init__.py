@@ -1,6 +1,6 @@
 """The solvers: one file each, with its METHODS, its TOLERANCES, `version()` and `run(scene, method, tolerance)`.
 
-A file's head says what was done to be fair to it. "default" among the tolerances leaves the tool its own.
+The docstring of the file says what was done to be fair to the tool. The tolerance "default" is the tool's own default.
 """
 
 from importlib import import_module
@@ -16,5 +16,5 @@ SOLVERS = {
 
 
 def solver(name):
-    """The module of a solver: of one alone, since some take seconds to load."""
+    """The module of one solver; only this one is loaded, because some take seconds to load."""
     return import_module(f"solvers.{SOLVERS[name]}")

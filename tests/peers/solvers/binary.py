@@ -1,4 +1,4 @@
-"""A peer that is a program of its own: it prints the result of a run as JSON."""
+"""A peer that is a program of its own and prints the result of a run as JSON."""
 
 import json
 import os
@@ -6,7 +6,10 @@ import subprocess
 
 
 def run_binary(variable, *arguments):
-    """The result that the program named by an environment variable prints; its message where it fails."""
+    """Runs the program whose path is in an environment variable and returns the result that it prints.
+
+    If it fails, raises a RuntimeError with its last message.
+    """
     done = subprocess.run([os.environ[variable], *arguments], capture_output=True, text=True)
     if done.returncode < 0:
         raise RuntimeError(f"crashed by signal {-done.returncode}")

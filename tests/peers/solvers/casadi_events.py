@@ -1,13 +1,14 @@
-"""CasADi: its interface to CVODES with its own (experimental) events, so that a whole run is one call.
+"""CasADi's interface to CVODES with its own (experimental) events, so that a whole run is one call.
 
-Fair: expressions are SX, evaluated in CasADi's machine without Python; stiffness and width are states without motion, so
-that the jump is the event's transition function and nothing is switched within a step; coordinates are divided by
-their sizes, since CasADi takes one absolute tolerance. It finds one event in an interval of the output grid at most
-(3.8.2), runs on without a word past a second, and fails where it must go back by more than a step of CVODES: the grid has two
-points in the shortest cell at the speed of the start and twenty in an oscillation, with which it gets farthest. From the
-states that carry cell and time of the last event, the events are read off the grid.
-A reflection stops it all the same. Putting theta 1e-6 rad off the boundary would carry CVODES Adams through, at an error
-of 1e-3; that is not done.
+Fair: expressions are SX, evaluated in CasADi's virtual machine without Python. Stiffness and width are constant states, so the jump is
+the transition function of the event and nothing switches within a step. Coordinates are divided by their sizes, because CasADi
+takes one absolute tolerance.
+CasADi 3.8.2 finds at most one event in an interval of the output grid, passes a second one without a message, and fails if it must
+go back by more than one step of CVODES. The grid has two points in the shortest cell at the speed of the start, and twenty per
+oscillation; with this grid CasADi gets farthest. States hold the cell and the time of the last event; the events are read from
+these states on the grid.
+A reflection stops it nevertheless. If theta were moved 1e-6 rad off the boundary, CVODES Adams would continue, with an error of
+1e-3; this is not done.
 """
 
 from math import ceil, pi, sqrt
@@ -31,7 +32,7 @@ def integrator(scene, method, tolerance):
     theta, theta_dot, phi, phi_dot, k, width, cell, _last = ca.vertsplit(x * size)
     pull = scene.t0 - k * phi - scene.c * phi_dot
     slope = ca.vertcat(theta_dot, scene.m1 * pull, phi_dot, scene.m2 * pull, 0, 0, 0, 0) / size
-    # An event is an indicator that falls below zero.
+    # CasADi's event is an indicator that falls below zero.
     ends = ca.vertcat(width - theta, theta) / scene.sizes[0]
 
     index, t = ca.SX.sym("index"), ca.SX.sym("t")
@@ -43,7 +44,7 @@ def integrator(scene, method, tolerance):
     passes = square >= 0
     after = ca.if_else(passes, ca.sign(theta_dot) * ca.sqrt(ca.fmax(square, 0)), -theta_dot)
     width_after = ca.if_else(passes, width_beyond, width)
-    # Passed upwards or thrown back downwards: at the lower end of the cell, else at the upper one.
+    # After a transmission upwards or a reflection at the lower end, theta is at the lower end of its cell, otherwise at the upper end.
     at_lower = ca.if_else(passes, upwards, ca.logic_not(upwards))
     theta_after = ca.if_else(at_lower, 0, width_after)
     phi_dot_after = phi_dot + scene.m1 / scene.m2 * (after - theta_dot)
@@ -70,7 +71,7 @@ def integrator(scene, method, tolerance):
 
 
 def events_of(columns):
-    """The events between the points of the grid: where the time of the last changes."""
+    """The events between the points of the grid: the time of the last event changes there."""
     cell, last = np.append(0, np.rint(columns[6])), np.append(0, columns[7])
     at = np.flatnonzero(np.diff(last)) + 1
     kinds = ["reflect" if same else "transmit" for same in cell[at] == cell[at - 1]]

@@ -1,8 +1,8 @@
 """SUNDIALS CVODE through scikit-sundae, restarted at terminal events (CVODE's own root finding).
 
-Fair: Adams and BDF, the cell's constant Jacobian handed over, arrays filled in place, one solver object a kind of cell,
-the limit on steps lifted, absolute tolerances for each coordinate by its size. The functions are Python: scikit-sundae
-takes no compiled ones; CasADi drives the same CVODE with compiled expressions.
+Fair: Adams and BDF; the constant Jacobian of the cell is given; arrays are filled in place; one solver object per kind of cell; no
+limit on steps; an absolute tolerance for each coordinate by its size. The functions are Python, because scikit-sundae takes no
+compiled ones. CasADi uses CVODES with compiled expressions.
 """
 
 import sksundae
@@ -57,7 +57,7 @@ def run(scene, method, tolerance):
 
         return fly
 
-    # The events of a solver object add up over its restarts: one object a run, and not one for all runs.
+    # A solver object collects its events over all restarts, so every run needs new objects.
     return measure(
         lambda: None,
         lambda _: restart(scene, fly_with([solver(scene, cell, options) for cell in (0, 1)])),

@@ -1,9 +1,9 @@
 """heyoka's Taylor integrator, compiled once, with terminal events.
 
-Fair: stiffness and width are runtime parameters, so that one compiled integrator serves all cells; both events have a
-direction, which keeps a restart on the boundary from firing again (the cooldown is heyoka's own choice, reset between
-runs); the jump is done in the events' callbacks, so that a whole run is one call of propagate_until; arrays are
-fetched once and written in place. Compilation is shown apart. "default" is its tolerance of 2.2e-16.
+Fair: stiffness and width are runtime parameters, so one compiled integrator serves all cells. Both events have a direction, so a
+restart on the boundary does not trigger them again; the cooldown is heyoka's own choice and is reset between runs. The callbacks
+of the events do the jump, so a whole run is one call of propagate_until. Arrays are fetched once and written in place. The time of
+compilation is shown separately. "default" is heyoka's tolerance of 2.2e-16.
 """
 
 import heyoka as hy
@@ -19,7 +19,7 @@ def version():
 
 
 class Run:
-    """The integrator, and what its callbacks note."""
+    """The integrator, and the events and the cell that its callbacks record."""
 
     def __init__(self, scene, tolerance):
         self.scene = scene
@@ -40,7 +40,7 @@ class Run:
         return self.jump(taylor, False)
 
     def __deepcopy__(self, _memo):
-        # heyoka copies its callbacks, and with a bound method what it is bound to: the notes are to be these.
+        # heyoka copies its callbacks and the object to which a method is bound. The callbacks must record in this object.
         return self
 
     def jump(self, taylor, upwards):

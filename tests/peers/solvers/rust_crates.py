@@ -1,4 +1,4 @@
-"""Crates of Rust that locate events: diffsol and ivp. The programs, and what was done to be fair, are in `rust/src`."""
+"""Rust crates that locate events: diffsol and ivp. Their programs, with what was done to be fair, are in `rust/src`."""
 
 from .binary import run_binary
 

@@ -1,7 +1,7 @@
 """SciPy's solve_ivp, restarted at terminal events.
 
-Fair: plain floats in a function without array overhead, two events with directions, no dense output, no t_eval; the
-constant Jacobian of the cell handed to Radau and LSODA; absolute tolerances for each coordinate by its size.
+Fair: plain floats in a function without array overhead; two events with directions; no dense output, no t_eval; Radau and LSODA get
+the constant Jacobian of the cell; an absolute tolerance for each coordinate by its size.
 """
 
 import scipy
@@ -19,7 +19,7 @@ def version():
 
 
 class Cell:
-    """What solve_ivp is given within a cell of one kind."""
+    """The functions and options of solve_ivp for one kind of cell."""
 
     def __init__(self, scene, cell, options):
         k, width, m1, m2, c, t0 = scene.k(cell), scene.width(cell), scene.m1, scene.m2, scene.c, scene.t0

@@ -5,9 +5,9 @@
 //! xi = x + v E1(t) + (g - omega2 x) E2(t),   E1(0) = 0, E1'(0) = 1, E1'' + 2 sigma E1' + omega2 E1 = 0,   E2 = int E1
 //! ```
 //!
-//! sigma \[1/s\] >= 0, omega2 \[1/s^2\] >= 0, g in units of xi per s^2. E1 is the response to an impulse and E2 that to a
-//! step; both are entire in sigma and omega2, so that nothing is singular at critical damping or at zero stiffness. Only
-//! the way to calculate them without cancellation changes.
+//! sigma \[1/s\] >= 0, omega2 \[1/s^2\] >= 0, g in units of xi per s^2. E1 is the response to an impulse, E2 the response to a
+//! step. Both are entire functions of sigma and omega2, so there is no singularity at critical damping or zero stiffness. Only
+//! the formulas that avoid cancellation differ from case to case.
 
 use super::number::Scalar;
 
@@ -28,7 +28,7 @@ pub struct Mode {
     pub weight: f64,
 }
 
-/// xi'' + 2 sigma xi' + omega2 xi, with what its responses need calculated once.
+/// xi'' + 2 sigma xi' + omega2 xi, with the constants of its responses, computed once.
 #[derive(Debug, Clone)]
 pub struct Law<T> {
     pub(super) sigma: T,
@@ -76,7 +76,7 @@ impl<T: Scalar> Law<T> {
     }
 
     fn near_critical(&self, t: &T, damping: &T, z: &T) -> Response<T> {
-        // cosh and sinh of sqrt(z), the latter over sqrt(z): also cos and sin where z < 0
+        // c = cosh(sqrt(z)), s = sinh(sqrt(z))/sqrt(z); for z < 0 these are cos and sin
         let one = T::exact(1.0);
         let (mut c, mut s, mut term, mut n) = (one.clone(), one.clone(), one.clone(), 1);
         while term.approx().abs() > T::NEGLIGIBLE && n < 200 {
@@ -94,7 +94,7 @@ impl<T: Scalar> Law<T> {
         self.oscillation(damping, cos, sin / self.rate.clone())
     }
 
-    /// From c, s with E1 = e^{-sigma t} s, E1' = e^{-sigma t} (c - sigma s).
+    /// The responses from c and s, where E1 = e^{-sigma t} s and E1' = e^{-sigma t} (c - sigma s).
     fn oscillation(&self, damping: &T, c: T, s: T) -> Response<T> {
         let decay = (-damping.clone()).exponential();
         let damped = self.sigma.clone() * s.clone();
@@ -104,7 +104,7 @@ impl<T: Scalar> Law<T> {
     }
 
     fn overdamped(&self, t: &T) -> Response<T> {
-        // the slow rate as a quotient: sigma - sqrt(sigma^2 - omega2) would cancel
+        // the slow rate as a quotient, because sigma - sqrt(sigma^2 - omega2) would cancel
         let fast = self.sigma.clone() + self.rate.clone();
         let slow = self.omega2.clone() / fast.clone();
         let apart = self.rate.scaled(1);
@@ -199,9 +199,9 @@ impl From<&Mode> for Motion<f64> {
 }
 
 impl<T: Scalar> Motion<T> {
-    /// The same in `f64`.
+    /// The same motion in `f64`.
     pub(super) fn rounded(&self) -> Motion<f64> {
-        // sigma^2 - omega2 rounded once, not the difference of rounded numbers
+        // sigma^2 - omega2 is rounded once; a difference of rounded numbers would lose digits
         let [sigma, omega2, excess, rate] =
             [&self.law.sigma, &self.law.omega2, &self.law.excess, &self.law.rate].map(T::approx);
         let law = Law { sigma, omega2, excess, rate };

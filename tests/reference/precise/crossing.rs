@@ -1,15 +1,15 @@
-//! The first time at which a sum of modes reaches a level: guaranteed, by exclusion and convexity.
+//! The first time at which a sum of modes reaches a level. Exclusion and convexity guarantee that none is missed.
 //!
-//! gap(t) = level - sum weight_i xi_i(t) > 0 at the start, or 0 and leaving. The interval is cut in two, the earlier
-//! half first, until in each piece \[a, b\] of midpoint m and half width r the Taylor form
+//! gap(t) = level - sum weight_i xi_i(t) is positive at the start, or 0 and rising. The time interval is bisected, the earlier
+//! half first, until in each piece \[a, b\] with midpoint m and half width r the Taylor form
 //!
 //! ```text
 //! gap(m + s) in gap(m) + gap'(m) s + gap''(m) s^2/2 +- M3 r^3/6,   |s| <= r,   |gap'''| <= M3
 //! ```
 //!
-//! (and the same for gap', gap'') shows gap > 0, or gap monotone, convex or concave: then the ends and the one minimum
-//! decide. M3 holds for ever after a: (xi''')^2 + omega2 (xi'')^2 never grows in a damped mode. Values are `f64` with a
-//! bound on their rounding; where that bound leaves the decision open, they are calculated in `BITS` digits.
+//! (and the same for gap', gap'') shows that gap is positive, monotone, convex or concave. Then the ends and the only minimum
+//! decide. M3 is valid for all times after a, because (xi''')^2 + omega2 (xi'')^2 never grows in a damped mode. Values are `f64`
+//! with a bound on their rounding errors. Where that bound leaves the decision open, they are computed with `BITS` bits.
 
 use super::cell::{Law, Mode, Motion};
 use super::judge::{Local, Verdict, judge};
@@ -22,19 +22,19 @@ use super::rough::Rough;
 pub struct Root {
     /// its time \[s\], as a sum of two numbers
     pub t: (f64, f64),
-    /// gap' there
+    /// gap' at the crossing
     pub slope: f64,
-    /// the level is touched, to all digits calculated, and not crossed
+    /// the level is touched, to all computed digits, and not crossed
     pub tangency: bool,
-    /// the least minimum of the gap passed before, of those not excluded at a glance, to 1 %: how narrowly a crossing
-    /// was missed; infinite if there was none
+    /// the smallest minimum of the gap before, to 1 %, among those that were not excluded at once: how narrowly a crossing was
+    /// missed; infinite if there was none
     pub near_miss: f64,
 }
 
-/// A first crossing with all digits, or none, and the near misses before.
+/// The first crossing in all digits, if there is one, and the nearest miss before it.
 #[derive(Debug, Clone)]
 pub struct Crossing<const BITS: usize> {
-    /// time, states, whether it is a tangency
+    /// the crossing: time, states, whether it is a tangency
     pub root: Option<Found<BITS>>,
     /// see [`Root::near_miss`]
     pub near_miss: f64,
@@ -51,7 +51,7 @@ pub struct Surface<'a, const BITS: usize> {
 }
 
 impl<const BITS: usize> Surface<'_, BITS> {
-    /// gap, gap', gap'' at time `t`, all digits.
+    /// gap, gap', gap'' at time `t` in all digits.
     pub(super) fn exact(&self, t: &Real<BITS>) -> [Real<BITS>; 3] {
         let zero = || Real::exact(0.0);
         let mut sum = [self.level.clone(), zero(), zero()];
@@ -124,7 +124,7 @@ impl<const BITS: usize> Search<'_, BITS> {
         None
     }
 
-    /// The crossing in (a, b] of a gap that is positive just after a and crosses once if it is negative at b.
+    /// The crossing in (a, b] of a gap that is positive just after a, and that has one crossing if and only if it is negative at b.
     fn end(&mut self, a: f64, b: f64) -> Option<Found<BITS>> {
         let rough = self.rough.local(b);
         let below = match rough.gap[0] {
@@ -135,7 +135,7 @@ impl<const BITS: usize> Search<'_, BITS> {
         below.then(|| self.refine(a, Real::exact(b), None))
     }
 
-    /// The crossing in (a, b] of a convex gap, positive just after a.
+    /// The crossing in (a, b] of a convex gap that is positive just after a.
     fn minimum(&mut self, a: f64, b: f64) -> Option<Found<BITS>> {
         let (mut left, mut right, mut t) = (a, b, 0.5 * (a + b));
         for _ in 0..60 {
@@ -195,7 +195,7 @@ impl<const BITS: usize> Search<'_, BITS> {
                 next = (left.clone() + right.clone()).scaled(-1);
             }
             let change = next.clone() - t.clone();
-            // the minimum is flat: half of the digits of its place are all of its height
+            // the minimum is flat: with half of the digits of its time the height has all digits
             if change.is_zero() || change.magnitude() < t.magnitude() - digits / 2 - 10 {
                 let gap = self.surface.exact(&next)[0].clone();
                 if gap.magnitude() <= self.rough.magnitude() - digits {
@@ -224,16 +224,16 @@ pub(super) fn prepared<const BITS: usize>(m: &Mode) -> Motion<Real<BITS>> {
     Motion::new(law, force, x, v, weight)
 }
 
-/// The first time in \[0, `t_max`\] \[s\] at which sum weight_i xi_i reaches `level` from below, to `BITS` digits.
+/// The first time in \[0, `t_max`\] \[s\] at which sum weight_i xi_i reaches `level` from below, to `BITS` bits.
 ///
-/// A start beyond the level, or on it and leading beyond, is a crossing at 0. Panics unless sigma and omega2 are at least
-/// 0 and all numbers finite.
+/// A start beyond the level, or on it and moving beyond it, is a crossing at 0. Panics unless sigma and omega2 are at least
+/// 0 and all numbers are finite.
 pub fn first_crossing_with<const BITS: usize>(modes: &[Mode], level: f64, t_max: f64) -> Crossing<BITS> {
     let motions = modes.iter().map(prepared::<BITS>).collect::<Vec<_>>();
     Surface { motions: &motions, level: Real::exact(level), sign: 1.0 }.first_crossing(t_max)
 }
 
-/// [`first_crossing_with`] 50 digits. Inputs are taken as the binary numbers that they are.
+/// [`first_crossing_with`] 50 digits. The inputs are taken as exact binary numbers.
 pub fn first_crossing(modes: &[Mode], level: f64, t_max: f64) -> Option<Root> {
     let found = first_crossing_with::<192>(modes, level, t_max);
     let Found { t, tangency, states } = found.root?;

@@ -1,6 +1,6 @@
 //! e^x, sin x and cos x: argument reduction, then Taylor series in integers, then squarings.
 //!
-//! All with `GUARD` binary digits to spare, of which squaring uses up one a time.
+//! All steps use `GUARD` additional bits; each squaring loses one of them.
 
 use std::sync::LazyLock;
 
@@ -11,7 +11,7 @@ use super::number::Real;
 
 const GUARD: i64 = 48;
 
-/// Binary places of the stored constants: arguments up to 2^500 are reduced without loss at 384 digits.
+/// Binary places of the stored constants. With 384 bits, arguments up to 2^500 are reduced without loss.
 const PLACES: i64 = 1024;
 
 /// atan(1/n) or, with `alternating` false, artanh(1/n), as a multiple of 2^-PLACES.
@@ -38,9 +38,9 @@ static QUARTER_TURN: LazyLock<IBig> =
 /// ln 2 = 2 artanh(1/3)
 static LOG_TWO: LazyLock<IBig> = LazyLock::new(|| arc_tangent(3, false) << 1);
 
-/// x = n `unit` + rest with 0 <= rest < unit: n, and rest with `places` binary places.
+/// n and rest of x = n `unit` + rest with 0 <= rest < unit; rest has `places` binary places.
 fn reduce<const BITS: usize>(x: &Real<BITS>, unit: &IBig, places: i64) -> (IBig, IBig) {
-    // as many places of the unit as the quotient takes from it
+    // the quotient needs this many places of the unit
     let more = places + x.magnitude().max(0) + 2;
     assert!(more <= PLACES, "argument too large to be reduced");
     let unit = unit >> (PLACES - more) as usize;
@@ -83,7 +83,7 @@ pub fn exp<const BITS: usize>(x: &Real<BITS>) -> Real<BITS> {
 /// (sin x, cos x)
 pub fn sin_cos<const BITS: usize>(x: &Real<BITS>) -> (Real<BITS>, Real<BITS>) {
     const HALVINGS: usize = 6;
-    // a small argument must not lose its relative digits
+    // additional places, so that a small argument keeps its relative precision
     let places = BITS as i64 + GUARD + (-x.magnitude()).clamp(0, BITS as i64);
     let (n, rest) = reduce(x, &QUARTER_TURN, places);
     let rest = rest >> HALVINGS;
@@ -102,7 +102,7 @@ pub fn sin_cos<const BITS: usize>(x: &Real<BITS>) -> (Real<BITS>, Real<BITS>) {
         index += 2;
     }
     for _ in 0..HALVINGS {
-        // cos before sin: cos 2a = 1 - 2 sin^2 a
+        // cos first, from the old sin: cos 2a = 1 - 2 sin^2 a
         let double = (&sin * &cos) >> (places - 1) as usize;
         cos = (IBig::ONE << places as usize) - (sin.sqr_shifted(places) << 1);
         sin = double;

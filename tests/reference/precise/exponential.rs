@@ -1,8 +1,8 @@
-//! The motion of M q'' + C q' + K q = f by the matrix exponential, scaled and squared: no modes, no eigenvalues.
+//! The motion of M q'' + C q' + K q = f by the matrix exponential with scaling and squaring, without modes or eigenvalues.
 
 use super::number::{Real, Scalar};
 
-/// A square matrix, row after row.
+/// A square matrix, stored row by row.
 #[derive(Debug, Clone)]
 struct Square<const BITS: usize> {
     n: usize,
@@ -20,9 +20,9 @@ pub struct Exponential<const BITS: usize> {
 pub struct Propagator<const BITS: usize>(Square<BITS>);
 
 impl<const BITS: usize> Exponential<BITS> {
-    /// The system of the matrices given row after row.
+    /// The system with these matrices, given row by row.
     ///
-    /// Panics where M cannot be inverted.
+    /// Panics if M cannot be inverted.
     pub fn new<const N: usize>(
         mass: &[[f64; N]; N],
         damping: &[[f64; N]; N],
@@ -92,7 +92,7 @@ impl<const BITS: usize> Exponential<BITS> {
 }
 
 impl<const BITS: usize> Propagator<BITS> {
-    /// (q, q') a step on.
+    /// (q, q') one step later.
     pub fn of(&self, q: &[Real<BITS>], v: &[Real<BITS>]) -> (Vec<Real<BITS>>, Vec<Real<BITS>>) {
         let n = q.len();
         let z: Vec<_> = q.iter().chain(v).cloned().chain([Real::exact(1.0)]).collect();
@@ -135,7 +135,7 @@ impl<const BITS: usize> Square<BITS> {
 }
 
 #[test]
-fn it_is_the_closed_form_of_one_mode() {
+fn the_matrix_exponential_equals_the_closed_form_of_one_mode() {
     use super::cell::{Law, Motion};
     for (sigma, omega2, t) in [(0.0, 4.0, 3.0), (0.5, 4.0, 3.0), (2.0, 4.0, 1.5), (30.0, 4.0, 7.0), (0.3, 0.0, 5.0)] {
         let system = Exponential::<192>::new(&[[2.0]], &[[4.0 * sigma]], &[[2.0 * omega2]], &[1.4]);
@@ -146,7 +146,7 @@ fn it_is_the_closed_form_of_one_mode() {
         let (y, y_dot) = Motion::new(law, force, q, v, Real::exact(1.0)).state(&Real::exact(t));
         for (a, b) in [(&x[0], y), (&x_dot[0], y_dot)] {
             let error = (a.clone() - b).approx().abs();
-            // 192 bits are 1.6e-58; squared ten times.
+            // 192 bits are 1.6e-58; about ten squarings enlarge the error.
             assert!(error < 1e-50, "{error:e} at sigma = {sigma}, omega² = {omega2}");
         }
     }

@@ -1,4 +1,4 @@
-//! What the Taylor form of the gap shows of a piece of time: positive, monotone, convex, concave, or nothing yet.
+//! Decides from the Taylor form whether the gap is positive, monotone, convex or concave in a piece of time.
 
 /// gap, gap', gap'' at one time and bounds on their errors.
 #[derive(Debug, Clone, Copy)]
@@ -7,9 +7,9 @@ pub(super) struct Local {
     pub(super) error: [f64; 3],
 }
 
-/// What a piece was shown to be.
+/// What is known about the gap in a piece of time.
 pub(super) enum Verdict {
-    /// gap > 0 after its beginning
+    /// gap > 0 after the beginning of the piece
     Positive,
     /// gap' < 0
     Falling,
@@ -17,15 +17,15 @@ pub(super) enum Verdict {
     Convex,
     /// gap'' < 0
     Concave,
-    /// none of these was shown
+    /// none of these could be shown
     Open,
 }
 
-/// What the Taylor form at the midpoint of a piece of half width `r` shows.
+/// The verdict on a piece of half width `r` from the Taylor form at its midpoint. `third` is a bound on |gap'''|.
 pub(super) fn judge(at: &Local, third: f64, r: f64) -> Verdict {
     let ([gap, slope, bend], [e0, e1, e2]) = (at.gap, at.error);
     let cubic = third * r * r * r / 6.0;
-    // the least of the parabola over the piece
+    // how far the parabola falls below `gap` in the piece, at most
     let dip = if bend > 0.0 {
         (slope.abs() * r).min(slope * slope / (2.0 * bend))
     } else {
@@ -37,7 +37,7 @@ pub(super) fn judge(at: &Local, third: f64, r: f64) -> Verdict {
     let spread = (bend.abs() + e2) * r + third * r * r / 2.0 + e1;
     let turn = third * r + e2;
     match () {
-        // positive just after its beginning, and rising
+        // the gap is positive just after the beginning and rises
         () if slope > spread => Verdict::Positive,
         () if slope < -spread => Verdict::Falling,
         () if bend > turn => Verdict::Convex,

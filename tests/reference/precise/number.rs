@@ -1,7 +1,7 @@
-//! Numbers of `BITS` binary digits: m 2^e with an integer m, on dashu's integers.
+//! Numbers with `BITS` bits: m 2^e with an integer m of dashu.
 //!
-//! Results are truncated, not rounded: an operation may lose one unit of the last place. What is claimed of a result is
-//! shown by repeating it with more digits. dashu's own floats have the same operations at ten times the cost.
+//! Results are truncated, not rounded: an operation may have an error of one unit in the last place. The accuracy of a result is
+//! checked by a repetition with more bits. dashu's own floats have the same operations at ten times the cost.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,7 +11,7 @@ use dashu_int::IBig;
 
 use super::elementary;
 
-/// What the cell's closed form is written for: `f64` to explore, [`Real`] to decide.
+/// The operations that the closed form of a cell needs. `f64` is used to explore, [`Real`] to decide.
 pub trait Scalar:
     Clone
     + PartialOrd
@@ -21,11 +21,11 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Relative size below which a term does not count.
+    /// Relative size below which a term of a series is negligible.
     const NEGLIGIBLE: f64;
     /// The number itself, exactly.
     fn exact(x: f64) -> Self;
-    /// The nearest `f64`, give or take one unit of its last place.
+    /// The nearest `f64`, to one unit in its last place.
     fn approx(&self) -> f64;
     /// Divided by a small integer.
     fn over(&self, n: u32) -> Self;
@@ -64,7 +64,7 @@ impl Scalar for f64 {
     }
 }
 
-/// m 2^e, at most `BITS` binary digits in m.
+/// m 2^e, where m has at most `BITS` bits.
 #[derive(Debug, Clone)]
 pub struct Real<const BITS: usize> {
     m: IBig,
@@ -93,12 +93,12 @@ impl<const BITS: usize> Real<BITS> {
         if self.m.is_zero() { i64::MIN / 4 } else { self.e + self.m.bit_len() as i64 }
     }
 
-    /// Exactly zero.
+    /// Whether the number is exactly zero.
     pub fn is_zero(&self) -> bool {
         self.m.is_zero()
     }
 
-    /// Below zero.
+    /// Whether the number is below zero.
     pub fn is_negative(&self) -> bool {
         self.m.sign() == Sign::Negative && !self.m.is_zero()
     }
@@ -108,7 +108,7 @@ impl<const BITS: usize> Real<BITS> {
         if self.is_negative() { -self.clone() } else { self.clone() }
     }
 
-    /// The number as a sum of two `f64`: 32 digits.
+    /// The number as a sum of two `f64`, with 32 digits.
     pub fn pair(&self) -> (f64, f64) {
         let high = self.approx();
         (high, (self.clone() - Self::exact(high)).approx())
@@ -126,7 +126,7 @@ impl<const BITS: usize> Scalar for Real<BITS> {
     const NEGLIGIBLE: f64 = f64::from_bits((1023 - 8 - BITS as u64) << 52);
 
     fn exact(x: f64) -> Self {
-        assert!(x.is_finite(), "not a number to calculate with: {x}");
+        assert!(x.is_finite(), "not a finite number: {x}");
         if x == 0.0 {
             return Self { m: IBig::ZERO, e: 0 };
         }
@@ -138,7 +138,7 @@ impl<const BITS: usize> Scalar for Real<BITS> {
     }
 
     fn approx(&self) -> f64 {
-        // 64 digits, then rounded by the conversion
+        // the leading 64 bits, which the conversion then rounds
         let excess = self.m.bit_len().saturating_sub(64);
         let (sign, words) = self.m.as_sign_words();
         let top = |i: usize| words.get(i).copied().unwrap_or(0);
@@ -162,7 +162,7 @@ impl<const BITS: usize> Scalar for Real<BITS> {
     fn root(&self) -> Self {
         assert!(!self.is_negative(), "square root of a negative number");
         let mut spare = (2 * BITS + 2).saturating_sub(self.m.bit_len()) as i64;
-        // an even exponent
+        // makes the exponent even
         spare += (self.e - spare) & 1;
         let m = (&self.m << spare as usize).sqrt();
         Self::new(m.into(), (self.e - spare) / 2)

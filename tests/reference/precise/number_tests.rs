@@ -1,4 +1,4 @@
-//! What the precise engine's arithmetic is held to: dashu's floats.
+//! The arithmetic of the precise engine, compared with dashu's floats.
 
 use dashu_float::{FBig, round::mode};
 
@@ -8,7 +8,7 @@ use super::tests::Noise;
 type Dashu = FBig<mode::HalfAway, 2>;
 
 #[test]
-fn elementary_functions_agree_with_those_of_dashu() {
+fn elementary_functions_agree_with_dashu() {
     let mut noise = Noise(1);
     for exponent in [-60, -20, -3, 0, 2, 5, 9] {
         for _ in 0..20 {
@@ -37,7 +37,7 @@ fn elementary_functions_agree_with_those_of_dashu() {
 }
 
 fn relative_difference(ours: &Real<256>, theirs: &Dashu) -> f64 {
-    // three numbers of 53 digits at a time until nothing is left
+    // subtracts parts of 53 bits from both, six times, so that the rest is below the last digit
     let (mut rest, mut other) = (ours.clone(), theirs.clone());
     for _ in 0..6 {
         let part = rest.approx();

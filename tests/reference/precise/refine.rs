@@ -1,14 +1,14 @@
-//! One crossing in a bracket, to all digits: Newton, or bisection where Newton leaves the bracket.
+//! One crossing in a bracket, to all digits, by Newton's method, or by bisection where Newton leaves the bracket.
 //!
-//! The motion is calculated in full once, near the crossing, and from there on over the tiny times that remain, for
-//! which the power series of the responses end after a few terms.
+//! The motion is computed in full once, near the crossing. From there it is computed over the very short remaining times, for which the
+//! power series of the responses need only a few terms.
 
 use super::cell::Motion;
 use super::crossing::Surface;
 use super::number::{Real, Scalar};
 use super::rough::Rough;
 
-/// A crossing with the state there.
+/// A crossing and the states at it.
 #[derive(Debug, Clone)]
 pub struct Found<const BITS: usize> {
     /// its time \[s\]
@@ -30,13 +30,13 @@ impl<const BITS: usize> Surface<'_, BITS> {
         Around { t: t.clone(), motions: self.motions.iter().map(|m| m.moved(t)).collect() }
     }
 
-    /// The crossing at `t`, with the states there.
+    /// The crossing at `t`, with the states at `t`.
     pub(super) fn found(&self, t: Real<BITS>, tangency: bool) -> Found<BITS> {
         let states = self.motions.iter().map(|m| m.state(&t)).collect();
         Found { t, tangency, states }
     }
 
-    /// The one crossing in (a, b\], where gap > 0 just after a and gap(b) <= 0, starting from `t`.
+    /// The only crossing in (a, b\], where gap > 0 just after a and gap(b) <= 0. The iteration starts at `t`.
     pub(super) fn refine(&self, rough: &Rough, a: f64, b: Real<BITS>, mut t: Real<BITS>) -> Found<BITS> {
         let (mut left, mut right) = (Real::exact(a), b);
         let digits = BITS as i64 - 16;
@@ -68,7 +68,7 @@ impl<const BITS: usize> Surface<'_, BITS> {
                 let (bent, steep) = (bend.magnitude(), slope.magnitude());
                 let change = gap / slope;
                 next = t.clone() - change.clone();
-                // the size of Newton's next change, taken not to be better than quadratic
+                // an estimate of Newton's next change, for quadratic convergence
                 let rest = 2 * change.magnitude() + (bent - steep).max(-t.magnitude());
                 if next > left && next <= right && rest < t.magnitude() - digits {
                     return ended(next);

@@ -1,8 +1,7 @@
-//! The gap in `f64`, with bounds on what rounding did to it: cheap where it decides.
+//! The gap in `f64` with bounds on its rounding errors. It decides most pieces at low cost.
 //!
-//! A value of a mode is off by the rounding of its phase and decay, about 1e-16 (1 + (omega + sigma) t) of its
-//! amplitude; `ROUNDING` is a hundred times that. The amplitude is bounded through |E1| <= min(t, 1/omega) and
-//! |E2| <= min(t^2/2, 2/omega2).
+//! The rounding errors of phase and decay give a mode an error of about 1e-16 (1 + (omega + sigma) t) of its amplitude. `ROUNDING` is a
+//! hundred times that. The amplitude is bounded by |E1| <= min(t, 1/omega) and |E2| <= min(t^2/2, 2/omega2).
 
 use super::cell::Motion;
 use super::crossing::Surface;
@@ -30,7 +29,7 @@ impl Rough {
         scale.max(f64::MIN_POSITIVE).log2().ceil() as i64
     }
 
-    /// The greatest rate \[1/s\] of the modes.
+    /// The largest rate \[1/s\] of the modes.
     pub(super) fn rate(&self) -> f64 {
         let each = self.motions.iter().map(|m| 2.0 * m.law.sigma + m.law.omega2.sqrt());
         each.fold(f64::MIN_POSITIVE, f64::max)
@@ -73,7 +72,7 @@ impl Rough {
                     let most = (m.v * m.v + m.push * m.push / omega2).sqrt();
                     (-most, most)
                 }
-                // towards g/(2 sigma), without turning
+                // the speed tends monotonically to g/(2 sigma)
                 (false, true) => (m.v, m.force / (2.0 * sigma)),
                 (false, false) => (m.v, m.v + m.force * t_max),
             };
@@ -83,19 +82,19 @@ impl Rough {
         })
     }
 
-    /// Whether the gap is certain to rise all the way to `t_max`.
+    /// Whether the gap certainly rises until `t_max`.
     pub(super) fn rises(&self, t_max: f64) -> bool {
         let (low, high) = self.speeds(t_max);
         if self.sign > 0.0 { high < 0.0 } else { low > 0.0 }
     }
 
-    /// Whether the gap is certain to fall all the way to `t_max`.
+    /// Whether the gap certainly falls until `t_max`.
     pub(super) fn falls(&self, t_max: f64) -> bool {
         let (low, high) = self.speeds(t_max);
         if self.sign > 0.0 { low > 0.0 } else { high < 0.0 }
     }
 
-    /// About the one crossing in (a, b\]: where all digits begin.
+    /// The only crossing in (a, b\], approximately: the start of the iteration in all digits.
     pub(super) fn root(&self, a: f64, b: f64) -> f64 {
         let (mut left, mut right, mut t) = (a, b, a);
         for _ in 0..100 {
@@ -121,7 +120,7 @@ fn errors(m: &Motion<f64>, t: f64) -> [f64; 3] {
     let impulse = t.min(1.0 / omega);
     let step = (0.5 * t * t).min(2.0 / omega2);
     let turns = ROUNDING * (1.0 + (omega + sigma) * t);
-    // the push itself is a difference
+    // the push is a difference of two terms, whose rounding errors count
     let push = m.push.abs() + 1e-2 * (m.force.abs() + (omega2 * m.x).abs());
     let e0 = turns * (m.x.abs() + m.v.abs() * impulse + push * step);
     let e1 = turns * (m.v.abs() + push * impulse);

@@ -1,4 +1,4 @@
-//! That exclusion in `f64` is safe, and that no cell of very many is left undecided.
+//! Tests that exclusion in `f64` is safe, and that none of very many cells remains undecided.
 
 use super::crossing::{Surface, prepared};
 use super::first_crossing;
@@ -6,15 +6,15 @@ use super::number::{Real, Scalar};
 use super::rough::Rough;
 use super::tests::{Noise, random_cell};
 
-/// The bounds claimed for `f64` hold, with room: nothing is ever excluded by rounding.
+/// The claimed bounds on rounding errors in `f64` hold with a margin, so a rounding error never excludes a crossing.
 #[test]
-fn rounding_stays_within_its_bounds() {
+fn rounding_errors_of_f64_stay_within_their_bounds() {
     let mut noise = Noise(6);
     let mut worst = 0f64;
     for case in 0..3000 {
         let mut modes = random_cell(&mut noise, 1 + case % 3);
         if case % 2 == 0 {
-            // next to critical damping, or far beyond it
+            // near critical damping, or far above it
             let off = 10f64.powf(-16.0 * noise.next());
             let m = &mut modes[0];
             m.sigma = m.omega2.sqrt() * if case % 4 == 0 { 1.0 + off } else { 1e6 * off.max(1e-5) };
@@ -29,7 +29,7 @@ fn rounding_stays_within_its_bounds() {
             worst = worst.max(error / local.error[i].max(f64::MIN_POSITIVE));
             assert!(error <= 0.2 * local.error[i], "{case} {i}: {error:e} {:e} {modes:?} {t}", local.error[i]);
         }
-        // gap''' by its bound from an earlier time
+        // |gap'''| must be below its bounds from earlier times
         let h = 1e-6 * t;
         let later = surface.exact(&Real::exact(t + h))[2].clone();
         let third = ((later - exact[2].clone()) / (Real::exact(t + h) - Real::exact(t))).approx().abs();

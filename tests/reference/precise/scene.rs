@@ -1,19 +1,19 @@
 //! The gear pair of Oh, Grosh & Barber in 50 and more digits: every event, and the state at the end.
 //!
-//! Parameters and start are the binary numbers given; M1, M2, C = 2 zeta w0/M2 and all else is calculated from them in
-//! full. theta = theta_0 + u t + (M1/M2)(phi - phi_0) is the sum of a mode without stiffness and the mode phi.
+//! The given parameters and start are taken as exact binary numbers; M1, M2, C = 2 zeta w0/M2 and everything else is computed from
+//! them in all digits. theta = theta_0 + u t + (M1/M2)(phi - phi_0) is the sum of a mode without stiffness and the mode phi.
 
 use super::cell::{Law, Motion};
 use super::crossing::Surface;
 use super::number::{Real, Scalar};
 use crate::oh2005::{GearPair, Kind, PITCH, State};
 
-/// An encounter with the end of a cell.
+/// An event: theta meets an end of its cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
     /// time \[s\], as a sum of two numbers
     pub t: (f64, f64),
-    /// crossed or turned back
+    /// transmission or reflection
     pub kind: Kind,
     /// cell before, counted as in [`GearPair::k`]
     pub cell_from: i64,
@@ -41,7 +41,7 @@ pub struct End {
 /// A motion from its start to its end time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// encounters with ends of cells, in order
+    /// events, in order
     pub events: Vec<Event>,
     /// state at the end time
     pub end: End,
@@ -49,11 +49,11 @@ pub struct Run {
     pub cell_changes: u64,
     /// number of reflections
     pub reflections: u64,
-    /// U at the end less U at the start, over U at the start
+    /// (U at the end - U at the start)/(U at the start)
     pub energy_change: f64,
-    /// least |theta'^2 - M2 dk phi^2|/theta'^2 of the events: how near a decision came to being the other
+    /// smallest |theta'^2 - M2 dk phi^2|/theta'^2 of the events: how close a decision between transmission and reflection was
     pub narrowest: f64,
-    /// least distance \[rad\] of a minimum of the gap from the end of a cell that was not reached
+    /// smallest distance \[rad\] of theta from an end of a cell that was nearly reached
     pub near_miss: f64,
 }
 
@@ -94,7 +94,8 @@ impl<const BITS: usize> Pair<BITS> {
         Self { m2, ratio, t0: real(p.t0), k, width, oscillator, drift }
     }
 
-    /// theta = x + (M1/M2) y with x'' = 0 and y = phi - phi_0: the start is then on the end of a cell without rounding.
+    /// The modes x and y of theta = x + (M1/M2) y, where x'' = 0 and y = phi - phi_0. So a start on the end of a cell has no rounding
+    /// error.
     fn modes(&self, side: usize, s: &Point<BITS>) -> [Motion<Real<BITS>>; 2] {
         let zero = || Real::exact(0.0);
         let v = s.theta_dot.clone() - self.ratio.clone() * s.phi_dot.clone();
@@ -114,7 +115,7 @@ impl<const BITS: usize> Pair<BITS> {
         Point { theta, theta_dot, phi: from.phi.clone() + y.clone(), phi_dot: phi_dot.clone() }
     }
 
-    /// U = T + V - 2 T0 phi; T from M1, M2: with a, b = M2 +- M1 it is (theta' + phi')^2/(2 a) + (theta' - phi')^2/(2 b).
+    /// U = T + V - 2 T0 phi, with T = (theta' + phi')^2/(2 a) + (theta' - phi')^2/(2 b) and a, b = M2 +- M1.
     fn energy(&self, side: usize, s: &Point<BITS>) -> Real<BITS> {
         let m1 = self.ratio.clone() * self.m2.clone();
         let [first, second] = [s.theta_dot.clone() + s.phi_dot.clone(), s.theta_dot.clone() - s.phi_dot.clone()];
@@ -158,7 +159,7 @@ pub fn scene_with<const BITS: usize>(pair: &GearPair, start: &State, t_end: f64)
         // solve
         let here = side(cell);
         let modes = p.modes(here, &s);
-        // locate: the upper end, then the lower one before it
+        // locate: the upper end, then the lower end at an earlier time
         let left = until.clone() - t.clone();
         let horizon = left.approx() * (1.0 + 1e-15);
         let upper = Surface { motions: &modes, level: p.width[here].clone(), sign: 1.0 }.first_crossing(horizon);

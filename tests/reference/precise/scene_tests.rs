@@ -1,4 +1,4 @@
-//! What the gear pair in 50 digits is held to: the hand-written solver, itself in 70 digits, its energy.
+//! The gear pair in 50 digits, compared with the hand-written solver and with itself in 70 digits, and its energy.
 
 use super::scene;
 use super::scene::Event;
@@ -14,7 +14,7 @@ fn distance(a: &State, b: &State) -> f64 {
 }
 
 #[test]
-fn hand_written_solver_and_two_precisions_agree_on_the_scenes_of_the_paper() {
+fn the_hand_written_solver_and_two_precisions_agree_on_the_scenes_of_the_paper() {
     for (rpm, zeta) in [(300.0, 0.1), (600.0, 0.05), (4500.0, 0.05)] {
         for t_end in [0.1, 0.5] {
             let pair = GearPair::paper(zeta, 10.0);
@@ -46,9 +46,9 @@ fn energy_is_kept_to_45_digits_without_damping() {
     }
 }
 
-/// Any speed, either way round, with and without damping, light and heavy torque: the same events at the same times as
-/// the hand-written solver, which calculates in `f64`, as long as a disturbance of 1e-13 has not grown to matter. Motions
-/// with reflections are chaotic: how far that is differs from scene to scene, and a disturbed run tells.
+/// Any speed in either direction, with and without damping, small and large torques. Events and their times are those of the hand-written
+/// solver, which computes in `f64`, until a disturbance of 1e-13 has grown too much. Motions with reflections are chaotic; a
+/// disturbed run shows how long each scene can be compared.
 #[test]
 fn random_scenes_agree_with_the_hand_written_solver() {
     let mut noise = Noise(5);
@@ -91,10 +91,10 @@ fn random_scenes_agree_with_the_hand_written_solver() {
     assert!(events > 1000 && reflections > 50 && worst < 1.0, "{events} {reflections} {worst}");
 }
 
-/// theta swings up to the end of its cell and just reaches it, or just fails to: the start speed at which it does is
-/// found in 50 digits, and the two solvers tell either side of it apart, the one in `f64` as far as its digits go.
+/// theta swings up to the end of its cell and just reaches it, or just fails to. The limiting start speed is found in 50 digits. On both
+/// sides of it the two solvers agree whether there is an event.
 #[test]
-fn grazing_the_end_of_a_cell() {
+fn a_graze_of_the_end_of_a_cell_is_decided_correctly() {
     let pair = GearPair::paper(0.05, 10.0);
     let start = |theta_dot: f64| State { theta: 1.725, theta_dot, phi_dot: 100.0, ..pair.start(0.0) };
     let t_end = 3e-4;
@@ -111,7 +111,7 @@ fn grazing_the_end_of_a_cell() {
             assert_eq!(precise.events.is_empty(), sign < 0.0, "{k} {sign}");
             let plain = pair.solve(start.theta, start.theta_dot, start.phi, start.phi_dot, t_end);
             assert_eq!(plain.events.len(), precise.events.len(), "{k} {sign}");
-            // the event is as ill-conditioned as a double root, the state after it less so
+            // the event time is as ill-conditioned as a double root; the state after it is better conditioned
             let error = distance(&plain.end, &rounded(&precise.end));
             assert!(error < 1e-5, "{k} {sign}: {error}");
         }
@@ -124,7 +124,7 @@ fn rounded(end: &super::scene::End) -> State {
 
 /// `cargo test -p gearsim-tests -- --ignored --nocapture cost_of`
 #[test]
-#[ignore = "measures, proves nothing"]
+#[ignore = "measures the cost, tests nothing"]
 fn cost_of_scenes() {
     for rpm in [300.0, 600.0, 4500.0] {
         let pair = GearPair::paper(0.05, 10.0);

@@ -1,4 +1,4 @@
-//! What the precise engine is held to: closed forms, other precisions, samples.
+//! The precise engine, compared with closed forms, with other precisions and with samples.
 
 use super::cell::{Law, Mode, Motion};
 use super::crossing::first_crossing_with;
@@ -17,7 +17,7 @@ impl Noise {
     }
 }
 
-/// All dampings through critical, and stiffness down to none: xi satisfies its equation and starts where it should.
+/// For any damping, critical damping included, and any stiffness, zero included, xi satisfies its equation.
 #[test]
 fn responses_satisfy_their_equation() {
     let mut noise = Noise(2);
@@ -33,7 +33,7 @@ fn responses_satisfy_their_equation() {
         let law = Law::new(Real::<384>::exact(sigma), Real::exact(omega2));
         let [x, v, g] = [0.0; 3].map(|_| Real::exact(noise.next() - 0.5));
         let motion = Motion::new(law, g, x, v, Real::exact(1.0));
-        // the flow over t/3 and then 2t/3 is that over t
+        // the flow over t/3 followed by that over 2t/3 equals the flow over t
         let t = Real::exact(t);
         let (first, second) = (t.clone() / Real::exact(3.0), t.clone() - t.clone() / Real::exact(3.0));
         let (x, v) = motion.state(&first);
@@ -46,7 +46,7 @@ fn responses_satisfy_their_equation() {
         let ahead = motion.state(&(t.clone() + h.clone())).0 - motion.state(&(t.clone() - h.clone())).0;
         let slope = (ahead / h.scaled(1)) - motion.state(&t).1;
         assert!(slope.approx().abs() < 1e-30 * (1.0 + sigma * sigma + omega2).powi(2), "{sigma} {omega2}");
-        // and f64 stays within the bounds claimed for it
+        // the result in f64 has a small error
         let rounded = motion.rounded().state(&t.approx());
         assert!((rounded.0 - motion.state(&t).0.approx()).abs() < 1e-10 * scale, "{sigma} {omega2} {}", t.approx());
     }
@@ -57,8 +57,8 @@ fn mode(sigma: f64, omega2: f64, force: f64, x: f64, v: f64) -> Mode {
 }
 
 #[test]
-fn known_crossings() {
-    // sin t = 1/2, free fall, first-order approach 1 - e^{-2 t} = 3/4
+fn crossings_with_closed_forms_are_found() {
+    // sin t = 1/2; constant acceleration; exponential approach 1 - e^{-2 t} = 3/4
     let cases = [
         (mode(0.0, 1.0, 0.0, 0.0, 1.0), 0.5, std::f64::consts::FRAC_PI_6),
         (mode(0.0, 0.0, 2.0, 0.0, 0.0), 9.0, 3.0),
@@ -71,14 +71,14 @@ fn known_crossings() {
     assert_eq!(first_crossing(&[cases[0].0], 1.0 + 1e-15, 1e4), None);
     let touch = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, 1.0)], 1.0, 10.0).expect("a tangency");
     assert!(touch.tangency && (touch.t.0 - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{touch:?}");
-    // critically damped t e^{-t} = 1/e at t = 1: touched within the rounding of the level alone
+    // critical damping: t e^{-t} has its maximum 1/e at t = 1; the level is just below or above it
     let e = (-1f64).exp();
     assert!(first_crossing(&[mode(1.0, 1.0, 0.0, 0.0, 1.0)], e * (1.0 - 1e-15), 10.0).is_some());
     assert!(first_crossing(&[mode(1.0, 1.0, 0.0, 0.0, 1.0)], e * (1.0 + 1e-15), 10.0).is_none());
 }
 
 #[test]
-fn starts_on_the_level() {
+fn a_start_on_the_level_is_a_crossing_only_if_it_moves_beyond() {
     let leaving = first_crossing(&[mode(0.0, 1.0, 0.0, 0.5, 1.0)], 0.5, 10.0).expect("beyond at once");
     assert_eq!(leaving.t, (0.0, 0.0));
     let returning = first_crossing(&[mode(0.0, 1.0, 0.0, 0.0, -1.0)], 0.0, 10.0).expect("back after half a turn");
@@ -86,12 +86,12 @@ fn starts_on_the_level() {
     assert_eq!(first_crossing(&[mode(0.0, 0.0, -1.0, 0.0, 0.0)], 0.0, 10.0), None);
 }
 
-/// 1 - depth just above the crest of two modes: crossed if the crest is higher, missed if it is lower.
+/// The crest of a sum of two modes is above or below the level by `depth`. There is a crossing if it is above.
 #[test]
-fn grazing_to_every_depth() {
+fn grazes_of_every_depth_are_decided_correctly() {
     for k in 1..=30 {
         for sign in [1.0, -1.0] {
-            // sin t - (1 - t) drifts up to the crest of sin at pi/2; the level is exact there to 2^-100
+            // sin t + depth, with its crest at pi/2; depth is a mode at rest, so the level 1 is exact
             let depth = sign * 10f64.powi(-k);
             let modes = [mode(0.0, 1.0, 0.0, 0.0, 1.0), Mode { weight: depth, ..mode(0.0, 0.0, 0.0, 1.0, 0.0) }];
             let found = first_crossing_with::<256>(&modes, 1.0, 3.0);
@@ -107,7 +107,7 @@ fn grazing_to_every_depth() {
     }
 }
 
-/// Random cells of one to four modes, each with dense samples as a witness that nothing was passed over.
+/// Random cells of one to four modes. Dense samples check that no earlier crossing was missed.
 #[test]
 fn random_cells_agree_across_precisions_and_with_samples() {
     let mut noise = Noise(3);
@@ -135,7 +135,7 @@ fn random_cells_agree_across_precisions_and_with_samples() {
     assert!(crossed > 500, "{crossed}");
 }
 
-/// A number of 256 digits in 192.
+/// A number of 256 bits in 192 bits.
 fn narrow(x: &Real<256>) -> Real<192> {
     let (mut rest, mut sum) = (x.clone(), Real::exact(0.0));
     for _ in 0..5 {
@@ -146,7 +146,7 @@ fn narrow(x: &Real<256>) -> Real<192> {
     sum
 }
 
-/// One mode to many, a third without damping, half of the first without stiffness.
+/// A random cell of `n` modes. A third of the modes have no damping; half of the first modes have no stiffness.
 pub fn random_cell(noise: &mut Noise, n: usize) -> Vec<Mode> {
     let each = |i: usize| {
         let omega2 = if i == 0 && noise.next() < 0.5 { 0.0 } else { 10f64.powf(4.0 * noise.next() - 1.0) };
@@ -161,7 +161,7 @@ pub fn random_cell(noise: &mut Noise, n: usize) -> Vec<Mode> {
 
 /// `cargo test -p gearsim-tests -- --ignored --nocapture cost_of`
 #[test]
-#[ignore = "measures, proves nothing"]
+#[ignore = "measures the cost, tests nothing"]
 fn cost_of_cells() {
     for n in [1, 2, 4, 16] {
         let mut noise = Noise(4);

@@ -1,6 +1,6 @@
-//! Scenes for the tests, and runs of them.
+//! Scenes for the tests, and functions that run them.
 
-#![allow(dead_code)] // each test binary uses its part
+#![allow(dead_code)] // each test binary uses only some of these
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use gearsim::run::{Entry, Outcome};
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005::GearPair;
 
-/// The scenes of the paper: file stem, and the gear pair and speed of the driving gear [rpm] in the references' terms.
+/// The scenes of the paper: file stem, damping ratio zeta, speed of the driving gear [rpm].
 pub const PAPER: [(&str, f64, f64); 3] =
     [("energy_300rpm", 0.1, 300.0), ("spectrum_600rpm_exact", 0.05, 600.0), ("spectrum_4500rpm_exact", 0.05, 4500.0)];
 
@@ -19,23 +19,23 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The description of a model.
+/// The registry entry of a model: its description and the function that runs its scenes.
 pub fn model(name: &str) -> &'static Entry {
     MODELS.iter().find(|m| m.model.name == name).unwrap()
 }
 
-/// All models' descriptions.
+/// The descriptions of all models.
 pub fn models() -> Vec<&'static Model> {
     MODELS.iter().map(|m| m.model).collect()
 }
 
-/// A scene under `models/scenes`, with overrides.
+/// Loads a scene from `models/scenes`, with overrides (`key=value`).
 pub fn scene(name: &str, overrides: &[String]) -> Scene {
     let path = root().join("models/scenes").join(format!("{name}.toml"));
     Scene::load(&path, overrides, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
-/// Runs a scene to its end.
+/// Runs a scene to its end; panics if the run stops early.
 pub fn run(scene: &Scene) -> Outcome {
     let outcome = model(scene.model.name).run(scene, &mut |_| {}).unwrap();
     if let Some(stop) = &outcome.stopped_by {
@@ -44,7 +44,8 @@ pub fn run(scene: &Scene) -> Outcome {
     outcome
 }
 
-/// The scene of a gear pair that starts at rest in phi's equilibrium at theta = 0.
+/// The scene of a gear pair that starts at theta = 0 with the speed `theta_dot` [rad/s], and phi in its static equilibrium.
+/// It runs to `t_end` [s].
 pub fn gear_pair(pair: &GearPair, theta_dot: f64, t_end: f64) -> Scene {
     let set = |key: &str, value: String| format!("{key}={value}");
     scene(
@@ -59,7 +60,7 @@ pub fn gear_pair(pair: &GearPair, theta_dot: f64, t_end: f64) -> Scene {
     )
 }
 
-/// |a - b| over the larger of |b| and `scale`.
+/// The relative difference |a - b| / max(|b|, scale).
 pub fn relative(a: f64, b: f64, scale: f64) -> f64 {
     (a - b).abs() / b.abs().max(scale)
 }

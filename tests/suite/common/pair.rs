@@ -1,6 +1,6 @@
-//! A gear pair by its numbers, and runs of it from any state: what a scene file cannot hand over bit by bit.
+//! A gear pair given by its numbers, and runs of it that start from any state. A scene file would not keep every bit of them.
 
-#![allow(dead_code)] // each test binary uses its part
+#![allow(dead_code)] // each test binary uses only some of these
 
 use gearsim::engine::Stop;
 use gearsim::engine::equations::DerivedModel;
@@ -19,35 +19,40 @@ use crate::common;
 /// One pitch of theta [rad].
 pub const PITCH: f64 = std::f64::consts::TAU;
 
-/// A gear pair and its start, in SI units.
+/// A gear pair, its start and the length of its run, in SI units. N1 = 24 and N2 = 96, as in the paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pair {
     /// Moments of inertia [kg m²].
     pub inertia: [f64; 2],
+    /// Damping ratio.
     pub zeta: f64,
+    /// Torque [N m].
     pub t0: f64,
     /// Levels of the stiffness [N m] and their widths [rad].
     pub steps: Vec<(f64, f64)>,
+    /// theta and phi at the start [rad].
     pub q: [f64; 2],
+    /// theta' and phi' at the start [rad/s].
     pub q_dot: [f64; 2],
     /// Length of the run [s].
     pub span: f64,
 }
 
-/// Where a run has got to, all that the next needs.
+/// The end of a run: everything that another run needs to continue from there.
 #[derive(Debug, Clone)]
 pub struct Ran {
     pub state: State,
     pub cell: usize,
     pub laws: Vec<Law>,
-    /// Times of the events since its start [s].
+    /// Times of the events since the start of the run [s].
     pub times: Vec<f64>,
     pub counts: Counts,
+    /// Why the run stopped early, if it did.
     pub stop: Option<Stop>,
 }
 
 impl Pair {
-    /// Largest of its stiffnesses [N m].
+    /// The largest level of the stiffness [N m].
     pub fn stiffest(&self) -> f64 {
         self.steps.iter().fold(0.0, |m, (k, _)| m.max(*k))
     }
@@ -57,14 +62,14 @@ impl Pair {
         0.5 * (24.0 * 24.0 / self.inertia[0] + 96.0 * 96.0 / self.inertia[1])
     }
 
-    /// The larger of the inertias over the smaller, both as theta sees them: M, their sum and difference, blurs the
-    /// smaller one so many times more than rounding would.
+    /// The larger of the two inertias I/N² over the smaller. The entries of M are their sum and their difference, so M holds the
+    /// smaller one with a relative error that is this many times eps.
     pub fn ratio(&self) -> f64 {
         let ratio = self.inertia[1] / self.inertia[0] / 16.0;
         ratio.max(1.0 / ratio)
     }
 
-    /// The scene of it: one of the paper's with every number replaced.
+    /// The scene of this gear pair: a scene of the paper with every number replaced.
     pub fn scene(&self) -> Scene {
         let mut scene = common::scene("oh2005/spectrum_600rpm_exact", &[]);
         scene.parameters[..6].copy_from_slice(&[24.0, 96.0, self.inertia[0], self.inertia[1], self.zeta, self.t0]);
@@ -77,20 +82,20 @@ impl Pair {
         scene
     }
 
-    /// Runs it from its start.
+    /// Runs the gear pair from its start.
     pub fn run(&self) -> Ran {
         self.run_from(None)
     }
 
-    /// Runs it from where another run has got to.
+    /// Runs the gear pair from the end of another run.
     pub fn run_on(&self, from: &Ran) -> Ran {
         self.run_from(Some(from))
     }
 
     fn run_from(&self, from: Option<&Ran>) -> Ran {
         let scene = self.scene();
-        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("its effects agree");
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
+        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("effects that go together");
+        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("numbers that make a system");
         simulation.state.q[1] = self.q[1];
         if let Some(from) = from {
             simulation.go_on_from(from.state, from.laws.clone(), vec![]).expect("a cell of the same scene");
@@ -102,11 +107,11 @@ impl Pair {
         Ran { state, cell, laws, times, counts, stop }
     }
 
-    /// What the recorder of the program writes of its run, until it ends or has to stop.
+    /// The trajectory that the program's recorder writes, until the run ends or stops early.
     pub fn recorded(&self) -> Trajectory {
         let scene = self.scene();
-        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("its effects agree");
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("its numbers make a system");
+        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("effects that go together");
+        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("numbers that make a system");
         simulation.state.q[1] = self.q[1];
         let (state, k) = (simulation.state, simulation.levels().to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k);
@@ -114,7 +119,7 @@ impl Pair {
         recorder.trajectory
     }
 
-    /// The sizes by which states are compared: of phi, theta' and phi', theta in radians.
+    /// The scales by which states are compared, of theta [rad], phi [rad], theta' [rad/s] and phi' [rad/s].
     pub fn sizes(&self) -> [f64; 4] {
         let softest = self.steps.iter().fold(f64::INFINITY, |m, (k, _)| m.min(*k));
         let w = (self.m2() * self.stiffest()).sqrt();
@@ -123,7 +128,7 @@ impl Pair {
         [1.0, phi, speed, speed]
     }
 
-    /// The largest difference of two states in terms of its sizes, whole pitches counted.
+    /// The largest difference of two states, each component over its size. Whole pitches count in theta.
     pub fn difference(&self, a: &State, b: &State) -> f64 {
         let turns = (a.turns[0] - b.turns[0]) as f64 * PITCH;
         let [q, v]: [SVector<f64, 2>; 2] = [a.q - b.q, a.q_dot - b.q_dot];
@@ -131,8 +136,8 @@ impl Pair {
         by.iter().zip(self.sizes()).map(|(x, size)| x.abs() / size).fold(0.0, f64::max)
     }
 
-    /// How much the end of its run is moved by moving its start, at most: the factor by which rounding errors grow.
-    /// Infinite where another start meets other events.
+    /// The condition number of the run: the largest change of the end over the change of the start that causes it. Rounding
+    /// errors grow by this factor. Infinite where the changed start meets other events.
     pub fn conditioning(&self) -> f64 {
         const SHIFT: f64 = 1e-8;
         let here = self.run();

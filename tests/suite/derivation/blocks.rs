@@ -1,4 +1,4 @@
-//! What a file says of small models, and what it leaves out.
+//! The blocks in the derived files of small models, and the blocks that are left out.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
 
@@ -15,11 +15,11 @@ fn block(file: &str, head: &str) -> String {
     let lines = file.lines().skip_while(|line| line.trim() != head);
     let end = format!("{}}}", " ".repeat(file.lines().find(|l| l.trim() == head).map_or(0, |l| l.len() - head.len())));
     let inside: Vec<&str> = lines.skip(1).take_while(|line| *line != end).map(str::trim).collect();
-    assert!(!inside.is_empty(), "{head} is not there: {file}");
+    assert!(!inside.is_empty(), "{head} is missing: {file}");
     inside.join(" ")
 }
 
-/// A cart and a pendulum's worth of coupling: no entry of M⁻¹ is one term.
+/// Two coordinates coupled by inertia as a cart and a pendulum are, so that no entry of M⁻¹ is a single term.
 fn coupled(m: &mut Model) -> [Expr; 2] {
     let [cart, bob, l, j] = ["m1", "m2", "l", "J"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
     let [x, y] = ["x", "y"].map(|name| m.coordinate(name, "1", Start::At(0.0), ""));
@@ -29,8 +29,8 @@ fn coupled(m: &mut Model) -> [Expr; 2] {
     [x, y]
 }
 
-/// Fractions whose sums have no term to cancel another: the cofactors over the determinant.
-pub fn mobility_is_one_fraction_an_entry() {
+/// An entry of M⁻¹ is a cofactor over the determinant; no terms in these sums cancel.
+pub fn each_mobility_entry_is_one_fraction() {
     let plain = file(|m| {
         coupled(m);
     });
@@ -50,8 +50,8 @@ pub fn mobility_is_one_fraction_an_entry() {
     assert!(block(&named, "mobility {").contains("x y { _ => W/3.0; }"), "{named}");
 }
 
-/// Not for three coordinates, nor where an effect adds inertia: there M is left to be inverted as numbers.
-pub fn mobility_is_left_out_where_it_is_not_known() {
+/// With three coordinates, or where an effect adds inertia, the file has no M⁻¹: M is then inverted as a matrix of numbers.
+pub fn mobility_is_omitted_where_no_closed_form_exists() {
     let of_effect = file(|m| {
         let o = oscillator(m);
         m.effect("ring", "", |m| m.kinetic(o.m * o.x.dot().sq()));
@@ -66,8 +66,8 @@ pub fn mobility_is_left_out_where_it_is_not_known() {
     }
 }
 
-/// A torque works through the change of its displacement: what is constant in it does no work.
-pub fn offsets_do_no_work() {
+/// The work of a torque follows from the change of its displacement, so a constant part of the displacement does no work.
+pub fn constant_offsets_do_no_work() {
     let file = file(|m| {
         let o = oscillator(m);
         let [force, at, ratio] = ["F", "a", "r"].map(|name| m.parameter(name, "1", None, Range::Any, ""));
@@ -84,11 +84,11 @@ pub fn offsets_do_no_work() {
         "unexpanded \"\" {\n            _ => 4.0*F*a*x;\n",
         "fixed \"\" {}\n",
     ] {
-        assert!(file.contains(work), "{work} is not there: {file}");
+        assert!(file.contains(work), "{work} is missing: {file}");
     }
 }
 
-pub fn nothing_is_said_of_no_constants() {
+pub fn a_model_without_constants_has_no_constants_block() {
     let without = file(|m| {
         oscillator(m);
     });
@@ -98,6 +98,6 @@ pub fn nothing_is_said_of_no_constants() {
         m.constant("w", (o.s / o.m).sqrt());
     });
     for said in ["//! # Constants\n", "    constants {\n        w = (s/m).sqrt();\n", "| constants (once a scene) |"] {
-        assert!(with.contains(said), "{said} is not there: {with}");
+        assert!(with.contains(said), "{said} is missing: {with}");
     }
 }

@@ -1,4 +1,4 @@
-//! Committed generated files: what the energies say, whichever process derives them, in whatever order.
+//! The committed generated files equal a new derivation, in this process and in fresh ones, in any order of derivation.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -6,17 +6,18 @@ use std::process::Command;
 use gearsim_derive::{Expr, Model, Range, Start, derive};
 use gearsim_models::MODELS;
 
-/// Tells a process to derive the gear pair, print its file and end; its value says what to do before.
+/// Environment variable that makes this program derive the gear pair, print its file and end. Its value, one of `CHILDREN`, says
+/// what to do before.
 const CHILD: &str = "GEARSIM_DERIVES_IN_CHILD";
-/// Stands before the file in a child's output, behind whatever Symbolica says on its start.
+/// The line between what Symbolica prints when it starts and the file, in a child's output.
 const HERE: &str = "=== file ===\n";
 const CHILDREN: [&str; 3] = ["at once", "at once", "after other symbols"];
 
-/// Does a child's work, if this is one.
+/// Does a child's work if this process is a child; returns whether it is.
 pub fn in_child() -> bool {
     let Ok(how) = std::env::var(CHILD) else { return false };
     if how == CHILDREN[2] {
-        // The names of the gear pair and others, in the opposite order and partly as something else.
+        // Declares the names of the gear pair and others first, in the opposite order, some of them as another kind of symbol.
         let other = Model::new("other", |m| {
             let _ = (Expr::symbol("zz"), Expr::function("f", Expr::symbol("M2")));
             let phi = m.coordinate("phi", "rad", Start::Static, "");
@@ -34,7 +35,7 @@ pub fn in_child() -> bool {
     true
 }
 
-/// What fresh processes derive, one after another. To be called before this process first calls Symbolica.
+/// The files that fresh processes derive, one after another. Call this before this process first calls Symbolica.
 pub fn derive_in_children() -> Vec<String> {
     let this = std::env::current_exe().expect("this program has a path");
     let derive = |how: &str| {
@@ -45,8 +46,8 @@ pub fn derive_in_children() -> Vec<String> {
             "a child that derives {how} failed ({}): is Symbolica running elsewhere on this machine?\n{errors}",
             child.status
         );
-        let said = String::from_utf8(child.stdout).expect("a file is text");
-        said.split_once(HERE).expect("a child prints its file").1.to_string()
+        let printed = String::from_utf8(child.stdout).expect("a file is text");
+        printed.split_once(HERE).expect("a child prints its file").1.to_string()
     };
     CHILDREN.map(derive).into()
 }
@@ -56,7 +57,7 @@ pub fn fresh_processes_agree(afresh: &[String]) {
     for (how, text) in CHILDREN.iter().zip(afresh) {
         assert!(text.contains("equations! {"), "derived {how}: not a file of equations: {text}");
         if let Some((line, (a, b))) = first_difference(text, &afresh[0]) {
-            panic!("a process that derives {how} gives another file; line {line}:\n{a}\nelse:\n{b}");
+            panic!("a process that derives {how} gives another file than the first; line {line}:\n{a}\nfirst:\n{b}");
         }
         if let Some((line, (a, b))) = first_difference(text, &committed) {
             panic!("derived {how}, line {line} is:\n{a}\ncommitted is:\n{b}\nMend with: cargo xtask derive gear_pair");
@@ -71,7 +72,7 @@ pub fn committed_files_are_current() {
         let committed = std::fs::read_to_string(generated(name)).unwrap_or_default();
         if let Some((line, (a, b))) = first_difference(&derived, &committed) {
             panic!(
-                "gearsim/src/generated/{name}.rs is not what its energies say; line {line}, derived:\n{a}\n\
+                "gearsim/src/generated/{name}.rs is not what its energies give; line {line}, derived:\n{a}\n\
                  committed:\n{b}\nMend with: cargo xtask derive {name}"
             );
         }
@@ -79,7 +80,7 @@ pub fn committed_files_are_current() {
     }
 }
 
-/// The first line, from 1 on, in which two texts differ.
+/// The number (from 1) and the text of the first line in which two texts differ.
 pub fn first_difference<'a>(a: &'a str, b: &'a str) -> Option<(usize, (&'a str, &'a str))> {
     if a == b {
         return None;

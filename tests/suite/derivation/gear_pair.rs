@@ -1,4 +1,4 @@
-//! The gear pair as derived, against the paper's equations written out by hand.
+//! The derived equations of the gear pair, compared with the paper's equations written by hand.
 
 use gearsim_derive::{Derivation, Expr, Model, derive};
 
@@ -14,10 +14,10 @@ fn with_gear_pair(test: impl FnOnce(&Derivation, &Paper)) {
 
 fn same(what: &str, derived: Expr, by_hand: Expr) {
     let rest = derived - by_hand;
-    assert!(rest.is_zero(), "{what}: derived {derived}\nby hand {by_hand}\nleft over {rest}");
+    assert!(rest.is_zero(), "{what}: derived {derived}\nby hand {by_hand}\ndifference {rest}");
 }
 
-pub fn equations_are_the_papers() {
+pub fn equations_equal_those_of_the_paper() {
     with_gear_pair(|d, paper| {
         same("Eq. (2), phi''", d.equation(PHI, &["backlash", "transmission_error", "sliding_friction"]), paper.eq2());
         same(
@@ -25,7 +25,7 @@ pub fn equations_are_the_papers() {
             d.equation(THETA, &["backlash", "transmission_error", "sliding_friction"]),
             paper.eq3(),
         );
-        // The effects rigid_kinematics and frozen_phase are the absence of the terms that these conditions name.
+        // The effects rigid_kinematics and frozen_phase mean that the terms under these conditions are absent.
         same(
             "Eq. (4), phi''",
             d.equation(PHI, &["backlash", "transmission_error", "sliding_friction", "jump_terms"]),
@@ -41,7 +41,7 @@ pub fn equations_are_the_papers() {
             d.equation(PHI, &["backlash", "transmission_error", "sliding_friction", "jump_terms", "moving_phase"]),
             paper.eq6(),
         );
-        // Without damping and torques, what is left is what the paper has left.
+        // Without damping and torques the rest of Eq. (2) remains.
         let bare = |e: Expr, of_torque: Expr, of_damping: Expr| e - of_torque - of_damping;
         let (torque, damping) = (paper.eq4_of_torque(), paper.eq4_of_damping());
         same(
@@ -58,7 +58,7 @@ pub fn equations_are_the_papers() {
     });
 }
 
-pub fn jump_rule_is_the_papers() {
+pub fn jump_rule_equals_that_of_the_paper() {
     with_gear_pair(|d, paper| {
         same(
             "Eq. (9)",
@@ -69,23 +69,23 @@ pub fn jump_rule_is_the_papers() {
         same("the phase's own speed", d.direction(0, THETA).expect("M was inverted"), 1.into());
         let doubled = d.speed_lost(0, &["backlash", "transmission_error", "sliding_friction"]).expect("M was inverted")
             - 2 * paper.eq9();
-        assert!(!doubled.is_zero(), "twice Eq. (9) passes for Eq. (9)");
+        assert!(!doubled.is_zero(), "the comparison takes twice Eq. (9) for Eq. (9)");
         let turned = d.direction(0, PHI).expect("M was inverted") + paper.eq11();
-        assert!(!turned.is_zero(), "Eq. (11) with its sign turned passes for Eq. (11)");
+        assert!(!turned.is_zero(), "the comparison takes Eq. (11) with the opposite sign for Eq. (11)");
     });
 }
 
-pub fn wrong_equations_are_told() {
+pub fn wrong_equations_are_detected() {
     with_gear_pair(|d, paper| {
         for (slip, of_phi, wrong) in paper.wrong() {
             let derived =
                 d.equation(if of_phi { PHI } else { THETA }, &["backlash", "transmission_error", "sliding_friction"]);
-            assert!(!(derived - wrong).is_zero(), "{slip}: not told from the derived equation");
+            assert!(!(derived - wrong).is_zero(), "{slip}: the wrong equation equals the derived one");
         }
     });
 }
 
-pub fn equations_read_as_before() {
+pub fn equations_match_the_snapshot() {
     let model = Model::new("gear_pair", gearsim_models::gear_pair::gear_pair);
     let derivation = derive(&model).expect("the gear pair is sound");
     insta::assert_snapshot!("gear_pair", derivation.text());

@@ -1,4 +1,4 @@
-//! The models made of components: how they read, and what is proved of them.
+//! The models made of components: snapshots of their equations, and what is proved about them.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
 use gearsim_models::MODELS;
@@ -10,26 +10,29 @@ fn model(name: &str) -> Model {
     Model::new(name, describe)
 }
 
-pub fn models_read_as_before() {
+pub fn equations_match_the_snapshots() {
     for name in ["idler", "gear_pair_bearings", "planar_planetary_3"] {
         insta::assert_snapshot!(name, derive(&model(name)).unwrap_or_else(|slip| panic!("{slip}")).text());
     }
 }
 
-/// No inertia is left to be checked for the numbers of a scene.
-pub fn every_inertia_is_proved_definite() {
+/// The mass matrix of every model is proved positive definite for all parameters, so no scene's numbers need a check. No model
+/// has nonlinear terms without effects.
+pub fn every_mass_matrix_is_proved_positive_definite() {
     for (name, describe) in MODELS {
         let model = Model::new(name, describe);
         let derivation = derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
         let proved = derivation.proofs().iter().filter(|proof| proof.starts_with("M is positive definite"));
-        let [proof] = &proved.collect::<Vec<_>>()[..] else { panic!("{name}: not said once") };
+        let [proof] = &proved.collect::<Vec<_>>()[..] else {
+            panic!("{name}: not exactly one proof that M is positive definite")
+        };
         assert!(!proof.contains("not decided"), "{name}: {proof}");
         assert!(derivation.nonlinear_terms().is_empty(), "{name}: {:?}", derivation.nonlinear_terms());
     }
 }
 
-/// The same equations with the deflection named and written out.
-pub fn deflections_are_what_they_stand_for() {
+/// A model with `m.deflection(...)` and the same model with the deflection written out have the same equations.
+pub fn a_named_deflection_gives_the_same_equations() {
     let describe = |m: &mut Model, name: &dyn Fn(&mut Model, Expr) -> Expr| {
         let [mass, r, s, c] = ["m", "r", "s", "c"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
         let q = ["x", "y", "z"].map(|name| m.coordinate(name, "1", Start::At(0.0), ""));
@@ -50,8 +53,8 @@ pub fn deflections_are_what_they_stand_for() {
     assert!(named.file().contains("deflections {") && !written.file().contains("deflections {"));
 }
 
-/// In T, V, D and a torque alike; the generated code knows them by name.
-pub fn mid_values_may_stand_in_energies() {
+/// T, V, D and torques may contain the mid value of a stiffness; the generated code has it by name.
+pub fn energies_may_contain_mid_values() {
     let model = Model::new("train", |m| {
         let o = oscillator(m);
         let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
@@ -62,6 +65,6 @@ pub fn mid_values_may_stand_in_energies() {
     });
     let file = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).file();
     for said in ["k_mid*x.powi(2)", "k_mid*x_dot.powi(2)", "=> k_mid*x;"] {
-        assert!(file.contains(said), "{said} is not there: {file}");
+        assert!(file.contains(said), "{said} is missing: {file}");
     }
 }

@@ -1,4 +1,5 @@
-//! Small models that a newcomer might write: one that is run elsewhere, one with nonlinear cells, one of three rotors.
+//! Small models that a new author might write: those that `tests/suite/newcomer.rs` runs, one with nonlinear cells, one with a
+//! torque that depends on a speed, one of three rotors.
 
 use gearsim_derive::{Model, Range, Start, derive, half};
 
@@ -11,10 +12,10 @@ mod model;
 #[path = "../newcomer/well.rs"]
 mod well;
 
-/// Set, writes the file instead of comparing it.
+/// Environment variable; if it is set, the files are written before they are compared.
 const ACCEPT: &str = "GEARSIM_ACCEPT";
 
-/// The files that `tests/suite/newcomer.rs` expands and runs are those that the energies give.
+/// The files that `tests/suite/newcomer.rs` expands and runs equal a new derivation.
 pub fn files_are_current() {
     let models: [gearsim_models::Entry; 3] = [
         ("spring_rotor", model::spring_rotor),
@@ -37,8 +38,8 @@ pub fn files_are_current() {
     }
 }
 
-/// A cell that is not linear says which terms of which energy make it so; the proofs hold all the same.
-pub fn nonlinear_cells_are_named() {
+/// For a model with nonlinear cells the derivation names the nonlinear terms and their energies. The proofs hold as well.
+pub fn nonlinear_terms_are_reported() {
     let model = Model::new("pendulum", |m| {
         let [mass, l, g, s] = ["m", "l", "g", "s"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
         let x = m.coordinate("x", "rad", Start::At(0.1), "angle");
@@ -50,7 +51,7 @@ pub fn nonlinear_cells_are_named() {
         m.potential(s * x.pow(4));
         m.potential(-mass * g * l * gearsim_derive::Expr::function("cos", x));
     });
-    let d = derive(&model).expect("nonlinear is no slip");
+    let d = derive(&model).expect("a nonlinear model is allowed");
     let mut terms = d.nonlinear_terms().to_vec();
     terms.sort();
     assert_eq!(terms, ["-g*l*m*cos(x) in the potential energy", "s*x^4 in the potential energy"]);
@@ -62,9 +63,9 @@ pub fn nonlinear_cells_are_named() {
     );
 }
 
-/// A torque that depends on a speed makes cells nonlinear with its effect only; its power is in the balance, and its matrices
-/// are those without it. Without an effect there is no linear cell at all.
-pub fn torques_by_speed_are_named_with_their_effects() {
+/// A torque that depends on a speed makes cells nonlinear only where its effect is on. Its power is in the power balance, and
+/// the matrices of the cell do not contain it. If the torque belongs to no effect, no cell is linear.
+pub fn torques_that_depend_on_speeds_are_reported() {
     let describe = |with: bool| {
         Model::new("windmill", move |m| {
             let [inertia, k, c, t] = ["J", "k", "c", "T"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
@@ -77,7 +78,7 @@ pub fn torques_by_speed_are_named_with_their_effects() {
         })
     };
     let model = describe(true);
-    let d = derive(&model).expect("no slip");
+    let d = derive(&model).expect("a sound model");
     let term = "-c*x_dot^3 in the torque `fan`".to_string();
     assert!(d.nonlinear_terms().is_empty());
     assert_eq!(d.nonlinear_with(), [("fan_load".to_string(), term.clone())]);
@@ -92,11 +93,11 @@ pub fn torques_by_speed_are_named_with_their_effects() {
         assert!(file.contains(said), "{said} is not in {file}");
     }
     let model = describe(false);
-    assert_eq!(derive(&model).expect("no slip").nonlinear_terms(), [term]);
+    assert_eq!(derive(&model).expect("a sound model").nonlinear_terms(), [term]);
 }
 
-/// Three coordinates: M is left to be factored, cells are linear, proofs hold.
-pub fn three_coordinates_are_proved() {
+/// With three coordinates M is not inverted in closed form; cells are linear and the proofs hold.
+pub fn a_model_with_three_coordinates_is_proved() {
     let model = Model::new("three_rotors", |m| {
         let inertias = ["J1", "J2", "J3"].map(|name| m.parameter(name, "kg*m^2", None, Range::Positive, ""));
         let shaft = m.parameter("s", "N*m", None, Range::Positive, "");

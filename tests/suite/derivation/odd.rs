@@ -1,13 +1,13 @@
-//! Odd input: whatever an author writes, the derivation ends with equations or with a slip.
+//! Unusual input: whatever an author writes, the derivation ends with equations or with an error (`Slip`), never with a panic.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
 
 use crate::slips::oscillator;
 
-/// What is odd, and the model.
+/// What is unusual, and the model.
 type Row = (&'static str, fn(&mut Model));
 
-/// They may be sound or refused, but not more.
+/// Models that may be derived or refused, but must not panic.
 const ODD: &[Row] = &[
     ("nothing at all", |_| {}),
     ("energies without coordinates", |m| m.kinetic(Expr::symbol("x").sq())),
@@ -21,7 +21,7 @@ const ODD: &[Row] = &[
         m.dissipation(0.into());
         m.torque("none", 0.into(), 0.into(), "");
     }),
-    ("names that are no words", |m| {
+    ("names that are not identifiers", |m| {
         for name in ["", " ", "a b", "1", "é", "a::b", "`", "\"", "\n", "\0", "_", "_x", "{}", "%", "🙂", "x!"] {
             let x = m.coordinate(name, name, Start::At(f64::NAN), name);
             let p = m.parameter(name, name, None, Range::Positive, name);
@@ -31,7 +31,7 @@ const ODD: &[Row] = &[
             m.effect(name, name, |m| m.torque(name, p, x, name));
         }
     }),
-    ("documents in odd characters", |m| {
+    ("unusual characters in the documentation", |m| {
         oscillator(m);
         m.title("\"}\\ \n//! \0 🙂 {} */");
         m.source("\r\n\"#");
@@ -52,7 +52,7 @@ const ODD: &[Row] = &[
         let o = oscillator(m);
         m.effect("a", "", |m| m.effect("b", "", |m| m.effect("c", "", |m| m.kinetic(o.m * o.x.dot().sq()))));
     }),
-    ("numbers that are not", |m| {
+    ("parameters that are infinite or NaN", |m| {
         let o = oscillator(m);
         let p = m.parameter("p", "1", Some(f64::INFINITY), Range::Any, "");
         m.parameter("n", "1", Some(f64::NAN), Range::Any, "");
@@ -66,7 +66,7 @@ const ODD: &[Row] = &[
         m.constant("c", Expr::from(0).pow(-1));
         m.constant("d", Expr::from(0) / 0);
     }),
-    ("roots and logarithms of what has none", |m| {
+    ("roots and logarithms that do not exist", |m| {
         let o = oscillator(m);
         m.potential(Expr::from(-1).sqrt() * o.x + Expr::function("log", 0.into()) * o.x.sq());
         m.constant("c", Expr::function("log", Expr::from(-1).sqrt()));
@@ -76,7 +76,7 @@ const ODD: &[Row] = &[
         m.potential(i64::MAX * o.x.sq() + i64::MIN * o.x.pow(3));
         m.kinetic(Expr::from(i64::MAX).pow(3) * o.x.dot().sq());
     }),
-    ("integers that grow", |m| {
+    ("integers whose products are large", |m| {
         let x = m.coordinate("x", "m", Start::Static, "");
         m.kinetic(x.dot().sq() / (1 << 40));
         m.potential((1 << 40) * x.sq());
@@ -110,7 +110,7 @@ const ODD: &[Row] = &[
 
 pub fn no_input_panics() {
     for (what, describe) in ODD {
-        // Caught only to name the culprit.
+        // Caught only to say which model panics.
         let outcome = std::panic::catch_unwind(|| {
             let model = Model::new("odd", describe);
             derive(&model).map(|d| d.file()).map_err(|slip| slip.to_string())
@@ -118,7 +118,7 @@ pub fn no_input_panics() {
         match outcome.unwrap_or_else(|_| panic!("{what}: panics")) {
             Ok(file) => {
                 println!("{what}: sound");
-                syn::parse_file(&file).unwrap_or_else(|e| panic!("{what}: no Rust: {e}\n{file}"));
+                syn::parse_file(&file).unwrap_or_else(|e| panic!("{what}: not Rust: {e}\n{file}"));
             }
             Err(slip) => println!("{what}: {slip}"),
         }

@@ -1,8 +1,8 @@
-//! Slips of an author: what the derivation refuses, and whom its message names.
+//! Mistakes of an author: what the derivation refuses, and which name its message must contain.
 
 use gearsim_derive::{Expr, Friction, Model, Range, Slip, Start, derive, half};
 
-/// A sound model that slips are put into: a mass `m` on a spring `s`, at `x`.
+/// A sound model that mistakes are put into: a mass `m` on a spring `s`, at `x`.
 pub struct Oscillator {
     pub m: Expr,
     pub s: Expr,
@@ -18,12 +18,12 @@ pub fn oscillator(m: &mut Model) -> Oscillator {
     Oscillator { m: mass, s, x }
 }
 
-fn rubbing(m: &mut Model, o: &Oscillator, what: Friction) -> Expr {
+fn friction_law(m: &mut Model, o: &Oscillator, what: Friction) -> Expr {
     let name = if what == Friction::Side { "side" } else { "arm" };
     m.friction_law(name, "1", o.x, 1.0, what, "")
 }
 
-/// What is wrong, the culprit that the message must name, the slip.
+/// What is wrong, the name that the message must contain, the code with the mistake.
 type Row = (&'static str, &'static str, fn(&mut Model, Oscillator));
 
 const SLIPS: &[Row] = &[
@@ -88,31 +88,31 @@ const SLIPS: &[Row] = &[
     ("a torque that depends on the position", "the torque `wind`", |m, o| m.torque("wind", o.s * o.x, o.x, "")),
     ("a law of friction in V", "`side`", |m, o| {
         m.sliding_friction(|m| {
-            let side = rubbing(m, &o, Friction::Side);
+            let side = friction_law(m, &o, Friction::Side);
             m.potential(side * o.x.sq());
         });
     }),
     ("friction outside its effect", "`side`", |m, o| {
-        let side = rubbing(m, &o, Friction::Side);
+        let side = friction_law(m, &o, Friction::Side);
         m.sliding_friction(|_| {});
         m.torque("slide", side * o.s, o.x, "");
     }),
     ("a torque that is friction only in part", "`side`", |m, o| {
         m.sliding_friction(|m| {
-            let side = rubbing(m, &o, Friction::Side);
+            let side = friction_law(m, &o, Friction::Side);
             let delta = m.deflection("delta", 2 * o.x);
             m.torque("slide", o.s * (delta + side), o.x, "");
         });
     }),
     ("friction of rolling that feeds energy", "`roll`", |m, o| {
         m.sliding_friction(|m| {
-            let arm = rubbing(m, &o, Friction::Arm);
+            let arm = friction_law(m, &o, Friction::Arm);
             m.torque("roll", o.m * arm * o.x.dot(), o.x, "");
         });
     }),
     ("friction of rolling with an arm of any sign", "`roll`", |m, o| {
         m.sliding_friction(|m| {
-            let [arm, side] = [Friction::Arm, Friction::Side].map(|what| rubbing(m, &o, what));
+            let [arm, side] = [Friction::Arm, Friction::Side].map(|what| friction_law(m, &o, what));
             m.torque("roll", -o.m * arm * side * o.x.dot(), o.x, "");
         });
     }),
@@ -189,7 +189,7 @@ const SLIPS: &[Row] = &[
     ("a division by zero", "the potential energy", |m, o| m.potential(o.s * o.x / 0)),
 ];
 
-/// Names every variant, in one list that the compiler holds complete.
+/// Lists the names of all variants. The `match` makes the compiler check that none is missing.
 macro_rules! variants {
     ($($name:ident)*) => {
         const VARIANTS: &[&str] = &[$(stringify!($name)),*];
@@ -204,11 +204,11 @@ variants! {
     Phase Pitch Default InverseMass Unproved Empty
 }
 
-pub fn every_slip_is_refused_by_name() {
+pub fn every_mistake_is_refused() {
     let mut messages = vec![];
     let mut refuse = |what: &str, culprit: &str, slip: Slip| {
         let message = slip.to_string();
-        assert!(message.contains(culprit), "{what}: {culprit} is not named: {message}");
+        assert!(message.contains(culprit), "{what}: the message does not name {culprit}: {message}");
         messages.push((variant(&slip), format!("{what}\n    {message}\n")));
     };
     for (what, culprit, slip) in SLIPS {
@@ -216,18 +216,18 @@ pub fn every_slip_is_refused_by_name() {
             let sound = oscillator(m);
             slip(m, sound);
         });
-        let refused = derive(&model).err().unwrap_or_else(|| panic!("{what}: let through"));
+        let refused = derive(&model).err().unwrap_or_else(|| panic!("{what}: not refused"));
         refuse(what, culprit, refused);
     }
     let empty = Model::new("void", |_| {});
-    refuse("no coordinates", "void", derive(&empty).err().expect("there is nothing to derive"));
-    // No model is known to fail a proof; what it would say is held to account all the same.
+    refuse("no coordinates", "void", derive(&empty).err().expect("a model without coordinates is refused"));
+    // No known model fails a proof, but the message is tested all the same.
     let unproved = Slip::Unproved { model: "train".into(), what: "M is symmetric".into(), rest: "m - s".into() };
     refuse("a proof that fails", "m - s", unproved);
 
     let met = |name: &str| messages.iter().any(|m| m.0 == name);
     let unmet: Vec<_> = VARIANTS.iter().filter(|name| !met(name)).collect();
-    assert!(unmet.is_empty(), "no model here is refused with {unmet:?}");
+    assert!(unmet.is_empty(), "no model in this file is refused with {unmet:?}");
     let text: String = messages.into_iter().map(|(_, text)| text + "\n").collect();
     insta::assert_snapshot!("slips", text);
 }

@@ -1,4 +1,4 @@
-//! Eqs. (12), (13): the generated matrices of a cell, and the motion between two steps, at random points.
+//! Eqs. (12), (13): the generated matrices of a cell and the motion between two steps, at random points.
 
 use gearsim::engine::cell::Cell;
 use gearsim_tests::oh2005::{GearPair, State};
@@ -7,9 +7,9 @@ use nalgebra::SVector;
 use crate::TOLERANCE;
 use crate::points::{DAMPING, POINTS, Point, STIFFNESS_STEP, TORQUES, points};
 
-/// M q'' + C q' + K q = f entry by entry; entries that the paper does not have are exactly zero.
+/// The matrices of M q'' + C q' + K q = f, entry by entry. Entries that are absent in the paper are exactly zero.
 #[test]
-fn matrices_of_a_cell_are_those_of_the_paper() {
+fn matrices_of_a_cell_equal_those_of_the_paper() {
     for p in points(POINTS) {
         for others in [0, DAMPING, TORQUES, DAMPING | TORQUES] {
             let (equations, pair) = (p.equations(STIFFNESS_STEP | others), p.pair(others));
@@ -31,15 +31,14 @@ fn matrices_of_a_cell_are_those_of_the_paper() {
     }
 }
 
-/// The change of state over a time of up to ten radians of the oscillation, against the closed form by hand: in units
-/// of the amplitudes that (12), (13) are sums of. Underdamped cells; the phase w t has ten rounding errors of its own,
-/// hence the larger number of them.
+/// The error of the change of state after a time t = `turn`/w, compared with the closed form by hand, in units of the amplitudes
+/// that are summed in (12), (13). The cell is underdamped. At w t = 10 the angle w t itself adds ten rounding errors.
 fn error_of_motion(p: &Point, pair: &GearPair, turn: f64) -> f64 {
     let equations = p.equations(STIFFNESS_STEP | DAMPING | TORQUES);
     let cell = Cell::new(&*equations, &[p.k]).expect("a sound cell");
     let sigma = pair.zeta * pair.w0();
     let w = (pair.m2() * p.k - sigma * sigma).sqrt();
-    // Start at rest in theta: its drift is checked by itself in the energy tests, and would hide the rest here.
+    // theta starts at rest. A drift of theta would hide the other terms here; the energy tests check it.
     let from = State { theta: 0.0, theta_dot: 0.0, phi: p.phi, phi_dot: p.phi_dot };
     let t = turn / w;
     let expected = pair.closed_form(p.k, from, t);
@@ -57,11 +56,11 @@ fn error_of_motion(p: &Point, pair: &GearPair, turn: f64) -> f64 {
     errors.into_iter().fold(0.0, |m, e| m.max(e.abs()))
 }
 
-/// Inertias referred to the mesh, I/N^2, up to this ratio. M as a matrix of numbers holds their sum and their difference,
-/// and has lost as many digits of the smaller as the ratio has; the inverse in closed form has them.
+/// Largest ratio of the inertias referred to the mesh, I/N². The entries of M are their sum and their difference, so M has lost
+/// as many digits of the smaller one as the ratio has. The inverse in closed form has these digits.
 const LARGEST_RATIO: f64 = 1e12;
 
-/// Points whose cell is underdamped, and a phase w t from 1e-3 to 10 for each.
+/// Points whose cell is underdamped, each with an angle w t from 1e-3 to 10.
 fn underdamped() -> impl Iterator<Item = (Point, GearPair, f64)> {
     points(8 * POINTS).enumerate().filter_map(|(i, p)| {
         let pair = p.pair(DAMPING | TORQUES);
@@ -73,7 +72,7 @@ fn underdamped() -> impl Iterator<Item = (Point, GearPair, f64)> {
 }
 
 #[test]
-fn motion_in_a_cell_is_that_of_the_paper() {
+fn motion_in_a_cell_equals_that_of_the_paper() {
     let (mut n, mut worst) = (0, 0.0f64);
     for (p, pair, turn) in underdamped() {
         let error = error_of_motion(&p, &pair, turn);
@@ -86,12 +85,14 @@ fn motion_in_a_cell_is_that_of_the_paper() {
 }
 
 #[test]
-fn a_wrong_cell_is_told() {
-    let told = |change: fn(&mut GearPair)| {
+fn a_wrong_cell_is_detected() {
+    let detected = |change: fn(&mut GearPair)| {
         underdamped().any(|(p, mut pair, turn)| {
             change(&mut pair);
             error_of_motion(&p, &pair, turn) > TOLERANCE
         })
     };
-    assert!(told(|p| p.zeta *= 1.0 + 1e-11) && told(|p| p.t0 *= 1.0 + 1e-12) && told(|p| p.i1 *= 1.0 + 1e-12));
+    assert!(detected(|p| p.zeta *= 1.0 + 1e-11));
+    assert!(detected(|p| p.t0 *= 1.0 + 1e-12));
+    assert!(detected(|p| p.i1 *= 1.0 + 1e-12));
 }

@@ -1,4 +1,4 @@
-//! Eqs. (9), (11): transmission and reflection at random steps, against the hand-written rule and against the energy.
+//! Eqs. (9), (11): transmission and reflection at random steps, compared with the hand-written rule and checked for energy.
 
 use gearsim::engine::crossing::Side;
 use gearsim::engine::jump::{Passage, Surface};
@@ -7,15 +7,15 @@ use gearsim_tests::oh2005::{Jump, State};
 use crate::TOLERANCE;
 use crate::points::{POINTS, STIFFNESS_STEP, points};
 
-/// Speeds after a step and whether it was passed: the engine's rule with the generated G, M⁻¹n/G and dV, and by hand.
-/// theta' is drawn beside the critical speed sqrt(M2 |dk|) |phi|, or all points would fall on one side of it.
+/// The speeds after a step, and whether it is transmitted: by the engine's rule with the generated G, M⁻¹n/G and dV, and by
+/// hand. theta' is drawn near the critical speed sqrt(M2 |dk|) |phi|, because otherwise all points would lie on one side of it.
 #[test]
-fn speeds_after_a_step_are_those_of_the_paper() {
+fn speeds_after_a_step_equal_those_of_the_paper() {
     let (mut transmitted, mut reflected, mut worst, mut created) = (0, 0, 0.0f64, 0.0f64);
     for (i, p) in points(POINTS).enumerate() {
         let (equations, pair) = (p.equations(STIFFNESS_STEP), p.pair(0));
         let critical = (pair.m2() * p.dk.abs()).sqrt() * p.phi.abs();
-        // Ratios from 1e-4 to 1e4, none nearer to 1 than 0.1%: there the square of the speed itself is ill-conditioned.
+        // Ratios from 1e-4 to 1e4, but none within 0.1% of 1, where the square of the speed after the step is ill-conditioned.
         let ratio = 10f64.powf((i % 8001) as f64 / 1000.0 - 4.0);
         if (ratio - 1.0).abs() < 1e-3 || critical == 0.0 {
             continue;
@@ -61,10 +61,10 @@ fn speeds_after_a_step_are_those_of_the_paper() {
     assert!(worst < TOLERANCE && created < TOLERANCE, "speeds {worst:e}, energy {created:e}");
 }
 
-/// The rule above would tell a compliance that is off by 1e-12.
+/// The comparison detects a compliance that is wrong by 1e-12.
 #[test]
-fn a_wrong_compliance_is_told() {
-    let told = points(POINTS).filter(|p| p.dk < 0.0).any(|p| {
+fn a_wrong_compliance_is_detected() {
+    let detected = points(POINTS).filter(|p| p.dk < 0.0).any(|p| {
         let (equations, pair) = (p.equations(STIFFNESS_STEP), p.pair(0));
         let theta_dot = (pair.m2() * p.dk.abs()).sqrt() * p.phi.abs();
         let mut surface = Surface::new(&*equations, 0);
@@ -76,5 +76,5 @@ fn a_wrong_compliance_is_told() {
         };
         (q_dot[0] / expected - 1.0).abs() > TOLERANCE
     });
-    assert!(told);
+    assert!(detected);
 }

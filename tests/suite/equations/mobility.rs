@@ -1,5 +1,5 @@
-//! M⁻¹ at random points: against M1 and M2 by hand, and against M. Inertias referred to the mesh differ by many decades
-//! there.
+//! M⁻¹ at random points, compared with M1 and M2 by hand, and multiplied by M. At these points the inertias referred to the mesh
+//! differ by many decades.
 
 use gearsim::engine::equations::mobility;
 
@@ -12,7 +12,7 @@ fn by_hand(p: &Point) -> [[f64; 2]; 2] {
     [[m2, m1], [m1, m2]]
 }
 
-/// The largest error of an entry, each in units of itself.
+/// The largest relative error of an entry.
 fn error(found: &[[f64; 2]; 2], expected: &[[f64; 2]; 2]) -> f64 {
     let pairs = found.as_flattened().iter().zip(expected.as_flattened());
     pairs.fold(0.0, |worst, (x, y)| {
@@ -21,7 +21,7 @@ fn error(found: &[[f64; 2]; 2], expected: &[[f64; 2]; 2]) -> f64 {
     })
 }
 
-/// How far apart the inertias referred to the mesh are, as a ratio of at least one.
+/// The ratio, at least one, of the inertias referred to the mesh.
 fn ratio(p: &Point) -> f64 {
     let pair = p.pair(0);
     let (a, b) = (pair.i1 / pair.n1.powi(2), pair.i2 / pair.n2.powi(2));
@@ -46,17 +46,17 @@ fn mobility_is_the_inverse_of_the_mass() {
     assert!(worst < TOLERANCE && residual < TOLERANCE, "{worst:e}, {residual:e}");
 }
 
-/// Why there is a closed form: the inverse of M as numbers is as good where the inertias are alike, and loses what M
-/// has lost where they are not.
+/// The reason for the closed form: the numerical inverse of M is as accurate only where the inertias are of similar size.
+/// Elsewhere it lacks the digits that M has lost.
 #[test]
-fn the_inverse_of_the_numbers_loses_digits() {
+fn the_numerical_inverse_of_the_mass_matrix_loses_digits() {
     let inverted = |p: &Point| error(&mobility(&p.equations(0).mass()), &by_hand(p));
     let alike = points(POINTS).filter(|p| ratio(p) < 2.0 && ratio(p) > 1.1).map(|p| inverted(&p));
     let alike = alike.fold((0, 0.0f64), |(n, worst), e| (n + 1, worst.max(e)));
     let apart = points(POINTS).filter(|p| (1e9..1e10).contains(&ratio(p))).map(|p| inverted(&p));
     let apart = apart.fold((0, 0.0f64), |(n, worst), e| (n + 1, worst.max(e)));
     println!(
-        "inverse of the numbers: {:.1e} at {} points alike, {:.1e} at {} apart",
+        "numerical inverse: {:.1e} at {} points with similar inertias, {:.1e} at {} with very different ones",
         alike.1, alike.0, apart.1, apart.0
     );
     assert!(alike.0 > 100 && alike.1 < TOLERANCE, "{alike:?}");

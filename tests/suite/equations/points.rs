@@ -12,7 +12,7 @@ pub const FROZEN_PHASE: u32 = 4;
 pub const DAMPING: u32 = 32;
 pub const TORQUES: u32 = 64;
 
-/// A gear pair and a state of it; `pair` has damping and torque, whatever the effects.
+/// A gear pair and a state of it. `pair` always has damping and torque; `Point::pair` removes those that the effects exclude.
 #[derive(Debug, Clone, Copy)]
 pub struct Point {
     pair: GearPair,
@@ -20,7 +20,7 @@ pub struct Point {
     pub theta_dot: f64,
     pub phi: f64,
     pub phi_dot: f64,
-    /// Present stiffness [N m], one of the two levels.
+    /// Stiffness at this point [N m], one of the two levels.
     pub k: f64,
     /// Slope of the stiffness [N m/rad], or its step [N m].
     pub dk: f64,
@@ -35,7 +35,7 @@ impl Point {
         [self.theta_dot, self.phi_dot]
     }
 
-    /// The gear pair by hand, without what the effects leave out.
+    /// The hand-written gear pair, with zeta and T0 zero where their effects are absent.
     pub fn pair(&self, effects: u32) -> GearPair {
         let keep = |effect, x| if effects & effect == 0 { 0.0 } else { x };
         GearPair { zeta: keep(DAMPING, self.pair.zeta), t0: keep(TORQUES, self.pair.t0), ..self.pair }
@@ -53,7 +53,7 @@ impl Point {
     }
 }
 
-/// splitmix64: well-mixed, and the same everywhere.
+/// splitmix64: a well-mixed random sequence, the same on every machine.
 struct Random(u64);
 
 impl Random {

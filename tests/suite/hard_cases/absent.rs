@@ -1,4 +1,4 @@
-//! Row 16: an effect that is absent, against present at zero strength.
+//! Row 16: an effect that is absent, compared with the effect at zero strength.
 
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
@@ -9,8 +9,8 @@ use crate::common;
 pub const CASES: &[Case] = &[
     Case {
         row: "16",
-        name: "no damping and no torques, against zeta = 0 and T0 = 0",
-        proves: "the same motion to the bit, for all equations",
+        name: "no damping and no torques, compared with zeta = 0 and T0 = 0",
+        proves: "the same bits, for all forms of the equations",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -18,20 +18,20 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "16",
-        name: "no step, against a step of no height",
-        proves: "the same motion but for where it is cut",
+        name: "no step, compared with a step of height zero",
+        proves: "the same motion, although it is divided into cells",
         tolerance: 1e-12,
         unit: "of the largest of a column",
-        reason: "a hundred cells' roundings",
+        reason: "rounding errors of a hundred cells",
         measure: steps,
     },
     Case {
         row: "16",
-        name: "evaluations of the motion without steps, against steps of no height",
-        proves: "what is absent costs nothing: one evaluation a run, whatever is passed",
+        name: "evaluations of the motion without steps",
+        proves: "an absent effect costs nothing: one evaluation per run, whatever boundaries are passed",
         tolerance: 1.0,
         unit: "evaluations",
-        reason: "the run itself is one flight",
+        reason: "the run is one flight",
         measure: |_| flat("effects=[]").counts.cost.evaluations as f64,
     },
 ];
@@ -67,7 +67,7 @@ fn bits(note: &mut String) -> f64 {
     wrong
 }
 
-/// A run whose stiffness has one level throughout, with some effects.
+/// A run with these effects, whose stiffness has the same level everywhere.
 fn flat(effects: &str) -> Outcome {
     let steps = "laws.k.steps=[{ value = \"2 kN*m\", width = \"1.73 rad\" }, { value = \"2 kN*m\" }]";
     common::run(&scene(&[effects, steps, "start.phi_dot=20 rad/s", "output.events=false"]))

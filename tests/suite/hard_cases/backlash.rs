@@ -1,4 +1,4 @@
-//! Row 11: backlash. Both flanks, contact lost in the instant of a stiffness switch, a damper that would pull.
+//! Row 11: backlash. Both flanks, contact lost at a step of the stiffness, a damper that would pull.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
@@ -18,12 +18,12 @@ use crate::rattle::{apart_by_steps, before, constants, rattling, rk4};
 pub const CASES: &[Case] = &[
     Case {
         row: "11",
-        name: "a rotor thrown between two flanks, undamped, 1000 times across",
-        proves: "contact for pi/w, flight for b/v: where and how fast after 1000 crossings, in closed form",
+        name: "an undamped rotor that crosses its play 1000 times",
+        proves: "contact lasts pi/w, flight b/v: position and speed after 1000 crossings, in closed form",
         tolerance: 1e-11,
         unit: "of b, of v",
-        reason: "2000 events, each a few roundings of its time",
-        measure: thrown,
+        reason: "2000 events, each with a few rounding errors of its time",
+        measure: crossed_play,
     },
     Case {
         row: "11",
@@ -31,52 +31,52 @@ pub const CASES: &[Case] = &[
         proves: "states at 0.02, 0.03, 0.05 s; times where the torque is clipped and where edges are met, as published",
         tolerance: 1e-5,
         unit: "of 90 deg, of 66 rad/s, of 0.05 s",
-        reason: "the published result is an integration by steps, and off by this much; the next but three holds ours to 1e-7",
+        reason: "the published result is a numerical integration with this error; the comparison with an integration by small steps, below, holds ours to 1e-7",
         measure: published,
     },
     Case {
         row: "11",
-        name: "contact lost in the instant of a stiffness switch",
-        proves: "the damper would pull the softer spring back: the force is zero at once, the flight ballistic",
+        name: "contact lost at a step of the stiffness",
+        proves: "after the step the damper would pull more than the softer spring pushes: the force is zero at once, the flight ballistic",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "roundings of a few closed forms",
+        reason: "rounding errors of a few closed forms",
         measure: let_go,
     },
     Case {
         row: "11",
-        name: "held at a step, which is none once the flanks part",
-        proves: "theta rests until the deflection is zero; from there on both fly under the torque, in closed form",
+        name: "held at a step that vanishes when the flanks separate",
+        proves: "theta rests until the deflection is zero; then both coordinates move under the torque alone, in closed form",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "roundings of closed forms",
+        reason: "rounding errors of closed forms",
         measure: held,
     },
     Case {
         row: "11",
-        name: "gear pairs that rattle: flanks, steps, damping, at random",
-        proves: "the force of a contact never pulls, its damper never pushes more than its spring, at any event",
+        name: "random gear pairs that rattle: contact forces",
+        proves: "at every event the contact force does not pull, and the damper does not push more than the spring",
         tolerance: 1e-12,
         unit: "of the forces' sizes",
-        reason: "roundings of the depth, which is small beside the play",
+        reason: "rounding errors of the penetration, which is small compared with the play",
         measure: pulls,
     },
     Case {
         row: "11",
         name: "gear pairs that rattle: the energy account",
-        proves: "no joule unaccounted for, clipped dampers and reflections included",
+        proves: "the account closes, with clipped dampers and reflections",
         tolerance: 1e-12,
         unit: "of the energy at the start",
-        reason: "some 1000 events, each a few roundings",
+        reason: "about 1000 events, each with a few rounding errors",
         measure: accounted,
     },
     Case {
         row: "11",
-        name: "against min and max in a right-hand side, integrated by small steps",
-        proves: "another algorithm, without events, comes to the same motion on both flanks",
+        name: "compared with an integration by small steps of a right-hand side with min and max",
+        proves: "another algorithm, without events, gives the same motion on both flanks",
         tolerance: 1e-7,
         unit: "of b, of v",
-        reason: "the step of the integration, which does not know where the force has its kinks",
+        reason: "the integration steps across the kinks of the force",
         measure: integrated,
     },
     Case {
@@ -91,16 +91,16 @@ pub const CASES: &[Case] = &[
     Case {
         row: "11",
         name: "gear pairs that rattle, by dop853",
-        proves: "steps that find the edges on their dense output, and clip dampers as they go: the same flanks, the same end",
+        proves: "a step method that finds the edges on its dense output and clips dampers gives the same contacts and the same end",
         tolerance: 1e-8,
         unit: "of the motion's sizes",
-        reason: "the tolerance of the steps, 1e-13, and what impacts and the switching make of it",
+        reason: "the tolerance of the steps, 1e-13, times its growth by impacts and steps of stiffness",
         measure: by_steps,
     },
     Case {
         row: "11",
-        name: "play with what does not follow it",
-        proves: "compensated precision, play without a size: refused by name before the run",
+        name: "play in compensated precision, and play without a size",
+        proves: "refused before the run, with a named error",
         tolerance: 0.0,
         unit: "not refused",
         reason: NONE,
@@ -112,8 +112,8 @@ fn oscillator(overrides: &[&str]) -> Scene {
     common::scene("backlash_oscillator", &overrides.iter().map(|s| s.to_string()).collect::<Vec<_>>())
 }
 
-fn thrown(_: &mut String) -> f64 {
-    // From the drive edge outwards: contact, flight, contact, flight make a round.
+fn crossed_play(_: &mut String) -> f64 {
+    // Starts at the edge of the drive flank, moving outwards. One round is contact, flight, contact, flight.
     let (v, half, w) = (7.0, FRAC_PI_8, (20e3f64 / 5.0).sqrt());
     let round = 2.0 * (PI / w + 2.0 * half / v);
     let t_end = format!("run.t_end={:?} s", 500.0 * round + 0.25 * half / v);
@@ -124,7 +124,7 @@ fn thrown(_: &mut String) -> f64 {
     if outcome.counts.impacts != 1000 {
         return f64::INFINITY;
     }
-    // 500 rounds, and a little into the contact that begins another.
+    // The end is after 500 rounds and a short time in the next contact.
     let after = 0.25 * half / v;
     let run = &outcome.trajectory;
     let (phi, speed) = (run.q[0][run.len() - 1], run.q_dot[0][run.len() - 1]);
@@ -132,7 +132,7 @@ fn thrown(_: &mut String) -> f64 {
     largest([(phi - expected[0]).abs() / (2.0 * half), (speed - expected[1]).abs() / v])
 }
 
-/// Sizes of phi, of its speed, and of the time.
+/// Scales of phi [rad], of its speed [rad/s], and of the time [s].
 const SIZES: [f64; 3] = [FRAC_PI_2, 66.0, 0.05];
 
 fn published(_: &mut String) -> f64 {
@@ -156,7 +156,7 @@ fn published(_: &mut String) -> f64 {
 fn let_go(_: &mut String) -> f64 {
     let (zeta, half, t0) = (0.1, 0.01, 5.0);
     let (_, m2, c) = constants(zeta);
-    // Just before the end of the stiffer cell, so deep and so fast that k x + C v is positive in it, negative beyond.
+    // Just before the end of the stiffer cell, with x and v for which k x + C v is positive in this cell and negative in the next.
     let x = 1e-3;
     let v = -0.75 * 2780.0 * x / c;
     let scene = common::scene(
@@ -178,7 +178,7 @@ fn let_go(_: &mut String) -> f64 {
     if !(force(switch - 1, 2780.0) > 0.0 && force(switch, 1430.0) < 0.0) {
         return f64::INFINITY;
     }
-    // A flight under the torque alone, to the edge: phi'' = M2 T0.
+    // The flight to the edge under the torque alone: phi'' = M2 T0.
     let (x, v, t) = (run.q[1][switch] - half, run.q_dot[1][switch], run.t[edge] - run.t[switch]);
     let (phi, speed) = (x + v * t + 0.5 * m2 * t0 * t * t, v + m2 * t0 * t);
     largest([(run.q[1][edge] - half).abs() / half, phi.abs() / x, (run.q_dot[1][edge] - speed).abs() / v.abs()])
@@ -188,7 +188,8 @@ fn held(_: &mut String) -> f64 {
     let (t0, half) = (-10.0, 0.02);
     let (m1, m2, _) = constants(0.0);
     let inertia: f64 = 2890e-6 / 576.0 + 740200e-6 / 9216.0;
-    // With theta held, phi swings about T0/k1 beyond the edge from there, 3 |T0|/k1 away: to the edge.
+    // T0 < 0. With theta held, phi swings about its rest, |T0|/k1 inside the edge, with an amplitude of 3 |T0|/k1, until it is at the
+    // edge.
     let (rest, w) = (10.0 / 1430.0, (2.0 * 1430.0 / inertia).sqrt());
     let (met, speed) = ((1.0f64 / 3.0).acos() / w, -3.0 * rest * w * (1.0f64 - 1.0 / 9.0).sqrt());
     let after = 1e-4;
@@ -238,7 +239,7 @@ fn pulls(note: &mut String) -> f64 {
             let Regime::Contact(side, grip) = band.regime else { continue };
             let x = band.depth(side, &simulation.state.q);
             let (spring, damper) = (k * x, c * side.sign() * simulation.state.q_dot[1]);
-            // The forces of the contact by its definition, and by the law values that the engine goes by.
+            // The contact force by its definition, and by the law values that the engine uses.
             let force = spring + damper.clamp(-spring.abs(), spring.abs());
             let ours = k * x * (1.0 + clip) + damp * damper;
             let size = spring.abs() + damper.abs() + k * band.half;

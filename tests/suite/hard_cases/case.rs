@@ -1,36 +1,36 @@
-//! A case: what it proves, the number that it measures, and how large that number may be.
+//! A case: what it proves, the number that it measures, and the largest allowed number.
 
-/// One promise, held to a number.
+/// One promise, tested by a number.
 pub struct Case {
-    /// Row of the catalogue, or `random`.
+    /// Number of the kind of difficulty, or `random`.
     pub row: &'static str,
-    /// What is done.
+    /// What the case does.
     pub name: &'static str,
-    /// What it shows where the number is within its tolerance.
+    /// What it proves if the number is within the tolerance.
     pub proves: &'static str,
-    /// How large the number may be.
+    /// The largest allowed number.
     pub tolerance: f64,
-    /// Unit of the number and of its tolerance.
+    /// Unit of the number and of the tolerance.
     pub unit: &'static str,
-    /// Why that tolerance.
+    /// Why this tolerance is right.
     pub reason: &'static str,
-    /// The number; it may note on what it was measured.
+    /// Measures the number; may write a note on what it was measured on.
     pub measure: fn(&mut String) -> f64,
 }
 
-/// The unit of what is counted: there must be none.
+/// The unit of a count of wrong results; it must be 0.
 pub const WRONG: &str = "wrong";
-/// Why nothing counted may be wrong.
-pub const NONE: &str = "a decision, or bits: right or wrong";
+/// The reason why such a count must be 0.
+pub const NONE: &str = "a decision or a bit is right or wrong";
 
-/// The number of a case, and on what it was measured.
+/// The number of a case, and a note on what it was measured on.
 #[derive(Debug, Clone)]
 pub struct Measured {
     pub value: f64,
     pub note: String,
 }
 
-/// Measures a case: it passes if the number is at most its tolerance. NaN is not.
+/// Measures a case. It passes if the number is at most the tolerance; NaN fails.
 pub fn check(case: &Case) -> (Measured, Result<(), String>) {
     let mut note = String::new();
     let value = (case.measure)(&mut note);
@@ -38,17 +38,17 @@ pub fn check(case: &Case) -> (Measured, Result<(), String>) {
     println!("row {}, {}: {value:.3e} {unit}, at most {tolerance:e}. {note}", case.row, case.name);
     let verdict = match value <= tolerance {
         true => Ok(()),
-        false => Err(format!("{value:e} {unit}, where at most {tolerance:e} is allowed ({}). {note}", case.reason)),
+        false => Err(format!("{value:e} {unit}, but at most {tolerance:e} is allowed ({}). {note}", case.reason)),
     };
     (Measured { value, note }, verdict)
 }
 
-/// The largest of some numbers; NaN if one of them is.
+/// The largest of some numbers, at least 0; NaN if one of them is NaN.
 pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     numbers.into_iter().fold(0.0, |m, x| if x.is_nan() || x > m { x } else { m })
 }
 
-/// How many hold.
+/// The number of `true` values.
 pub fn count(wrong: impl IntoIterator<Item = bool>) -> f64 {
     wrong.into_iter().filter(|wrong| *wrong).count() as f64
 }

@@ -1,6 +1,6 @@
-//! Random cells of 1 to 8 modes, a third of them grazing, against the first crossings of the engine in 50 digits.
+//! Random cells of 1 to 8 modes, a third of them grazing: first crossings compared with those of the engine in 50 digits.
 //!
-//! GEARSIM_CELLS sets how many, GEARSIM_SEED which.
+//! GEARSIM_CELLS sets their number, GEARSIM_SEED selects others.
 
 mod draw;
 mod judge;
@@ -18,7 +18,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "random",
         name: "first crossings of random cells: found or not",
-        proves: "none missed, none invented, down to the depth at which rounding decides",
+        proves: "none missed, no false one, down to the depth at which rounding decides",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -30,11 +30,11 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "random",
-        name: "first crossings of random cells: when",
-        proves: "as exact as conditioning allows",
+        name: "first crossings of random cells: their times",
+        proves: "as accurate as the conditioning allows",
         tolerance: judge::MULTIPLE,
         unit: "(4 eps (up + down) + rounding of the phase)/slope + eps t",
-        reason: "the depth of a touch and the rounding of each mode, eps amplitude (1 + turns), some of each a mode",
+        reason: "the depth of a touch and the rounding error of each mode, eps amplitude (1 + turns)",
         measure: |note| {
             *note = format!("{} crossings", sum().crossed);
             sum().error
@@ -42,10 +42,10 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// How many, unless the environment says.
+/// Number of cells, unless GEARSIM_CELLS is set.
 const CELLS: u64 = 30_000;
 
-/// What came of them all.
+/// The results of all cells.
 #[derive(Default)]
 struct Sum {
     cells: u64,
@@ -68,7 +68,7 @@ fn sum() -> &'static Sum {
 }
 
 impl Sum {
-    /// Cell `i` is the same whatever the others are.
+    /// Adds cell `i`, which does not depend on the other cells.
     fn add(&mut self, i: u64) {
         let noise = Noise::new(i.wrapping_mul(0x2545_f491_4f6c_dd1d));
         match i % 8 {
@@ -90,7 +90,7 @@ impl Sum {
             Verdict::Crossed(error) => {
                 self.crossed += 1;
                 if error > self.error {
-                    println!("cell {i}: off by {error:.2} of what conditioning explains, {drawn:?}");
+                    println!("cell {i}: error {error:.2} of what conditioning explains, {drawn:?}");
                     self.error = error;
                 }
             }

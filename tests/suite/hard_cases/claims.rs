@@ -1,6 +1,7 @@
-//! How many digits a run says are left, against those that are: random gear pairs, and the engine in 50 digits.
+//! The number of digits that a run claims to have left, compared with the true number, which 50 digits give, for random gear pairs.
 //!
-//! A quarter of the scenes run five times as long, so that some lose all their digits. GEARSIM_SCENES sets how many, GEARSIM_SEED which.
+//! A quarter of the scenes run five times as long, so that some lose all their digits. GEARSIM_SCENES sets their number, GEARSIM_SEED
+//! selects others.
 
 use std::sync::OnceLock;
 
@@ -17,11 +18,11 @@ use crate::scenes::draw;
 pub const CASES: &[Case] = &[
     Case {
         row: "random",
-        name: "digits left that a run claims and does not have",
-        proves: "the largest of all: a claim is never too many by more than one",
+        name: "digits that a run claims to have left and does not have",
+        proves: "the largest over all runs: a claim exceeds the truth by at most one digit",
         tolerance: 1.0,
         unit: "digits",
-        reason: "the estimate is the distance to one other run; the error may be some times as large",
+        reason: "the estimate is the distance to one other run; the error may be several times as large",
         measure: |note| {
             let Sum { scenes, lost, claims } = sum();
             *note = format!("{scenes} scenes, {lost} of them with less than one digit left");
@@ -30,11 +31,11 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "random",
-        name: "digits left that a run has and does not claim",
-        proves: "the median: an estimate that says little would always be right",
+        name: "digits that a run has left and does not claim",
+        proves: "the median over all runs: an estimate that claims too little would always be safe",
         tolerance: 3.0,
         unit: "digits",
-        reason: "one digit is a margin, as the two runs may come near by chance; the start and parameters are moved by four roundings",
+        reason: "one digit is a margin, because the two runs may be close by chance; the start and the parameters are moved by four rounding errors",
         measure: |note| {
             let Sum { scenes, claims, .. } = sum();
             *note = format!("{scenes} scenes");
@@ -47,11 +48,11 @@ pub const CASES: &[Case] = &[
 struct Sum {
     scenes: u64,
     lost: u64,
-    /// Digits claimed less digits there are, rising.
+    /// Claimed digits minus true digits, rising.
     claims: Vec<f64>,
 }
 
-/// Digits that a number in f64 can have: more are neither claimed nor counted.
+/// The number of digits of an f64. More are neither claimed nor counted.
 const MOST: f64 = 15.95;
 
 fn sum() -> &'static Sum {
@@ -76,9 +77,7 @@ fn sum() -> &'static Sum {
             let there = (-off.fold(f64::MIN_POSITIVE, f64::max).log10()).clamp(0.0, MOST);
             sum.lost += u64::from(there < 1.0);
             if claimed - there > 0.9 {
-                println!(
-                    "scene {i}: {claimed:.1} digits claimed, {there:.1} there; {pair:?} {start:?} until {t_end:e}"
-                );
+                println!("scene {i}: {claimed:.1} digits claimed, {there:.1} true; {pair:?} {start:?} until {t_end:e}");
             }
             sum.claims.push(claimed - there);
         }

@@ -1,4 +1,4 @@
-//! Row 3: a phase pressed against a step, held, let go.
+//! Row 3: a phase that is pressed against a step, held there and released.
 
 use gearsim::run::{Entry, Outcome};
 
@@ -9,20 +9,20 @@ use crate::models::{self, end, pressed::Pressed, residual};
 pub const CASES: &[Case] = &[
     Case {
         row: "3",
-        name: "a rotor pressed by a net torque, damped: where it comes to rest",
-        proves: "held at the step to the bit, the sprung rotor where its load has it",
+        name: "a damped rotor pressed against a step by a net torque: its position of rest",
+        proves: "the rotor is held at the step to the bit; the sprung rotor is where its spring balances its load",
         tolerance: 1e-12,
         unit: "rad, rad/s",
-        reason: "what is ignored at the hold is 1e-12 of the energy, and none of it of the sprung rotor",
+        reason: "the hold ignores 1e-12 of the energy, none of it of the sprung rotor",
         measure: |_| rest(&pressed()),
     },
     Case {
         row: "3",
-        name: "bounces before it is held",
-        proves: "each takes 2 v/T and damping 2 c v²/(3 T): 3 T/(2 c v) of them down to the least v that is followed",
+        name: "number of bounces before the hold",
+        proves: "a bounce lasts 2 v/T and loses the speed 2 c v²/(3 T): 3 T/(2 c v) bounces down to the least speed v that is followed",
         tolerance: 1e-3,
         unit: "of their number",
-        reason: "the first few bounces are long, and lose more than their share",
+        reason: "the first few bounces are long and lose more than this formula says",
         measure: |note| {
             let outcome = pressed();
             *note = format!("{} bounces", outcome.counts.reflections);
@@ -40,29 +40,29 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "3",
-        name: "energy of the bounces, the hold and the rest after it",
-        proves: "T + V - W + D + what is ignored stays what it was",
+        name: "energy account of the bounces, the hold and the rest after it",
+        proves: "T + V - W + D + the ignored energy is constant",
         tolerance: 1e-13,
         unit: "of the energy at the start",
-        reason: "roundings of the loss, a bounce each, of small parts of the energy",
+        reason: "one rounding error of the loss per bounce, of small parts of the energy",
         measure: |_| residual(&pressed()),
     },
     Case {
         row: "3",
-        name: "a reaction that pulls lets go",
-        proves: "held until phi has come to T0/k1, then free: both in closed form",
+        name: "a hold ends when the reaction pulls",
+        proves: "held until phi = T0/k1, then free: both in closed form",
         tolerance: 1e-13,
         unit: "of the motion's sizes",
-        reason: "roundings; that it is let go when the reaction pulls by 1e-9 of its forces counts by its square",
+        reason: "rounding errors; the release is late, at a pull of 1e-9 of the forces, and this delay counts squared",
         measure: |_| release(),
     },
     Case {
         row: "3",
-        name: "a step that vanishes lets through",
-        proves: "phi through zero makes dV = 0: theta slips through without loss, in closed form",
+        name: "a held phase passes a step that vanishes",
+        proves: "dV = 0 when phi passes zero: theta passes the step without loss, in closed form",
         tolerance: 1e-13,
         unit: "of the motion's sizes",
-        reason: "roundings of four closed forms and of the frequencies",
+        reason: "rounding errors of four closed forms and of the frequencies",
         measure: |_| slip(),
     },
 ];
@@ -71,7 +71,7 @@ const PRESSED: Entry = Entry::new::<Pressed>();
 /// T + V of the pressed rotor at rest: load²/(2 k) [J].
 const ENERGY: f64 = 10.0;
 
-/// Under a torque and damping the bounces come ever faster, and end in a hold that lasts.
+/// Under a torque and damping the bounces become ever shorter and end in a hold that lasts.
 fn pressed() -> Outcome {
     models::run(
         &PRESSED,
@@ -85,7 +85,7 @@ fn pressed() -> Outcome {
     )
 }
 
-/// Least speed that is followed: v²/2 = 1e-12 of T + V.
+/// The least speed at which bounces are followed: v²/2 = 1e-12 of T + V.
 fn least() -> f64 {
     (2e-12 * ENERGY).sqrt()
 }
@@ -96,12 +96,12 @@ fn rest(outcome: &Outcome) -> f64 {
     if held { largest([(q[1] - 2.0).abs(), v[1].abs()]) } else { f64::INFINITY }
 }
 
-/// The gear pair at rest at the boundary theta = 0, below which the mesh is stiffer, with phi at `phi` times T0/k1.
+/// Runs the gear pair from rest at the boundary theta = 0, below which the mesh is stiffer, with phi at `phi` times T0/k1.
 fn at_rest(t0: f64, phi: f64, t_end: f64) -> Outcome {
     pair_at_rest(t0, phi * t0 / K, t_end, &[r#"effects=["stiffness_step", "torques"]"#])
 }
 
-/// The gear pair at rest at the boundary theta = 0 under a torque [N m], with phi [rad], for a time [s].
+/// Runs the gear pair from rest at the boundary theta = 0 under the torque `t0` [N m], with `phi` [rad], for the time `t_end` [s].
 pub fn pair_at_rest(t0: f64, phi: f64, t_end: f64, others: &[&str]) -> Outcome {
     let own = [
         format!("parameters.T0={t0:?} N*m"),
@@ -113,18 +113,20 @@ pub fn pair_at_rest(t0: f64, phi: f64, t_end: f64, others: &[&str]) -> Outcome {
     common::run(&common::scene("oh2005/energy_300rpm", &overrides))
 }
 
-/// Angular frequencies of phi with theta free, sqrt(M2 k), and with theta held, sqrt(2 k/(a + b)); M1/M2.
+/// The angular frequency [rad/s] of phi with theta free, sqrt(M2 k), and with theta held, sqrt(2 k/(a + b)), and M1/M2.
 pub fn frequencies(k: f64) -> (f64, f64, f64) {
     let (a, b) = (0.00289 / 24f64.powi(2), 0.7402 / 96f64.powi(2));
     let (m1, m2) = ((1.0 / a - 1.0 / b) / 2.0, (1.0 / a + 1.0 / b) / 2.0);
     ((m2 * k).sqrt(), (2.0 * k / (a + b)).sqrt(), m1 / m2)
 }
 
-/// The softer mesh [N m], and the rest of phi in it under 10 N m.
+/// The softer stiffness of the mesh [N m].
 pub const K: f64 = 1430.0;
+/// The static deflection phi in this mesh under 10 N m [rad].
 pub const REST: f64 = 10.0 / K;
 
-/// The motion from the moment on at which theta is let go: about `rest` in a mesh of stiffness `k`, for the time `after`.
+/// The motion after the release of theta: phi starts at `phi` with `speed` and swings about `rest` in a mesh of stiffness `k`, for the
+/// time `after`.
 pub struct Freed {
     pub phi: f64,
     pub speed: f64,
@@ -134,8 +136,8 @@ pub struct Freed {
 }
 
 impl Freed {
-    /// How far theta, phi and their speeds are off at the end, in units of REST and of the speed; infinite where holds and cell
-    /// changes are others, or energy is lost.
+    /// The largest error of theta, phi and their speeds at the end, in units of REST and of the speed. Infinite if the numbers of holds
+    /// and cell changes differ from `events`, or if energy is lost.
     pub fn off(&self, outcome: &Outcome, events: (u64, u64)) -> f64 {
         if (outcome.counts.holds, outcome.counts.cell_changes) != events || residual(outcome) > 1e-14 {
             return f64::INFINITY;
@@ -152,7 +154,8 @@ impl Freed {
     }
 }
 
-/// phi = 3 T0/k1 accelerates theta down, against a step up: held, until phi has come to T0/k1 and the reaction pulls.
+/// phi = 3 T0/k1 accelerates theta downwards, against a step up of the stiffness. theta is held until phi = T0/k1, where the reaction
+/// begins to pull.
 fn release() -> f64 {
     let (free, held, _) = frequencies(K);
     let after = 0.3 / free;
@@ -160,7 +163,7 @@ fn release() -> f64 {
     Freed { phi: REST, speed: -2.0 * REST * held, k: K, rest: REST, after }.off(&outcome, (1, 0))
 }
 
-/// phi swings from 2 |T0|/k1 through zero to negative rest: there the step vanishes, and theta slips through.
+/// phi swings from 2 |T0|/k1 through zero towards its negative rest. At zero the step vanishes and theta passes it.
 fn slip() -> f64 {
     let (_, held, _) = frequencies(K);
     let (free, ..) = frequencies(2780.0);

@@ -1,4 +1,4 @@
-//! Row 13: damping that couples the modes, against the matrix exponential in 50 digits.
+//! Row 13: damping that couples the modes, compared with the matrix exponential in 50 digits.
 
 mod draw;
 
@@ -19,25 +19,25 @@ pub const CASES: &[Case] = &[
     Case {
         row: "13",
         name: "random cells whose damping couples 2 to 8 coordinates",
-        proves: "q and q' of the matrix exponential: weak, strong and over-critical damping, rigid motions too",
+        proves: "q and q' agree with the matrix exponential, for weak, strong and over-critical damping, and with rigid motions",
         tolerance: 100.0,
         unit: "eps cond (1 + rate t) of the speeds",
-        reason: "cond, sqrt of the largest ratio of inertias and of stiffnesses, is what rounding the matrices costs",
+        reason: "cond, sqrt of the largest ratio of inertias times that of stiffnesses, is the effect of rounding the matrices",
         measure: motions,
     },
     Case {
         row: "13",
-        name: "energy that damping takes from them",
-        proves: "the integral of the speeds is the loss of energy of the matrix exponential",
+        name: "energy that damping takes from random cells",
+        proves: "the integral of the speeds equals the energy loss by the matrix exponential",
         tolerance: 100.0,
-        unit: "eps cond (1 + rate t) of the energy that passes",
+        unit: "eps cond (1 + rate t) of the largest energy",
         reason: "as for the motions",
         measure: losses,
     },
     Case {
         row: "13",
         name: "first crossings of random cells with coupled damping",
-        proves: "each is a root of the matrix exponential's, no sample of it lies beyond the boundary before",
+        proves: "each is a root of the phase by the matrix exponential, and no earlier sample of it is beyond the boundary",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -45,26 +45,26 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "13",
-        name: "damping between two modes, relative, of 1e-2 to 1e-16",
-        proves: "the motion tends to that of uncoupled modes, with the coupling",
+        name: "relative damping between two modes of 1e-2 to 1e-16",
+        proves: "the difference from the motion of uncoupled modes falls with the coupling",
         tolerance: 0.2,
         unit: "coupling + 16 eps",
-        reason: "a tenth of the coupling is a force on motions of size one, off resonance; below 1e-10 it is left out",
+        reason: "a tenth of the coupling acts as a force on motions of size one, off resonance; coupling below 1e-10 is ignored",
         measure: continuity,
     },
     Case {
         row: "13",
-        name: "two vibrations that coalesce, a part of 1e-1 to 1e-6 before they do",
-        proves: "no digits are lost but those that the parting takes",
+        name: "two vibrations that nearly coalesce, at a relative distance of 1e-1 to 1e-6",
+        proves: "no more digits are lost than the conditioning takes",
         tolerance: 20.0,
-        unit: "eps (1 + rate t)/part",
-        reason: "the condition number c of the pair is 1/sqrt(part): c roundings turn each phase, c times the motion large",
+        unit: "eps (1 + rate t)/distance",
+        reason: "the condition number c of the pair is 1/sqrt(distance): c rounding errors shift the phase of each mode, and each is c times as large as the motion",
         measure: coalescing,
     },
     Case {
         row: "13",
-        name: "defective vibrations, and coincident ones that are not",
-        proves: "the first are refused by name, the second are simulated as the matrix exponential says",
+        name: "defective vibrations, and coincident ones that are not defective",
+        proves: "the first are refused with a named error, the second agree with the matrix exponential",
         tolerance: 100.0,
         unit: "eps (1 + rate t)",
         reason: "as for the random cells",
@@ -83,7 +83,8 @@ fn digits<const N: usize>(x: &[f64; N]) -> Vec<Digits> {
     x.iter().map(|x| Digits::exact(*x)).collect()
 }
 
-/// The error of q and q' after `t`, in roundings of (1 + rate t) of the largest speed; all in units of sqrt(M).
+/// The error of q and q' after `t`, relative to the largest speed, in units of eps (1 + rate t). Coordinates and speeds are multiplied by
+/// sqrt(M).
 fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64) -> f64 {
     let cell = system.cell();
     let flight = cell.flight(&Vector::from(*q), &Vector::from(*v));
@@ -96,7 +97,7 @@ fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64)
     let place = largest((0..N).map(|i| apart(i, q[i], dq[i], &x[i])));
     let speed = largest((0..N).map(|i| apart(i, v[i], dv[i], &y[i])));
     let size = |v: &dyn Fn(usize) -> f64| largest((0..N).map(|i| system.mass[i][i].sqrt() * v(i).abs()));
-    // The speeds on the way, at the ends and at two places between.
+    // The largest speed, from the two ends and two times between.
     let middle = |part: f64| {
         let (_, y) = exact.over(&Digits::exact(part * t)).of(&digits(q), &digits(v));
         size(&|i| y[i].approx())
@@ -106,7 +107,7 @@ fn error<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64)
         / (f64::EPSILON * (1.0 + cell.rate * t))
 }
 
-/// Something of 40 cells of each of 2, 3, 4, 6 and 8 coordinates.
+/// The largest value of an expression over 40 random cells each of 2, 3, 4, 6 and 8 coordinates.
 macro_rules! of_all {
     ($noise:expr, $drawn:ident => $what:expr) => {
         largest(
@@ -194,10 +195,11 @@ fn crossings(note: &mut String) -> f64 {
     wrong
 }
 
-/// Samples of the exact motion on the way.
+/// Number of samples of the exact motion.
 const SAMPLES: usize = 400;
 
-/// 1 if the first crossing of n.q of a boundary within its reach is not what samples of the exact motion say.
+/// 1 if the first crossing of a boundary by n.q disagrees with samples of the exact motion, otherwise 0. The boundaries are drawn
+/// relative to the range of n.q.
 fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize) -> f64 {
     let system = Linear { normal: [(); N].map(|()| noise.even()), ..drawn.system };
     let propagator = exact(&system);
@@ -225,7 +227,7 @@ fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize
     let found = Search { signal, rate, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());
     let Ok(side) = found else { return 1.0 };
     let end = if side.is_some() { point.t } else { drawn.t };
-    // What the motion is known to, in the phase.
+    // The accuracy to which the phase is known.
     let slack = drawn.slack() * (high + low);
     let beyond = |x: f64| x > up + slack || x < -down - slack;
     let first = way.iter().position(|x| beyond(*x)).map_or(f64::INFINITY, |i| i as f64 * drawn.t / SAMPLES as f64);
@@ -266,12 +268,12 @@ fn continuity(_: &mut String) -> f64 {
     }))
 }
 
-/// Two oscillators whose vibrations coalesce where part = 0: the pencil's determinant is (lambda² + s lambda + b)².
-fn nearly_defective(part: f64) -> Linear<2> {
+/// Two oscillators whose vibrations coalesce at distance = 0: the determinant of the pencil is then (lambda² + s lambda + b)².
+fn nearly_defective(distance: f64) -> Linear<2> {
     let (s, b): (f64, f64) = (0.1, 1.0);
     Linear {
         mass: diagonal([1.0; 2]),
-        damping: diagonal([2.0 * s * (1.0 + part), 0.0]),
+        damping: diagonal([2.0 * s * (1.0 + distance), 0.0]),
         stiffness: [[s * s + b, s * b.sqrt()], [s * b.sqrt(), b]],
         load: [0.0; 2],
         normal: [1.0, 0.0],
@@ -280,17 +282,17 @@ fn nearly_defective(part: f64) -> Linear<2> {
 
 fn coalescing(_: &mut String) -> f64 {
     largest((1..=6).flat_map(|power| {
-        let part = 10f64.powi(-power);
-        [part, -part].map(|part| error(&nearly_defective(part), &[0.2, -0.1], &[1.0, 0.5], 30.0) * part.abs())
+        let size = 10f64.powi(-power);
+        [size, -size].map(|distance| error(&nearly_defective(distance), &[0.2, -0.1], &[1.0, 0.5], 30.0) * size)
     }))
 }
 
 fn coincident(note: &mut String) -> f64 {
-    let refused = |part: f64| matches!(Cell::new(&nearly_defective(part), &[]), Err(Refusal::Defective { .. }));
+    let refused = |distance: f64| matches!(Cell::new(&nearly_defective(distance), &[]), Err(Refusal::Defective { .. }));
     if !refused(0.0) || refused(1e-6) {
         return f64::INFINITY;
     }
-    // Two equal pairs of oscillators, damped alike, seen through a rotation of each two alike: all eigenvalues double.
+    // Two equal pairs of oscillators with equal damping: all eigenvalues are double.
     let mut worst = 0f64;
     for (c, k) in [
         ([0.2, 0.0, 0.05], [1.0, 3.0]),
@@ -308,7 +310,7 @@ fn coincident(note: &mut String) -> f64 {
             load: [0.1, 0.2, 0.0, -0.1],
             normal: [1.0; 4],
         };
-        // A critically damped mode beside two that are coupled.
+        // A critically damped mode and two coupled modes.
         let critical = Linear {
             mass: diagonal([1.0; 3]),
             damping: [[0.4, 0.3, 0.0], [0.3, 0.6, 0.0], [0.0, 0.0, 6.0]],

@@ -1,4 +1,4 @@
-//! Row 6: damping factors 0, 1 +- 10^-k, up to 1e6.
+//! Row 6: damping factors 0, 1 +- 10^-k, and up to 1e6.
 
 use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::{GearPair, State};
@@ -16,17 +16,17 @@ pub const CASES: &[Case] = &[
         name: "one mode at zeta = 0, 1e-12 to 1e6, 1 +- 1e-1 to 1e-15",
         proves: "xi and xi' as in 50 digits, at every time from 1e-8 to 100 periods",
         tolerance: 40.0,
-        unit: "eps (1 + wd t) of the largest so far",
-        reason: "an error of rounding in omega turns the phase; near zeta = 1 the two roots part by a root of eps",
+        unit: "eps (1 + wd t) of the largest value so far",
+        reason: "a rounding error of omega shifts the phase; near zeta = 1 the two roots differ by sqrt(eps)",
         measure: responses,
     },
     Case {
         row: "6",
         name: "from zeta = 1 - 1e-k to 1 + 1e-k, k = 4 to 16",
-        proves: "continuous through critical damping: xi differs by no more than its derivative by zeta says",
+        proves: "xi is continuous through critical damping: it differs by no more than its derivative by zeta allows",
         tolerance: 8.0,
         unit: "eps + 2e-k",
-        reason: "|d xi/d zeta| <= 2 here, and the roundings of xi",
+        reason: "|d xi/d zeta| <= 2 here, plus the rounding errors of xi",
         measure: continuity,
     },
     Case {
@@ -34,8 +34,8 @@ pub const CASES: &[Case] = &[
         name: "gear pair at zeta = 0, 1e-9, 1 +- 1e-12, 30, 1e3, 1e6",
         proves: "events and end as in 50 digits",
         tolerance: MULTIPLE,
-        unit: "eps (growth of disturbances + 1) an event",
-        reason: "as for random gear pairs; infinite if an event is another",
+        unit: "eps (growth of disturbances + 1) per event",
+        reason: "as for random gear pairs; infinite if an event differs",
         measure: scenes,
     },
 ];

@@ -1,4 +1,4 @@
-//! Row 9: 1e9 revolutions, 3e8 seconds.
+//! Row 9: starts after 1e9 revolutions, and runs of 3e8 seconds.
 
 use gearsim::engine::clock::Clock;
 use gearsim_tests::oh2005::{GearPair, PITCH, State};
@@ -11,8 +11,8 @@ use crate::pair;
 pub const CASES: &[Case] = &[
     Case {
         row: "9",
-        name: "a start 1e9 revolutions on, either way",
-        proves: "times, speeds and deflections have the same bits as from the first pitch",
+        name: "a start after 1e9 revolutions, in either direction",
+        proves: "times, speeds and deflections have the same bits as for a start in the first pitch",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -20,8 +20,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "9",
-        name: "3e8 s: time in units 2^28 times as long",
-        proves: "the motion does not know its unit of time: the same bits",
+        name: "a run of 3e8 s, compared with the same run with time scaled by 2^-28",
+        proves: "the motion does not depend on the unit of time: the same bits",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -30,15 +30,15 @@ pub const CASES: &[Case] = &[
     Case {
         row: "9",
         name: "the clock after 3e8 s, and a million flights of a microsecond",
-        proves: "a million short flights add up to rounding of the flights, not of the time",
+        proves: "the error of the sum is a rounding error of the flights, not of the time",
         tolerance: 1.0,
         unit: "eps of a second",
-        reason: "all flights together last a second; plain sums would be off by 1e8 times as much",
+        reason: "all flights together last a second; a plain sum would have 1e8 times this error",
         measure: clock,
     },
 ];
 
-/// How many entries of some columns differ in their bits, once `scaled`.
+/// The number of entries of two columns whose bits differ, after `a` is multiplied by `scale`.
 fn bits(a: &[f64], b: &[f64], scale: f64) -> f64 {
     let unlike = a.len().abs_diff(b.len()) as f64;
     unlike + count(a.iter().zip(b).map(|(a, b)| (a * scale).to_bits() != b.to_bits()))
@@ -48,7 +48,7 @@ fn revolutions(note: &mut String) -> f64 {
     let mut rows = 0;
     let wrong = [(1e9, 60.0), (1e9, -600.0), (-1e9, 60.0), (-1e9, -4500.0)].map(|(turns, rpm)| {
         let pair = GearPair::paper(0.05, 10.0);
-        // Any angle so far away will do; what is left of it beyond whole pitches is exact.
+        // Any angle this large will do; its remainder after whole pitches is exact.
         let far = State { theta: turns * pair.n1 * PITCH + 1.0, ..pair.start(rpm) };
         let near = State { theta: far.theta.rem_euclid(PITCH), ..far };
         let t_end = 50.0 / far.theta_dot.abs();

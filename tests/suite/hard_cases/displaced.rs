@@ -1,4 +1,4 @@
-//! Row 3: a phase at rest against a step of a transmission error, held, let go, let through.
+//! Row 3: a phase at rest against a step of a transmission error: held, released, passed.
 
 use gearsim::run::Outcome;
 
@@ -9,27 +9,27 @@ pub const CASES: &[Case] = &[
     Case {
         row: "3",
         name: "held at a step of a transmission error, until the reaction pulls",
-        proves: "held until phi has come to T0/k, then free: both in closed form",
+        proves: "held until phi = T0/k, then free: both in closed form",
         tolerance: 1e-13,
         unit: "of the motion's sizes",
-        reason: "roundings; that it is let go when the reaction pulls by 1e-9 of its forces counts by its square",
+        reason: "rounding errors; the release is late, at a pull of 1e-9 of the forces, and this delay counts squared",
         measure: |_| release(),
     },
     Case {
         row: "3",
-        name: "held at a step of a transmission error, which vanishes",
-        proves: "phi half-way between the errors makes dV = 0: theta slips through without loss, in closed form",
+        name: "held at a step of a transmission error, until dV vanishes",
+        proves: "dV = 0 when phi is half-way between the errors: theta passes the step without loss, in closed form",
         tolerance: 1e-13,
         unit: "of the motion's sizes",
-        reason: "roundings of closed forms and of the frequencies",
+        reason: "rounding errors of closed forms and of the frequencies",
         measure: |_| slip(),
     },
 ];
 
-/// The error of the tooth below theta = 0; that above it has none.
+/// The error [rad] of the tooth below theta = 0. The tooth above has none.
 const BELOW: f64 = -4e-3;
 
-/// The gear pair of one stiffness at rest at the boundary between the teeth.
+/// Runs the gear pair with one stiffness from rest at the boundary between the teeth.
 fn at_rest(t0: f64, phi: f64, t_end: f64) -> Outcome {
     let others = [
         r#"effects=["stiffness_step", "transmission_error", "torques"]"#,
@@ -39,7 +39,7 @@ fn at_rest(t0: f64, phi: f64, t_end: f64) -> Outcome {
     pair_at_rest(t0, phi, t_end, &others)
 }
 
-/// phi = 3 T0/k presses theta down, where the error is lower and the spring's energy higher: held, until phi = T0/k.
+/// phi = 3 T0/k presses theta downwards, where the error is lower and the spring's energy higher. theta is held until phi = T0/k.
 fn release() -> f64 {
     let (free, held, _) = frequencies(K);
     let after = 0.3 / free;
@@ -47,7 +47,7 @@ fn release() -> f64 {
     Freed { phi: REST, speed: -2.0 * REST * held, k: K, rest: REST, after }.off(&outcome, (1, 0))
 }
 
-/// phi swings about -REST, the rest under -10 N m, and meets the middle of the errors before theta would leave.
+/// phi swings about -REST, the static deflection under -10 N m, and reaches the middle of the two errors before the reaction pulls.
 fn slip() -> f64 {
     let (free, held, _) = frequencies(K);
     let (start, middle, after) = (1e-2, BELOW / 2.0, 0.2 / free);

@@ -1,4 +1,4 @@
-//! Row 11: play whose edges a transmission error moves. Flanks that part and meet where it steps, and within its waves.
+//! Row 11: play whose edges a transmission error moves. Flanks separate and meet at its steps, and where it varies smoothly.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,56 +15,56 @@ use crate::rattle::{apart_by_steps, before, constants, rattling, rk4};
 pub const CASES: &[Case] = &[
     Case {
         row: "11",
-        name: "flanks part where a transmission error steps",
-        proves: "the spring's energy goes into the rotation, the flight until they meet again is ballistic: in closed form",
+        name: "flanks that separate at a step of a transmission error",
+        proves: "the spring's energy goes into the rotation; the flight until the next contact is ballistic, in closed form",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "roundings of closed forms",
+        reason: "rounding errors of closed forms",
         measure: |_| parted(),
     },
     Case {
         row: "11",
-        name: "flanks meet where a transmission error steps, fast enough and too slow",
-        proves: "the spring's energy is taken from the rotation, or turns it back: in closed form",
+        name: "flanks that meet at a step of a transmission error, transmitted and reflected",
+        proves: "the rotation gives the spring its energy, or is reflected, in closed form",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "roundings of closed forms",
+        reason: "rounding errors of closed forms",
         measure: |_| largest([met(1000.0), met(10.0)]),
     },
     Case {
         row: "11",
-        name: "held at a step of a transmission error, until the flanks beyond it part",
-        proves: "theta rests while phi flies; once nothing would be strained beyond the step, it goes on, in closed form",
+        name: "held at a step of a transmission error, until the flanks beyond it separate",
+        proves: "theta rests while phi moves freely; when no spring would be strained beyond the step, theta moves on, in closed form",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "roundings of closed forms",
+        reason: "rounding errors of closed forms",
         measure: |_| held(),
     },
     Case {
         row: "11",
         name: "gear pairs with pitch errors that rattle: the energy account",
-        proves: "no joule unaccounted for where flanks part and meet with the steps",
+        proves: "the account closes where flanks separate and meet at steps",
         tolerance: 1e-12,
         unit: "of the energy at the start",
-        reason: "some 1000 events, each a few roundings",
+        reason: "about 1000 events, each with a few rounding errors",
         measure: accounted,
     },
     Case {
         row: "11",
         name: "gear pairs with pitch errors that rattle, by dop853",
-        proves: "the same flanks, the same end by steps",
+        proves: "the step method gives the same contacts and the same end",
         tolerance: 1e-8,
         unit: "of the motion's sizes",
-        reason: "the tolerance of the steps, 1e-13, and what impacts and the switching make of it",
+        reason: "the tolerance of the steps, 1e-13, times its growth by impacts and steps of stiffness",
         measure: by_steps,
     },
     Case {
         row: "11",
-        name: "play under a wave of transmission error, by dop853",
-        proves: "min and max in a right-hand side, integrated by small steps, come to the same motion",
+        name: "play with a harmonic transmission error, by dop853",
+        proves: "an integration by small steps of a right-hand side with min and max gives the same motion",
         tolerance: 1e-7,
         unit: "of b, of v",
-        reason: "the step of the integration, which does not know where the force has its kinks",
+        reason: "the integration steps across the kinks of the force",
         measure: waves,
     },
 ];
@@ -72,7 +72,8 @@ pub const CASES: &[Case] = &[
 /// Half the play [rad].
 const HALF: f64 = 0.02;
 
-/// The gear pair without damping; `errors` are those of the tooth below theta = 2 pi and of that above.
+/// Runs the gear pair without damping. `errors` are those of the tooth below theta = 2 pi and of the tooth above; `theta` and `phi` are
+/// the angle and the speed at the start.
 fn pair(t0: f64, errors: [f64; 2], theta: [f64; 2], phi: [f64; 2], t_end: f64) -> Outcome {
     common::run(&common::scene(
         "backlash",
@@ -117,7 +118,8 @@ fn parted() -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// The edge falls by 4e-3 below a deflection that is then x deep, 1e-3 or so: v+² = v² - M2 k x², if there is so much of it.
+/// The edge falls by 4e-3, below a deflection that then has the depth x, about 1e-3: v+² = v² - M2 k x² if this is not negative;
+/// otherwise theta is reflected.
 fn met(start: f64) -> f64 {
     let (m1, m2, _) = constants(0.0);
     let (t0, theta, after) = (5.0, TAU - 1e-6, 2e-5);
@@ -137,7 +139,7 @@ fn met(start: f64) -> f64 {
         let (s, c) = (w * after).sin_cos();
         (HALF + rest + (x - rest) * c + kick / w * s, kick * c - (x - rest) * w * s)
     };
-    // Nothing but phi's force acts on theta: theta'' = (M1/M2) phi''.
+    // Only the force of phi acts on theta: theta'' = (M1/M2) phi''.
     let theta_dot = beyond + m1 / m2 * (speed - kick);
     let passed = u64::from(!reflected);
     let counts = &outcome.counts;
@@ -151,7 +153,8 @@ fn met(start: f64) -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// Theta at rest is driven down against the step, below which the flanks would be x deep; phi flies back, x - v t - A t²/2.
+/// theta is at rest and is driven downwards against the step, below which the contact would have the depth x. phi moves back freely:
+/// x - v t - A t²/2.
 fn held() -> f64 {
     let (m1, m2, _) = constants(0.0);
     let inertia: f64 = 2890e-6 / 576.0 + 740200e-6 / 9216.0;
@@ -173,7 +176,7 @@ fn held() -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// A gear pair that rattles, with errors of three teeth as large as its play.
+/// A gear pair that rattles, with errors of three teeth of the size of its play.
 fn uneven(noise: &mut Noise) -> Scene {
     let errors: Vec<_> = (0..3).map(|_| format!("\"{:?} rad\"", 2e-2 * noise.even())).collect();
     let more = [

@@ -1,4 +1,4 @@
-//! Row 4: events at t = 0, at the horizon, one bit apart.
+//! Row 4: events at t = 0, at the horizon of a search, and one bit apart.
 
 use gearsim::engine::crossing::Side;
 use gearsim::profile::Step;
@@ -13,7 +13,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "start on a boundary",
-        proves: "moving out, or at rest and pushed out: one event, at t = 0; moving in, or pushed in: none there",
+        proves: "moving outwards, or at rest and accelerated outwards: one event, at t = 0; inwards: none there",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -21,8 +21,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "4",
-        name: "horizon at a crossing, and a bit before and after",
-        proves: "a crossing at the horizon itself is not before it; one bit later it is",
+        name: "horizon at a crossing, and one bit after it",
+        proves: "a crossing at the horizon is not found; with the horizon one bit later it is",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -31,16 +31,16 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "two boundaries one bit apart",
-        proves: "both fire, one after the other: three events a pitch for two, and the same motion",
+        proves: "both are events, one after the other: three events per pitch instead of two, and the same motion",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "the steps add up to the one that they replace; infinite if an event is lost",
+        reason: "the two steps add up to the step that they replace; infinite if an event is lost",
         measure: bits_apart,
     },
 ];
 
 fn starts(_: &mut String) -> f64 {
-    // x'' = f from x = 0, in a cell whose boundary is there; the other one is 1 away.
+    // x'' = f from x = 0, in a cell with one boundary at 0; the other one is 1 away.
     let from = |v: f64, f: f64, upper: bool| {
         let gaps = if upper { [1.0, 0.0] } else { [0.0, 1.0] };
         let Met { side, t, .. } = first_from(&Linear::modal([(0.0, 0.0)], [f]), [v], gaps, 10.0);
@@ -97,7 +97,7 @@ fn bits_apart(note: &mut String) -> f64 {
         let [one, two] = [&plain, &split].map(pair::of);
         let [c1, c2] = [&one, &two].map(|run| &run.outcome.counts);
         events += c2.cell_changes;
-        // Of the boundaries passed every other one is doubled.
+        // Every other boundary that is passed is doubled.
         let doubled = c1.cell_changes.div_ceil(2)..=c1.cell_changes.div_ceil(2) + 1;
         if c1.reflections + c2.reflections > 0 || !doubled.contains(&(c2.cell_changes - c1.cell_changes + 1)) {
             println!("{c1:?} {c2:?}");

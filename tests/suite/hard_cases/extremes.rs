@@ -1,4 +1,4 @@
-//! Row 15: numbers of every size: refused by a named error, or run to a named end.
+//! Row 15: numbers of every size: refused with a named error, run to the end, or stopped with a named error.
 
 use std::panic::catch_unwind;
 
@@ -9,8 +9,8 @@ use crate::refusals::load;
 pub const CASES: &[Case] = &[
     Case {
         row: "15",
-        name: "parameters whose matrices are none",
-        proves: "refused before the run, by a named error",
+        name: "parameters that give no valid matrices",
+        proves: "refused before the run, with a named error",
         tolerance: 0.0,
         unit: "not refused",
         reason: NONE,
@@ -19,7 +19,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "15",
         name: "parameters of 5e-324 to 1e300, one and two at a time",
-        proves: "no panic, no endless loop, no silent NaN: refused, finite to the end, or stopped by name",
+        proves: "no panic, no endless loop, no silent NaN: refused, finite to the end, or stopped with a named error",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -27,7 +27,8 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// What a run of a scene with these overrides comes to: refused, or the finiteness of its last row.
+/// Runs a scene with these overrides: the error if it is refused, otherwise whether it stopped with a named error or its last row is
+/// finite.
 fn end(overrides: &[String]) -> Result<bool, String> {
     let scene = load(overrides)?;
     let outcome = common::model(scene.model.name).run(&scene, &mut |_| {}).map_err(|e| e.to_string())?;
@@ -76,7 +77,7 @@ fn extremes(note: &mut String) -> f64 {
         for b in &keys[i..] {
             for (x, y) in sizes.iter().flat_map(|x| sizes.iter().map(move |y| (x, y))).filter(|(x, y)| a != b || x == y)
             {
-                // A short run, or a speed like that would pass steps without end.
+                // The run is short, because at such speeds a longer one would pass too many steps.
                 let overrides =
                     [one(*a, x), one(*b, y), "run.t_end=1e-9 s".to_string(), "output.rate=1 GHz".to_string()];
                 runs += 1;

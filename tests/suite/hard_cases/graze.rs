@@ -1,4 +1,4 @@
-//! Row 1: grazing to every depth, exact tangency.
+//! Row 1: grazes of every depth, and exact tangency.
 
 use gearsim_tests::oh2005::{GearPair, State};
 use gearsim_tests::precise::{self, first_crossing};
@@ -10,8 +10,8 @@ use crate::{noise::Noise, pair};
 pub const CASES: &[Case] = &[
     Case {
         row: "1",
-        name: "graze by 1e-1 to 1e-14 of the amplitude, over and short",
-        proves: "a crossing is found however shallow, and none is invented",
+        name: "crest 1e-1 to 1e-14 of the amplitude beyond a boundary, or short of it",
+        proves: "every crossing is found however shallow, and no false one",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "1",
         name: "time of a graze",
-        proves: "as exact as a root so flat allows",
+        proves: "as accurate as the conditioning of a flat root allows",
         tolerance: 8.0,
         unit: "eps amplitude/slope",
         reason: "the tolerance of a touch, 4 eps of twice the amplitude",
@@ -28,8 +28,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "1",
-        name: "exact tangency, again and again",
-        proves: "a touch is no event, every time",
+        name: "exact tangency, repeated",
+        proves: "a touch is never an event",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -46,8 +46,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "1",
-        name: "graze in a cell that is 1e-2 to 1e-8 of the swing",
-        proves: "the depth that is told follows the cell, not the swing",
+        name: "graze in a cell whose width is 1e-2 to 1e-8 of the swing",
+        proves: "the smallest depth that is resolved depends on the width of the cell, not on the swing",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -55,8 +55,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "1",
-        name: "gear pair swings to the end of its cell, short and over by 1e-1 to 1e-12 of its speed",
-        proves: "the same in a scene; the speed is found in 50 digits",
+        name: "gear pair that just reaches the end of its cell or stops short of it, by 1e-1 to 1e-12 of its speed",
+        proves: "there is an event exactly if the speed suffices; the limiting speed is found in 50 digits",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -64,7 +64,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// A sin t has its crest at A exactly. The level in its unit, and whether the crest is higher.
+/// Amplitudes A and levels. A sin t has its crest at exactly A; the level is below or above it by the relative depths 1e-1 to 1e-14.
 fn levels() -> impl Iterator<Item = (f64, f64)> {
     let depths = (1..=14).flat_map(|k| [1.0, -1.0].map(|sign| sign * 10f64.powi(-k)));
     depths.flat_map(|depth| [1e-9, 1.0, 3.7e8].map(|amplitude| (amplitude, amplitude * (1.0 - depth))))
@@ -77,7 +77,7 @@ fn sine() -> Linear<1> {
 fn depths(_: &mut String) -> f64 {
     let wrong = |(amplitude, level): (f64, f64), sign: f64| {
         let gaps = if sign > 0.0 { [2.0 * amplitude, level] } else { [level, 2.0 * amplitude] };
-        // Until the first crest is passed.
+        // The horizon 2 is after the first crest.
         first_from(&sine(), [sign * amplitude], gaps, 2.0).side.is_some() != (level < amplitude)
     };
     count(levels().flat_map(|case| [wrong(case, 1.0), wrong(case, -1.0)]))
@@ -95,7 +95,7 @@ fn times(_: &mut String) -> f64 {
 fn tangencies(wrong: fn(Met, Met) -> bool) -> f64 {
     let mut noise = Noise::new(101);
     count((0..1000).map(|_| {
-        // Powers of two for omega: the crest is at the amplitude to the bit.
+        // omega is a power of two, so the height of the crest is the amplitude to the bit.
         let (amplitude, omega) = (noise.power(-6.0, 6.0), 2f64.powi(noise.below(20) as i32 - 10));
         let system = Linear::modal([(0.0, omega * omega)], [0.0]);
         // 16 crests
@@ -108,8 +108,8 @@ fn tangencies(wrong: fn(Met, Met) -> bool) -> f64 {
     }))
 }
 
-/// xi'' + xi = -cos, from just before its crest of height 1 over the equilibrium: it moves by a small part of its swing,
-/// to sin tau, and the cell is that narrow. The level is put to 1e-3 to 1e-9 of the way over and under the turn.
+/// xi'' + xi = -cos tau starts just before its crest, which has the height 1 above the equilibrium. It moves by a small part of its swing,
+/// and the cell is as narrow. The level is below or above the crest by 1e-3 to 1e-9 of this way.
 fn narrow(note: &mut String) -> f64 {
     let mut total = 0;
     let wrong = |(tau, depth): (f64, f64)| {
@@ -120,7 +120,7 @@ fn narrow(note: &mut String) -> f64 {
         let level = 2.0 * (0.5 * tau).sin().powi(2) * (1.0 - depth);
         let horizon = 2.0 * tau;
         let exact = first_crossing(&[mode], level, horizon).is_some();
-        assert_eq!(exact, depth > 0.0, "the level is on the side of the crest that was meant");
+        assert_eq!(exact, depth > 0.0, "the level must be on the intended side of the crest");
         let wrong =
             first_from(&Linear::modal([(0.0, 1.0)], [force]), [v], [level, level], horizon).side.is_some() != exact;
         if wrong {
@@ -144,7 +144,7 @@ fn gear_pairs(_: &mut String) -> f64 {
         let reached = !precise::scene(&pair, &start(middle), t_end, 50).events.is_empty();
         if reached { far = middle } else { short = middle }
     }
-    // 1e-13 of the speed would be 5e-16 rad, less than the depth to which a touch is told from a crossing.
+    // 1e-13 of the speed would be 5e-16 rad, less than the depth below which a crossing counts as a touch.
     let cases = (1..=12).flat_map(|k| [-1.0, 1.0].map(|sign| sign * 10f64.powi(-k)));
     count(cases.map(|depth| pair::run(&pair, &start(far * (1.0 + depth)), t_end).events.is_empty() != (depth < 0.0)))
 }

@@ -28,10 +28,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "2",
         name: "speed after a near-critical step",
-        proves: "no cancellation but that of v² - 2 G dV itself",
+        proves: "the only cancellation is that of v² - 2 G dV",
         tolerance: 8.0,
         unit: "eps v²/v+²",
-        reason: "half a dozen roundings of v² and 2 G dV, halved by the root",
+        reason: "six rounding errors of v² and 2 G dV, halved by the square root",
         measure: speeds,
     },
     Case {
@@ -54,19 +54,19 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "2",
-        name: "energy across a million steps, passed and refused",
+        name: "energy across a million steps, transmitted and reflected",
         proves: "T + V is the same on both sides",
         tolerance: 16.0,
         unit: "eps (T + |dV|)",
-        reason: "roundings of T before and after, and of the jump",
+        reason: "rounding errors of T before and after, and of the jump",
         measure: energy,
     },
 ];
 
-/// Law values of the gear pair without play; the step of the stiffness is all that counts of it.
+/// Law values of the gear pair without play. Only the step of the stiffness matters here.
 const IN_CONTACT: &[f64] = &[0.0, 1.0, 0.0, 1.0, 0.0];
 
-/// What the engine makes of an incidence, with the equations of the gear pair.
+/// The engine's decision at a step, and the speeds after it.
 fn pass(equations: &dyn Equations, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
     let mut q_dot = Vector::from(v);
     let side = if v[0] >= 0.0 { Side::Upper } else { Side::Lower };

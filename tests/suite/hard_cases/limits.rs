@@ -1,4 +1,4 @@
-//! Row 13: coincident and defective modes, against the matrix exponential.
+//! Row 13: coincident and defective modes, compared with the matrix exponential.
 
 use gearsim::engine::vector::Vector;
 use gearsim_tests::precise::exponential::Exponential;
@@ -13,16 +13,16 @@ pub const CASES: &[Case] = &[
     Case {
         row: "13",
         name: "random cells of three coordinates, with a rigid-body mode or without",
-        proves: "q, q' as the matrix exponential in 50 digits says",
+        proves: "q and q' agree with the matrix exponential in 50 digits",
         tolerance: 64.0,
         unit: "eps (1 + rate t)",
-        reason: "roundings of the eigenvalue problem and of the transformations, conditioned up to 10",
+        reason: "rounding errors of the eigenvalue problem and of the transformations, whose condition number is up to 10",
         measure: |note| cells(note, 1301, Kind::Any),
     },
     Case {
         row: "13",
         name: "coincident modes, undamped and damped",
-        proves: "any basis of their plane gives the motion",
+        proves: "any basis of their eigenspace gives the motion",
         tolerance: 64.0,
         unit: "eps (1 + rate t)",
         reason: "as for random cells",
@@ -30,7 +30,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "13",
-        name: "defective: critically damped modes, coincident or alone",
+        name: "defective cells: critically damped modes, coincident or single",
         proves: "no basis of complex modes is needed",
         tolerance: 64.0,
         unit: "eps (1 + rate t)",
@@ -67,7 +67,7 @@ fn cells(note: &mut String, seed: u64, kind: Kind) -> f64 {
         let zeta = if kind == Kind::Critical { 1.0 } else { [0.0, 0.1, 2.0][case as usize % 3] };
         let product = |d: [f64; 3]| {
             let x = a.transpose() * SMatrix::from_diagonal(&SVector::from(d)) * a;
-            // Symmetric to the bit, as the derived matrices are.
+            // Made symmetric to the bit, as the derived matrices are.
             std::array::from_fn(|i| std::array::from_fn(|j| x[(i.min(j), i.max(j))]))
         };
         let system = Linear {
@@ -84,7 +84,7 @@ fn cells(note: &mut String, seed: u64, kind: Kind) -> f64 {
         let (dq, dv) = flight.increments(&flight.at(t));
         let exact = propagate(&system, q, v, t);
         let rate = omega.iter().fold(0.0, |m: f64, w| m.max(w * (1.0 + 2.0 * zeta)));
-        // Sizes: a motion of the fastest mode at unit size has the speed `rate`.
+        // A motion of the fastest mode with amplitude 1 has the speed `rate`.
         let size = largest((0..3).map(|i| exact.0[i].abs().max(q[i].abs()))) + t * largest(v.map(f64::abs));
         let apart = |i: usize| (q[i] + dq[i] - exact.0[i]).abs().max((v[i] + dv[i] - exact.1[i]).abs() / rate.max(1.0));
         largest((0..3).map(apart)) / (size * f64::EPSILON * (1.0 + rate * t))

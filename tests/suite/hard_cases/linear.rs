@@ -1,4 +1,4 @@
-//! Any linear cell as a model: M q'' + C q' + K q = f, its phase n.q. What the engine is given where no scene is needed.
+//! Any linear cell M q'' + C q' + K q = f with the phase n.q, as equations for the engine. For cases that need no scene.
 
 use gearsim::engine::cell::{Cell, Flight, Point};
 use gearsim::engine::crossing::{Cost, Lost, Search, Side};
@@ -6,7 +6,7 @@ use gearsim::engine::equations::{DeadBand, Equations, Switching, matrix};
 use gearsim::engine::signal::Signal;
 use gearsim::engine::vector::{Matrix, Vector, dot};
 
-/// The matrices themselves. V = q.K q/2, and at a step dk of its one law dV = dk q_0²/2.
+/// The matrices of the cell. V = q.K q/2; a step dk of its only law gives dV = dk q_0²/2.
 #[derive(Debug, Clone, Copy)]
 pub struct Linear<const N: usize> {
     pub mass: [[f64; N]; N],
@@ -22,7 +22,7 @@ pub fn diagonal<const N: usize>(of: [f64; N]) -> [[f64; N]; N] {
 }
 
 impl<const N: usize> Linear<N> {
-    /// Modes as coordinates: M = 1, `modes` are (sigma, omega²), and all of them count in the phase.
+    /// A cell whose coordinates are its modes, given by (sigma, omega²): M = 1, and the phase is the sum of all modes.
     pub fn modal(modes: [(f64, f64); N], load: [f64; N]) -> Self {
         Linear {
             mass: diagonal([1.0; N]),
@@ -33,7 +33,7 @@ impl<const N: usize> Linear<N> {
         }
     }
 
-    /// Its modes.
+    /// The engine's modes of this cell.
     pub fn cell(&self) -> Cell {
         Cell::new(self, &[]).unwrap_or_else(|refusal| panic!("{refusal}: {self:?}"))
     }
@@ -98,7 +98,7 @@ fn times<const N: usize>(a: &[[f64; N]; N], x: &[f64]) -> [f64; N] {
     a.map(|row| dot(&row, x))
 }
 
-/// What a search found: the boundary and the time [s], and what it cost.
+/// The result of a search: the boundary, the time [s], and the cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Met {
     pub side: Option<Side>,
@@ -106,7 +106,7 @@ pub struct Met {
     pub cost: Cost,
 }
 
-/// Searches for the first boundary that n.q meets, `down` and `up` away, before `horizon` [s].
+/// Searches for the first boundary that n.q meets before `horizon` [s]. The boundaries are at the distances `down` and `up`.
 pub fn first(flight: &Flight<'_>, participation: &Vector, [down, up]: [f64; 2], horizon: f64) -> Result<Met, Lost> {
     let (mut point, mut cost): (Point, Cost) = (flight.begin(), Cost::default());
     let signal = Signal { flight, on_moved: participation, on_speed: None };
@@ -115,7 +115,7 @@ pub fn first(flight: &Flight<'_>, participation: &Vector, [down, up]: [f64; 2], 
     Ok(Met { side, t: if side.is_some() { point.t } else { horizon }, cost })
 }
 
-/// [`first`] from rest of `q` at 0 and the speeds `v`.
+/// [`first`] from q = 0 with the speeds `v`.
 pub fn first_from<const N: usize>(system: &Linear<N>, v: [f64; N], gaps: [f64; 2], horizon: f64) -> Met {
     let cell = system.cell();
     let flight = cell.flight(&Vector::zeros(N), &v.into());

@@ -10,20 +10,20 @@ use crate::pair::{self, distance};
 pub const CASES: &[Case] = &[
     Case {
         row: "7",
-        name: "energy of an undamped, aperiodic gear pair, compensated",
-        proves: "nothing is lost or gained",
+        name: "energy of an undamped, aperiodic gear pair in compensated precision",
+        proves: "no energy is lost or gained",
         tolerance: 1e-12,
         unit: "of the energy",
-        reason: "the promise for 1e8 events (GEARSIM_EVENTS), kept by every shorter run",
+        reason: "the limit promised for 1e8 events (GEARSIM_EVENTS); every shorter run keeps it",
         measure: |note| energy(Precision::Compensated, note).0,
     },
     Case {
         row: "7",
-        name: "its drift in plain numbers",
-        proves: "an event costs less than one rounding of the energy",
+        name: "energy drift of the same gear pair in plain precision",
+        proves: "an event changes the energy by less than one rounding error",
         tolerance: f64::EPSILON,
-        unit: "of the energy an event",
-        reason: "constants of a cell, rounded, err always to the same side: the drift is linear, and stated",
+        unit: "of the energy per event",
+        reason: "the rounding errors of a cell's constants always have the same sign, so the drift is linear; it is documented",
         measure: |note| {
             let (lost, events) = energy(Precision::Plain, note);
             lost / events
@@ -32,15 +32,15 @@ pub const CASES: &[Case] = &[
     Case {
         row: "8",
         name: "time reversed after 20 to 2000 events",
-        proves: "the motion comes back to its start",
+        proves: "the motion returns to its start",
         tolerance: 8.0,
         unit: "eps growth of disturbances per event",
-        reason: "each event adds a few roundings; they grow as disturbances of the start do",
+        reason: "each event adds a few rounding errors, which grow as disturbances of the start do",
         measure: reversal,
     },
 ];
 
-/// What is unaccounted for at the end, over the energy at the start, and the number of events.
+/// The residual of the energy account at the end over the energy at the start, and the number of events.
 fn energy(precision: Precision, note: &mut String) -> (f64, f64) {
     // 480 events a second
     let pair = GearPair::paper(0.0, 10.0);
@@ -58,13 +58,13 @@ fn reversal(note: &mut String) -> f64 {
     let mut all = vec![];
     let worst = largest([(600.0, 0.04), (600.0, 0.08), (2000.0, 0.3), (4500.0, 0.55)].map(|(rpm, t)| {
         let pair = GearPair::paper(0.0, 1.0);
-        // Away from a step, where the way back would end, too.
+        // The start is not on a step, because the way back would end on it.
         let start = State { theta: 1.0, ..pair.start(rpm) };
         let turned = |end: &State| State { theta_dot: -end.theta_dot, phi_dot: -end.phi_dot, ..*end };
         let there = pair::run(&pair, &start, t);
         let turn = turned(&there.end);
         let back = pair::run(&pair, &turn, t);
-        // Of roundings on the way there, and where it turns.
+        // The growth of disturbances of the start, and of disturbances at the reversal.
         let grown = [(&start, &there), (&turn, &back)].map(|(from, run)| {
             let by = 1.0 + 1e-9;
             let disturbed = State { phi: from.phi * by, theta_dot: from.theta_dot * by, ..*from };

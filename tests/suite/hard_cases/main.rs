@@ -1,10 +1,10 @@
-//! The hard cases of the engine: the promises that it makes, each proved by a number that must stay within a tolerance.
+//! The hard cases of the engine: each is a promise, tested by a measured number that must stay within a tolerance.
 //!
-//! Every case runs as a test. With GEARSIM_HARD_CASES=FILE the run writes its numbers as a table, in Markdown:
-//! `cargo xtask hard-cases`. GEARSIM_CELLS, GEARSIM_SCENES, GEARSIM_EVENTS and GEARSIM_SEED set how much random work is
-//! done, and on what.
+//! Every case runs as a test. With GEARSIM_HARD_CASES=FILE the run writes its numbers to FILE as a table, in Markdown:
+//! `cargo xtask hard-cases`. The environment variables GEARSIM_CELLS, GEARSIM_SCENES and GEARSIM_EVENTS set the amount of random work,
+//! GEARSIM_SEED selects its random numbers.
 //!
-//! A group of rows of the catalogue is a file; a case is an entry of its `CASES`.
+//! Each file holds a group of cases, and each case is an entry of the file's `CASES`. Its `row` numbers the kind of difficulty.
 
 mod case;
 #[path = "../common/mod.rs"]
@@ -46,12 +46,12 @@ mod trapped;
 use std::process::ExitCode;
 
 use case::{Case, check};
-// Where the expansions of the models find the engine, as they do within gearsim.
+// The expansions of the models refer to these two as `crate::engine` and `crate::model`, as they do within gearsim.
 use gearsim::{engine, model};
 use libtest_mimic::{Arguments, Trial};
 use table::Table;
 
-/// The catalogue, by rows.
+/// All cases, in the order of the table.
 const GROUPS: &[&[Case]] = &[
     graze::CASES,
     jump::CASES,
@@ -81,7 +81,7 @@ const GROUPS: &[&[Case]] = &[
     claims::CASES,
 ];
 
-/// Promises not kept yet, and why. They are in the table, as failing; tests pass them over by name.
+/// Names of cases that still fail, and why. The table shows them as failing; the tests ignore them.
 const OPEN: [(&str, &str); 0] = [];
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! Row 10: reverse rotation, speed through zero.
+//! Row 10: reverse rotation, and speeds that pass zero.
 
 use gearsim::engine::crossing::Side;
 use gearsim::profile::Step;
@@ -14,7 +14,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "10",
         name: "gear pairs and their mirror images",
-        proves: "theta, phi, T0 and the order of the steps reversed: the same times, the same numbers, to the bit",
+        proves: "with theta, phi, T0 and the order of the steps reversed, times and states have the same bits",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -22,8 +22,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "10",
-        name: "x'' = -a: out, to rest, and back",
-        proves: "the turning is passed, the boundary behind it met at 2 v/a",
+        name: "x'' = -a: away, to rest, and back",
+        proves: "no event at the turning point; the boundary behind is met at 2 v/a",
         tolerance: 4.0,
         unit: "eps t",
         reason: "the root of a quadratic whose coefficients are exact",
@@ -31,8 +31,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "10",
-        name: "speed through zero short of a boundary, just at it, just beyond",
-        proves: "v²/2a decides, to 1e-14 of the way",
+        name: "speed that becomes zero just before or just beyond a boundary",
+        proves: "v²/(2 a) decides, to 1e-14 of the way",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -40,11 +40,11 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "10",
-        name: "a damped mode that creeps through zero speed",
-        proves: "the boundary behind the turning is met when 50 digits say",
+        name: "a damped mode that slowly reverses",
+        proves: "the boundary behind the turning point is met at the time given by 50 digits",
         tolerance: 8.0,
         unit: "eps (t + amplitude/slope)",
-        reason: "a rounding of the phase over its slope, and of t",
+        reason: "one rounding error of the phase over its slope, and one of t",
         measure: damped,
     },
 ];
@@ -53,7 +53,7 @@ fn mirrored(note: &mut String) -> f64 {
     let mut noise = Noise::new(1001);
     let mut rows = 0;
     let wrong = (0..40).map(|_| {
-        // On a grid coarse enough for PITCH - x to be exact; the same for the width.
+        // The start angle is on a coarse grid and the width has few digits, so that PITCH - x is exact.
         let pair = GearPair { width1: 1.75, ..GearPair::paper(0.1 * noise.unit(), noise.power(0.0, 2.0)) };
         let standard = pair.start(noise.power(1.0, 3.5));
         let start = State { theta: (64.0 * PITCH * noise.unit()).round() / 64.0, phi_dot: noise.even(), ..standard };

@@ -1,9 +1,9 @@
-//! Small models with closed forms, written out as the derivation would.
+//! Small models with closed forms, written by hand in the form of derived files.
 
 use gearsim::run::{Entry, Outcome};
 use gearsim::scene::Scene;
 
-/// Runs a scene of one of them to its end.
+/// Runs a scene of one of these models to its end.
 pub fn run(entry: &Entry, text: &str) -> Outcome {
     let scene = Scene::parse("case", "case.toml", text, &[], &[entry.model])
         .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)));
@@ -18,13 +18,13 @@ pub fn end(outcome: &Outcome) -> (Vec<f64>, Vec<f64>) {
     (last(&outcome.trajectory.q), last(&outcome.trajectory.q_dot))
 }
 
-/// Energy unaccounted for, of the energy at the start.
+/// The largest residual of the energy account, relative to the energy at the start.
 pub fn residual(outcome: &Outcome) -> f64 {
     crate::case::largest(outcome.trajectory.residual.iter().map(|r| r.abs())) / outcome.energy_at_start
 }
 
-/// A damped rotor under a torque, whose angle stiffens the spring of a second, loaded rotor: pressed against a step it
-/// cannot climb.
+/// A damped rotor under a torque. Its angle stiffens the spring of a second, loaded rotor, so that the torque presses it against a step
+/// that reflects it.
 pub mod pressed {
     gearsim_macros::equations! {
         model pressed "a rotor pressed against a step";
@@ -55,7 +55,7 @@ pub mod pressed {
     }
 }
 
-/// Two springs on one rotor that step with one angle.
+/// Two springs on one rotor; both step with the same angle.
 pub mod twice {
     gearsim_macros::equations! {
         model twice "two springs that step together";
@@ -78,7 +78,7 @@ pub mod twice {
     }
 }
 
-/// Two switching rotors, coupled by inertia, and a spring that steps with either.
+/// Two switching rotors, coupled by inertia, and a third rotor whose two springs each step with one of them.
 pub mod meshes {
     gearsim_macros::equations! {
         model meshes "two meshes on one spring";

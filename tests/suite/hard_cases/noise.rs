@@ -1,24 +1,24 @@
-//! Random numbers that are the same wherever and whenever they are drawn, and the settings of random work.
+//! Random numbers that are the same in every run and on every machine, and the settings of random work.
 
-/// A deterministic sequence: a linear congruence, mixed.
+/// A deterministic sequence: a linear congruential generator with mixed output.
 pub struct Noise(u64);
 
 impl Noise {
-    /// The sequence of a case's own `seed`; GEARSIM_SEED makes it another one.
+    /// The sequence with this `seed`; the environment variable GEARSIM_SEED selects another sequence.
     pub fn new(seed: u64) -> Self {
         let mut noise = Noise(seed ^ setting("GEARSIM_SEED", 0).wrapping_mul(0x9e37_79b9_7f4a_7c15));
         noise.unit();
         noise
     }
 
-    /// In 0..1.
+    /// A number in 0..1.
     pub fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let mixed = (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
         (mixed >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// In -1..1.
+    /// A number in -1..1.
     pub fn even(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
@@ -34,7 +34,7 @@ impl Noise {
     }
 }
 
-/// A number from the environment, or else `usual`.
+/// A whole number from the environment variable `name`, or `usual` if it is not set.
 pub fn setting(name: &str, usual: u64) -> u64 {
     match std::env::var(name) {
         Ok(text) => text.parse().unwrap_or_else(|_| panic!("{name} must be a whole number, not {text}")),

@@ -1,4 +1,4 @@
-//! The gear pair of the references as a scene of the engine, run, with its events in the references' terms.
+//! Runs of the references' gear pair in the engine, with their events in the form that the references use.
 
 use std::sync::OnceLock;
 
@@ -15,7 +15,7 @@ use gearsim_tests::oh2005::{Event, GearPair, Kind, PITCH, State};
 use crate::case::largest;
 use crate::common;
 
-/// A run of the engine: its events, cells counted as the references do, its end, and all else.
+/// A run of the engine: its events, with cells counted as in the references, its end, and its outcome.
 pub struct Run {
     pub events: Vec<Event>,
     pub end: State,
@@ -51,7 +51,7 @@ pub fn run(pair: &GearPair, start: &State, t_end: f64) -> Run {
     of(&scene(pair, start, t_end))
 }
 
-/// Runs a scene of two steps a pitch.
+/// Runs a scene with two steps per pitch.
 pub fn of(scene: &Scene) -> Run {
     let outcome = common::model(scene.model.name).run(scene, &mut |_| {}).unwrap_or_else(|e| panic!("{e}"));
     let t = &outcome.trajectory;
@@ -66,7 +66,7 @@ pub fn of(scene: &Scene) -> Run {
             false => 2 * odd.round() as i64 + 1,
         };
         let (before, after) = (t.q_dot[0][i], t.q_dot[0][i + 1]);
-        // What turns back has the same speed the other way; at rest on a step it has passed.
+        // A reflection reverses the speed. A phase that comes to rest on the step counts as transmitted.
         let kind = if before * after < 0.0 { Kind::Reflect } else { Kind::Transmit };
         let (from, beyond) = if before > 0.0 { (boundary - 1, boundary) } else { (boundary, boundary - 1) };
         Event { t: t.t[i], kind, cell_from: from, cell_to: if kind == Kind::Reflect { from } else { beyond } }
@@ -76,7 +76,7 @@ pub fn of(scene: &Scene) -> Run {
     Run { events: events.collect(), end, outcome }
 }
 
-/// The largest difference of two states in units of the motion's sizes.
+/// The largest difference of two states, each component relative to its size in this motion.
 pub fn distance(a: &State, b: &State, pair: &GearPair, speed: f64) -> f64 {
     let phi = pair.t0.abs().max(1.0) / pair.k1;
     let speeds = speed.abs().max(phi * pair.w0());

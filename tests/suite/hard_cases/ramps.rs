@@ -1,6 +1,6 @@
-//! Row 14: ramps of width eps in place of steps come to the jump rule as O(eps).
+//! Row 14: with ramps of width eps instead of steps, the motion differs from that of the jump rule by O(eps).
 //!
-//! The reference integrates Eqs. (2), (3) through smooth ramps; the difference of the ends is C eps + O(eps²).
+//! The reference integrates Eqs. (2), (3) through smooth ramps; the difference of the end states is C eps + O(eps²).
 
 use gearsim_tests::oh2005::{GearPair, Ramp, State};
 
@@ -10,7 +10,7 @@ use crate::pair::{self, distance};
 pub const CASES: &[Case] = &[
     Case {
         row: "14",
-        name: "ramps of 4e-5 to 2.5e-6 rad, transmitted up and down, both ways round",
+        name: "ramps of 4e-5 to 2.5e-6 rad, transmitted up and down, in both directions",
         proves: "slope of log difference over log eps is 1",
         tolerance: 0.04,
         unit: "of slope",
@@ -28,7 +28,8 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// From theta \[rad\] at the speed of the driving gear \[rpm\], with so many reflections.
+/// The largest deviation of a slope from 1. A start is theta \[rad\] and the speed of the driving gear \[rpm\]. NaN if a run has another
+/// number of `reflections`.
 fn slopes(note: &mut String, starts: &[(f64, f64)], reflections: u64) -> f64 {
     let pair = GearPair::paper(0.05, 10.0);
     let slopes = starts.iter().map(|&(theta, rpm)| {

@@ -1,4 +1,4 @@
-//! Row 5: stiffness and inertia ratios of 1e+-9, cells without stiffness.
+//! Row 5: ratios of stiffness and inertia from 1e-9 to 1e9, and cells without stiffness.
 
 use gearsim::engine::cell::Cell;
 use gearsim::engine::vector::Vector;
@@ -10,8 +10,8 @@ use crate::pair;
 use crate::scenes::MULTIPLE;
 use crate::scenes::compare::compare;
 
-const UNIT: &str = "eps (growth of disturbances + 1) an event";
-const GROWN: &str = "as for random gear pairs: each event adds roundings of its own; infinite if an event is another";
+const UNIT: &str = "eps (growth of disturbances + 1) per event";
+const GROWN: &str = "as for random gear pairs: each event adds rounding errors; infinite if an event differs";
 
 pub const CASES: &[Case] = &[
     Case {
@@ -34,7 +34,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "5",
-        name: "a cell without stiffness in a pitch",
+        name: "one of two cells without stiffness",
         proves: "events and end as in 50 digits",
         tolerance: MULTIPLE,
         unit: UNIT,
@@ -48,19 +48,19 @@ pub const CASES: &[Case] = &[
     Case {
         row: "5",
         name: "flight without stiffness",
-        proves: "q = a + b t, for any t, and the speeds as they were",
+        proves: "q = a + b t for any t, and constant speeds",
         tolerance: 16.0,
         unit: "eps of the way",
-        reason: "speeds to modes, times t, and back: a dozen products and sums",
+        reason: "transformation to modes, product with t, and back: a dozen products and sums",
         measure: flight,
     },
     Case {
         row: "5",
         name: "momentum of theta at inertia ratios of 1e-9 to 1e9",
-        proves: "nothing but the mesh acts on theta: M_theta.q' keeps its value through a cell",
+        proves: "no force acts on theta within a cell: M_theta.q' is constant",
         tolerance: 8.0,
         unit: "eps of the larger part",
-        reason: "a product and a sum each way",
+        reason: "one product and one sum in each direction",
         measure: momentum,
     },
 ];
@@ -73,7 +73,7 @@ fn against(note: &mut String, pairs: impl Iterator<Item = GearPair>) -> f64 {
     let (mut events, mut runs) = (0, 0);
     let worst = largest(pairs.flat_map(|pair| [100.0, -900.0].map(|rpm| (pair, rpm))).map(|(pair, rpm)| {
         let start = State { phi: 2e-3, phi_dot: 1.0, theta: 0.5, ..pair.start(rpm) };
-        // A few turns of theta, and of the fastest oscillation not more than some thousand.
+        // A few pitches of theta, but at most a few hundred periods of the fastest oscillation.
         let fastest = (pair.m2() * pair.k1.max(pair.k2)).sqrt();
         let t_end = (20.0 / start.theta_dot.abs()).min(3e3 / fastest);
         let compared = compare(&pair, &start, t_end);

@@ -1,4 +1,4 @@
-//! Gear pairs with play: what the cases of row 11 have in common.
+//! Gear pairs with play: functions shared by the cases of row 11.
 
 use gearsim::scene::Scene;
 use gearsim::scene::solver::Method;
@@ -9,19 +9,19 @@ use crate::common;
 use crate::models::{end, residual};
 use crate::noise::Noise;
 
-/// M1, M2 and C of the gear pair of the paper.
+/// M1, M2 [1/(kg m²)] and C [N m s] of the paper's gear pair.
 pub fn constants(zeta: f64) -> (f64, f64, f64) {
     let (a, b) = (24f64.powi(2) / 2890e-6, 96f64.powi(2) / 740200e-6);
     let m2 = (a + b) / 2.0;
     ((a - b) / 2.0, m2, 2.0 * zeta * ((1430.0 + 2780.0) / 2.0 / m2).sqrt())
 }
 
-/// Rows of the left limits at events.
+/// The rows recorded just before events.
 pub fn before(run: &Trajectory) -> impl Iterator<Item = usize> + '_ {
     (0..run.len()).filter(|&i| run.moment[i] == Moment::Before)
 }
 
-/// A gear pair that rattles: light load, little damping, strong kicks; with `more` overrides.
+/// A random gear pair that rattles: small torque, little damping, high speeds of phi at the start; with `more` overrides.
 pub fn rattling(noise: &mut Noise, more: &[String]) -> Scene {
     let play = noise.power(-3.0, -1.5);
     let own = [
@@ -38,8 +38,8 @@ pub fn rattling(noise: &mut Noise, more: &[String]) -> Scene {
     common::scene("backlash", &[&own[..], more].concat())
 }
 
-/// How far dop853 is off the exact engine at the ends of `scenes`, cut short, in units of the motion's sizes; infinite where impacts or
-/// reflections are others. The impacts are noted.
+/// The largest difference between dop853 and the exact engine at the end of shortened `scenes`, relative to the sizes of the motion.
+/// Infinite if the numbers of impacts or reflections differ. The note gets the number of impacts.
 pub fn apart_by_steps(scenes: impl Iterator<Item = Scene>, note: &mut String) -> f64 {
     let (mut count, mut impacts) = (0, 0);
     let worst = scenes.map(|mut scene| {
@@ -64,7 +64,7 @@ pub fn apart_by_steps(scenes: impl Iterator<Item = Scene>, note: &mut String) ->
     worst
 }
 
-/// y' = rate(y) from `y` on over the time `t_end`, by the classical Runge-Kutta method in so many steps.
+/// Integrates y' = rate(y) from `y` over the time `t_end` by the classical Runge-Kutta method with this number of steps.
 pub fn rk4<const N: usize>(rate: impl Fn([f64; N]) -> [f64; N], mut y: [f64; N], t_end: f64, steps: u32) -> [f64; N] {
     let h = t_end / f64::from(steps);
     let go = |y: [f64; N], k: [f64; N], h: f64| -> [f64; N] { std::array::from_fn(|i| y[i] + h * k[i]) };

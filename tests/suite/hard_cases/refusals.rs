@@ -1,4 +1,4 @@
-//! Row 15: NaN, infinite, negative, empty: refused by a named error.
+//! Row 15: NaN, infinite, negative and empty values: refused with a named error.
 
 use std::panic::catch_unwind;
 
@@ -13,8 +13,8 @@ use crate::linear::{Linear, diagonal};
 pub const CASES: &[Case] = &[
     Case {
         row: "15",
-        name: "scenes with a number that is none, or out of range",
-        proves: "refused before the run, with the key named",
+        name: "scenes with a number that is not finite, or out of range",
+        proves: "refused before the run, with an error that names the key",
         tolerance: 0.0,
         unit: "not refused",
         reason: NONE,
@@ -22,8 +22,8 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "15",
-        name: "cells: NaN, infinite, no or negative inertia, indefinite, coupled damping",
-        proves: "each refused by the error that names it",
+        name: "cells with NaN, infinite values, no or negative inertia, indefinite stiffness or damping",
+        proves: "each refused with the error for its cause",
         tolerance: 0.0,
         unit: "not refused",
         reason: NONE,
@@ -31,7 +31,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// The key, as it must be named, and what it is set to.
+/// A key, whose last part the error must name, and its bad value.
 const BAD: [(&str, &str); 35] = [
     ("parameters.I1", "nan"),
     ("parameters.I1", "inf"),

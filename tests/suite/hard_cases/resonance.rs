@@ -1,5 +1,5 @@
-//! Row 12: parametric resonance. phi'' + 2 sigma phi' + M2 k(Omega t) phi = 0, Meissner's equation: the classical form of the
-//! gear pair (Eq. (6)) without torque. It grows by the Floquet multipliers of its pitch, and no faster or slower.
+//! Row 12: parametric resonance. phi'' + 2 sigma phi' + M2 k(Omega t) phi = 0 is Meissner's equation, the classical form of the gear
+//! pair (Eq. (6)) without torque. Its solution must grow exactly by the Floquet multipliers of a pitch.
 
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005::{GearPair, PITCH, State};
@@ -13,19 +13,19 @@ pub const CASES: &[Case] = &[
     Case {
         row: "12",
         name: "Meissner's equation in its main resonance, undamped and damped",
-        proves: "after 100 pitches phi, phi' are the product of the cells' propagators, in 50 digits",
+        proves: "after 100 pitches phi and phi' equal the product of the cells' propagators in 50 digits",
         tolerance: 8.0,
         unit: "eps w t of the growth",
-        reason: "roundings of the frequencies and of the switching times turn the phase",
+        reason: "rounding errors of the frequencies and of the switching times shift the phase",
         measure: states,
     },
     Case {
         row: "12",
-        name: "growth a pitch in the main resonance",
-        proves: "the larger Floquet multiplier, damped or not: no growth is lost",
+        name: "growth per pitch in the main resonance",
+        proves: "it is the larger Floquet multiplier, with and without damping",
         tolerance: 1e-12,
         unit: "of the multiplier",
-        reason: "100 pitches' roundings over 100; the second multiplier has died away",
+        reason: "the rounding errors of 100 pitches over 100; the part of the second multiplier has died away",
         measure: multipliers,
     },
     Case {
@@ -34,21 +34,21 @@ pub const CASES: &[Case] = &[
         proves: "linear growth: x(2n) - 2 x(n) + x(0) = 0",
         tolerance: 1e-8,
         unit: "of x(2n)",
-        reason: "the edge is found to eps: the multipliers part from one another by a root of eps",
+        reason: "the edge is found to eps, so the two multipliers differ by sqrt(eps)",
         measure: edge,
     },
 ];
 
 type Digits = Real<192>;
 
-/// Pitches of the runs.
+/// Number of pitches of a run.
 const PITCHES: usize = 100;
 
 fn scene(pair: &GearPair, start: &State, pitches: f64) -> Scene {
     let damping = if pair.zeta > 0.0 { r#", "damping""# } else { "" };
     let effects = format!(r#"effects=["stiffness_step", "frozen_phase"{damping}]"#);
     let mut numbers = pair::scene(pair, start, pitches * PITCH / start.theta_dot);
-    // Nobody reads theta here, which the growing phi drives far away.
+    // No events are recorded: theta, which the growing phi drives far away, is not needed here.
     numbers.output.events = false;
     Scene { effects: common::scene("oh2005/energy_300rpm", &[effects]).effects, ..numbers }
 }
@@ -59,7 +59,7 @@ fn engine(pair: &GearPair, start: &State, pitches: f64) -> [f64; 2] {
     [end.phi, end.phi_dot]
 }
 
-/// The same in 50 digits: cell after cell, from theta = 0 on, at whole and half cells of time.
+/// The same in 50 digits, cell after cell from theta = 0.
 fn exact(pair: &GearPair, start: &State, pitches: f64) -> [Digits; 2] {
     let real = Digits::exact;
     let part = |n: f64, inertia: f64| real(n) * real(n) / real(inertia);
@@ -83,7 +83,7 @@ fn exact(pair: &GearPair, start: &State, pitches: f64) -> [Digits; 2] {
     unreachable!("the cells have no end")
 }
 
-/// The gear pair at the speed of its main resonance, about theta' = 2 w0: where the trace is largest.
+/// The gear pair at the speed of its main resonance, about theta' = 2 w0, at which the absolute value of the trace is largest.
 fn resonant(zeta: f64) -> (GearPair, State) {
     let pair = GearPair { k2: 6000.0, ..GearPair::paper(zeta, 0.0) };
     let speeds = (0..40).map(|i| pair.w0() * (1.6 + 0.02 * f64::from(i)));
@@ -107,7 +107,7 @@ fn states(note: &mut String) -> f64 {
     worst
 }
 
-/// Trace and determinant of the matrix of a pitch, in 50 digits.
+/// Trace and determinant of the monodromy matrix of a pitch, in 50 digits.
 fn matrix(pair: &GearPair, theta_dot: f64) -> [Digits; 2] {
     let column = |phi: f64, phi_dot: f64| exact(pair, &State { theta: 0.0, theta_dot, phi, phi_dot }, 1.0);
     let ([a, c], [b, d]) = (column(1.0, 0.0), column(0.0, 1.0));
@@ -132,10 +132,10 @@ fn multipliers(note: &mut String) -> f64 {
 fn edge(note: &mut String) -> f64 {
     let pair = GearPair::paper(0.0, 0.0);
     let start = State { theta: 0.0, theta_dot: 2.0 * pair.w0(), phi: 1e-3, phi_dot: 1.0 };
-    // Faster than in the middle of the resonance the multipliers meet again: trace + 2 changes its sign.
+    // Above the middle of the resonance the two multipliers meet again: trace + 2 changes sign.
     let beyond = |theta_dot: f64| (matrix(&pair, theta_dot)[0].clone() + Digits::exact(2.0)).approx() > 0.0;
     let (mut inside, mut outside) = (start.theta_dot, 1.5 * start.theta_dot);
-    assert!(!beyond(inside) && beyond(outside), "the edge is between the two");
+    assert!(!beyond(inside) && beyond(outside), "the edge must be between the two speeds");
     while outside.next_down() > inside {
         let middle = 0.5 * (inside + outside);
         if beyond(middle) { outside = middle } else { inside = middle }

@@ -1,6 +1,6 @@
-//! Random gear pairs, whole scenes of them, against the engine in 50 digits: the same events in order, and the same end.
+//! Whole scenes of random gear pairs, compared with the engine in 50 digits: the same events in the same order, and the same end.
 //!
-//! GEARSIM_SCENES sets how many, GEARSIM_SEED which.
+//! GEARSIM_SCENES sets their number, GEARSIM_SEED selects others.
 
 pub mod compare;
 
@@ -29,10 +29,10 @@ pub const CASES: &[Case] = &[
     Case {
         row: "random",
         name: "event times and ends of random gear pairs",
-        proves: "as exact as conditioning allows",
+        proves: "as accurate as the conditioning allows",
         tolerance: MULTIPLE,
-        unit: "eps (growth of disturbances + 1) an event",
-        reason: "each event adds some roundings of its own, which grow as disturbances do",
+        unit: "eps (growth of disturbances + 1) per event",
+        reason: "each event adds some rounding errors, which grow as disturbances do",
         measure: |note| {
             *note = format!("{} scenes", sum().scenes);
             sum().error
@@ -40,9 +40,9 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// How many roundings an event may add, of the size of one at the start.
+/// Number of rounding errors that an event may add, each counted as at the start.
 pub const MULTIPLE: f64 = 32.0;
-/// How many, unless the environment says.
+/// Number of scenes, unless GEARSIM_SCENES is set.
 const SCENES: u64 = 1000;
 
 #[derive(Default)]
@@ -78,7 +78,7 @@ fn sum() -> &'static Sum {
     })
 }
 
-/// Low and high speeds either way round, light and heavy torques, every damping.
+/// Draws scene `i`: low and high speeds in both directions, small and large torques, any damping.
 pub fn draw(i: u64) -> (GearPair, State, f64) {
     let noise = &mut Noise::new(!i.wrapping_mul(0x2545_f491_4f6c_dd1d));
     let zeta = match noise.below(4) {
@@ -96,6 +96,6 @@ pub fn draw(i: u64) -> (GearPair, State, f64) {
         phi_dot: standard.phi * pair.w0() * noise.even(),
         ..standard
     };
-    // Some thirty pitches, or as long as slow ones swing some times.
+    // About thirty pitches, but in slow rotation only a time of a few oscillations.
     (pair, start, (30.0 * PITCH / start.theta_dot.abs()).min(noise.power(-2.5, -1.3)))
 }

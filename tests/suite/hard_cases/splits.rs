@@ -1,4 +1,4 @@
-//! Row 4: runs that end at an event, and runs in two parts.
+//! Row 4: runs that end at an event, and runs that are split into two parts.
 
 use std::sync::OnceLock;
 
@@ -12,7 +12,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "runs that end at an event, 4 bits before, 4 bits after",
-        proves: "an event is in the run if and only if its time is",
+        proves: "an event is in the run if and only if its time is in it",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "4",
-        name: "runs split at a thousand instants, 40 events among them",
+        name: "runs split at a thousand random times and at 40 events",
         proves: "the events of the parts are those of the whole",
         tolerance: 0.0,
         unit: WRONG,
@@ -30,15 +30,15 @@ pub const CASES: &[Case] = &[
     Case {
         row: "4",
         name: "ends of split runs",
-        proves: "two parts end where the whole does",
+        proves: "two parts end in the same state as the whole run",
         tolerance: 1e-12,
         unit: "of the motion's sizes",
-        reason: "the motion is regular: roundings of 40 events add up, and no more",
+        reason: "the motion is regular: the rounding errors of 40 events only add up",
         measure: |_| splits().1,
     },
 ];
 
-/// A regular motion of some 40 events.
+/// Length of the run [s]: a regular motion with about 40 events.
 const T_END: f64 = 0.05;
 
 fn regular() -> (GearPair, State) {
@@ -53,12 +53,12 @@ fn ends(note: &mut String) -> f64 {
     count(whole.iter().enumerate().flat_map(|(i, event)| {
         let moved = |bits: i64| f64::from_bits((event.t.to_bits() as i64 + bits) as u64);
         let events = |t: f64| pair::run(&pair, &start, t).events.len();
-        // At the event itself either is right: its time is known to a bit.
+        // With the end at the event itself both counts are right, because its time is known only to a bit.
         [events(moved(-4)) != i, events(moved(4)) != i + 1, !(i..=i + 1).contains(&events(event.t))]
     }))
 }
 
-/// Splits that lose or double an event, and the largest difference of the ends.
+/// The number of splits that lose or repeat an event, and the largest difference of the ends.
 fn splits() -> (f64, f64) {
     static SPLITS: OnceLock<(f64, f64)> = OnceLock::new();
     *SPLITS.get_or_init(split)

@@ -1,4 +1,4 @@
-//! Row 13: stiff shafts, and rigid-body modes.
+//! Row 13: stiff shafts and rigid-body modes.
 
 use gearsim::engine::cell::Cell;
 use gearsim::engine::crossing::Side;
@@ -13,16 +13,16 @@ pub const CASES: &[Case] = &[
     Case {
         row: "13",
         name: "shaft of stiffness 1e2 to 1e10 between two inertias",
-        proves: "the rigid limit is reached as O(1/k)",
+        proves: "the difference from the rigid limit is O(1/k)",
         tolerance: 1.01,
         unit: "bound ~ 1/k",
-        reason: "the bound is that of the closed form, twice the static twist; 1 % for the speed there",
+        reason: "the bound follows from the closed form, twice the static twist; 1 % for the lower speed there",
         measure: shaft,
     },
     Case {
         row: "13",
-        name: "chain with a stiffness 1e9 times the other, its slow mode",
-        proves: "no more digits are lost than the matrix itself has lost",
+        name: "slow mode of a chain with one stiffness up to 1e9 times the other",
+        proves: "no more digits are lost than the rounded matrix has lost",
         tolerance: 8.0,
         unit: "eps k_max/k_min",
         reason: "k_max + k_min rounds k_min by eps k_max/k_min",
@@ -30,17 +30,17 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "13",
-        name: "gear pair that rolls, at rest in phi",
-        proves: "a rigid-body mode takes no part in the coordinates that it does not move",
+        name: "gear pair that rotates with phi at rest",
+        proves: "a rigid-body mode has no part in coordinates that it does not move",
         tolerance: 0.0,
         unit: "of the way of theta",
-        reason: "no force acts on phi: M q'' = 0 keeps phi' = 0 to the bit; what leaks in adds up, cell after cell",
+        reason: "no force acts on phi, so phi' = 0 stays exact; any error would add up cell after cell",
         measure: rolling,
     },
 ];
 
 fn shaft(_: &mut String) -> f64 {
-    // m1 pulled by f drags m2 along: x1 = f t²/2m + (m2/m) twist, 0 <= twist <= 2 f/(m1 w²).
+    // The force f acts on m1, and the shaft pulls m2: x1 = f t²/(2 m) + (m2/m) twist, 0 <= twist <= 2 f/(m1 w²).
     let (m1, m2, f, level) = (1.0, 3.0, 2.0, 5.0);
     let m = m1 + m2;
     largest((2..=10).map(|power| {
@@ -58,7 +58,7 @@ fn shaft(_: &mut String) -> f64 {
         }
         let rigid = (2.0 * level * m / f).sqrt();
         let twist = 2.0 * f / (m1 * k * (1.0 / m1 + 1.0 / m2));
-        // The crest of the swing comes before: from there on the speed is at least 99 % of this.
+        // The boundary is met before the time of the rigid limit; from there on the speed is at least 99 % of that of the rigid limit.
         (rigid - met.t).abs() * (f / m * rigid) / (m2 / m * twist)
     }))
 }

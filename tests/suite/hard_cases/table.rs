@@ -1,18 +1,18 @@
-//! The table of a run: measured numbers to two digits and no timings, so that it changes only if a result does.
+//! The table of a run: measured numbers to two digits and no timings, so that it changes only if a result changes.
 
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 
 use crate::case::{Case, Measured};
 
-/// Names the file that the table goes to.
+/// Environment variable with the path of the file to write.
 const FILE: &str = "GEARSIM_HARD_CASES";
 
 const HEAD: &str = "\
 # Hard cases
 
-What the engine promises, as numbers. Written by `cargo xtask hard-cases` from a run; not to be edited. Rows are those of
-the catalogue of hard cases; margin is tolerance over measured, and a count must be 0.
+What the engine promises, as numbers. `cargo xtask hard-cases` writes this file from a run; do not edit it. A row is a kind of
+difficulty; margin is tolerance over measured; a count must be 0.
 
 | row | case | proves | tolerance | measured | margin | why that tolerance |
 | --- | --- | --- | --- | --- | --- | --- |
@@ -23,7 +23,7 @@ pub fn asked_for() -> bool {
     std::env::var_os(FILE).is_some()
 }
 
-/// What was measured so far; shared by the threads that measure.
+/// The numbers measured so far, shared by the threads that measure.
 #[derive(Clone)]
 pub struct Table {
     cases: Arc<[&'static Case]>,
@@ -31,7 +31,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// An empty one.
+    /// An empty table of these cases.
     pub fn new(cases: &[&'static Case]) -> Self {
         Table { cases: cases.into(), measured: Arc::new(Mutex::new(vec![None; cases.len()])) }
     }
@@ -41,7 +41,7 @@ impl Table {
         self.measured.lock().expect("no thread fails while it enters a number")[i] = Some(measured);
     }
 
-    /// Writes the table where it is asked for; only a whole one.
+    /// Writes the table if the environment variable is set. Fails if a case was not measured.
     pub fn write(&self) -> Result<(), String> {
         let Some(path) = std::env::var_os(FILE) else { return Ok(()) };
         let mut text = HEAD.to_string();
@@ -66,7 +66,7 @@ impl Table {
     }
 }
 
-/// Two digits.
+/// A number with two digits.
 fn digits(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_string(),

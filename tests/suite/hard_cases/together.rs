@@ -1,4 +1,4 @@
-//! Row 4: steps met together, of one phase and of two.
+//! Row 4: steps that are met at the same time, of one phase and of two phases.
 
 use gearsim::run::{Entry, Outcome};
 
@@ -8,8 +8,8 @@ use crate::models::{end, meshes::Meshes, residual, run, twice::Twice};
 pub const CASES: &[Case] = &[
     Case {
         row: "4",
-        name: "two meshes at once: the order",
-        proves: "not coupled by inertia: not ambiguous; coupled: the run counts it; each mesh passed once, energy kept",
+        name: "two meshes that step at the same time: their order",
+        proves: "not ambiguous without coupling by inertia; with coupling the run counts it; each mesh is passed once and the energy is kept",
         tolerance: 0.0,
         unit: WRONG,
         reason: NONE,
@@ -17,20 +17,20 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "4",
-        name: "two meshes at once, the meshes exchanged",
-        proves: "where the order does not matter, neither does which mesh is the first",
+        name: "two meshes that step at the same time, exchanged",
+        proves: "without coupling the result does not depend on which mesh comes first",
         tolerance: 8.0,
         unit: "eps of the motion's sizes",
-        reason: "sums of the two stiffnesses and dV in another order, some roundings in two cells",
+        reason: "the stiffnesses and dV are summed in another order: some rounding errors in two cells",
         measure: |_| exchanged(),
     },
     Case {
         row: "4",
         name: "two stiffnesses that step at one place",
-        proves: "are one stiffness, whether they step alike or against each other: the same events, the same end",
+        proves: "they act as one stiffness, whether they step in the same direction or in opposite ones: the same events, the same end",
         tolerance: 1e-12,
         unit: "rad, rad/s",
-        reason: "sizes of 1, some twenty events; infinite if an event is another or energy is lost",
+        reason: "sizes of 1, about twenty events; infinite if an event differs or energy is lost",
         measure: |_| one_place(),
     },
 ];
@@ -38,7 +38,7 @@ pub const CASES: &[Case] = &[
 const MESHES: Entry = Entry::new::<Meshes>();
 const TWICE: Entry = Entry::new::<Twice>();
 
-/// Both meshes are met at t = 0.2 s, and passed, with inertia `mu` between them.
+/// Steps of both meshes are met at t = 0.2 s and passed. The inertia `mu` couples the two rotors.
 fn meet(mu: f64, k: [f64; 2], l: [f64; 2]) -> Outcome {
     let text = format!(
         r#"

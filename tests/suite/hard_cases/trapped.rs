@@ -1,4 +1,4 @@
-//! Row 3: a phase between two steps that it cannot climb, free or damped; bounces on one step, however short.
+//! Row 3: a phase between two steps that reflect it, free or damped; bounces on one step, down to very short ones.
 
 use gearsim::run::{Entry, Outcome};
 use gearsim::trajectory::Moment;
@@ -14,50 +14,50 @@ pub const CASES: &[Case] = &[
     Case {
         row: "3",
         name: "trapped between two steps, 999 reflections",
-        proves: "closed-form period: 2 width/v, for ever",
+        proves: "the period stays 2 width/v, the closed form",
         tolerance: 2.0,
         unit: "eps t",
-        reason: "width/v and the sum of times round once each; the speed keeps its bits",
+        reason: "one rounding error of width/v and one of the sum of times; the speed keeps its bits",
         measure: |_| trapped(0.0),
     },
     Case {
         row: "3",
-        name: "locked and damped, 40 reflections",
-        proves: "reflected at t = -log(1 - c way/v)/c, and at rest where v/c is used up",
+        name: "trapped and damped, 40 reflections",
+        proves: "reflections at t = -log(1 - c way/v)/c, and rest after the way v/c",
         tolerance: 16.0,
         unit: "eps growth of t",
-        reason: "a rounding of speed or way a reflection, which grow as the speed dies away",
+        reason: "one rounding error of speed or way per reflection, which grows as the speed falls",
         measure: |_| trapped(0.0123),
     },
     Case {
         row: "3",
-        name: "return to a boundary left at 1e-1 to 1e-12 of the speed of its modes",
-        proves: "the time of return is exact to its own digits, not those of the modes",
+        name: "return to a boundary that was left at 1e-1 to 1e-12 of the speed of the modes",
+        proves: "the error of the return time is relative to that time, not to the motion of the modes",
         tolerance: 4.0,
         unit: "eps t",
-        reason: "roundings of the acceleration, of the quotient and of t",
+        reason: "rounding errors of the acceleration, of the quotient and of t",
         measure: |_| returns(),
     },
     Case {
         row: "3",
-        name: "gear pair bouncing on a step, 1e-1 to 1e-5 of a radian of w0 a bounce",
+        name: "gear pair bouncing on a step, w0 t = 1e-1 to 1e-5 per bounce",
         proves: "the same bounces as in 50 digits, at the same times",
         tolerance: 16.0,
-        unit: "eps t a bounce",
-        reason: "the pull is a difference of torques: its roundings count in every bounce; infinite if one is another",
+        unit: "eps t per bounce",
+        reason: "the acceleration is a difference of torques, whose rounding errors count in every bounce; infinite if an event differs",
         measure: bounces,
     },
 ];
 
 const PRESSED: Entry = Entry::new::<Pressed>();
 
-/// Times of the reflections.
+/// Times of the reflections [s].
 fn reflections(outcome: &Outcome) -> Vec<f64> {
     let t = &outcome.trajectory;
     (0..t.len()).filter(|&i| t.moment[i] == Moment::Before).map(|i| t.t[i]).collect()
 }
 
-/// A rotor from the middle of a soft cell of 0.4 rad, at 1 rad/s and under damping `c`.
+/// A rotor starts in the middle of a soft cell of 0.4 rad, at 1 rad/s, with damping `c`.
 fn trapped(c: f64) -> f64 {
     let (t_end, expected) = if c == 0.0 { (0.4 * 999.0, 999) } else { (50.0 / c, (1.0f64 / c / 0.4 + 0.5) as usize) };
     let outcome = models::run(
@@ -86,14 +86,14 @@ fn trapped(c: f64) -> f64 {
     }))
 }
 
-/// s = -(1 + r) t + sin t + 1 - cos t, about t²/2 - r t: its modes move at 1, it at r.
+/// s = -(1 + r) t + sin t + 1 - cos t, about t²/2 - r t: the modes have speeds of 1, s only a speed of r.
 fn returns() -> f64 {
     largest((4..=40).flat_map(|k| [1.0, 1.37].map(|factor| factor * 2f64.powi(-k))).flat_map(|r| {
         let system = Linear::modal([(0.0, 0.0), (0.0, 1.0)], [0.0, 1.0]);
         let v = [-(1.0 + r), 1.0];
         let mode = |omega2, force, v| precise::Mode { sigma: 0.0, omega2, force, x: 0.0, v, weight: 1.0 };
-        let root = first_crossing(&[mode(0.0, 0.0, v[0]), mode(1.0, 1.0, v[1])], 0.0, 1.0).expect("it comes back");
-        // The same, and its mirror image.
+        let root = first_crossing(&[mode(0.0, 0.0, v[0]), mode(1.0, 1.0, v[1])], 0.0, 1.0).expect("s returns to 0");
+        // The motion and its mirror image.
         [1.0, -1.0].map(|sign| {
             let mirrored = Linear { normal: [sign; 2], ..system };
             let gaps = if sign > 0.0 { [10.0, 0.0] } else { [0.0, 10.0] };
@@ -104,7 +104,7 @@ fn returns() -> f64 {
     }))
 }
 
-/// At theta = 0 the mesh below is stiffer; phi at three times its rest pulls theta down, by a = 2 M1 T0.
+/// Below theta = 0 the mesh is stiffer. phi starts at three times its static deflection and accelerates theta downwards by a = 2 M1 T0.
 fn bounces(note: &mut String) -> f64 {
     let pair = GearPair::paper(0.0, 10.0);
     let pull = (pair.n1.powi(2) / pair.i1 - pair.n2.powi(2) / pair.i2) * pair.t0;

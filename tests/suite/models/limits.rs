@@ -1,5 +1,5 @@
-//! Limits: models with parts so stiff that they move as one come to the models without those parts, and the difference falls
-//! as one over the stiffness.
+//! Limits: a model with very stiff shafts or bearings approaches the model without them. The difference falls as one over the
+//! stiffness.
 
 use gearsim::generated::*;
 use gearsim::run::Outcome;
@@ -9,19 +9,19 @@ use crate::common::{model, models, run};
 use crate::train::train;
 
 pub const TESTS: &[(&str, fn())] = &[
-    ("stiff_shafts_make_a_gear_pair", stiff_shafts),
-    ("stiff_bearings_make_a_gear_pair", stiff_bearings),
-    ("stiff_bearings_make_a_planetary_torsional", stiff_planetaries),
+    ("a_gear_pair_with_stiff_shafts_approaches_the_plain_gear_pair", stiff_shafts),
+    ("a_gear_pair_with_stiff_bearings_approaches_the_plain_gear_pair", stiff_bearings),
+    ("a_planar_planetary_with_stiff_bearings_approaches_the_torsional_one", stiff_planetaries),
 ];
 
 const N1: f64 = 24.0;
 const N2: f64 = 96.0;
 const R1: f64 = 0.0716;
-/// Inertias of the two sides, and those parts of them that are motor and load.
+/// Total inertias of the two shafts [kg m²], and the parts of them that are motor and load.
 const I: [f64; 2] = [4.1e-3, 0.94];
 const OUTER: [f64; 2] = [1.2e-3, 0.2];
 
-/// The plain pair: its steps of k along the line of action, in the paper's units.
+/// The plain gear pair. Its stiffness [N m] belongs to phi; it is computed from `K`, which acts along the line of action.
 fn plain() -> Outcome {
     // V = k s^2/2 with s = 2 h phi is 2 k h^2 phi^2.
     let kt = |k: f64| 2.0 * k * (R1 / N1).powi(2);
@@ -44,7 +44,8 @@ output = {{ rate = "{RATE} Hz", events = false }}
     run_text(&scene)
 }
 
-/// Driving torque [N m], stiffnesses [N/m], speed [rad/s], a few periods of the mesh and of its natural frequency.
+/// Driving torque [N m], mesh stiffnesses [N/m], speed [rad/s], and run time [s]: a few mesh periods and a few periods of the
+/// natural frequency.
 const T1: f64 = 240.0;
 const K: [f64; 2] = [8.0e7, 15.6e7];
 const SPEED: f64 = 30.0;
@@ -56,8 +57,8 @@ fn run_text(text: &str) -> Outcome {
     run(&scene.unwrap_or_else(|errors| panic!("{}\n{text}", errors.render(100, false))))
 }
 
-/// The scene of a pair with more parts, without the jump terms: an impulse at a tooth acts on the gears alone before any
-/// shaft or bearing knows of it, however stiff, so that with them the limit is another one.
+/// The scene of a pair with shafts or bearings, without the jump terms. An impulse at the teeth acts only on the gears, however
+/// stiff the shafts and bearings are, so with jump terms the limit is a different one.
 fn scene(model: &str, parameters: &str) -> String {
     format!(
         r#"
@@ -75,15 +76,15 @@ output = {{ rate = "{RATE} Hz", events = false }}
     )
 }
 
-/// Largest difference of the meshes' deflections [m], `mesh` the deflection of the second at a row.
+/// Largest difference of the mesh deflections of two runs [m]. `mesh` gives the deflection of the second run at a row.
 fn difference(plain: &Outcome, other: &Outcome, mesh: impl Fn(usize) -> f64) -> f64 {
-    assert_eq!(plain.trajectory.len(), other.trajectory.len(), "as many samples");
+    assert_eq!(plain.trajectory.len(), other.trajectory.len(), "the number of samples");
     let phi = &plain.trajectory.q[1];
     (0..phi.len()).map(|row| (2.0 * R1 / N1 * phi[row] - mesh(row)).abs()).fold(0.0, f64::max)
 }
 
-/// Differences that fall as one over the stiffness: between the first and the last, by a slope of -1.
-fn fall_as_one_over(what: &str, stiffness: &[f64], differences: &[f64], tolerance: f64) {
+/// Checks that differences fall as one over the stiffness: the slope of their logarithms from the first to the last is -1.
+fn assert_slope_minus_one(what: &str, stiffness: &[f64], differences: &[f64], tolerance: f64) {
     let (k, d) = (stiffness, differences);
     let last = k.len() - 1;
     let slope = (d[last] / d[0]).ln() / (k[last] / k[0]).ln();
@@ -111,8 +112,8 @@ fn stiff_shafts() {
         let s = column(&other, "s");
         difference(&plain, &other, |row| s[row])
     });
-    // The stiff mode swings through its extremes between samples: a tenth of its amplitude is seen or not.
-    fall_as_one_over("shafts", &stiffness, &differences, 0.02);
+    // The stiff mode reaches its extremes between samples, so the samples may miss a tenth of its amplitude.
+    assert_slope_minus_one("shafts", &stiffness, &differences, 0.02);
 }
 
 fn stiff_bearings() {
@@ -128,10 +129,10 @@ fn stiff_bearings() {
         let [s, x1, y1, x2, y2] = ["s", "x1", "y1", "x2", "y2"].map(|name| column(&other, name));
         difference(&plain, &other, |row| s[row] + (x1[row] - x2[row]) * sin + (y1[row] - y2[row]) * cos)
     });
-    fall_as_one_over("bearings", &stiffness, &differences, 0.02);
+    assert_slope_minus_one("bearings", &stiffness, &differences, 0.02);
 }
 
-/// With stiff bearings a planar planetary has the frequencies of the torsional one, and others beyond all bounds.
+/// With stiff bearings a planar planetary has the frequencies of the torsional one; its other frequencies grow without bound.
 fn stiff_planetaries() {
     let stage = [
         ("Z_s", 27.0),
@@ -157,10 +158,10 @@ fn stiff_planetaries() {
     let differences = stiffness.map(|k| {
         let plane = [("m_s", 0.4), ("m_c", 5.43), ("m_r", 2.35), ("kb_s", k), ("kb_c", k), ("kb_r", k), ("kb_p", k)];
         let planar = train::<planar_planetary_3::PlanarPlanetary3>(&[&stage[..], &plane].concat()).frequencies();
-        // All but the rigid motion, which is zero in both.
+        // All but the rigid motion, whose frequency is zero in both.
         let off = torsional.iter().zip(&planar).skip(1).map(|(t, p)| (t - p).abs() / t);
         off.fold(0.0, f64::max)
     });
-    fall_as_one_over("planetary", &stiffness, &differences, 0.01);
+    assert_slope_minus_one("planetary", &stiffness, &differences, 0.01);
     assert!(model("planetary_3").model.coordinates.len() == torsional.len());
 }

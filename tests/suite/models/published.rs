@@ -6,32 +6,31 @@ use crate::train::train;
 
 /// A published list of frequencies.
 pub struct Case {
-    /// Author, year, place.
+    /// Author, year, publication, place in it.
     pub source: &'static str,
-    /// What system.
+    /// The system.
     pub what: &'static str,
-    /// The numbers that it was computed from.
+    /// The published numbers from which the frequencies were computed.
     pub input: &'static str,
-    /// Frequencies as printed [Hz], how often each comes, and how far, relative, ours may be from it.
+    /// Frequencies as printed [Hz], the multiplicity of each, and the allowed relative difference.
     pub printed: &'static [(f64, usize, f64)],
-    /// Why so far.
+    /// Why this difference is allowed.
     pub reason: &'static str,
-    /// Ours [Hz], rising.
+    /// Computes our frequencies [Hz], rising.
     pub ours: fn() -> Vec<f64>,
 }
 
-/// Printed to a tenth of a hertz of 743 Hz and more.
+/// Allowed where the value is printed to 0.1 Hz and is 743 Hz or more.
 const TENTH: f64 = 1e-4;
-/// Two values of Table 2 are printed without tenths that the paper's own numbers give: 727.27 and 1091.16.
+/// Allowed for two values of Table 2 that are printed as whole hertz: 727.0 and 1091.0, where the paper's own inputs give 727.27 and 1091.16.
 const ODD: f64 = 5e-4;
-/// Printed to four or five digits, of inputs with two or three.
+/// Allowed where the value is printed to four or five digits; the inputs have two or three.
 const DIGITS: f64 = 1e-4;
 
 const LIN_PARKER: &str = "Lin & Parker (1999), J. Vib. Acoust. 121(3), Tables 1, 2";
 const FRISWELL: &str = "Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines";
 const TABLE_1: &str = "Table 1: 24.6 deg, meshes 5e8 N/m, bearings 1e8 N/m, ring 1e9 N/m";
-const PRINTED: &str =
-    "half a digit of 743.2; with 4 planets, 727.0 and 1091.0 are printed where the inputs give 727.27 and 1091.16";
+const PRINTED: &str = "half a unit in the last digit of 743.2; with 4 planets, 727.0 and 1091.0 are printed where the inputs give 727.27 and 1091.16";
 
 pub const CASES: &[Case] = &[
     Case {
@@ -84,7 +83,7 @@ pub const CASES: &[Case] = &[
         what: "two discs on a shaft",
         input: "J 211.4, 8.3 kg m^2; k 9.775e6 N m/rad",
         printed: &[(0.0, 1, DIGITS), (176.1, 1, 3e-4)],
-        reason: "half a digit of 176.1",
+        reason: "half a unit in the last digit of 176.1",
         ours: || {
             train::<chain_2::Chain2>(&[("I1", 211.4), ("I2", 8.3), ("k1", 9.775e6), NONE[0], NONE[1]]).frequencies()
         },
@@ -94,7 +93,7 @@ pub const CASES: &[Case] = &[
         what: "five discs, example 9.7.1",
         input: "J 3.5e-3 (three), 0.15, 0.05 kg m^2; k 12e3, 12e3, 14e3, 10e3 N m/rad",
         printed: &[(0.0, 1, DIGITS), (81.21, 1, DIGITS), (141.21, 1, DIGITS), (378.95, 1, DIGITS), (536.36, 1, DIGITS)],
-        reason: "half a digit of 81.21",
+        reason: "half a unit in the last digit of 81.21",
         ours: || {
             let discs = [("I1", 3.5e-3), ("I2", 3.5e-3), ("I3", 3.5e-3), ("I4", 0.15), ("I5", 0.05)];
             let shafts = [("k1", 12e3), ("k2", 12e3), ("k3", 14e3), ("k4", 10e3)];
@@ -106,7 +105,7 @@ pub const CASES: &[Case] = &[
         what: "two shafts geared 1 to 1",
         input: "motor 400e-6, gears 25e-6 each, discs 700e-6 kg m^2; k 1e4, 5e3, 5e3 N m/rad; rigid mesh",
         printed: &[(0.0, 1, DIGITS), (425.4, 1, 2e-4), (634.1, 1, 2e-4), (3247.2, 1, DIGITS)],
-        reason: "half a digit of 425.4",
+        reason: "half a unit in the last digit of 425.4",
         ours: || {
             let rotors = [("I_m", 400e-6), ("I1", 25e-6), ("I2", 25e-6), ("I_a", 700e-6), ("I_b", 700e-6)];
             let shafts = [("k_m", 1e4), ("k_a", 5e3), ("k_b", 5e3)];
@@ -115,11 +114,11 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// Torques have no say in frequencies.
+/// Torques do not affect the frequencies.
 const NONE: [(&str, f64); 2] = [("T_motor", 0.0), ("T_load", 0.0)];
 
-/// Table 1 in our parameters. The paper gives I/r^2 and we I: the radii have no say in frequencies, where it is taken with
-/// the radii that our geometry gives.
+/// Table 1 in our parameters. The paper gives I/r², our model takes I. The radii do not affect the frequencies as long as I is
+/// computed with the radii of our geometry.
 fn lin_parker(n: usize) -> Vec<(&'static str, f64)> {
     let (z_s, z_r, r_s, alpha) = (27.0, 99.0, 0.0774 / 2.0, 24.6f64.to_radians());
     let (r_r, r_p) = (r_s * z_r / z_s, r_s * (z_r - z_s) / z_s / 2.0);
@@ -150,13 +149,14 @@ fn lin_parker(n: usize) -> Vec<(&'static str, f64)> {
 
 const MESHES: [&str; 8] = ["k_s1", "k_r1", "k_s2", "k_r2", "k_s3", "k_r3", "k_s4", "k_r4"];
 
-/// The largest of the differences, each over what is allowed of it; the rigid motion's over the lowest frequency.
+/// The largest difference over the allowed difference, and our frequencies [Hz]. The frequency of a rigid motion, zero, is
+/// compared relative to the lowest other frequency.
 pub fn check(case: &Case) -> Result<(f64, Vec<f64>), String> {
     let ours = (case.ours)();
     let printed: Vec<(f64, f64)> =
         case.printed.iter().flat_map(|&(f, times, tolerance)| vec![(f, tolerance); times]).collect();
     if ours.len() != printed.len() {
-        return Err(format!("{} frequencies, where {} are printed: {ours:?}", ours.len(), printed.len()));
+        return Err(format!("{} frequencies, but {} are printed: {ours:?}", ours.len(), printed.len()));
     }
     let lowest = printed.iter().map(|p| p.0).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
     let off = |(f, (printed, tolerance)): (&f64, &(f64, f64))| {
@@ -164,9 +164,12 @@ pub fn check(case: &Case) -> Result<(f64, Vec<f64>), String> {
         (f - printed).abs() / scale / tolerance
     };
     let worst = ours.iter().zip(&printed).map(off).fold(0.0, f64::max);
-    println!("{}: {ours:.2?}; {worst:.2} of what is allowed", case.what);
+    println!("{}: {ours:.2?}; {worst:.2} of the allowed difference", case.what);
     match worst <= 1.0 {
         true => Ok((worst, ours)),
-        false => Err(format!("{}: {ours:.2?} is {worst:.2} times as far as allowed ({})", case.what, case.reason)),
+        false => Err(format!(
+            "{}: {ours:.2?} differs by {worst:.2} times the allowed difference ({})",
+            case.what, case.reason
+        )),
     }
 }

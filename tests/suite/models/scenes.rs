@@ -1,10 +1,10 @@
-//! The models' scenes: each runs, and its energy is accounted for.
+//! The scenes of the models: each runs to its end, and its energy account closes.
 
 use gearsim::generated::MODELS;
 
 use crate::common::{root, run, scene};
 
-/// The scenes directly under `models/scenes`.
+/// The names of the scenes directly in `models/scenes`.
 pub fn names() -> Vec<String> {
     let folder = root().join("models/scenes");
     let files = std::fs::read_dir(&folder).expect("the folder of scenes is there");
@@ -17,13 +17,13 @@ pub fn names() -> Vec<String> {
     names
 }
 
-/// T + V - W + D is what it was at the start, at every row.
+/// T + V - W + D at every row equals its value at the start.
 pub fn keeps_its_energy(name: &str) {
     let scene = scene(name, &[]);
     assert!(MODELS.iter().any(|m| m.model.name == scene.model.name));
     let t = run(&scene).trajectory;
     let peak = |column: &[f64]| column.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    // What is added and taken: the account is rounded by as much as its largest part.
+    // The rounding error of the account is relative to its largest part.
     let scale = [&t.kinetic, &t.strain, &t.work, &t.dissipated].map(|c| peak(c)).into_iter().fold(0.0, f64::max);
     let worst = peak(&t.residual) / scale;
     println!("{name}: {} rows, energy unaccounted for {worst:.1e} of the largest part", t.len());

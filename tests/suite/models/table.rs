@@ -1,20 +1,20 @@
-//! The table of published numbers beside ours; it changes only if a result does.
+//! The table of published and computed numbers. It changes only if a result changes.
 
 use std::fmt::Write;
 
 use crate::published::{CASES, check};
 
-/// Names the file that the table goes to.
+/// Environment variable with the path of the file to write.
 const FILE: &str = "GEARSIM_PUBLISHED";
 
 const HEAD: &str = "\
 # Published numbers
 
-Natural frequencies as published, and as they come out of the derived mass and stiffness matrices. Written by
-`cargo xtask published` from a run; not to be edited. How often a frequency comes is in brackets.
+Natural frequencies as published, and as computed from the derived mass and stiffness matrices. `cargo xtask published` writes
+this file from a run; do not edit it. The multiplicity of a frequency is in brackets.
 ";
 
-/// Writes the table where it is asked for; only a whole one.
+/// Writes the table if the environment variable is set and every case passes.
 pub fn write() -> Result<(), String> {
     let Some(path) = std::env::var_os(FILE) else { return Ok(()) };
     let mut text = HEAD.to_string();
@@ -32,7 +32,7 @@ pub fn write() -> Result<(), String> {
             let times = if times > 1 { format!(" (x{times})") } else { String::new() };
             add(format!("| {f}{times} | {found:.3} | {difference} | {tolerance:.0e} |"));
         }
-        add(format!("\nAllowed: {}. At most {worst:.1} of it is taken.", case.reason));
+        add(format!("\nAllowed: {}. The largest difference is {worst:.1} of the allowed one.", case.reason));
     }
     std::fs::write(&path, text).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

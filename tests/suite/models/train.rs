@@ -1,17 +1,17 @@
-//! A derived model with numbers in it: matrices, natural frequencies, energies.
+//! A derived model with a number for every parameter: its matrices, natural frequencies and energies.
 
 use gearsim::engine::equations::{Derived, Equations};
 use gearsim::model::Model;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Equations of a model without effects, with a value for every law.
+/// The equations of a model without effects, with a value for every law.
 pub struct Train<const N: usize> {
     pub model: Model,
     pub equations: Box<dyn Equations<N>>,
     pub k: Vec<f64>,
 }
 
-/// The train of the model `D` with `numbers` by name, parameters and laws alike; others have their defaults.
+/// The model `D` with `numbers`, given by name, for its parameters and laws; the other parameters have their defaults.
 pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N> {
     let model = D::MODEL;
     let given = |name: &str| numbers.iter().find(|n| n.0 == name).map(|n| n.1);
@@ -20,11 +20,15 @@ pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N>
     };
     let known =
         |name: &str| model.parameters.iter().any(|p| p.name == name) || model.laws.iter().any(|l| l.name == name);
-    assert!(numbers.iter().all(|n| known(n.0)), "{}: a number of no use in {numbers:?}", model.name);
+    assert!(
+        numbers.iter().all(|n| known(n.0)),
+        "{}: a name in {numbers:?} is neither a parameter nor a law",
+        model.name
+    );
     let parameters: Vec<f64> =
         model.parameters.iter().map(|p| number(p.name, p.default.or(p.with.map(|_| f64::NAN)))).collect();
     let k = model.in_contact(model.laws.iter().map(|l| number(l.name, l.with.map(|_| 0.0))));
-    let equations = D::equations(0, &parameters, &k).expect("no effect contradicts");
+    let equations = D::equations(0, &parameters, &k).expect("no effects, so none contradict");
     Train { model, equations, k }
 }
 
@@ -35,7 +39,7 @@ impl<const N: usize> Train<N> {
         frequencies(matrix(self.equations.mass()), matrix(self.equations.stiffness(&self.k)))
     }
 
-    /// Kinetic energy, were `x` the speeds, and strain energy, were it the coordinates [J].
+    /// Kinetic energy with `x` as speeds, and strain energy with `x` as coordinates [J].
     pub fn energies(&self, x: &[f64; N]) -> [f64; 2] {
         [self.equations.kinetic(x), self.equations.potential(x, &self.k)]
     }

@@ -2,8 +2,8 @@
 
 use gearsim_derive::{Model, Range, Start, half};
 
-/// The sprung rotor of [`model`](crate::model), with what a cracked tooth takes from the stiffness once in three pitches, and with a
-/// second pair of gears of four teeth in the same three pitches.
+/// The sprung rotor of [`model`](crate::model) with two more stiffnesses: a cracked tooth lowers the stiffness once in three pitches,
+/// and a second mesh has four teeth in the same three pitches.
 #[allow(non_snake_case)] // the field's symbols
 pub fn cracked_rotor(m: &mut Model) {
     m.title("a rotor on a spring that another rotor switches, with a cracked tooth");

@@ -1,4 +1,4 @@
-//! A model as a newcomer adds it, by the guide at the head of `models/src/lib.rs`.
+//! A model as a new author writes it, following the guide at the head of `models/src/lib.rs`.
 
 use gearsim_derive::{Model, Range, Start, half};
 

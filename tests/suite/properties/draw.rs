@@ -1,4 +1,4 @@
-//! Random gear pairs, by dimensionless groups, so that every regime is met: fast and slow, driven hard and hardly.
+//! Random gear pairs, drawn by dimensionless groups so that all regimes occur: fast and slow, with large and small torques.
 
 use std::cell::Cell;
 
@@ -7,18 +7,18 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseResult, TestRng, TestR
 
 use crate::pair::{PITCH, Pair};
 
-/// Cases of a property.
+/// Number of cases of each property.
 const CASES: u64 = 1000;
-/// Seed of the cases: the same in every run, so that a failure here is one everywhere.
+/// Seed of the cases. It is the same in every run, so that a failure repeats on every machine.
 const SEED: u64 = 2005;
 
-/// Asks `holds` of cases of `strategy`, and shows the least that fails. `PROPTEST_CASES` and `PROPTEST_RNG_SEED` set another
-/// number of cases and another seed than those of CI, for long runs.
+/// Tests `holds` on cases of `strategy`; panics with the smallest case that fails. For long runs the environment variables
+/// `PROPTEST_CASES` and `PROPTEST_RNG_SEED` override the number of cases and the seed.
 pub fn check<S: Strategy>(strategy: S, holds: impl Fn(S::Value) -> TestCaseResult) {
     let set = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     let (cases, seed) = (set("PROPTEST_CASES").unwrap_or(CASES), set("PROPTEST_RNG_SEED").unwrap_or(SEED));
-    let set_aside = u32::MAX; // chaotic motions, where rounding cannot be told from error
-    let config = Config { cases: cases as u32, max_global_rejects: set_aside, ..Config::default() };
+    let skipped = u32::MAX; // chaotic motions are skipped, because there a rounding error may grow to any size
+    let config = Config { cases: cases as u32, max_global_rejects: skipped, ..Config::default() };
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
@@ -30,7 +30,7 @@ pub fn check<S: Strategy>(strategy: S, holds: impl Fn(S::Value) -> TestCaseResul
     if let Err(error) = done {
         panic!("seed {seed}: {error}");
     }
-    println!("{cases} cases hold, {} were set aside", tried.get() - cases);
+    println!("{cases} cases hold, {} were skipped", tried.get() - cases);
 }
 
 /// 10^x for x in a range.
@@ -38,7 +38,7 @@ fn power(from: f64, to: f64) -> impl Strategy<Value = f64> {
     (from..to).prop_map(|x: f64| 10f64.powf(x))
 }
 
-/// A width or an angle without digits that a subtraction from the pitch could lose.
+/// A width or an angle [rad] rounded to a multiple of 2^-46, so that subtracting it from the pitch loses no digits.
 fn coarse(x: f64) -> f64 {
     let grain = 2f64.powi(-46);
     (x / grain).round() * grain
@@ -49,11 +49,12 @@ pub fn damping() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), power(-4.0, -0.5), 0.3..3.0f64, Just(1.0)]
 }
 
-/// A pair with the damping factor of `zeta`, over up to some thirty pitches.
+/// A pair with a damping factor from `zeta`, with a run of up to about thirty pitches.
 pub fn pair(zeta: impl Strategy<Value = f64>) -> impl Strategy<Value = Pair> {
     let levels = prop::collection::vec((power(0.0, 1.3), 0.05..1.0f64), 2..5);
     let train = (power(-4.0, 0.0), power(-1.5, 1.5), power(1.0, 4.0), levels, zeta);
-    // Speed over the vibration's, deflection in terms of what a step lets through, start in the pitch, length of the run.
+    // Speed over that of the vibration, torque and deflections relative to the deflection at which a step reflects, direction,
+    // start within the pitch, length of the run in pitches.
     let motion =
         (power(-1.3, 0.7), -0.6..0.6f64, any::<bool>(), 0.02..0.98f64, -0.5..0.5f64, -0.5..0.5f64, 0.3..30.0f64);
     (train, motion).prop_map(|((i1, ratio, k, levels, zeta), motion)| {
@@ -75,7 +76,7 @@ pub fn pair(zeta: impl Strategy<Value = f64>) -> impl Strategy<Value = Pair> {
         let (m2, stiffest) = (pair.m2(), pair.stiffest());
         let w = (m2 * stiffest).sqrt();
         let theta_dot = speed * w;
-        // At phi_s = 1/sqrt(M2 k) theta' a step of the whole stiffness just stops the gear.
+        // At phi = theta'/sqrt(M2 k) a step of the whole stiffness just stops the gear.
         let critical = theta_dot / (m2 * stiffest).sqrt();
         pair.t0 = load * critical * stiffest * 0.3;
         pair.q[1] = pair.t0 / stiffest + phi * 0.3 * critical;

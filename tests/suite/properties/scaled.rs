@@ -1,14 +1,14 @@
-//! The same motion in other units of mass and time. A unit of length would scale the inertias as one of mass does.
+//! The same motion in other units of mass and time. A unit of length would scale the inertias as a unit of mass does.
 //!
-//! Units scaled by powers of two scale every number without rounding, so the motion is the same bit by bit. The unit of
-//! mass has to be a power of four: mode shapes go with the root of the mass, and the root of two is rounded.
+//! If the units are scaled by powers of two, every number is scaled without rounding and the motion is the same bit by bit. The unit
+//! of mass is scaled by a power of four, because mode shapes scale with the square root of the mass and sqrt(2) is rounded.
 
 use proptest::prelude::*;
 
 use crate::pair::Pair;
 use crate::{COARSE, draw, tolerance};
 
-/// The pair with a mass (times the square of a length) of 1 called `mass`, and a time of 1 called `time`.
+/// The pair in units in which an inertia of 1 becomes `mass` and a time of 1 becomes `time`.
 fn scaled(pair: &Pair, mass: f64, time: f64) -> Pair {
     let torque = mass / time / time;
     Pair {
@@ -23,7 +23,7 @@ fn scaled(pair: &Pair, mass: f64, time: f64) -> Pair {
 }
 
 #[test]
-fn units_scaled_by_powers_of_two_change_no_bit() {
+fn units_scaled_by_powers_of_two_give_the_same_bits() {
     draw::check((draw::pair(draw::damping()), -20..20i32, -20..20i32), |(pair, mass, time)| {
         let (mass, time) = (4f64.powi(mass), 2f64.powi(time));
         let (a, b) = (pair.run(), scaled(&pair, mass, time).run());
@@ -36,7 +36,7 @@ fn units_scaled_by_powers_of_two_change_no_bit() {
 }
 
 #[test]
-fn other_units_change_the_motion_by_rounding() {
+fn other_units_change_the_motion_only_by_rounding() {
     draw::check((draw::pair(draw::damping()), any::<bool>()), |(pair, by_mass)| {
         let (mass, time) = if by_mass { (3.7, 1.0) } else { (1.0, 3.7) };
         let a = pair.run();

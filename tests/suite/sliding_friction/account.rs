@@ -1,9 +1,10 @@
-//! Without friction, backwards, through rest, and together with other effects: motions that must agree, and energy that must.
+//! Zero friction, reverse rotation, reversal through rest, and friction together with other effects: motions that must be equal, and
+//! energy accounts that must close.
 
 use crate::{common, run, state, unaccounted, work};
 use gearsim::run::Outcome;
 
-/// Largest differences of coordinates and of speeds over a run, the first coordinate of `b` times `sign`.
+/// Largest differences over two runs of theta, phi, theta' and phi'; those of `b` at even places (theta, theta') are multiplied by `sign`.
 fn apart(a: &Outcome, b: &Outcome, sign: f64) -> [f64; 4] {
     assert_eq!(a.trajectory.len(), b.trajectory.len());
     let mut worst = [0.0f64; 4];
@@ -21,7 +22,7 @@ const SHORT: &str = "run={t_end=\"20 ms\", method=\"dop853\", tolerance=1e-12}";
 const SAMPLES: &str = "output={rate=\"20 kHz\", events=false}";
 
 #[test]
-fn without_a_coefficient_there_is_no_friction() {
+fn a_coefficient_of_zero_gives_no_friction() {
     let with = run(&["parameters.mu=0", SHORT, SAMPLES]);
     let without = run(&[r#"effects=["stiffness_step", "torques"]"#, SHORT, SAMPLES]);
     let worst = apart(&with, &without, 1.0);
@@ -29,9 +30,9 @@ fn without_a_coefficient_there_is_no_friction() {
     assert!(work(&with, "roll").iter().all(|w| *w == 0.0));
 }
 
-/// Equal gears that turn backwards are their own image in a mirror.
+/// Two equal gears that turn backwards are the mirror image of the same gears that turn forwards.
 #[test]
-fn reverse_rotation_mirrors() {
+fn reverse_rotation_of_equal_gears_gives_the_mirrored_motion() {
     let towards = |rpm: &str| {
         run(&[
             r#"effects=["stiffness_step", "sliding_friction", "damping", "torques"]"#,
@@ -51,7 +52,7 @@ fn reverse_rotation_mirrors() {
     assert!(*roll.last().unwrap() < -0.1);
 }
 
-/// A train that is slowed, comes to rest and turns back: rolling takes energy throughout, and every joule has its place.
+/// A train is slowed, comes to rest and turns back. Rolling friction takes energy at every row, and the energy account closes.
 #[test]
 fn friction_opposes_rolling_through_rest() {
     let set = ["parameters.T_motor=\"20 N*m\"", "start={speed=\"100 rpm\"}", "run.tolerance=1e-11"];
@@ -66,7 +67,7 @@ fn friction_opposes_rolling_through_rest() {
 }
 
 #[test]
-fn friction_goes_with_play_and_with_errors() {
+fn friction_combines_with_backlash_and_transmission_errors() {
     let cases: [&[&str]; 3] = [
         &[
             r#"effects=["stiffness_step", "sliding_friction", "backlash", "damping", "torques"]"#,
@@ -90,9 +91,9 @@ fn friction_goes_with_play_and_with_errors() {
     }
 }
 
-/// An idler rubs in both meshes.
+/// An idler has sliding friction in both meshes.
 #[test]
-fn an_idler_rubs_twice() {
+fn both_meshes_of_an_idler_lose_energy() {
     let effects = r#"effects=["stiffness_step", "sliding_friction", "torques"]"#;
     let mut set = vec![effects.to_string(), "run={t_end=\"20 ms\", tolerance=1e-11}".into()];
     for mesh in ["12", "23"] {

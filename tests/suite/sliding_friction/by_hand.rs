@@ -1,5 +1,6 @@
-//! The gear pair by the pairs of its teeth: each touches somewhere, presses, and rubs with a lever arm at either gear. Classical
-//! Runge-Kutta steps, cut where a pair enters, leaves or passes the pitch point; the jump rule where the stiffness steps.
+//! The gear pair, computed tooth pair by tooth pair: each pair has a contact point, a normal force, and a friction force with a lever
+//! arm on each gear. Classical Runge-Kutta steps end where a pair enters, leaves or passes the pitch point. Where the stiffness
+//! steps, the jump rule applies.
 
 use std::f64::consts::{PI, TAU};
 
@@ -12,12 +13,12 @@ const MIXED: f64 = 0.1;
 /// Length of a step [s].
 const STEP: f64 = 2e-7;
 
-/// Rotations of the gears, each in the direction of its drive, and their speeds.
+/// Rotations of the two gears [rad], each positive in its direction of drive, and their speeds [rad/s].
 type State = [f64; 4];
 
 struct Hand {
     teeth: Teeth,
-    /// Stiffness along the line of action with one pair in contact, and with two.
+    /// Stiffness along the line of action [N/m] with one pair in contact, and with two.
     kt: [f64; 2],
 }
 
@@ -26,7 +27,7 @@ impl Hand {
         (self.teeth.z[0] * y[0] + self.teeth.z[1] * y[1]) / 2.0
     }
 
-    /// Where a cell begins: cells are counted through the pitches.
+    /// The phase [rad] at which a cell begins. Each pitch has three cells; they are counted on over the pitches.
     fn boundary(&self, cell: i64) -> f64 {
         let (p, [before, after]) = (self.teeth.base_pitch(), self.teeth.paths());
         let mut ends = [0.0, (after / p).fract() * TAU, (-before / p).rem_euclid(1.0) * TAU];
@@ -51,9 +52,9 @@ impl Hand {
         for ahead in &pairs {
             let xi = (self.phase(y) / TAU + ahead) * teeth.base_pitch();
             let recess = (self.middle(cell) / TAU + ahead).signum();
-            let rub = MU * force.abs() / pairs.len() as f64 * recess * rolling / rolling.hypot(MIXED);
-            torques[0] -= rub * (r1 * tan + xi);
-            torques[1] += rub * (r2 * tan - xi);
+            let friction = MU * force.abs() / pairs.len() as f64 * recess * rolling / rolling.hypot(MIXED);
+            torques[0] -= friction * (r1 * tan + xi);
+            torques[1] += friction * (r2 * tan - xi);
         }
         [y[2], y[3], torques[0] / INERTIA[0], torques[1] / INERTIA[1]]
     }
@@ -67,7 +68,7 @@ impl Hand {
         std::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
     }
 
-    /// The speeds where the stiffness steps.
+    /// Applies the jump rule to the speeds, from cell `from` to cell `to`.
     fn jump(&self, y: &mut State, from: i64, to: i64) {
         let ([r1, r2], z) = (self.teeth.base(), self.teeth.z);
         let n = [z[0] / 2.0 / INERTIA[0], z[1] / 2.0 / INERTIA[1]];
@@ -75,7 +76,7 @@ impl Hand {
         let v = (z[0] * y[2] + z[1] * y[3]) / 2.0;
         let dv = (self.stiffness(to) - self.stiffness(from)) * (r1 * y[0] - r2 * y[1]).powi(2) / 2.0;
         let after = (v * v - 2.0 * g * dv).sqrt() * v.signum();
-        assert!(after.is_finite(), "no step turns this motion back");
+        assert!(after.is_finite(), "no step reflects this motion");
         (y[2], y[3]) = (y[2] + n[0] / g * (after - v), y[3] + n[1] / g * (after - v));
     }
 
@@ -108,9 +109,9 @@ impl Hand {
     }
 }
 
-/// Forwards and backwards, by an explicit method and an implicit one, to the digits of either.
+/// Forwards and backwards, by an explicit method and by an implicit one.
 #[test]
-fn runs_are_those_of_the_pairs_by_hand() {
+fn runs_agree_with_the_computation_by_tooth_pairs() {
     let h = Teeth::SCENE.base()[0] / Teeth::SCENE.z[0];
     for (rpm, method) in [(600, "dop853"), (-600, "dop853"), (900, "radau")] {
         let outcome = run(&[
@@ -136,7 +137,7 @@ fn runs_are_those_of_the_pairs_by_hand() {
             assert!((found - expected).abs() < 1e-7 * size, "{rpm} rpm, {method}: {found} for {expected}");
         }
         assert!(unaccounted(&outcome) < 1e-9, "{method}: {:e}", unaccounted(&outcome));
-        // A pair enters, one leaves, one passes the pitch point: three events a pitch, though three laws meet them.
+        // Per pitch one pair enters, one leaves and one passes the pitch point: three events, although three laws step there.
         let pitches = (found[0] - theta).abs() / TAU;
         let events = outcome.counts.cell_changes as f64;
         assert!((events - 3.0 * pitches).abs() < 3.0, "{events} in {pitches} pitches");

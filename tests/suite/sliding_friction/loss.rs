@@ -1,4 +1,5 @@
-//! The loss of a mesh in slow, steady rotation, against the loss factor of Ohlendorf (Niemann & Winter, Maschinenelemente II).
+//! The mean friction loss of a mesh in steady rotation, compared with the loss factor of Ohlendorf (Niemann & Winter,
+//! Maschinenelemente II).
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,10 +7,10 @@ use crate::{Teeth, run, unaccounted, work};
 
 /// H_v = pi (u + 1)/(z1 u) (1 - eps + eps_1² + eps_2²) for spur gears.
 ///
-/// It follows from what the effect is made of, too. With the pitch point where one pair is in contact, two pairs that touch
-/// bear half the force each, so that the mean of the arm over a pitch p is
+/// It also follows from the definition of the effect. The pitch point is where one pair is in contact. Where two pairs are in
+/// contact, each bears half the force. So the mean of the arm over a pitch p is
 ///
-///   1/2 (integral of |xi| over all of the path) + 1/2 (over the part of one pair)
+///   1/2 (integral of |xi| over the whole path) + 1/2 (integral over the part with one pair)
 ///   = (g_f² + g_a² + (p - g_f)² + (p - g_a)²)/(4 p) = p/2 (1 - eps + eps_1² + eps_2²),
 ///
 /// and mu F arm (omega1 + omega2) over F r_b1 omega1 is mu H_v, with p = 2 pi r_b1/z1.
@@ -19,7 +20,8 @@ fn loss_factor(teeth: &Teeth) -> f64 {
     PI * (u + 1.0) / (z1 * u) * (1.0 - e1 - e2 + e1 * e1 + e2 * e2)
 }
 
-/// Loss over what passes, over mu: whole pitches of a mesh of constant stiffness, its vibrations damped away.
+/// Friction loss over the work of the drive, over mu, for whole pitches of a mesh with constant stiffness. Damping has removed the
+/// vibration.
 fn found(mu: f64, module: f64, z: [f64; 2], k: &str) -> f64 {
     let teeth = format!("teeth=[{}, {}], module=\"{module} m\", face_width=\"7 mm\"", z[0], z[1]);
     let outcome = run(&[
@@ -37,16 +39,17 @@ fn found(mu: f64, module: f64, z: [f64; 2], k: &str) -> f64 {
     ]);
     assert!(unaccounted(&outcome) < 1e-10, "{:e}", unaccounted(&outcome));
     let t = &outcome.trajectory;
-    // From one whole pitch to another, the first few left out.
-    let at = |pitches: f64| t.q[0].iter().position(|theta| *theta >= pitches * TAU).expect("it gets there");
+    // From one whole pitch to another, without the first three.
+    let at =
+        |pitches: f64| t.q[0].iter().position(|theta| *theta >= pitches * TAU).expect("a run of this many pitches");
     let (first, last) = (at(3.0), at((t.q[0][t.len() - 1] / TAU).floor()));
     let over = |torque| work(&outcome, torque)[last] - work(&outcome, torque)[first];
     -(over("slide") + over("roll")) / over("drive") / mu
 }
 
-/// The loss factor is met to the first order in mu: twice as little friction, half as far off.
+/// The loss agrees with the loss factor to first order in mu: a tenth of the friction gives a tenth of the difference.
 #[test]
-fn the_mean_loss_is_that_of_ohlendorf() {
+fn the_mean_loss_agrees_with_ohlendorfs_loss_factor() {
     const CONSTANT: &str = r#"laws.k={steps=[{value="2780 N*m"}]}"#;
     for (z, module) in [([24.0, 96.0], 6.35e-3), ([30.0, 40.0], 4e-3)] {
         let expected = loss_factor(&Teeth { z, module });

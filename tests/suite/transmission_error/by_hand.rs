@@ -1,10 +1,9 @@
-//! The undamped gear pair with errors of its teeth, by hand: cells in closed form, boundaries by small steps and bisection,
-//! the jump rule of k and e together. Cells are counted through the pitches, 2 p and 2 p + 1 in pitch p, whatever the
-//! engine does to count them.
+//! The undamped gear pair with pitch errors, by hand: cells in closed form, boundaries found by small steps and bisection, the jump
+//! rule for k and e together. The cells of pitch p are 2 p and 2 p + 1, independent of how the engine counts them.
 
 use std::f64::consts::TAU;
 
-/// Levels of k and where the first ends, errors of the teeth, balanced torque.
+/// Levels of k [N m] and the width of the first [rad], pitch errors [rad], torque [N m].
 pub struct Pair<'a> {
     pub k: [f64; 2],
     pub width: f64,
@@ -12,7 +11,7 @@ pub struct Pair<'a> {
     pub t0: f64,
 }
 
-/// theta, phi and their speeds.
+/// theta, phi [rad], theta', phi' [rad/s].
 pub type State = [f64; 4];
 
 impl Pair<'_> {
@@ -32,7 +31,7 @@ impl Pair<'_> {
         let (s, c) = (w * t).sin_cos();
         let moved = (phi - rest) * (c - 1.0) + phi_dot / w * s;
         let gained = -(phi - rest) * w * s + phi_dot * (c - 1.0);
-        // theta'' = (M1/M2) phi'': the same forces drive both.
+        // theta'' = (M1/M2) phi'', because the same forces act on both.
         [
             theta + theta_dot * t + m1 / m2 * (moved - phi_dot * t),
             phi + moved,
@@ -41,7 +40,7 @@ impl Pair<'_> {
         ]
     }
 
-    /// The state after `t_end`, and the steps passed and refused.
+    /// The state after `t_end` [s], and the numbers of steps transmitted and reflected.
     pub fn run(&self, mut state: State, mut cell: i64, t_end: f64) -> (State, [u64; 2]) {
         let (m1, m2) = super::mobilities();
         let (mut t, mut counts) = (0.0, [0, 0]);
@@ -52,7 +51,7 @@ impl Pair<'_> {
                 theta < low || theta > high
             };
             let step = 1e-7;
-            // Just after an event the phase is on its boundary, to rounding.
+            // Just after an event the phase is on a boundary, to rounding, so the search starts a little later.
             let mut dt = 1e-10;
             while t + dt < t_end && !outside(dt) {
                 dt += step;

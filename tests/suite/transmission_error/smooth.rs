@@ -1,19 +1,19 @@
-//! Smooth errors: a Fourier series at the mesh frequency and a table, by numerical methods.
+//! Smooth transmission errors: a Fourier series of the mesh phase, solved by numerical methods.
 
 use std::f64::consts::{PI, TAU};
 
 use crate::{common, mobilities, run, unaccounted};
 
-/// Constant stiffness: a law of one level [N m].
+/// Constant stiffness, as a law with one level [N m].
 const K: f64 = 2780.0;
 const CONSTANT: &str = r#"laws.k.steps=[{value="2780 N*m"}]"#;
-/// Amplitude of e [rad], which leads by 0.4 rad.
+/// Amplitude of e [rad]; e has the phase 0.4 rad.
 const A: f64 = 1e-4;
 const WAVE: &str = r#"laws.e={harmonics=[{order=1, amplitude="1e-4 rad", phase="0.4 rad"}]}"#;
 const ZETA: f64 = 0.1;
 
-/// The steady oscillation of phi that e(Omega t) drives, by the closed form of the linear oscillator:
-/// phi'' + 2 zeta w phi' + w² (phi - e) = M2 T0. Started in it, the motion stays in it, at resonance and beside it.
+/// The steady oscillation of phi that e(Omega t) excites has the closed form of the linear oscillator
+/// phi'' + 2 zeta w phi' + w² (phi - e) = M2 T0. A run that starts in the steady state stays in it, at resonance and off resonance.
 #[test]
 fn a_harmonic_error_drives_a_linear_oscillator() {
     let w = (mobilities().1 * K).sqrt();
@@ -42,7 +42,7 @@ fn a_harmonic_error_drives_a_linear_oscillator() {
     }
 }
 
-/// Rotating slowly, phi = e + T0/k: off by 2 zeta Omega/w of the amplitude, what the damper takes of it, and no more.
+/// In slow rotation phi = e + T0/k, except for 2 zeta Omega/w of the amplitude, which the damper causes.
 #[test]
 fn slow_rotation_is_quasi_static() {
     let w = (mobilities().1 * K).sqrt();
@@ -57,7 +57,7 @@ fn slow_rotation_is_quasi_static() {
         ]);
         assert!(unaccounted(&outcome) < 1e-10, "{:e}", unaccounted(&outcome));
         let t = &outcome.trajectory;
-        // What it starts with dies away within half a turn of the wave.
+        // The transient of the start dies away within half a period of e.
         let late = (0..t.len()).filter(|&i| t.t[i] > 0.5 * TAU / omega);
         late.map(|i| (t.q[1][i] - 0.1 / K - A * (t.q[0][i] + 0.4).cos()).abs() / A).fold(0.0, f64::max)
     };
@@ -68,8 +68,8 @@ fn slow_rotation_is_quasi_static() {
     }
 }
 
-/// M q'' = F from V = k(theta) (phi - e(theta))² by hand, k and e both waves, e over two pitches: its end by the classical
-/// Runge-Kutta method, whose error is below 1e-10 here.
+/// The end state of M q'' = F from V = k(theta) (phi - e(theta))² by hand; k and e are harmonic, the period of e is 2/3 of a
+/// pitch. Integrated by the classical Runge-Kutta method, whose error is below 1e-10 here.
 fn by_hand(t_end: f64) -> [f64; 4] {
     let (m1, m2) = mobilities();
     let k = |s: f64| [2100.0 + 600.0 * s.cos(), -600.0 * s.sin()];
@@ -94,7 +94,7 @@ fn by_hand(t_end: f64) -> [f64; 4] {
 }
 
 #[test]
-fn waves_of_stiffness_and_error_move_as_by_hand() {
+fn harmonic_stiffness_and_error_give_the_motion_by_hand() {
     let expected = by_hand(0.02);
     for method in ["dop853", "radau"] {
         let outcome = run(&[
@@ -113,9 +113,9 @@ fn waves_of_stiffness_and_error_move_as_by_hand() {
     }
 }
 
-/// Ramps in place of the errors' steps, narrower and narrower: the jump rule, in first order.
+/// Ramps instead of steps of the error: as their width falls, the motion converges to that of the jump rule in first order.
 #[test]
-fn ramps_converge_to_the_steps() {
+fn ramps_of_the_error_converge_to_the_jump_rule() {
     let set = [
         "start={theta=\"5 rad\", phi=\"5e-3 rad\", speed=\"100 rpm\"}",
         "run.t_end=\"8 ms\"",
@@ -140,10 +140,10 @@ fn ramps_converge_to_the_steps() {
     assert!((slope - 1.0).abs() < 0.05, "{wide} {narrow}: slope {slope}");
 }
 
-/// The scene of a run-up: the mesh swings most where its error comes at the frequency of the softer mode of pinion and bearing,
-/// K = [[kb + k, k], [k, k]], M = diag(m, I/r²), the wheel at rest beside it.
+/// The run-up of the scene `transmission_error`: the amplitude of the mesh is largest where the frequency of the error equals the lower
+/// natural frequency of pinion and bearing, K = [[kb + k, k], [k, k]], M = diag(m, I/r²). The wheel counts as fixed.
 #[test]
-fn a_run_up_meets_its_resonance() {
+fn a_run_up_passes_its_resonance() {
     let (k, kb, m, i) = (120e6, 100e6, 1.0, 2890e-6 / 71.6e-3f64.powi(2));
     let (trace, det) = ((kb + k) / m + k / i, kb * k / (m * i));
     let expected = ((trace - (trace * trace - 4.0 * det).sqrt()) / 2.0f64).sqrt() / TAU;
@@ -156,16 +156,16 @@ fn a_run_up_meets_its_resonance() {
         (rows.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / 200.0).sqrt()
     };
     let speed = |w: usize| t.q_dot[0][200 * w..200 * (w + 1)].iter().sum::<f64>() / 200.0;
-    // From the second half of the resonance of the double frequency on.
+    // Speeds above the resonance with twice the mesh frequency.
     let late = (0..windows).filter(|w| speed(*w) / TAU > 0.7 * expected);
-    let most = late.max_by(|a, b| swing(*a).total_cmp(&swing(*b))).expect("it runs up");
+    let most = late.max_by(|a, b| swing(*a).total_cmp(&swing(*b))).expect("a run-up to these speeds");
     let (found, last) = (speed(most) / TAU, windows - 1);
     println!(
         "swings most at {found:.0} Hz, {expected:.0} Hz by hand; {:.1e} m, {:.1e} m at the end",
         swing(most),
         swing(last)
     );
-    // A run-up meets it late, by some of the width of the resonance.
+    // In a run-up the amplitude peaks after the resonance, by a part of the width of the resonance.
     assert!((found / expected - 1.0).abs() < 0.06, "{found} for {expected}");
     assert!(swing(most) > 4.0 * swing(last) && speed(last) / TAU > 1.5 * expected);
 }

@@ -1,4 +1,4 @@
-//! Errors of teeth, a step a pitch.
+//! Pitch errors of teeth: one step of e per pitch.
 
 use gearsim::engine::Refusal;
 use gearsim::run::Outcome;
@@ -16,10 +16,10 @@ fn end(outcome: &Outcome) -> [f64; 4] {
     [t.q[0][last], t.q[1][last], t.q_dot[0][last], t.q_dot[1][last]]
 }
 
-/// Slow enough for reflections, both ways round, over more pitches than the errors have, with the steps of k where those of e
-/// are: the same events as by hand, the same end.
+/// Runs in both directions, some slow enough for reflections, over more pitches than there are errors; k and e step together. Events and
+/// end are those of the computation by hand.
 #[test]
-fn errors_of_teeth_move_as_by_hand() {
+fn pitch_errors_give_the_motion_by_hand() {
     let pair = Pair { k: [1430.0, 2780.0], width: 1.73, errors: &ERRORS, t0: 10.0 };
     let mut total = [0, 0];
     let cases = [
@@ -40,10 +40,10 @@ fn errors_of_teeth_move_as_by_hand() {
         let theta_dot = rpm / 30.0 * std::f64::consts::PI * 24.0;
         let (expected, [passed, refused]) = pair.run([start, 0.004, theta_dot, 0.0], cell, t_end);
         let found = end(&outcome);
-        println!("{rpm} rpm: {passed} passed, {refused} refused; {found:?}, by hand {expected:?}");
+        println!("{rpm} rpm: {passed} transmitted, {refused} reflected; {found:?}, by hand {expected:?}");
         assert_eq!((outcome.counts.cell_changes, outcome.counts.reflections), (passed, refused), "{rpm} rpm");
         (total[0], total[1]) = (total[0] + passed, total[1] + refused);
-        // Bisected times are right to 1e-16 s, theirs errors grow from event to event.
+        // The times by bisection have errors of 1e-16 s, which grow from event to event.
         let sizes = [1.0, 1e-2, theta_dot, 100.0];
         for ((found, expected), size) in found.iter().zip(expected).zip(sizes) {
             assert!((found - expected).abs() < 1e-8 * f64::abs(size), "{rpm} rpm: {found} for {expected}");
@@ -53,11 +53,11 @@ fn errors_of_teeth_move_as_by_hand() {
     assert!(total[0] > 20 && total[1] > 2, "{total:?}");
 }
 
-/// At every event v+² = v² - M2 dV with dV by hand, of k and e together; what V gains, T loses.
+/// At every event v+² = v² - M2 dV, where dV is the step of V by k and e together, and T loses what V gains.
 #[test]
-fn every_step_keeps_the_energy() {
+fn every_step_of_stiffness_and_error_keeps_the_energy() {
     let (m1, m2) = mobilities();
-    // Steps of e apart from those of k, too.
+    // In the second law the steps of e are not at those of k.
     let apart = r#"laws.e={pitches=3, steps=[{value="1e-3 rad", width="4 rad"}, {value="-1e-3 rad", width="9 rad"}, {value=0}]}"#;
     for law in [OF_TEETH, apart] {
         let outcome = run(&[law, "start.speed=\"50 rpm\"", "run.t_end=\"0.4 s\""]);
@@ -73,15 +73,15 @@ fn every_step_keeps_the_energy() {
             assert!((other - m1 / m2 * (after - v)).abs() < 1e-12 * v.abs());
             if dv == 0.0 && after == -v { refused += 1 } else { passed += 1 }
         }
-        println!("{passed} passed, {refused} refused, {:.1e} unaccounted for", unaccounted(&outcome));
+        println!("{passed} transmitted, {refused} reflected, {:.1e} unaccounted for", unaccounted(&outcome));
         assert_eq!((passed, refused), (outcome.counts.cell_changes, outcome.counts.reflections));
         assert!(passed > 10 && unaccounted(&outcome) < 1e-13);
     }
 }
 
-/// Exact cells against steps by dop853, which have their events and jumps in common only.
+/// Exact cells compared with steps by dop853. The two share only the treatment of events and jumps.
 #[test]
-fn exact_cells_agree_with_steps() {
+fn exact_cells_agree_with_dop853() {
     let cases: [(&str, &[&str]); 2] =
         [("pitch_errors", &["run.t_end=\"0.1 s\""]), ("oh2005/energy_300rpm", &[OF_TEETH, "run.t_end=\"0.05 s\""])];
     for (name, set) in cases {
@@ -106,9 +106,9 @@ fn exact_cells_agree_with_steps() {
     }
 }
 
-/// An error of one level moves phi by as much, and nothing else; errors alike are one.
+/// A constant error shifts phi by its value and changes nothing else. Equal errors of all teeth are a constant error.
 #[test]
-fn an_error_that_does_not_change_is_an_offset() {
+fn a_constant_error_is_an_offset_of_phi() {
     let of = |law: &str| run(&[law, "start.speed=\"200 rpm\"", "run.t_end=\"50 ms\"", "output.events=false"]);
     let none = of(r#"laws.e={steps=[{value=0}]}"#);
     for law in
@@ -124,9 +124,9 @@ fn an_error_that_does_not_change_is_an_offset() {
     }
 }
 
-/// Twice the digits do not go with it: refused before the run.
+/// Compensated precision with a transmission error is refused before the run.
 #[test]
-fn what_does_not_follow_it_is_refused() {
+fn compensated_precision_with_a_transmission_error_is_refused() {
     let effects = r#"effects=["stiffness_step", "transmission_error"]"#;
     let set = [effects.into(), OF_TEETH.into(), "run.precision=\"compensated\"".into()];
     let refused = common::model("gear_pair").run(&common::scene("oh2005/energy_300rpm", &set), &mut |_| {});

@@ -1,4 +1,4 @@
-//! One scene by two methods: events, impacts, the motion and the energy account.
+//! Compares one scene by two methods: events, impacts, the motion and the energy account.
 
 use gearsim::analysis::digits;
 use gearsim::analysis::work_precision::error;
@@ -8,19 +8,19 @@ use gearsim::scene::solver::{Method, Precision, Solver};
 
 use crate::common;
 
-/// Tolerance of the methods by steps.
+/// Tolerance of the step methods.
 const TOLERANCE: f64 = 1e-12;
-/// Digits that a run must have left for its events to be compared one by one.
+/// Digits that a run must have left at its end for its events to be compared one by one.
 const ENOUGH: f64 = 7.0;
-/// Errors allowed, in units of the tolerance grown as a rounding grows.
+/// Allowed difference, in units of the tolerance times the growth factor of rounding errors.
 const UNITS: f64 = 3e3;
-/// The smallest error allowed, of the size of each coordinate and speed.
+/// Smallest allowed difference, relative to the size of each coordinate and speed.
 const LEAST: f64 = 1e-8;
 
-/// Runs `scene` by two methods, up to its end or to where it has digits enough.
+/// Runs `scene` by two methods, up to its end or up to a time at which it has enough digits left.
 ///
 /// # Errors
-/// In words, where they disagree.
+/// A text that says how the methods disagree.
 pub fn agree(scene: &Scene) -> Result<String, String> {
     let mut scene = scene.clone();
     scene.output.rate = 500.0 / scene.t_end;
@@ -32,7 +32,7 @@ pub fn agree(scene: &Scene) -> Result<String, String> {
         if left.at_end >= ENOUGH || scene.t_end < 1e-9 {
             break (outcome, left);
         }
-        // Not a round part: the end must not fall on an event.
+        // Not a round number, so that the end does not fall on an event.
         scene.t_end *= 0.7431;
         scene.output.rate = 500.0 / scene.t_end;
     };
@@ -70,6 +70,6 @@ fn compared(first: &Outcome, second: &Outcome, left: Digits) -> Result<String, S
     let allowed = (UNITS * TOLERANCE * grown).max(LEAST);
     let end = error::of(second, first, 0.0).end;
     let text = format!("{:?} events, end {end:.1e} apart, {allowed:.1e} allowed", counts(first));
-    // Also where it is not a number.
+    // NaN is an error too.
     if end <= allowed { Ok(text) } else { Err(text) }
 }

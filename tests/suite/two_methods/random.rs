@@ -1,4 +1,4 @@
-//! Scenes varied at random: other effects, starts, speeds and torques, each by two methods.
+//! Random variants of the scenes, with other effects, starts, speeds and torques, each by two methods.
 
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
@@ -8,13 +8,13 @@ use gearsim::scene::{Effects, Scene};
 use crate::common;
 use crate::compare;
 
-/// Variants of each scene.
+/// Number of variants of each scene.
 const VARIANTS: u64 = 4;
 
-/// The variants of a scene.
+/// Compares the variants of a scene.
 ///
 /// # Errors
-/// In words, where the methods disagree on one.
+/// A text that says on which variant the methods disagree, and how.
 pub fn agree(name: &str) -> Result<String, String> {
     let mut text = String::new();
     for variant in 0..VARIANTS {
@@ -29,12 +29,13 @@ pub fn agree(name: &str) -> Result<String, String> {
     Ok(text)
 }
 
-/// Leaves out some effects, and moves the start and the torques.
+/// Removes some effects and changes the start and the torques.
 fn vary(scene: &mut Scene, draw: &mut Draw) {
     scene.t_end *= 0.3 + 0.2 * draw.unit();
     for bit in 0..scene.model.effects.len() {
         let without = Effects(scene.effects.0 & !(1 << bit));
-        // Without jump terms the account does not close, and a frozen phase is another system.
+        // Effects are only removed, never added: without jump terms the account does not close, and a frozen phase is another
+        // system. `stiffness_step` stays.
         if draw.unit() < 0.25
             && scene.model.effects[bit].name != "stiffness_step"
             && without.contradictions(scene.model).is_empty()
@@ -59,7 +60,7 @@ fn vary(scene: &mut Scene, draw: &mut Draw) {
     }
 }
 
-/// Numbers that depend on the name and the variant alone.
+/// Random numbers that depend only on the name and the variant.
 struct Draw(u64);
 
 impl Draw {

@@ -1,5 +1,5 @@
-//! A coordinate that starts `static` is where the forces on it balance, K q + C q' = f in its row, with the stiffnesses that hold where
-//! the phases then are. Both are worked out here anew: the levels from the laws of the scene, the matrices by the derived equations.
+//! At a coordinate that starts `static` the forces balance: K q + C q' = f in its row, with the stiffness levels at the phases of the
+//! start. This check finds the levels from the laws of the scene itself, and the matrices by the derived equations.
 
 use std::f64::consts::TAU;
 
@@ -9,27 +9,27 @@ use gearsim::scene::Scene;
 
 use crate::common;
 
-/// Starts tried with each scene.
+/// Number of starts of each scene.
 const STARTS: usize = 60;
-/// Part of the largest force in a row that may be left over: rounding of an ill-conditioned balance.
+/// Allowed residual of the balance, relative to the largest force in its row: the rounding error of an ill-conditioned balance.
 const LEFT: f64 = 1e-9;
 
-/// The static starts of a scene from many positions of its phases.
+/// Checks the static starts of a scene at many positions of its phases.
 ///
 /// # Errors
-/// In words, where forces do not balance.
+/// A text with the largest residual, if the forces do not balance.
 pub fn balance(name: &str) -> Result<String, String> {
     let scene = common::scene(name, &[]);
     let names = scene.effects.names(scene.model);
     let is_static: Vec<bool> = scene.start.q.iter().map(|start| start.is_static()).collect();
     if !is_static.contains(&true) {
-        return Ok(format!("{name}: nothing starts static"));
+        return Ok(format!("{name}: no coordinate starts static"));
     }
     if !scene.effects.nonlinear(scene.model).is_empty() || scene.laws.iter().any(|law| !law.steps_only()) {
-        return Ok(format!("{name}: its cells are not linear"));
+        return Ok(format!("{name}: not checked, its cells are not linear"));
     }
     if scene.model.dead_bands.iter().any(|band| names.contains(&band.with)) {
-        return Ok(format!("{name}: its regime in the play is not known beforehand"));
+        return Ok(format!("{name}: not checked, the regimes of its dead bands are not known beforehand"));
     }
     let (mut worst, mut boundaries) = (0.0f64, 0);
     for i in 0..STARTS {
@@ -53,12 +53,12 @@ pub fn balance(name: &str) -> Result<String, String> {
         return Err(format!("{boundaries} of {STARTS} starts are on a boundary"));
     }
     let text =
-        format!("{name}: {worst:.1e} of a force left over at worst, {boundaries} of {STARTS} starts on a boundary");
+        format!("{name}: largest residual {worst:.1e} of a force, {boundaries} of {STARTS} starts on a boundary");
     if worst <= LEFT { Ok(text) } else { Err(text) }
 }
 
-/// The largest force left over in a static row, as a part of the largest that makes it up; `None` where a static phase is on a
-/// boundary, which holds it.
+/// The largest residual in a static row, relative to the largest force in that row. `None` if a static phase is on a boundary, which
+/// holds it.
 fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
     let entry = common::model(scene.model.name);
     let outcome = entry.run(scene, &mut |_| {}).map_err(|e| e.to_string())?;
@@ -86,7 +86,7 @@ fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
     Ok(Some(worst))
 }
 
-/// The level of a law at a phase, and how far from a boundary that is.
+/// The level of a law at a phase, and the distance of the phase from the nearest boundary.
 fn level(law: &Profile, length: f64, phase: f64) -> (f64, f64) {
     let x = (phase - law.origin).rem_euclid(length);
     let (mut end, mut gap) = (0.0, x.min(length - x));

@@ -1,8 +1,8 @@
-//! A train whose flanks are out of contact falls apart into bodies of which only one has a damper.
+//! A train whose flanks are out of contact is several independent systems, and a damper acts on only one of them.
 //!
-//! The reducer of an electric car: motor and gear 1, gears 2 and 3, gear 4 and the vehicle, each pair on its shaft; coordinates are a
-//! phase and a deflection for each mesh and the twists of the outer shafts, as in the models. A damper acts on one body alone, as that
-//! of a governor or a DC motor does.
+//! The train is the reducer of an electric car: motor and gear 1, gears 2 and 3, gear 4 and the vehicle, each pair on its own shaft.
+//! The coordinates are a phase and a deflection for each mesh and the twists of the outer shafts, as in the models. The damper acts
+//! on one body alone, as that of a governor or a DC motor does.
 
 use gearsim::engine::modal::{Matrices, Modal};
 use nalgebra::{DMatrix, DVector};
@@ -11,7 +11,7 @@ const INERTIAS: [f64; 6] = [0.05, 3e-4, 6e-3, 5e-4, 0.08, 144.0];
 const SHAFTS: [(usize, usize, f64); 3] = [(0, 1, 2e4), (2, 3, 5e5), (4, 5, 1.6e4)];
 const MESHES: [(usize, f64); 2] = [(1, 4e8), (3, 6e8)];
 
-/// The rotations of the six bodies by the coordinates (theta1, s1, theta3, s3, psi_m, psi_w).
+/// The matrix from the coordinates (theta1, s1, theta3, s3, psi_m, psi_w) to the rotations of the six bodies.
 fn rotations() -> DMatrix<f64> {
     let [(n1, n2, r1), (n3, n4, r3)] = [(23.0, 59.0, 0.025), (19.0, 71.0, 0.027)];
     let first = [[1.0 / n1, 0.5 / r1], [1.0 / n2, -0.5 * n1 / (r1 * n2)]];
@@ -63,10 +63,10 @@ fn train(contact: [bool; 2], damped: usize, c: f64) -> Matrices {
     }
 }
 
-/// Every combination of contacts, dampers and places has modes, whose decays add up to the trace of M⁻¹C; a body that no damper
-/// reaches keeps its energy, at its own frequency.
+/// For every combination of contacts, damper coefficient and damped body the modes are found. The sum of their decay rates 2 sigma is
+/// the trace of M⁻¹C. Two bodies on a shaft that the damper does not reach have an undamped mode at their own frequency.
 #[test]
-fn bodies_out_of_contact_have_modes_of_their_own() {
+fn parts_out_of_contact_have_independent_modes() {
     for contact in [[false, false], [true, false], [false, true], [true, true]] {
         for (damped, inertia) in INERTIAS.into_iter().enumerate() {
             for c in [1e-4, 0.01, 0.05, 0.3, 1.0, 5.0, 10.0, 100.0, 1e3] {
@@ -76,7 +76,7 @@ fn bodies_out_of_contact_have_modes_of_their_own() {
                 let decays: f64 = modes.iter().map(|mode| 2.0 * mode.sigma).sum();
                 let trace = c / inertia;
                 assert!((decays / trace - 1.0).abs() < 1e-9, "{contact:?}, {c} on body {damped}: {decays} for {trace}");
-                // The bodies at either end, where their mesh is open.
+                // The two bodies at each end of the train, if their mesh is out of contact.
                 for (mesh, shaft, bodies) in [(0, SHAFTS[0], [0, 1]), (1, SHAFTS[2], [4, 5])] {
                     if contact[mesh] || bodies.contains(&damped) {
                         continue;

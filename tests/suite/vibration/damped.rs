@@ -1,4 +1,4 @@
-//! Runs of a model whose damping couples its modes: flights, crossings, holds, energy.
+//! Runs of a model whose damping couples its modes: flights, crossings, held contact, energy.
 
 use gearsim::run::Outcome;
 use gearsim::trajectory::Moment;
@@ -29,10 +29,10 @@ fn residual(outcome: &Outcome) -> f64 {
     outcome.trajectory.residual.iter().fold(0.0f64, |m, r| m.max(r.abs()))
 }
 
-/// Every flight between two events is that of the matrix exponential, ends on a boundary and met none before; each event
-/// keeps the energy; and the account closes with the loss as an integral of the speeds.
+/// Every flight between two events agrees with the matrix exponential, ends on a boundary and meets none before. Each event keeps the
+/// energy. The energy account closes, with the loss as an integral of the speeds.
 #[test]
-fn a_run_with_coupled_damping_is_flight_by_flight_the_matrix_exponential() {
+fn every_flight_with_coupled_damping_agrees_with_the_matrix_exponential() {
     for (c1, c2, torque, speed, end) in [
         (0.05, 0.3, 0.1, 2.0, 12.0),
         (0.4, 0.0, 0.0, 2.0, 12.0),
@@ -59,7 +59,7 @@ fn a_run_with_coupled_damping_is_flight_by_flight_the_matrix_exponential() {
             }
             flights += 1;
             let (q, v) = state(after);
-            // Times are rounded to doubles: the states are known to a rounding of t times the speeds and accelerations.
+            // Times are rounded to f64, so the states have an error of one rounding of t times the speeds and accelerations.
             let span = Digits::exact(t.t[row]) - Digits::exact(t.t[after]);
             let error = |level: usize| {
                 let (x, y) = cell(LEVELS[level], c1, c2, torque).over(&span).of(&q, &v);
@@ -71,7 +71,7 @@ fn a_run_with_coupled_damping_is_flight_by_flight_the_matrix_exponential() {
             };
             let level = if error(0) < error(1) { 0 } else { 1 };
             assert!(error(level) < 2e-12, "{:e} at t = {}", error(level), t.t[row]);
-            // Where it is within the turn, and that it stayed there.
+            // The cell of the flight within the turn; the flight must stay in it.
             let turn = (0.5 * (t.q[0][after] + t.q[0][row])).floor();
             let turns = [turn - 1.0, turn, turn + 1.0];
             let bounds = |turn: f64| [(turn, turn + FIRST_ENDS), (turn + FIRST_ENDS, turn + 1.0)][level];
@@ -92,14 +92,14 @@ fn a_run_with_coupled_damping_is_flight_by_flight_the_matrix_exponential() {
         println!("c1 = {c1}, c2 = {c2}: {flights} flights, {:e} J unaccounted for", residual(&outcome));
         assert!(flights > 10, "{flights} flights");
         assert!(residual(&outcome) < 1e-13 * outcome.energy_at_start.max(t.dissipated[t.len() - 1]));
-        assert!(t.dissipated.windows(2).all(|w| w[1] >= w[0]), "damping gives nothing back");
+        assert!(t.dissipated.windows(2).all(|w| w[1] >= w[0]), "the dissipated energy falls");
     }
 }
 
-/// Pressed against a step that it cannot climb, the first rotor bounces to rest; the other two swing to rest beyond it, by
-/// dampers that couple them.
+/// The first rotor is pressed against a step that reflects it, bounces and is held. The other two rotors come to rest by dampers that
+/// couple them.
 #[test]
-fn a_phase_is_held_while_coupled_damping_brings_the_rest_to_rest() {
+fn a_phase_is_held_while_coupled_damping_stops_the_other_rotors() {
     let outcome = run("parameters = { c1 = \"2 N*m*s\", c2 = \"0.7 N*m*s\", T = \"3 N*m\", load = \"10 N*m\" }\n\
          start = { beta = \"2 rad\", gamma = \"2.2 rad\" }\nrun.t_end = \"120 s\"\noutput.rate = \"1 Hz\"");
     let t = &outcome.trajectory;
@@ -108,7 +108,7 @@ fn a_phase_is_held_while_coupled_damping_brings_the_rest_to_rest() {
     assert!(outcome.counts.holds >= 1 && outcome.counts.cell_changes == 0, "{:?}", outcome.counts);
     assert_eq!((t.q[0][last], t.q_dot[0][last]), (FIRST_ENDS, 0.0));
     for i in [1, 2] {
-        // load/k, with no force between the two; the slowest of what is left decays with more than 0.4/s.
+        // beta = gamma = load/k, with no force between the two. The slowest mode of the held cell decays faster than 0.4/s.
         assert!(
             (t.q[i][last] - 2.0).abs() < 1e-12 && t.q_dot[i][last].abs() < 1e-12,
             "{} {}",

@@ -1,4 +1,4 @@
-//! Published natural frequencies of torsional systems, and what a mode says of itself.
+//! Published natural frequencies of torsional systems, and the energies and shapes of modes.
 //!
 //! Source: M. I. Friswell, J. E. T. Penny, S. D. Garvey & A. W. Lees, Dynamics of Rotating Machines, Cambridge 2010,
 //! Chapter 9.
@@ -30,7 +30,7 @@ fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
     modes::of_matrices(&matrices, &[], &[], &[]).expect("discs on shafts have modes")
 }
 
-/// Frequencies as printed, to half a unit of their last digit.
+/// Checks frequencies against their printed values, to half a unit in the last digit.
 fn assert_frequencies(found: &CellModes, printed: &[&str]) {
     assert_eq!(found.modes.len(), printed.len());
     for (mode, printed) in found.modes.iter().zip(printed) {
@@ -40,12 +40,12 @@ fn assert_frequencies(found: &CellModes, printed: &[&str]) {
 }
 
 #[test]
-fn two_discs_on_a_shaft() {
+fn frequencies_of_two_discs_on_a_shaft_are_those_published() {
     assert_frequencies(&of(&[211.4, 8.3], &[(0, 1, 9.775e6)]), &["0", "176.1"]);
 }
 
 #[test]
-fn five_discs_in_a_row_example_9_7_1() {
+fn frequencies_of_five_discs_are_those_of_example_9_7_1() {
     let shafts = [(0, 1, 12e3), (1, 2, 12e3), (2, 3, 14e3), (3, 4, 10e3)];
     let found = of(&[3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], &shafts);
     assert_frequencies(&found, &["0", "81.21", "141.21", "378.95", "536.36"]);
@@ -55,15 +55,15 @@ fn five_discs_in_a_row_example_9_7_1() {
     }
 }
 
-/// Gear B meshes rigidly with gear A, 1:1: one coordinate for both, with three shafts.
+/// Gear B meshes rigidly with gear A, 1:1, so both have one coordinate; three shafts start there.
 #[test]
-fn three_branches_at_a_pair_of_gears() {
+fn frequencies_of_three_branches_at_a_gear_pair_are_those_published() {
     let shafts = [(0, 1, 1e4), (1, 2, 5e3), (1, 3, 5e3)];
     assert_frequencies(&of(&[400e-6, 50e-6, 700e-6, 700e-6], &shafts), &["0", "425.4", "634.1", "3247.2"]);
 }
 
-/// Where damping couples the modes: each eigenvalue and shape satisfy (lambda² M + lambda C + K) phi = 0, and the strain
-/// energies of the law and of the other spring are in the ratio of theirs.
+/// Where damping couples the modes, each eigenvalue and mode shape satisfy (lambda² M + lambda C + K) phi = 0. The strain energies that a
+/// mode reports for the law and for the other spring are those of its shape.
 #[test]
 fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
     use nalgebra::Complex;
@@ -83,7 +83,7 @@ fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
         let phi = DVector::from_vec(mode.shape.clone());
         let pencil = complex(&m.mass) * (lambda * lambda) + complex(&m.damping) * lambda + complex(&m.stiffness);
         let left = (pencil * &phi).map(|z| z.norm()).amax();
-        // Three products of a size of K |phi| = 50.
+        // The three products have the size K |phi| = 50.
         assert!(left < 1e-13 * 50.0, "{left:e}");
         let (second, third) = (mode.shape[1].norm_sqr() * 5.0, (mode.shape[2] - mode.shape[1]).norm_sqr() * 20.0);
         assert!((mode.strain[0] - second / (second + third)).abs() < 1e-13);

@@ -1,10 +1,10 @@
-//! A small model whose damping couples its modes, written out as the derivation would.
+//! A small model whose damping couples its modes, written by hand in the form of a derived file.
 
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 
-/// A rotor under a torque, whose angle switches the spring of a loaded rotor that carries a third one. A damper between the
-/// first two, one from the third to the ground.
+/// A rotor under a torque. Its angle switches the spring of a second, loaded rotor, to which a third is coupled by a spring. One
+/// damper is between the first two rotors, one between the third and the ground.
 mod dampers {
     gearsim_macros::equations! {
         model dampers "three rotors on springs and dampers";
@@ -54,11 +54,11 @@ mod dampers {
 
 pub const DAMPERS: Entry = Entry::new::<dampers::Dampers>();
 
-/// Its levels over one turn of alpha, which is 1 long, and where the first ends.
+/// The stiffness levels [N m] over one period of alpha, which is 1 rad, and the alpha at which the first ends [rad].
 pub const LEVELS: [f64; 2] = [5.0, 50.0];
 pub const FIRST_ENDS: f64 = 0.4;
 
-/// A scene of it; `more` sets parameters, start and run.
+/// A scene of the model; `more` sets parameters, start and run.
 pub fn scene(more: &str) -> Scene {
     let text = format!(
         "model = \"dampers\"\neffects = [\"stiffness_step\"]\n\

@@ -1,4 +1,4 @@
-//! Parametric instability: published and recomputed boundaries, and multipliers against 50 digits.
+//! Parametric instability: independently computed boundaries, and Floquet multipliers compared with 50 digits.
 
 use gearsim::analysis::floquet::{Aperiodic, Floquet, FloquetError, Verdict};
 use gearsim::scene::Scene;
@@ -8,9 +8,9 @@ use crate::common;
 use crate::damped::cell;
 use crate::models::{DAMPERS, FIRST_ENDS, LEVELS, scene};
 
-/// The gear pair of Oh, Grosh & Barber (2005), k1 : k2 = 1.43 : 2.78, with two tooth pairs over 0.725 of a pitch, in steady
-/// rotation so fast that the mesh frequency is `ratio` of the natural frequency at the mean stiffness; and with damping zeta
-/// relative to that frequency.
+/// The Floquet analysis of the gear pair of Oh, Grosh & Barber (2005), k1 : k2 = 1.43 : 2.78, with two tooth pairs over 0.725 of a
+/// pitch, in steady rotation. The mesh frequency is `ratio` times the natural frequency at the mean stiffness, and the damping ratio
+/// `zeta` is relative to that frequency.
 fn pair(base: &Scene, zeta: f64, ratio: f64) -> Floquet {
     let system = |scene: &Scene| common::model("gear_pair").system(scene).expect("the gear pair is linear");
     let mut scene = base.clone();
@@ -20,9 +20,9 @@ fn pair(base: &Scene, zeta: f64, ratio: f64) -> Floquet {
     scene.parameters[of("zeta")] = zeta * (law.mean() / law.mid()).sqrt();
     scene.start.motions = vec![0.0; scene.start.motions.len()];
     scene.start.q_dot[0] = Some(1.0);
-    let natural = Floquet::of(&scene, &system(&scene)).expect("it has multipliers").natural;
+    let natural = Floquet::of(&scene, &system(&scene)).expect("a system with multipliers").natural;
     scene.start.q_dot[0] = Some(ratio * natural * std::f64::consts::TAU);
-    Floquet::of(&scene, &system(&scene)).expect("it has multipliers")
+    Floquet::of(&scene, &system(&scene)).expect("a system with multipliers")
 }
 
 fn base() -> Scene {
@@ -32,7 +32,7 @@ fn base() -> Scene {
     common::scene("oh2005/energy_300rpm", &[steps])
 }
 
-/// Where instability begins between two ratios, one stable and one unstable.
+/// The ratio at which instability begins, between a stable and an unstable ratio, by bisection.
 fn boundary(base: &Scene, zeta: f64, mut stable: f64, mut unstable: f64) -> f64 {
     let grows = |ratio: f64| pair(base, zeta, ratio).verdict.is_unstable();
     assert!(!grows(stable) && grows(unstable), "zeta {zeta}: no boundary between {stable} and {unstable}");
@@ -43,8 +43,9 @@ fn boundary(base: &Scene, zeta: f64, mut stable: f64, mut unstable: f64) -> f64 
     0.5 * (stable + unstable)
 }
 
-/// Boundaries of the parametric instability of the gear pair of Oh, Grosh & Barber (2005), recomputed independently from its
-/// numbers (design notes, "Published numbers to hold the code against"): mesh frequency over mean natural frequency.
+/// Boundaries of the parametric instability of the gear pair of Oh, Grosh & Barber (2005), as the ratio of mesh frequency to the natural
+/// frequency at the mean stiffness. They were computed independently from the numbers of the paper (design notes, "Published
+/// numbers to hold the code against").
 #[test]
 fn the_gear_pair_is_unstable_where_meissners_equation_is() {
     let base = base();
@@ -57,17 +58,17 @@ fn the_gear_pair_is_unstable_where_meissners_equation_is() {
         let found = [0.85, 1.15].map(|side| boundary(&base, zeta, side * inside, inside));
         println!("zeta {zeta}: {:.4} to {:.4}, printed {} to {}", found[0], found[1], printed[0], printed[1]);
         for (found, printed) in found.into_iter().zip(printed) {
-            // Printed to three decimals, some of them cut and not rounded.
+            // Printed to three decimals; some are truncated, not rounded.
             assert!((found - printed).abs() < 1e-3, "{found}, not {printed}");
         }
     }
     let growing =
         (0..=400).map(|i| 0.8 + 0.0035 * f64::from(i)).find(|ratio| pair(&base, 0.1, *ratio).verdict.is_unstable());
-    assert_eq!(growing, None, "none at zeta = 0.1");
+    assert_eq!(growing, None, "with zeta = 0.1 no ratio is unstable");
 }
 
 #[test]
-fn verdicts_are_named() {
+fn each_kind_of_stability_is_recognised() {
     let base = base();
     assert_eq!(pair(&base, 0.05, 1.5).verdict, Verdict::Stable);
     assert_eq!(pair(&base, 0.0, 1.5).verdict, Verdict::Neutral);
@@ -76,7 +77,7 @@ fn verdicts_are_named() {
     let edge = boundary(&base, 0.0, 1.7, 2.0);
     let near = [-1e-7, -1e-8, 1e-8, 1e-7].map(|d| pair(&base, 0.0, edge + d).verdict);
     assert!(near.contains(&Verdict::Neutral) && near.contains(&Verdict::Alternating), "{near:?}");
-    // On the border itself, where the trace is -2 to rounding.
+    // The border itself, where the trace is -2 to rounding.
     let (mut stable, mut unstable) = (edge - 1e-6, edge + 1e-6);
     let verdict = loop {
         let middle = 0.5 * (stable + unstable);
@@ -90,15 +91,16 @@ fn verdicts_are_named() {
     assert_eq!(verdict, Verdict::Border);
 }
 
-/// Damping that couples two vibrations and a rotor that only it holds: trace and determinant of a period in 50 digits.
+/// Damping couples two vibrations with a rotor that has no spring. The trace and the determinant of the monodromy matrix are compared
+/// with 50 digits.
 #[test]
-fn multipliers_of_coupled_damping_are_those_of_the_matrix_exponential() {
+fn multipliers_with_coupled_damping_agree_with_the_matrix_exponential() {
     for (c1, c2, speed) in [(0.05, 0.3, 2.0), (0.4, 0.0, 1.1), (3.0, 9.0, 0.7)] {
         let scene = scene(&format!(
             "parameters = {{ c1 = \"{c1:?} N*m*s\", c2 = \"{c2:?} N*m*s\" }}\nstart.speed = \"{speed:?} rad/s\"\nrun.t_end = \"1 s\""
         ));
         let system = DAMPERS.system(&scene).expect("a linear model");
-        let floquet = Floquet::of(&scene, &system).expect("it has multipliers");
+        let floquet = Floquet::of(&scene, &system).expect("a system with multipliers");
         assert_eq!(floquet.rigid, 0);
         assert!((floquet.period - 1.0 / speed).abs() < 1e-15);
         let steps = [(LEVELS[0], FIRST_ENDS), (LEVELS[1], 1.0 - FIRST_ENDS)];
@@ -113,7 +115,7 @@ fn multipliers_of_coupled_damping_are_those_of_the_matrix_exponential() {
             }
             trace += if i < 3 { q[i].approx() } else { v[i - 3].approx() };
         }
-        // The rotor that nothing holds stays where it is: a multiplier 1, which is left out.
+        // The rotor without a spring may rest at any angle. This gives a multiplier 1, which is left out.
         assert_eq!(floquet.multipliers.len(), 5);
         let sum: f64 = floquet.multipliers.iter().map(|z| z.re).sum();
         assert!((sum + 1.0 - trace).abs() < 1e-12, "{sum} + 1, not {trace}");
@@ -126,7 +128,7 @@ fn multipliers_of_coupled_damping_are_those_of_the_matrix_exponential() {
 }
 
 #[test]
-fn what_is_not_periodic_is_refused_by_name() {
+fn a_system_that_is_not_periodic_is_refused() {
     let refused = |base: &Scene| {
         let system = common::model("gear_pair").system(base).expect("the gear pair is linear");
         Floquet::of(base, &system).expect_err("no period")

@@ -1,20 +1,20 @@
-//! Processor time of a run, as tests/peers/clock.py takes it.
+//! Processor time of a run, measured as in tests/peers/clock.py.
 
 use cpu_time::ProcessTime;
 use serde_json::{Value, json};
 
 use crate::scene::Motion;
 
-/// Times taken at most.
+/// Largest number of samples.
 const SAMPLES: usize = 5;
-/// A sample runs again until it has taken as long [s]: on a busy machine the clock advances by ticks of 4 ms.
+/// A sample repeats the run until this time has passed [s], because on a busy machine the clock advances in steps of 4 ms.
 const SAMPLE: f64 = 0.2;
-/// Processor time after which no further sample is begun, once there are three [s].
+/// Total processor time [s] after which no further sample is taken, if there are at least three.
 const ENOUGH: f64 = 1.0;
-/// A run that takes as long is not repeated [s].
+/// A run that takes longer than this [s] is not repeated.
 const LONG: f64 = 3.0;
 
-/// Solves several times: what the last run gave, with the times in `cpu`.
+/// Solves several times. Returns the last result with the times [s] in `cpu`.
 pub fn measure(solve: impl Fn() -> anyhow::Result<Motion>) -> anyhow::Result<Value> {
     let (mut times, mut total): (Vec<f64>, f64) = (vec![], 0.0);
     loop {

@@ -1,8 +1,8 @@
 //! diffsol with its root finding, restarted at every root.
 //!
-//! Fair: one solver for the whole run, stepped by hand; the stiffness is read from a cell that the closures share, so that
-//! nothing is built anew; at a root the state goes back to it, jumps, and keeps its step size; small dense matrices of
-//! nalgebra; absolute tolerances by the sizes of the coordinates. Its roots have no direction: the index tells the end.
+//! Fair: one solver object for the whole run, stepped by hand. The stiffness is in a `Cell` that the closures share, so nothing is
+//! rebuilt. At a root the state returns to the root, jumps and keeps its step size. Small dense matrices of nalgebra. Absolute
+//! tolerances by the sizes of the coordinates. diffsol's roots have no direction: the index says which end of the cell was met.
 
 use std::cell::Cell;
 

@@ -1,4 +1,4 @@
-//! The crate ivp, a solve_ivp of Rust, restarted at terminal events.
+//! The crate ivp, a solve_ivp for Rust, restarted at terminal events.
 //!
 //! Fair: two events with directions, no dense output, absolute tolerances by the sizes of the coordinates.
 
@@ -7,7 +7,7 @@ use ivp::prelude::*;
 
 use crate::scene::{Motion, Scene};
 
-/// A cell as the crate sees it.
+/// A cell as a system of the crate.
 struct Cell<'a> {
     scene: &'a Scene,
     k: f64,

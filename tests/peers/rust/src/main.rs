@@ -1,7 +1,7 @@
-//! Crates of Rust that locate events, on the scenes of `cargo xtask peers`.
+//! Rust crates that locate events, on the scenes of `cargo xtask peers`.
 //!
-//! `gearsim-peers SCENES NAME METHOD TOLERANCE` prints events, end and processor times as JSON; `gearsim-peers versions`
-//! which crates these are. One crate, one file.
+//! `gearsim-peers SCENES NAME METHOD TOLERANCE` prints events, end and processor times as JSON. `gearsim-peers versions` prints the
+//! crates and their versions. Each crate has one file.
 
 mod clock;
 mod diffsol_events;
@@ -16,7 +16,7 @@ fn main() -> anyhow::Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [file, name, method, tolerance] = &arguments[..] else {
         if arguments != ["versions"] {
-            bail!("wanted: SCENES NAME METHOD TOLERANCE, or: versions");
+            bail!("usage: gearsim-peers SCENES NAME METHOD TOLERANCE, or: gearsim-peers versions");
         }
         println!("{}", serde_json::json!(versions()));
         return Ok(());
@@ -28,13 +28,13 @@ fn main() -> anyhow::Result<()> {
         "diffsol bdf" => clock::measure(|| diffsol_events::bdf(&scene, tolerance)),
         "ivp DOP853" => clock::measure(|| ivp_events::run(&scene, ivp::prelude::Method::DOP853, tolerance)),
         "ivp DOPRI5" => clock::measure(|| ivp_events::run(&scene, ivp::prelude::Method::DOPRI5, tolerance)),
-        _ => bail!("no method `{method}`"),
+        _ => bail!("no method `{method}`; the methods are: diffsol tsit45, diffsol bdf, ivp DOP853, ivp DOPRI5"),
     };
     println!("{}", result?);
     Ok(())
 }
 
-/// The crates with their versions, out of the lock file.
+/// The crates with their versions, read from the lock file.
 fn versions() -> String {
     let lock = include_str!("../Cargo.lock");
     let version = |name: &str| {

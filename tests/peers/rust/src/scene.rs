@@ -5,7 +5,7 @@
 use anyhow::Context;
 use serde_json::{Value, json};
 
-/// Numbers of a scene.
+/// The numbers of a scene, in SI units.
 pub struct Scene {
     pub m1: f64,
     pub m2: f64,
@@ -18,7 +18,7 @@ pub struct Scene {
     pub t_end: f64,
 }
 
-/// A motion under way: time, cell, state, and the events so far.
+/// A motion: the present time, cell and state, and the events so far.
 pub struct Motion {
     pub t: f64,
     pub cell: i64,
@@ -27,7 +27,7 @@ pub struct Motion {
 }
 
 impl Scene {
-    /// Reads a scene out of the file that Rust wrote.
+    /// Reads a scene from the file that `cargo xtask peers` wrote.
     pub fn read(file: &str, name: &str) -> anyhow::Result<Scene> {
         let scenes: Value = serde_json::from_str(&std::fs::read_to_string(file)?)?;
         let scenes = scenes.as_array().context("scenes are a list")?;
@@ -58,7 +58,7 @@ impl Scene {
         out.copy_from_slice(&[y[1], self.m1 * pull, y[3], self.m2 * pull]);
     }
 
-    /// The derivative of y' along `v`.
+    /// The directional derivative of y' along `v`.
     pub fn slope_along(&self, k: f64, v: &[f64], out: &mut [f64]) {
         let pull = -k * v[2] - self.c * v[3];
         out.copy_from_slice(&[v[1], self.m1 * pull, v[3], self.m2 * pull]);
@@ -76,7 +76,7 @@ impl Scene {
 }
 
 impl Motion {
-    /// Jumps at an end of the cell, met at `t` in the state `y`.
+    /// Applies the jump rule at an end of the cell, which was met at `t` in the state `y`.
     pub fn jump(&mut self, scene: &Scene, t: f64, y: &[f64], upwards: bool) {
         let beyond = if upwards { self.cell + 1 } else { self.cell - 1 };
         let ((k, width), (k_beyond, width_beyond)) = (scene.cell(self.cell), scene.cell(beyond));
@@ -97,7 +97,7 @@ impl Motion {
         self.events.push((t, "transmit", self.cell));
     }
 
-    /// As the peers print it.
+    /// The JSON that every peer prints.
     pub fn json(&self) -> Value {
         json!({ "events": self.events, "cell": self.cell, "end": self.y })
     }

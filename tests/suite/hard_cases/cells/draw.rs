@@ -7,31 +7,34 @@ use super::phase::{Phase, bound};
 use crate::linear::Linear;
 use crate::noise::Noise;
 
-/// A cell in its modes, from rest of all coordinates at 0.
+/// A cell in modal coordinates. All coordinates start at 0 with the speeds `v`.
 #[derive(Debug, Clone)]
 pub struct Drawn<const N: usize> {
     pub system: Linear<N>,
     pub v: [f64; N],
-    /// Distance of the boundary in question, and of the other one, which is not reached.
+    /// Distance of the boundary that may be met.
     pub level: f64,
+    /// Distance of the other boundary, which is not reached.
     pub far: f64,
+    /// Length of the search [s].
     pub horizon: f64,
-    /// Whether the boundary is the upper one.
+    /// Whether the boundary at `level` is the upper one.
     pub upper: bool,
-    /// Whether the level was put to a crest of the phase.
+    /// Whether the level is at a crest of the phase.
     pub grazing: bool,
 }
 
 impl<const N: usize> Drawn<N> {
-    /// Draws a cell; one to graze gets its level from the highest crest so far, if it has one: half of them do.
+    /// Draws a cell. If `to_graze`, the level is at a crest of the phase that is higher than all before, if there is one: about half
+    /// of these cells have one.
     pub fn new(noise: &mut Noise, to_graze: bool) -> Self {
-        // Frequencies over half a decade to four and a half: stiffness ratios up to 1e9.
+        // Frequencies over up to four and a half decades: stiffness ratios up to 1e9.
         let (unit, spread) = (noise.power(-3.0, 3.0), 4.5 * noise.unit().powi(2));
         let modes = [(); N].map(|()| mode(noise, unit, spread));
         let busiest = modes.iter().filter(|(sigma, w2)| sigma * sigma < 0.1 * w2).map(|(_, w2)| w2.sqrt());
         let rate = busiest.fold(0.0, f64::max);
         let horizon = if rate > 0.0 { noise.power(0.0, 2.0) / rate } else { noise.power(-1.0, 2.0) / unit };
-        // The reference bounds roundings by sigma t: of what does not oscillate it is shown the first hundred decay times.
+        // The reference bounds rounding errors by sigma t, so modes that do not oscillate get at most a hundred decay times.
         let strongest = modes.iter().filter(|(sigma, w2)| sigma * sigma > 0.1 * w2).map(|(sigma, _)| *sigma);
         let horizon = strongest.fold(horizon, |t, sigma| t.min(100.0 / sigma));
         let each = |(sigma, w2): (f64, f64), noise: &mut Noise| {
@@ -58,12 +61,12 @@ impl<const N: usize> Drawn<N> {
         drawn
     }
 
-    /// Puts the level within 1e-12 of a crest of that `height` at the time `crest`, over or under it.
+    /// Puts the level within 1e-12, relative, above or below a crest with this `height` at the time `crest`.
     fn graze(&mut self, noise: &mut Noise, crest: f64, mut height: f64) {
         self.grazing = true;
         self.far = 2.0 * self.reach();
         if noise.unit() < 0.25 {
-            // Just before the crest, in a cell that is narrow beside the swing.
+            // Starts just before the crest, in a cell that is narrow compared with the swing.
             let before = noise.power(-4.0, -0.5) * crest;
             for (i, (m, _)) in self.phase().0.iter().enumerate() {
                 let [_, v, a] = m.at(&(crest - before));
@@ -83,7 +86,7 @@ impl<const N: usize> Drawn<N> {
         self.level = height * (1.0 - depth);
     }
 
-    /// A time at which the phase is the highest so far and turns, and its height.
+    /// The time and the height of a crest of the phase that is higher than all before.
     fn crest(&self, noise: &mut Noise) -> Option<(f64, f64)> {
         let (phase, samples) = (self.phase(), 20 * N);
         let time = |i: usize| self.horizon * i as f64 / samples as f64;
@@ -105,20 +108,20 @@ impl<const N: usize> Drawn<N> {
         Phase(std::array::from_fn(|i| (Motion::from(&self.mode(i)), self.system.normal[i])))
     }
 
-    /// Mode `i` in the terms of the reference.
+    /// Mode `i` as the reference describes it.
     fn mode(&self, i: usize) -> precise::Mode {
         let Linear { damping, stiffness, load, normal, .. } = &self.system;
         let (sigma, omega2) = (0.5 * damping[i][i], stiffness[i][i]);
         precise::Mode { sigma, omega2, force: load[i], x: 0.0, v: self.v[i], weight: normal[i] }
     }
 
-    /// A bound on the way of the phase until the horizon, not a tight one.
+    /// A bound on the distance that the phase moves until the horizon; not a tight one.
     fn reach(&self) -> f64 {
         (0..N).map(|i| self.mode(i)).map(|m| m.weight.abs() * bound(&m, self.horizon)).sum()
     }
 }
 
-/// (sigma, omega²): every damping, with and without stiffness.
+/// (sigma, omega²) of a mode: any damping, with and without stiffness.
 fn mode(noise: &mut Noise, unit: f64, spread: f64) -> (f64, f64) {
     let omega = unit * 10f64.powf(spread * noise.unit());
     let zeta = match noise.below(20) {

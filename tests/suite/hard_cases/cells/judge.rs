@@ -1,7 +1,8 @@
-//! What the engine made of a cell, beside the reference.
+//! Compares the engine's result for a cell with that of the reference.
 //!
-//! The rounding of the phase at t is taken as eps times the sum of |c| a (1 + omega min(t, 1/sigma)) over the modes: a
-//! bounds the way of a mode, and what follows is how often a rounding of its frequency counts before it has died away.
+//! The rounding error of the phase at t is taken as eps times the sum over the modes of |c| a (1 + omega min(t, 1/sigma)). c is the weight
+//! of the mode, a bounds its distance, and the last factor is the effect of a rounding error of its frequency until the mode has
+//! died away.
 
 use gearsim::engine::vector::Vector;
 use gearsim_tests::precise;
@@ -13,33 +14,33 @@ use super::draw::Drawn;
 use super::phase::bound;
 use crate::linear::first;
 
-/// What may come between the engine and the reference, in the unit of the errors: rounding and touch tolerance.
+/// Allowed difference between the engine and the reference, in units of the rounding error and touch tolerance.
 pub const MULTIPLE: f64 = 4.0;
 
-/// What came of a cell.
+/// The result for a cell.
 pub enum Verdict {
-    /// Both found the same crossing, the engine with this error in its unit.
+    /// Both found the same crossing; the engine has this error, in its unit.
     Crossed(f64),
-    /// Both found none.
+    /// Both found no crossing.
     Passed,
-    /// A touch less deep than rounding tells, taken one way by the one and the other way by the other.
+    /// Only one of them found a crossing, but its depth is below the rounding error.
     Shallow,
-    /// One of them missed what the other found.
+    /// One of them missed a crossing that the other found.
     Wrong(String),
 }
 
 type Digits = Real<192>;
 
-/// A cell as the reference has it: the engine's own modes, exactly.
+/// A cell for the reference, with exactly the engine's modes.
 struct Reference {
     modes: Vec<precise::Mode>,
     level: f64,
-    /// Depth of a touch.
+    /// Depth up to which the engine counts a touch as a graze.
     tolerance: f64,
 }
 
 impl Reference {
-    /// The phase less the level and its first two derivatives at `t`, to all digits and then rounded.
+    /// The phase minus the level, and its first two derivatives, at `t`, computed in all digits and then rounded.
     fn at(&self, t: f64) -> [f64; 3] {
         let mut sum = [-Digits::exact(self.level), Digits::exact(0.0), Digits::exact(0.0)];
         for m in &self.modes {
@@ -53,7 +54,7 @@ impl Reference {
         sum.map(|x| x.approx())
     }
 
-    /// The rounding of the phase at `t`, and the tolerance of a touch.
+    /// The rounding error of the phase at `t` plus the tolerance of a touch.
     fn rounding(&self, t: f64) -> f64 {
         let each = |m: &precise::Mode| {
             let turns = m.omega2.sqrt() * t.min(1.0 / m.sigma);
@@ -62,14 +63,15 @@ impl Reference {
         self.tolerance + f64::EPSILON * self.modes.iter().map(each).sum::<f64>()
     }
 
-    /// How far the phase goes beyond the level at a crossing `t` before it turns; about, and only where it soon does.
+    /// Distance that the phase moves beyond the level after a crossing at `t` before it turns back. An estimate that is right only where
+    /// it turns soon.
     fn depth(&self, t: f64) -> f64 {
         let [_, rate, bend] = self.at(t);
         0.5 * rate * rate / bend.abs()
     }
 }
 
-/// Runs both.
+/// Runs the engine and the reference.
 pub fn judge<const N: usize>(drawn: &Drawn<N>) -> Verdict {
     let Drawn { system, v, level, far, horizon, upper, .. } = drawn;
     let cell = system.cell();
@@ -81,7 +83,7 @@ pub fn judge<const N: usize>(drawn: &Drawn<N>) -> Verdict {
         Err(lost) => return Verdict::Wrong(lost.to_string()),
     };
     let modes = (0..N).map(|i| {
-        // Each shape is one coordinate, either way round.
+        // Each mode shape is one coordinate, with either sign.
         let j = cell.shapes.column(i).iamax();
         let sign = cell.shapes[(j, i)];
         let weight = if *upper { participation[i] } else { -participation[i] };
@@ -96,10 +98,10 @@ pub fn judge<const N: usize>(drawn: &Drawn<N>) -> Verdict {
 }
 
 fn compare(reference: &Reference, met: Option<f64>, root: Option<((f64, f64), bool)>) -> Verdict {
-    let invented = |t: f64| reference.at(t)[0].abs() > MULTIPLE * reference.rounding(t);
+    let is_false = |t: f64| reference.at(t)[0].abs() > MULTIPLE * reference.rounding(t);
     match (met, root) {
         (None, None) => Verdict::Passed,
-        (Some(t), None) if invented(t) => Verdict::Wrong(format!("a crossing was invented at {t:e}")),
+        (Some(t), None) if is_false(t) => Verdict::Wrong(format!("a false crossing at {t:e}")),
         (Some(_), None) => Verdict::Shallow,
         (None, Some(((t, _), tangency))) => missed(reference, t, tangency, None),
         (Some(met), Some(((t, rest), tangency))) => {
@@ -108,8 +110,8 @@ fn compare(reference: &Reference, met: Option<f64>, root: Option<((f64, f64), bo
             match late.abs() / unit {
                 error if error <= MULTIPLE => Verdict::Crossed(error),
                 _ if late > 0.0 => missed(reference, t, tangency, Some(met)),
-                _ if invented(met) => Verdict::Wrong(format!("a crossing was invented at {met:e}, before {t:e}")),
-                // A crest before, as high as the level to rounding.
+                _ if is_false(met) => Verdict::Wrong(format!("a false crossing at {met:e}, before {t:e}")),
+                // An earlier crest reaches the level to rounding.
                 _ => Verdict::Shallow,
             }
         }
@@ -120,8 +122,9 @@ fn missed(reference: &Reference, t: f64, tangency: bool, met: Option<f64>) -> Ve
     let (depth, rounding) = (reference.depth(t), reference.rounding(t));
     match tangency || depth <= MULTIPLE * rounding {
         true => Verdict::Shallow,
-        false => {
-            Verdict::Wrong(format!("missed at {t:e}, {:.1e} times as deep as rounding ({met:?})", depth / rounding))
-        }
+        false => Verdict::Wrong(format!(
+            "missed at {t:e}, with a depth of {:.1e} rounding errors (found: {met:?})",
+            depth / rounding
+        )),
     }
 }

@@ -1,9 +1,9 @@
-//! What a draw needs to know of a phase: where it turns, and how far it can go.
+//! The turning points of a phase and a bound on its motion, for drawing cells.
 
 use gearsim_tests::precise;
 use gearsim_tests::precise::cell::Motion;
 
-/// The phase in `f64`: good for finding crests, not for judging them.
+/// The phase in `f64`: accurate enough to find crests, not to judge them.
 pub struct Phase<const N: usize>(pub [(Motion<f64>, f64); N]);
 
 impl<const N: usize> Phase<N> {
@@ -15,7 +15,7 @@ impl<const N: usize> Phase<N> {
         })
     }
 
-    /// Where the phase turns between two times, and its height there.
+    /// The time between two times at which the phase turns, and its height there.
     pub fn top(&self, mut left: f64, mut right: f64) -> (f64, f64) {
         for _ in 0..60 {
             let middle = 0.5 * (left + right);
@@ -25,7 +25,7 @@ impl<const N: usize> Phase<N> {
     }
 }
 
-/// A bound on the way of a mode from x = 0 within `t`.
+/// A bound on the distance that a mode moves from x = 0 within `t`.
 pub fn bound(m: &precise::Mode, t: f64) -> f64 {
     let omega = m.omega2.sqrt();
     let gain = t.min(1.0 / omega).min(1.0 / m.sigma);

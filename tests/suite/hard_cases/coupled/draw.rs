@@ -1,4 +1,4 @@
-//! A random cell whose damping couples its coordinates: inertias on springs and dampers between them and to the ground.
+//! A random cell whose damping couples its coordinates: inertias with springs and dampers between them and to the ground.
 
 use crate::linear::Linear;
 use crate::noise::Noise;
@@ -16,14 +16,14 @@ pub struct Drawn<const N: usize> {
 }
 
 impl<const N: usize> Drawn<N> {
-    /// Draws one.
+    /// Draws a cell.
     pub fn new(noise: &mut Noise) -> Self {
         let unit = noise.power(-2.0, 2.0);
         let spread = 3.0 * noise.unit();
         let inertias = [(); N].map(|()| noise.power(-0.5 * spread, 0.5 * spread));
         let mut mass = [[0.0; N]; N];
         (0..N).for_each(|i| mass[i][i] = inertias[i]);
-        // Springs in a chain, some to the ground, some across; none to the ground in a third of all cells.
+        // Springs in a chain, and some between other coordinates. A third of all cells have no spring to the ground.
         let mut stiffness = [[0.0; N]; N];
         let (mut stiffest, mut softest) = (0f64, f64::INFINITY);
         let grounded = noise.below(3) > 0;
@@ -41,7 +41,7 @@ impl<const N: usize> Drawn<N> {
                 stiffness[i][i] += k;
             }
         }
-        // Dampers: weak, or of every strength up to far beyond critical.
+        // Dampers: only weak ones, or any strength up to far above critical.
         let strength = [(-4.0, -2.0), (-2.0, 0.0), (-1.0, 1.0), (-3.0, 2.0)][noise.below(4)];
         let mut damping = [[0.0; N]; N];
         for _ in 0..1 + noise.below(N) {
@@ -63,7 +63,7 @@ impl<const N: usize> Drawn<N> {
         }
     }
 
-    /// An error, by what it costs to round such matrices.
+    /// The error over the effect of rounding such matrices.
     pub fn judged(&self, error: f64) -> f64 {
         let judged = error / self.condition;
         if judged.is_nan() || judged >= 1e3 {
@@ -72,14 +72,14 @@ impl<const N: usize> Drawn<N> {
         judged
     }
 
-    /// To which part of its way the motion is known, at least.
+    /// A bound on the relative error of the motion.
     pub fn slack(&self) -> f64 {
         let rate = self.system.cell().rate;
         1e3 * f64::EPSILON * self.condition * (1.0 + rate * self.t)
     }
 }
 
-/// Adds what acts between two coordinates.
+/// Adds a spring or damper between two coordinates.
 fn between<const N: usize>(a: &mut [[f64; N]; N], i: usize, j: usize, k: f64) {
     a[i][i] += k;
     a[j][j] += k;

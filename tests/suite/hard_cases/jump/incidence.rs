@@ -1,4 +1,4 @@
-//! Near-critical incidences on a step, and the speed behind it in 115 digits.
+//! Near-critical incidence on a step, and the speed after the step in 115 digits.
 
 use gearsim_tests::oh2005::GearPair;
 use gearsim_tests::precise::number::{Real, Scalar};
@@ -7,7 +7,8 @@ use crate::noise::Noise;
 
 pub type Digits = Real<384>;
 
-/// A jump of the paper's gear pair: phi, the step of k, theta' at (1 + depth) times the critical square, either way.
+/// A step met by the paper's gear pair: phi, the step of k, and the speeds. theta'², for either sign of theta', is (1 + depth) times its
+/// critical value.
 pub struct Incidence {
     pub phi: f64,
     pub dk: f64,
@@ -15,7 +16,7 @@ pub struct Incidence {
     pub depth: f64,
 }
 
-/// A hundred each of depths 1e-1 to 1e-14, either side.
+/// A hundred incidences of each depth from 1e-1 to 1e-14, of either sign.
 pub fn incidences(seed: u64) -> impl Iterator<Item = Incidence> {
     let (mut noise, m2) = (Noise::new(seed), GearPair::paper(0.0, 0.0).m2());
     let depths = (1..=14).flat_map(|k| [1.0, -1.0].map(|sign| sign * 10f64.powi(-k)));

@@ -1,10 +1,10 @@
-//! One gear pair in the engine and in 50 digits: the same events, at times and with an end as exact as conditioning allows.
+//! Compares one gear pair in the engine and in 50 digits: the same events, and times and an end as accurate as the conditioning allows.
 //!
-//! A tooth pressed against a step bounces ever faster, until the engine holds it; the reference follows it without end: what
-//! is compared ends before.
+//! A tooth pressed against a step bounces ever faster until the engine holds it. The reference never holds it, so the comparison ends
+//! before.
 //!
-//! Conditioning is seen in the reference: what becomes of disturbances of 1e-10 in the start and in the stiffnesses. The unit of an
-//! error is what eps for 1e-10 would have become, plus eps of the number itself, an event; events are compared as long as the
+//! The conditioning is measured in the reference by disturbances of 1e-10 in the start and in the stiffnesses. The unit of an error is
+//! what a disturbance of eps would have grown to, plus eps of the number itself, per event. Events are compared as long as the
 //! disturbances stay below 1e-6 of an oscillation.
 
 use gearsim_tests::oh2005::{self, GearPair, Kind, PITCH, State};
@@ -15,30 +15,30 @@ use crate::pair;
 
 /// Relative size of the disturbances.
 const DISTURBANCE: f64 = 1e-10;
-/// Part of an oscillation up to which disturbances may grow.
+/// The part of an oscillation up to which disturbances may grow.
 const CALM: f64 = 1e-6;
 
-/// Bounces closer than this part of an oscillation are those of a pressed tooth, about to be held.
+/// Bounces shorter than this part of an oscillation are those of a pressed tooth that is about to be held.
 const PRESSED: f64 = 1e-5;
-/// Bounces this close are fast, and so many of them enough: the reference takes its time.
+/// Bounces shorter than `FAST` of an oscillation are fast. After `MOST` of them the comparison ends, because the reference is slow.
 const FAST: f64 = 1e-2;
 const MOST: usize = 80;
 
-/// What a comparison came to.
+/// The result of a comparison.
 #[derive(Debug, Default)]
 pub struct Compared {
-    /// Events compared, and how many of them were reflections.
+    /// Number of events compared, and of the reflections among them.
     pub events: u64,
     pub reflections: u64,
-    /// Largest error of a time or of the end, in its unit.
+    /// Largest error of an event time or of the end, in its unit.
     pub error: f64,
-    /// Whether all was compared, the end too: else disturbances grew too far.
+    /// Whether all events and the end were compared. If not, disturbances grew too much.
     pub whole: bool,
-    /// The first event that is another.
+    /// The first event that differs.
     pub wrong: Option<String>,
 }
 
-/// Runs a gear pair in both.
+/// Runs a gear pair in the engine and in 50 digits.
 pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
     let w0 = pair.w0();
     let t_end = until_pressed(&pair::run(pair, start, t_end).events, w0).unwrap_or(t_end);
@@ -72,7 +72,7 @@ pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
         return compared;
     }
     if let Some(more) = found.events.get(n) {
-        compared.wrong = Some(format!("event {n}: {more:?}, where there is none"));
+        compared.wrong = Some(format!("event {n}: {more:?}, but there is none in 50 digits"));
         return compared;
     }
     compared.whole = true;
@@ -80,7 +80,7 @@ pub fn compare(pair: &GearPair, start: &State, t_end: f64) -> Compared {
     compared
 }
 
-/// Half-way between the last two events before a tooth is pressed, if one is, or has bounced fast for long.
+/// The time half-way between two events just before a tooth is pressed or has bounced fast for long; `None` if neither happens.
 pub fn until_pressed(events: &[oh2005::Event], w0: f64) -> Option<f64> {
     let mut fast = 0;
     let pressed = events.windows(2).position(|pair| {
@@ -93,7 +93,7 @@ pub fn until_pressed(events: &[oh2005::Event], w0: f64) -> Option<f64> {
 }
 
 fn wrong(compared: Compared, i: usize, event: &Event, found: String) -> Compared {
-    Compared { wrong: Some(format!("event {i}: {found}, where there is {event:?}")), ..compared }
+    Compared { wrong: Some(format!("event {i}: {found}, but in 50 digits {event:?}")), ..compared }
 }
 
 fn same(a: &Event, b: &Event) -> bool {
@@ -104,17 +104,17 @@ fn disturb(pair: &GearPair, start: &State, t_end: f64, sign: f64) -> Run {
     let by = |x: f64, sign: f64| x * (1.0 + sign * DISTURBANCE);
     let softer = GearPair { k1: by(pair.k1, 1.0), k2: by(pair.k2, -sign), ..*pair };
     let phi_dot = start.phi_dot + sign * DISTURBANCE * start.phi * pair.w0();
-    // Angles round as a pitch does.
+    // Angles have the rounding error of a pitch.
     let theta = start.theta + sign * DISTURBANCE * PITCH;
     let other = State { theta, theta_dot: by(start.theta_dot, sign), phi: by(start.phi, 1.0), phi_dot };
     scene(&softer, &other, t_end, 50)
 }
 
-/// The error of the end in its unit.
+/// The error of the end state in its unit.
 fn end(exact: &Run, disturbed: &[Run], found: &State, start: &State, w0: f64) -> f64 {
     let parts = |run: &Run| [run.end.theta, run.end.theta_dot, run.end.phi, run.end.phi_dot];
     let found = [found.theta, found.theta_dot, found.phi, found.phi_dot];
-    // Speeds pass through zero, and die away from what they were: their digits are those of the largest.
+    // Speeds pass through zero and die away, so their errors are relative to the largest speed.
     let speeds = [exact.end.theta_dot.0, exact.end.phi_dot.0, start.theta_dot, start.phi_dot];
     let speed = largest(speeds.map(f64::abs));
     let phi = exact.end.phi.0.abs().max(start.phi.abs()).max(speed / w0);

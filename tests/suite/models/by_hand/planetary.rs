@@ -1,0 +1,37 @@
+//! Planetary stages with 3 to 7 planets; torsion only.
+
+use gearsim::engine::equations::Derived;
+use gearsim::generated::*;
+
+use super::stage::{FURTHER, STAGE, radii, rotations};
+use super::{ByHand, TORQUES, compare, of, with};
+
+pub fn stages() {
+    fn check<D: Derived<N>, const N: usize>(n: usize) {
+        let numbers = with(STAGE, &[&TORQUES, &FURTHER[..2 * (n - 3)]].concat());
+        let p = of(&numbers);
+        let [r_s, r_p, r_r, a] = radii(&p);
+        // Sun, carrier, ring, planets. The masses of the planets add to the inertia of the carrier.
+        // r_s + r_p = r_r - r_p = a cos(alpha).
+        let mut by_hand = ByHand {
+            inertia: vec![p("I_s"), p("I_c") + n as f64 * p("m_p") * a * a, p("I_r")],
+            springs: vec![(p("k_r"), vec![(2, 1.0)])],
+        };
+        for i in 0..n {
+            by_hand.inertia.push(p("I_p"));
+            let (sun, ring) = (p(&format!("k_s{}", i + 1)), p(&format!("k_r{}", i + 1)));
+            by_hand.springs.push((sun, vec![(0, r_s), (3 + i, r_p), (1, -(r_s + r_p))]));
+            by_hand.springs.push((ring, vec![(2, r_r), (3 + i, -r_p), (1, -(r_r - r_p))]));
+        }
+        compare::<D, N>(&numbers, &by_hand, |q| {
+            let (sun, carrier, planet) = rotations(&p, q("theta"), q("theta_c"));
+            let planets = (1..=n).map(|i| planet(q(&format!("u{i}"))));
+            [sun, carrier, q("theta_r")].into_iter().chain(planets).collect()
+        });
+    }
+    check::<planetary_3::Planetary3, 6>(3);
+    check::<planetary_4::Planetary4, 7>(4);
+    check::<planetary_5::Planetary5, 8>(5);
+    check::<planetary_6::Planetary6, 9>(6);
+    check::<planetary_7::Planetary7, 10>(7);
+}
