@@ -1,4 +1,4 @@
-//! What is wrong with a scene: where, what is allowed, and what to do.
+//! Mistakes in a scene file, shown with the marked line: what is wrong, where, what is allowed, and what to do.
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use miette::{
 
 use super::document::Place;
 
-/// One thing wrong with a scene.
+/// One mistake in a scene.
 #[derive(Debug, Clone, thiserror::Error, Diagnostic)]
 #[error("{message}")]
 pub struct Problem {
@@ -23,7 +23,7 @@ pub struct Problem {
     text: Option<NamedSource<Arc<str>>>,
 }
 
-/// Everything wrong with a scene, in the order of its text; overrides come last.
+/// All mistakes in a scene, in the order of its text; those in overrides come last.
 #[derive(Debug, Clone, Diagnostic)]
 pub struct SceneErrors {
     scene: String,
@@ -32,23 +32,23 @@ pub struct SceneErrors {
 }
 
 impl SceneErrors {
-    /// A scene that could not be read at all.
+    /// The error of a file that could not be read.
     pub(super) fn unreadable(scene: &str, message: String, help: &str) -> SceneErrors {
         let problem = Problem { message, label: String::new(), help: help.to_string(), span: None, text: None };
         SceneErrors { scene: scene.to_string(), problems: vec![problem] }
     }
 
-    /// The problems, in the order in which they are shown.
+    /// The mistakes, in the order in which they are shown.
     pub fn problems(&self) -> &[Problem] {
         &self.problems
     }
 
-    /// What is wrong, in one line.
+    /// The messages in one line, separated by semicolons.
     pub fn brief(&self) -> String {
         self.problems.iter().map(|problem| problem.message.as_str()).collect::<Vec<_>>().join("; ")
     }
 
-    /// The errors as text for people, at most `width` columns wide where that is possible.
+    /// The mistakes as text with the marked lines, at most `width` columns wide where possible, with terminal colours if `color`.
     pub fn render(&self, width: usize, color: bool) -> String {
         let theme = GraphicalTheme {
             characters: ThemeCharacters::unicode(),
@@ -79,7 +79,7 @@ impl fmt::Display for SceneErrors {
 
 impl std::error::Error for SceneErrors {}
 
-/// Collects problems while a scene is read.
+/// Collects mistakes while a scene is read.
 #[derive(Debug, Clone)]
 pub(crate) struct Report {
     sources: Vec<NamedSource<Arc<str>>>,
@@ -91,7 +91,7 @@ impl Report {
         Report { sources: Vec::new(), problems: Vec::new() }
     }
 
-    /// Adds a text that problems may point into, and returns its number.
+    /// Adds a text that mistakes can refer to, and returns its index.
     pub(crate) fn source(&mut self, name: &str, text: &str) -> usize {
         self.sources.push(NamedSource::new(name, Arc::from(text)));
         self.sources.len() - 1
@@ -102,7 +102,7 @@ impl Report {
         self.sources.get(place.source).and_then(|s| s.inner().get(place.span.clone())).unwrap_or_default()
     }
 
-    /// Adds a problem: `message` says what is wrong, `label` is written at the place, `help` says what to do.
+    /// Adds a mistake: `message` says what is wrong, `label` is shown at the place, `help` says what to do.
     pub(crate) fn add(
         &mut self,
         place: &Place,
@@ -130,7 +130,7 @@ impl Report {
     }
 }
 
-/// The candidate that `word` was most likely meant to be, if any is close.
+/// The candidate nearest to `word`: the smallest Damerau-Levenshtein distance without case, if at most a third of the word's length.
 pub(crate) fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
@@ -138,7 +138,7 @@ pub(crate) fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = 
     (distance <= word.chars().count() / 3).then_some(candidate)
 }
 
-/// `a, b and c`, each in backquotes.
+/// The names in backquotes, as in "`a`, `b` and `c`".
 pub(crate) fn list(names: &[&str]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
     match quoted.split_last() {

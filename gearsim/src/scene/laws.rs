@@ -1,4 +1,4 @@
-//! Mesh stiffnesses, transmission errors and laws of friction: their levels over one pitch, of errors also over several.
+//! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one pitch; transmission errors also over several pitches.
 
 use xprec::Df64;
 
@@ -10,31 +10,31 @@ use super::{Effects, errors, field, friction, keys, measure, offset};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 
-/// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
+/// If all widths are given, their sum may differ from the pitch by this fraction of it, because written widths are rounded.
 const PITCH_TOLERANCE: f64 = 1e-9;
 
 impl Profile {
-    /// Half-way between its greatest and its least value [unit of the law].
+    /// Mean of the largest and the smallest value [unit of the law].
     pub fn mid(&self) -> f64 {
         let (low, high) = self.extremes();
         (high + low) / 2.0
     }
 
-    /// The same in twice the digits.
+    /// [`Profile::mid`] in double-double precision.
     pub fn exact_mid(&self) -> Df64 {
         let (low, high) = self.extremes();
         (Df64::from(high) + low) * 0.5
     }
 
-    /// Average over its pitches [unit of the law].
+    /// Mean over the period [unit of the law].
     pub fn mean(&self) -> f64 {
         let width: f64 = self.steps.iter().map(|step| step.width).sum();
         self.steps.iter().map(|step| step.value * step.width).sum::<f64>() / width
     }
 }
 
-/// Reads `[laws]`, in the order of the model; what to add goes to `absent` if the table is not there. A law of an effect that
-/// is not among `effects` may be left out.
+/// Reads `[laws]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A law whose effect is not
+/// among `effects` may be left out.
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
@@ -73,9 +73,9 @@ pub(super) fn read(
 /// Reads one law.
 struct Reader<'a> {
     law: &'a Law,
-    /// Unit of the phase, and so of the widths.
+    /// Unit of the phase and of the widths.
     phase: &'static str,
-    /// Where the steps are, e.g. `laws.k.steps`.
+    /// Key path of the steps, e.g. `laws.k.steps`.
     path: String,
 }
 
@@ -100,7 +100,7 @@ impl<'a> Reader<'a> {
         format!("[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]")
     }
 
-    /// The law; `all` are the tables of all laws.
+    /// Reads the law; `all` are the tables of all laws.
     fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Profile> {
         if let Some(read) = friction::borrowed(self.law, self.phase, node, all, report) {
             return read;
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
         };
         let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
-        // What is wrong with the pitches keeps nothing else from being told.
+        // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
         let said = errors::pitches(self.law, entries, report);
         let pitches = said.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
@@ -127,7 +127,7 @@ impl<'a> Reader<'a> {
         Some(law.beginning(begins))
     }
 
-    /// The law without its phase, over a number of pitches.
+    /// Reads the law without its `phase`, over a number of pitches.
     fn course(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
@@ -142,7 +142,7 @@ impl<'a> Reader<'a> {
         if teeth.given() {
             let read = match self.law.role {
                 Role::Stiffness => teeth.read(report),
-                Role::Error => None, // no keys of an error, which has been told
+                Role::Error => None, // an error has no keys of teeth; `known` has reported them
                 Role::Side | Role::Arm => {
                     let rubbing = teeth.rubbing(report)?;
                     rubbing.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
         self.fill(&levels, length, last, report)
     }
 
-    /// A level and its width, which only the last step may leave out.
+    /// Reads a level and its width. Only the last step may leave out the width.
     fn step(&self, i: usize, node: &Node, last: bool, report: &mut Report) -> Option<(f64, Option<f64>)> {
         let path = format!("{}.{i}", self.path);
         let entries = field::table(&path, node, report)?;
@@ -203,7 +203,7 @@ impl<'a> Reader<'a> {
                 let path = format!("{path}.width");
                 let x = measure::quantity(&path, node, self.phase, report);
                 if x.is_some_and(|x| x <= 0.0) {
-                    let what = "it is the part of the pitch over which the step holds";
+                    let what = "it is the part of the pitch that the step covers";
                     measure::out_of_range(&path, node, "must be positive", what, report);
                 }
                 x.map(Some)
@@ -212,7 +212,7 @@ impl<'a> Reader<'a> {
         Some((value?, width?))
     }
 
-    /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
+    /// Gives the last level the rest of the pitch if it has no width; otherwise checks that the widths add up to the pitch.
     fn fill(&self, levels: &[(f64, Option<f64>)], pitch: f64, last: &Node, report: &mut Report) -> Option<Profile> {
         let one = if pitch == self.law.period { "one pitch is" } else { "the pitches are" };
         let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
@@ -220,7 +220,7 @@ impl<'a> Reader<'a> {
         let open = levels.iter().any(|(_, width)| width.is_none());
         let sum = format!("add up to {} {unit}, {one} {} {unit}", short(given), short(pitch), unit = self.phase);
         if open && rest <= 0.0 {
-            let message = format!("`{}` leaves nothing of the pitch to its last step", self.path);
+            let message = format!("`{}` leaves nothing of the pitch for its last step", self.path);
             let help = format!("the widths before it {sum}\nmake them narrower");
             report.add(&last.place, message, "no room for this", help);
             return None;
@@ -241,15 +241,15 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Why a law that has no sign is never negative.
+/// Why a law of this role cannot be negative.
 pub(super) fn why_not_negative(law: &Law) -> &'static str {
     match law.role {
-        Role::Arm => "it is a mean of distances from the pitch point",
-        _ => "a mesh pushes back or, at 0, does nothing",
+        Role::Arm => "it is a mean distance from the pitch point",
+        _ => "a mesh stiffness is positive or 0",
     }
 }
 
-/// The number to twelve digits: enough to see why it is refused, without the noise of binary sums.
+/// The number rounded to twelve significant digits. This hides the rounding errors of sums in messages.
 fn short(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }

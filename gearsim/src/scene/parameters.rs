@@ -1,15 +1,15 @@
-//! `[parameters]`: a value for each parameter of the model, or a course in time.
+//! `[parameters]`: for each parameter of the model a value, or a function of time.
 
 use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::{Course, Effects, courses, field, keys, measure};
 use crate::model::{Model, Parameter, Range};
 
-/// Values in the order of the model, at t = 0, and the courses of those that vary.
+/// Values at t = 0 [SI], in the order of the model; and, by index, the parameters that vary in time.
 pub(super) type Given = (Vec<f64>, Vec<(usize, Course)>);
 
-/// Reads `[parameters]`, in the order of the model; what to add goes to `absent` if the table is not there. What only
-/// effects other than `effects` need is no number (NaN) where it is not given.
+/// Reads `[parameters]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A parameter without a
+/// default whose effect is not among `effects` may be left out; its value is then NaN.
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
@@ -52,7 +52,7 @@ pub(super) fn read(
     Some((values.into_iter().collect::<Option<_>>()?, varying))
 }
 
-/// A course in time, all of which is admissible.
+/// Reads a function of time and checks that its bounds are in the range of the parameter.
 fn course(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<Course> {
     let course = courses::read(parameter, node, model, report)?;
     let (low, high) = course.bounds();
@@ -65,7 +65,7 @@ fn course(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report
     None
 }
 
-/// What to write for a parameter.
+/// Example line for a missing parameter.
 fn example(parameter: &Parameter) -> String {
     match parameter.unit {
         "1" => format!("{} = ...  # {}", parameter.name, parameter.doc),
@@ -85,7 +85,7 @@ fn value(parameter: &Parameter, node: &Node, report: &mut Report) -> Option<f64>
     None
 }
 
-/// What a value in the range must do.
+/// The range in words: "must be positive", "must be at least 1 and be less than 2".
 fn describe(range: &Range, unit: &str) -> String {
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let low = match (range.low, range.low_included) {

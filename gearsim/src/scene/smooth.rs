@@ -1,4 +1,4 @@
-//! Smooth laws: ramps in place of steps, a Fourier series, or a spline through a table.
+//! Smooth laws: ramps instead of steps, a Fourier series, or a spline through a table.
 
 use super::document::{Entry, Node, Place};
 use super::error::Report;
@@ -6,20 +6,20 @@ use super::{errors, field, keys, laws, measure};
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
 
-/// Keys of a law that make it smooth.
+/// Keys of smooth laws.
 pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
 
-/// Highest order of a harmonic: its wave is then a thousandth of a pitch.
+/// Highest order of a harmonic: its wavelength is then a thousandth of the period.
 const MOST_ORDER: f64 = 1000.0;
-/// Most points of a table.
+/// Largest number of points of a table.
 const MOST_POINTS: usize = 1000;
 
-/// Reads what of a law is smooth.
+/// Reads the keys of a smooth law.
 pub(super) struct Smooth<'a> {
     pub(super) law: &'a Law,
     /// Unit of the phase.
     pub(super) phase: &'static str,
-    /// Its pitch, or pitches [unit of the phase].
+    /// Period of the law: one or more pitches [unit of the phase].
     pub(super) length: f64,
     /// The table of the law.
     pub(super) entries: &'a [Entry],
@@ -27,7 +27,7 @@ pub(super) struct Smooth<'a> {
 }
 
 impl Smooth<'_> {
-    /// The law, if it is one without steps; `Some(None)` if that is wrong.
+    /// Reads a law given by a series or a table. `None` if it has neither, `Some(None)` if a mistake was found.
     pub(super) fn instead_of_steps(&self, report: &mut Report) -> Option<Option<Profile>> {
         let get = |key| keys::get(self.entries, key);
         let series = get("harmonics").or(get("mean"));
@@ -58,7 +58,7 @@ impl Smooth<'_> {
         Some(read.and_then(|stiffness| self.pushing(stiffness, report)))
     }
 
-    /// A stepping law with ramps for its steps, if it is to have them.
+    /// Replaces the steps of a piecewise constant law by ramps if the scene gives `ramp`.
     pub(super) fn ramped(&self, stepping: Profile, report: &mut Report) -> Option<Profile> {
         let Some(node) = keys::get(self.entries, "ramp") else { return Some(stepping) };
         let path = format!("laws.{}.ramp", self.law.name);
@@ -67,7 +67,7 @@ impl Smooth<'_> {
                 &node.place,
                 format!("`{path}` joins levels, and this law has none"),
                 "out of place",
-                "leave it out",
+                "leave it out: only steps can be joined by ramps",
             );
             return None;
         }
@@ -81,7 +81,7 @@ impl Smooth<'_> {
             let narrowest = stepping.steps.iter().map(|step| step.width).fold(f64::INFINITY, f64::min);
             let must =
                 format!("must be narrower than every level, the narrowest of which has {narrowest:.6} {}", self.phase);
-            measure::out_of_range(&path, node, &must, "a ramp lies about its step, half on either side", report);
+            measure::out_of_range(&path, node, &must, "a ramp is centred on its step", report);
         }
         ramped
     }
@@ -92,7 +92,7 @@ impl Smooth<'_> {
         let (mean, harmonics) = (keys::get(self.entries, "mean"), keys::get(self.entries, "harmonics"));
         let example = format!("[{{ order = 1, amplitude = \"... {unit}\", phase = \"0 rad\" }}]");
         let lines = [
-            // The mean of an error is mostly of no interest, that of a side about zero.
+            // The mean may be left out where it is usually 0: for a transmission error and for a side.
             ("mean", mean.is_none() && !self.law.role.has_sign(), format!("mean = \"... {unit}\"")),
             ("harmonics", harmonics.is_none(), format!("harmonics = {example}")),
         ];
@@ -123,7 +123,7 @@ impl Smooth<'_> {
             let order = measure::quantity(&path, node, "1", report)?;
             if order.fract() != 0.0 || !(1.0..=MOST_ORDER).contains(&order) {
                 let must = format!("must be a whole number from 1 to {MOST_ORDER}");
-                measure::out_of_range(&path, node, &must, "the law repeats itself once a pitch", report);
+                measure::out_of_range(&path, node, &must, "it counts the waves in one period of the law", report);
                 return None;
             }
             Some(order)
@@ -158,7 +158,8 @@ impl Smooth<'_> {
             let inside = (0.0..self.length).contains(&point.0);
             if !inside || points.last().is_some_and(|last| last.0 >= point.0) {
                 let message = format!("`{path}.{i}` is out of order");
-                let help = format!("points go from 0 up to below one pitch, {:.6} {phase}, which repeats", self.length);
+                let help =
+                    format!("points must ascend from 0 to less than the period of the law, {:.6} {phase}", self.length);
                 report.add(&item.place, message, "misplaced", help);
                 wrong = true;
             }
@@ -180,16 +181,16 @@ impl Smooth<'_> {
         Some((at?, value?))
     }
 
-    /// The law, unless it is negative somewhere and must not be.
+    /// Reports a law that is negative somewhere although it must not be.
     fn pushing(&self, stiffness: Profile, report: &mut Report) -> Option<Profile> {
         let least = stiffness.extremes().0;
         if least >= 0.0 || self.law.role.has_sign() {
             return Some(stiffness);
         }
         let message = format!("`laws.{}` falls to {least:.4e} {}", self.law.name, self.law.unit);
-        let help = "raise its mean, lower its waves, or give more points";
+        let help = "raise the mean, reduce the amplitudes, or give more points";
         let help = format!("{}: {help}", laws::why_not_negative(self.law));
-        report.add(self.place, message, "negative somewhere in the pitch", help);
+        report.add(self.place, message, "negative in a part of the pitch", help);
         None
     }
 }

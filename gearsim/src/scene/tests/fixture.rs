@@ -1,4 +1,4 @@
-//! A gear pair's description, and a scene of it.
+//! A model of a gear pair without equations, and a scene of it.
 
 use std::f64::consts::TAU;
 

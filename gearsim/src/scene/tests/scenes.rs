@@ -1,4 +1,4 @@
-//! What a correct scene means.
+//! Scenes without mistakes: the values that are read.
 
 use std::f64::consts::{PI, TAU};
 
@@ -30,7 +30,7 @@ fn a_scene_is_read_in_si() {
 }
 
 #[test]
-fn a_scene_may_say_little() {
+fn a_minimal_scene_gets_the_defaults() {
     let text = r#"
         model = "gear_pair"
         effects = []
@@ -46,7 +46,7 @@ fn a_scene_may_say_little() {
 }
 
 #[test]
-fn overrides_replace_add_and_index() {
+fn overrides_replace_values_add_keys_and_index_arrays() {
     let overrides = [
         "parameters.T0=20 N*m",
         r#"run.t_end="1 s""#,
@@ -69,7 +69,7 @@ fn overrides_replace_add_and_index() {
 }
 
 #[test]
-fn the_hash_names_text_and_overrides() {
+fn the_hash_depends_on_text_and_overrides() {
     let hash = |overrides: &[&str]| parse(SCENE, overrides).unwrap().hash;
     assert_eq!(hash(&[]).len(), 64);
     assert_eq!(hash(&["run.t_end=1 s"]), hash(&["run.t_end=1 s"]));
@@ -78,7 +78,7 @@ fn the_hash_names_text_and_overrides() {
 }
 
 #[test]
-fn a_stiffness_has_two_middles() {
+fn mid_is_between_the_extremes_and_mean_is_the_average() {
     let steps = vec![Step { value: 1.0, width: 3.0 }, Step { value: 5.0, width: 1.0 }];
     let stiffness = Profile::stepping(steps);
     assert_eq!(stiffness.mid(), 3.0);
@@ -94,7 +94,7 @@ fn effect_sets_come_from_names() {
 }
 
 #[test]
-fn a_file_gives_its_stem_or_says_why_not() {
+fn a_scene_file_gives_its_stem_as_name_and_a_missing_file_is_reported() {
     let path = std::env::temp_dir().join(format!("gearsim-{}.scene.toml", std::process::id()));
     std::fs::write(&path, SCENE).unwrap();
     let scene = Scene::load(&path, &[], &[&GEAR_PAIR]);
@@ -104,9 +104,9 @@ fn a_file_gives_its_stem_or_says_why_not() {
     assert!(error.render(80, false).contains("cannot read"));
 }
 
-/// The courses of a torque, the last set over the first from the command line.
+/// Torques that vary in time, set from the command line; a later override changes one key of an earlier one.
 #[test]
-fn courses() {
+fn torques_vary_in_time() {
     let at = |overrides: &[&str], t: f64| {
         let scene = parse(SCENE, overrides).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
         let (p, course) = &scene.courses[0];
