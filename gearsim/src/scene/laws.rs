@@ -6,7 +6,7 @@ use super::document::{Entry, Node, Value};
 use super::error::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
-use super::{Effects, errors, field, friction, keys, measure, offset};
+use super::{Effects, field, friction, keys, measure, offset, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 
@@ -109,13 +109,13 @@ impl<'a> Reader<'a> {
         let entries = field::table(&table, node, report)?;
         let of_kind: Vec<_> = match self.law.role {
             Role::Stiffness => teeth::KEYS.to_vec(),
-            Role::Error => errors::KEYS.to_vec(),
+            Role::Error => transmission_error::KEYS.to_vec(),
             Role::Side | Role::Arm => friction::keys_of_teeth().chain([friction::OF]).collect(),
         };
         let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
         // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
-        let said = errors::pitches(self.law, entries, report);
+        let said = transmission_error::pitches(self.law, entries, report);
         let pitches = said.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
@@ -135,8 +135,8 @@ impl<'a> Reader<'a> {
         if let Some(read) = smooth.instead_of_steps(report) {
             return read;
         }
-        if let Some(node) = keys::get(entries, errors::OF_TEETH) {
-            return smooth.ramped(errors::of_teeth(self.law, node, report)?, report);
+        if let Some(node) = keys::get(entries, transmission_error::OF_TEETH) {
+            return smooth.ramped(transmission_error::of_teeth(self.law, node, report)?, report);
         }
         let teeth = Teeth { law: self.law, entries, place: &node.place };
         if teeth.given() {

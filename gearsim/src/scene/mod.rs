@@ -80,7 +80,6 @@ pub mod dimension;
 pub(crate) mod document;
 mod effects;
 pub(crate) mod error;
-mod errors;
 mod field;
 mod friction;
 mod keys;
@@ -101,6 +100,7 @@ mod teeth;
 pub mod template;
 #[cfg(test)]
 mod tests;
+mod transmission_error;
 pub mod unit;
 
 pub use course::Course;

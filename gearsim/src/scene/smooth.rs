@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Place};
 use super::error::Report;
-use super::{errors, field, keys, laws, measure};
+use super::{field, keys, laws, measure, transmission_error};
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
 
@@ -32,14 +32,19 @@ impl Smooth<'_> {
         let get = |key| keys::get(self.entries, key);
         let series = get("harmonics").or(get("mean"));
         let (steps, table) = (get("steps"), get("table"));
-        let (teeth, errors) = (get("teeth"), get(errors::OF_TEETH));
-        let forms =
-            [("steps", steps), ("harmonics", series), ("table", table), ("teeth", teeth), (errors::OF_TEETH, errors)];
+        let (teeth, pitch_errors) = (get("teeth"), get(transmission_error::OF_TEETH));
+        let forms = [
+            ("steps", steps),
+            ("harmonics", series),
+            ("table", table),
+            ("teeth", teeth),
+            (transmission_error::OF_TEETH, pitch_errors),
+        ];
         let mut given = forms.iter().filter_map(|(name, node)| Some((*name, (*node)?)));
         let (first, second) = (given.next(), given.next());
         if let (Some((a, _)), Some((b, node))) = (first, second) {
             let message = format!("`laws.{}` has both {a} and {b}", self.law.name);
-            let teeth = if self.law.role == Role::Error { errors::OF_TEETH } else { "teeth" };
+            let teeth = if self.law.role == Role::Error { transmission_error::OF_TEETH } else { "teeth" };
             let help = format!("a law is one of steps, a series, a table, or {teeth}");
             report.add(&node.place, message, "one too many", help);
             return Some(None);
