@@ -1,7 +1,7 @@
 //! Checks the tree of a scene file and builds the [`Scene`]. All mistakes are reported at once.
 
 use super::document::{Entry, Node, Place};
-use super::error::{Report, did_you_mean};
+use super::mistake::{Report, did_you_mean};
 use super::{Scene, effects, field, keys, laws, output, parameters, start};
 use crate::model::Model;
 

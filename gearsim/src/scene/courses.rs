@@ -10,7 +10,7 @@
 
 use super::course::{Course, Harmonic, Piece};
 use super::document::{Entry, Node, Value};
-use super::error::{Report, list};
+use super::mistake::{Report, list};
 use super::{field, keys, measure};
 use crate::model::{Model, Parameter};
 
@@ -175,7 +175,7 @@ impl Reader<'_> {
             None
         };
         if start < 0.0 {
-            return negative("start", "must not be negative", "the run begins at 0 s", report);
+            return negative("start", "must not be negative", "the run starts at 0 s", report);
         }
         if duration <= 0.0 {
             return negative("duration", "must be positive", "for a jump, use `steps`", report);

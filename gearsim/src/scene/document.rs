@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Error};
 
-use super::error::Report;
+use super::mistake::Report;
 
 /// A place in a text.
 #[derive(Debug, Clone, PartialEq)]

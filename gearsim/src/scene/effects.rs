@@ -2,8 +2,8 @@
 
 use super::Effects;
 use super::document::Node;
-use super::error::{Report, list};
 use super::field;
+use super::mistake::{Report, list};
 use crate::model::{Effect, Model};
 
 impl Effects {

@@ -1,8 +1,8 @@
 //! Readers of single values: text, flags, arrays, tables, lists of names. Quantities are in [`super::measure`].
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
 use super::keys::choices;
+use super::mistake::Report;
 
 /// Reports that a value has the wrong type; `expected` is the right one.
 pub(super) fn wrong_type(path: &str, node: &Node, expected: &str, help: &str, report: &mut Report) {

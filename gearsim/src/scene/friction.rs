@@ -1,7 +1,7 @@
 //! Scene keys of friction laws that stiffnesses do not have: `teeth_of` computes the law from the teeth of another law.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::teeth::{self, Teeth};
 use super::{field, keys, offset};
 use crate::model::{Law, Model};

@@ -1,7 +1,7 @@
 //! The keys of tables: looking them up, reporting unknown and missing ones.
 
 use super::document::{Entry, Node, Place};
-use super::error::{Report, did_you_mean, list};
+use super::mistake::{Report, did_you_mean, list};
 
 /// The value of a key; `None` if the table does not have it.
 pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {

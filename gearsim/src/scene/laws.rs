@@ -3,7 +3,7 @@
 use xprec::Df64;
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
 use super::{Effects, field, friction, keys, measure, offset, transmission_error};

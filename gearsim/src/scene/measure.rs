@@ -2,8 +2,8 @@
 
 use super::dimension::Dimension;
 use super::document::{Node, Place, Value};
-use super::error::Report;
 use super::field::wrong_type;
+use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::{Unit, UnitError};
 

@@ -79,13 +79,13 @@ mod courses;
 pub mod dimension;
 pub(crate) mod document;
 mod effects;
-pub(crate) mod error;
 mod field;
 mod friction;
 mod keys;
 mod laws;
 mod measure;
 mod measured;
+pub(crate) mod mistake;
 mod offset;
 mod output;
 mod overrides;
@@ -104,9 +104,9 @@ mod transmission_error;
 pub mod unit;
 
 pub use course::Course;
-pub use error::{Problem, SceneErrors};
-pub(crate) use error::{did_you_mean, list};
 pub use measured::{time, unit_of};
+pub use mistake::{Mistake, SceneMistakes};
+pub(crate) use mistake::{did_you_mean, list};
 pub use solver::{Precision, Solver};
 pub use template::Template;
 

@@ -17,7 +17,7 @@
 use std::f64::consts::TAU;
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
 use super::{field, keys, measure};

@@ -1,7 +1,7 @@
 //! `[run]` and `[output]`: the end time of a run, and what is recorded.
 
 use super::document::{Entry, Node};
-use super::error::Report;
+use super::mistake::Report;
 use super::{Output, PLOTS, Solver, field, keys, measure, solver};
 use crate::model::Model;
 use crate::trajectory::Trajectory;

@@ -1,7 +1,7 @@
 //! Overrides: `--set parameters.T0="20 N*m"` replaces values in the tree of a scene before the tree is checked.
 
 use super::document::{self, Entry, Node, Origin, Place, Value};
-use super::error::Report;
+use super::mistake::Report;
 
 /// Largest depth of a key, more than any scene has. The tree is walked recursively, so its depth must be limited.
 const MAX_DEPTH: usize = 16;

@@ -1,7 +1,7 @@
 //! `[parameters]`: for each parameter of the model a value, or a function of time.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::{Course, Effects, courses, field, keys, measure};
 use crate::model::{Model, Parameter, Range};
 

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use super::template::Template;
-use super::{Scene, SceneErrors};
+use super::{Scene, SceneMistakes};
 use crate::model::Model;
 
 impl Scene {
     /// Reads the scene in a file. Its name is the file's stem. See [`Scene::parse`] for the errors.
-    pub fn load(path: &Path, overrides: &[String], models: &[&'static Model]) -> Result<Scene, SceneErrors> {
+    pub fn load(path: &Path, overrides: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         Template::load(path, overrides)?.scene(&[], models)
     }
 
@@ -23,7 +23,7 @@ impl Scene {
         text: &str,
         overrides: &[String],
         models: &[&'static Model],
-    ) -> Result<Scene, SceneErrors> {
+    ) -> Result<Scene, SceneMistakes> {
         Template::parse(name, source_name, text, overrides)?.scene(&[], models)
     }
 

@@ -1,7 +1,7 @@
 //! Smooth laws: ramps instead of steps, a Fourier series, or a spline through a table.
 
 use super::document::{Entry, Node, Place};
-use super::error::Report;
+use super::mistake::Report;
 use super::{field, keys, laws, measure, transmission_error};
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};

@@ -1,7 +1,7 @@
 //! `[run]`: the method by which a scene is solved, its tolerance or step, and its precision.
 
 use super::document::{Entry, Node};
-use super::error::Report;
+use super::mistake::Report;
 use super::{field, keys, measure};
 
 /// Settings of the solver.

@@ -1,7 +1,7 @@
 //! `[start]`: the initial coordinates and speeds.
 
 use super::document::{Entry, Node, Value};
-use super::error::{Report, list};
+use super::mistake::{Report, list};
 use super::{Beginning, field, keys, measure};
 use crate::model::{Model, Start};
 

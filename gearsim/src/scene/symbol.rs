@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::dimension::Dimension;
-use super::error::did_you_mean;
+use super::mistake::did_you_mean;
 use super::unit::Unit;
 
 /// The symbols, as shown in messages.

@@ -11,7 +11,7 @@
 use std::f64::consts::PI;
 
 use super::document::{Entry, Node, Place, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::{field, keys, measure};
 use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Rubbing, Source};
 use crate::model::{Law, Role};

@@ -5,8 +5,8 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use super::document::{self, Node, Origin, Place, Value};
-use super::error::Report;
-use super::{Scene, SceneErrors, check, keys, overrides};
+use super::mistake::Report;
+use super::{Scene, SceneMistakes, check, keys, overrides};
 use crate::model::Model;
 
 /// The text of a scene as a tree with overrides applied, and the mistakes found so far.
@@ -22,10 +22,10 @@ pub struct Template {
 
 impl Template {
     /// Reads the file of a scene. See [`Template::parse`].
-    pub fn load(path: &Path, overrides: &[String]) -> Result<Template, SceneErrors> {
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Template, SceneMistakes> {
         let shown = path.display().to_string();
         let name = path.file_stem().map_or_else(|| shown.clone(), |stem| stem.to_string_lossy().into_owned());
-        let unreadable = |message| SceneErrors::unreadable(&name, message, "give the path of a scene, a TOML file");
+        let unreadable = |message| SceneMistakes::unreadable(&name, message, "give the path of a scene, a TOML file");
         let bytes = std::fs::read(path).map_err(|error| unreadable(format!("cannot read {shown}: {error}")))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             unreadable(format!("{shown} is not text: byte {} is not UTF-8", error.utf8_error().valid_up_to()))
@@ -38,11 +38,11 @@ impl Template {
     /// # Errors
     ///
     /// If the text is not TOML. All other mistakes are reported by [`Template::scene`].
-    pub fn parse(name: &str, source_name: &str, text: &str, overrides: &[String]) -> Result<Template, SceneErrors> {
+    pub fn parse(name: &str, source_name: &str, text: &str, overrides: &[String]) -> Result<Template, SceneMistakes> {
         let mut report = Report::new();
         let origin = Origin { source: report.source(source_name, text), offset: 0 };
         let Some(root) = document::read(text, origin, &mut report) else {
-            return Err(report.into_errors(name));
+            return Err(report.into_mistakes(name));
         };
         let end = text.trim_end().len();
         let hash = Sha256::new_with_prefix(text);
@@ -56,13 +56,13 @@ impl Template {
     /// # Errors
     ///
     /// All mistakes in the scene, its overrides and the values.
-    pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneErrors> {
+    pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         let mut all = self.clone();
         all.set("--vary ", values);
         let Template { name, root, end, mut report, hash } = all;
         match check::scene(&root, &end, models, &mut report) {
             Some(scene) if report.is_empty() => Ok(Scene { name, hash: hexadecimal(hash), ..scene }),
-            _ => Err(report.into_errors(&name)),
+            _ => Err(report.into_mistakes(&name)),
         }
     }
 

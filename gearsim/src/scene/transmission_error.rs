@@ -1,7 +1,7 @@
 //! Scene keys of transmission errors that stiffnesses do not have: the number of pitches, and the pitch errors of the teeth.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::{field, keys, measure};
 use crate::model::{Law, Role};
 use crate::profile::{Profile, Step};

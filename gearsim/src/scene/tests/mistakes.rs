@@ -190,7 +190,7 @@ fn no_text_panics() {
         for insert in ["", "\"", "[", "µ", "\n[[laws]]\n", " = 1\n"] {
             let text = format!("{}{insert}{}", &SCENE[..cut], if insert.is_empty() { "" } else { &SCENE[cut..] });
             if let Err(errors) = parse(&text, &[]) {
-                assert!(!errors.problems().is_empty(), "{text}");
+                assert!(!errors.mistakes().is_empty(), "{text}");
                 assert!(!errors.render(80, true).is_empty());
             }
         }
