@@ -35,14 +35,14 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     keys::missing(&absent, "the scene", end, report);
 
     let (effects, parameters, laws, start) = of_model?;
-    let (parameters, courses) = parameters?;
+    let (parameters, time_histories) = parameters?;
     Some(Scene {
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
         effects: effects?,
         parameters,
-        courses,
+        time_histories,
         laws: laws?,
         start: start?,
         t_end: t_end?,

@@ -122,13 +122,13 @@ impl<'a> Reader<'a> {
             Some(node) if offset::wrong_type(&format!("{table}.phase"), node, report) => None,
             Some(node) => offset::read(self.law, self.phase, pitches, node, report),
         };
-        let law = self.course(entries, node, pitches, report)?.over(said?);
+        let law = self.unshifted(entries, node, pitches, report)?.over(said?);
         let begins = law.origin - phase?;
         Some(law.beginning(begins))
     }
 
     /// Reads the law without its `phase`, over a number of pitches.
-    fn course(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
+    fn unshifted(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
         let smooth = Smooth { law: self.law, phase: self.phase, length, entries, place: &node.place };

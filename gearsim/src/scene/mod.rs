@@ -74,8 +74,6 @@
 //! ```
 
 mod check;
-pub mod course;
-mod courses;
 pub mod dimension;
 pub(crate) mod document;
 mod effects;
@@ -100,15 +98,16 @@ mod teeth;
 pub mod template;
 #[cfg(test)]
 mod tests;
+pub mod time_history;
 mod transmission_error;
 pub mod unit;
 
-pub use course::Course;
 pub use measured::{time, unit_of};
 pub use mistake::{Mistake, SceneMistakes};
 pub(crate) use mistake::{did_you_mean, list};
 pub use solver::{Precision, Solver};
 pub use template::Template;
+pub use time_history::TimeHistory;
 
 use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
@@ -130,7 +129,7 @@ pub struct Scene {
     /// Parameter values [SI], in the order of `model.parameters`; for a parameter that varies in time, its value at t = 0.
     pub parameters: Vec<f64>,
     /// Parameters that vary in time: index into `model.parameters`, and the value over time.
-    pub courses: Vec<(usize, Course)>,
+    pub time_histories: Vec<(usize, TimeHistory)>,
     /// Mesh stiffnesses, transmission errors and friction laws, in the order of `model.laws`; 0 for a law whose effect is not active.
     pub laws: Vec<Profile>,
     /// State at t = 0.

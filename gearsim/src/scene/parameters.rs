@@ -2,11 +2,11 @@
 
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
-use super::{Course, Effects, courses, field, keys, measure};
+use super::{Effects, TimeHistory, field, keys, measure, time_history};
 use crate::model::{Model, Parameter, Range};
 
 /// Values at t = 0 [SI], in the order of the model; and, by index, the parameters that vary in time.
-pub(super) type Given = (Vec<f64>, Vec<(usize, Course)>);
+pub(super) type Given = (Vec<f64>, Vec<(usize, TimeHistory)>);
 
 /// Reads `[parameters]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A parameter without a
 /// default whose effect is not among `effects` may be left out; its value is then NaN.
@@ -39,9 +39,9 @@ pub(super) fn read(
     let values: Vec<_> = (model.parameters.iter().enumerate())
         .map(|(i, parameter)| match keys::get(given, parameter.name) {
             Some(node) if matches!(node.value, Value::Table(_)) => {
-                let course = course(parameter, node, model, report)?;
-                let value = course.at(course.piece(0.0), 0.0);
-                varying.push((i, course));
+                let history = history(parameter, node, model, report)?;
+                let value = history.at(history.piece(0.0), 0.0);
+                varying.push((i, history));
                 Some(value)
             }
             Some(node) => value(parameter, node, report),
@@ -53,11 +53,11 @@ pub(super) fn read(
 }
 
 /// Reads a function of time and checks that its bounds are in the range of the parameter.
-fn course(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<Course> {
-    let course = courses::read(parameter, node, model, report)?;
-    let (low, high) = course.bounds();
+fn history(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<TimeHistory> {
+    let history = time_history::read(parameter, node, model, report)?;
+    let (low, high) = history.bounds();
     if parameter.range.contains(low) && parameter.range.contains(high) {
-        return Some(course);
+        return Some(history);
     }
     let must = describe(&parameter.range, parameter.unit);
     let message = format!("`parameters.{}` {must}, but goes from {low} to {high}", parameter.name);

@@ -58,12 +58,12 @@ fn laws_that_do_not_fill_the_pitch() {
 /// Each mistake in a function of time is shown at its place.
 #[test]
 fn time_histories_with_mistakes() {
-    let course = r#"
+    let history = r#"
 [parameters.T0]
 steps = [{ value = "5 N*m", until = "2 s" }, { value = "8 N", until = "1 s" }, { value = "9 N*m", till = "4 s" }]
 harmonics = [{ amplitude = "1 N*m", frequency = "50 rpm" }]
 "#;
-    insta::assert_snapshot!(rendered(&SCENE.replace("\n[laws.k]", &format!("{course}\n[laws.k]")), &[]));
+    insta::assert_snapshot!(rendered(&SCENE.replace("\n[laws.k]", &format!("{history}\n[laws.k]")), &[]));
     insta::assert_snapshot!(rendered(
         SCENE,
         &["parameters.I1={ramp={to=\"1 kg*m^2\", duration=\"1 s\"}}", "parameters.T0={}"]

@@ -109,9 +109,9 @@ fn a_scene_file_gives_its_stem_as_name_and_a_missing_file_is_reported() {
 fn torques_vary_in_time() {
     let at = |overrides: &[&str], t: f64| {
         let scene = parse(SCENE, overrides).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-        let (p, course) = &scene.courses[0];
-        assert_eq!((*p, scene.parameters[5]), (5, course.at(0, 0.0)));
-        course.at(course.piece(t), t)
+        let (p, history) = &scene.time_histories[0];
+        assert_eq!((*p, scene.parameters[5]), (5, history.at(0, 0.0)));
+        history.at(history.piece(t), t)
     };
     let steps = "parameters.T0={steps=[{value=\"1 kN*m\", until=\"100 ms\"}, {value=\"5 N*m\"}]}";
     assert_eq!((at(&[steps], 0.05), at(&[steps], 0.1)), (1000.0, 5.0));

@@ -8,11 +8,11 @@
 //! | `mean` | a constant (default 0) |
 //! | `harmonics` | added to any of these: a list of `amplitude`, `frequency` and `phase` (default 0) |
 
-use super::course::{Course, Harmonic, Piece};
-use super::document::{Entry, Node, Value};
-use super::mistake::{Report, list};
-use super::{field, keys, measure};
+use super::{Harmonic, Piece, TimeHistory};
 use crate::model::{Model, Parameter};
+use crate::scene::document::{Entry, Node, Value};
+use crate::scene::mistake::{Report, list};
+use crate::scene::{field, keys, measure};
 
 /// Keys of the table.
 const KEYS: [&str; 5] = ["steps", "ramp", "table", "mean", "harmonics"];
@@ -20,7 +20,12 @@ const KEYS: [&str; 5] = ["steps", "ramp", "table", "mean", "harmonics"];
 const MOST: usize = 10_000;
 
 /// Reads `parameter` as a function of time.
-pub(super) fn read(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<Course> {
+pub(in crate::scene) fn read(
+    parameter: &Parameter,
+    node: &Node,
+    model: &Model,
+    report: &mut Report,
+) -> Option<TimeHistory> {
     let path = format!("parameters.{}", parameter.name);
     if !parameter.varies {
         let can: Vec<_> = model.parameters.iter().filter(|p| p.varies).map(|p| p.name).collect();
@@ -34,8 +39,8 @@ pub(super) fn read(parameter: &Parameter, node: &Node, model: &Model, report: &m
     let entries = field::table(&path, node, report)?;
     let reader = Reader { unit: parameter.unit, path, entries, node };
     keys::known(entries, &format!("[{}]", reader.path), &KEYS, report);
-    let course = reader.course(report)?;
-    reader.finite(course, report)
+    let history = reader.history(report)?;
+    reader.finite(history, report)
 }
 
 /// Reads one parameter as a function of time.
@@ -48,7 +53,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn course(&self, report: &mut Report) -> Option<Course> {
+    fn history(&self, report: &mut Report) -> Option<TimeHistory> {
         let get = |key| keys::get(self.entries, key);
         let harmonics = match get("harmonics") {
             Some(node) => self.harmonics(node, report),
@@ -63,14 +68,14 @@ impl Reader<'_> {
             report.add(&node.place, message, "one too many", help);
             return None;
         }
-        let course = match first {
+        let history = match first {
             Some(("steps", node)) => self.steps(node, report),
             Some(("ramp", node)) => self.ramp(node, report),
             Some(("table", node)) => self.table(node, report),
             Some((_, node)) => {
-                self.quantity("mean", node, self.unit, report).map(|mean| Course::steps(&[(mean, None)]))
+                self.quantity("mean", node, self.unit, report).map(|mean| TimeHistory::steps(&[(mean, None)]))
             }
-            None if get("harmonics").is_some() => Some(Course::steps(&[(0.0, None)])),
+            None if get("harmonics").is_some() => Some(TimeHistory::steps(&[(0.0, None)])),
             None => {
                 let unit = self.unit;
                 let help = format!(
@@ -84,7 +89,7 @@ impl Reader<'_> {
                 None
             }
         };
-        Some(course?.with(harmonics?))
+        Some(history?.with(harmonics?))
     }
 
     fn quantity(&self, key: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
@@ -134,7 +139,7 @@ impl Reader<'_> {
         rises.then_some(())
     }
 
-    fn steps(&self, node: &Node, report: &mut Report) -> Option<Course> {
+    fn steps(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
         let unit = self.unit;
         let example = format!("[{{ value = \"... {unit}\", until = \"... s\" }}, {{ value = \"... {unit}\" }}]");
         let items = self.items("steps", node, &example, report)?;
@@ -156,10 +161,10 @@ impl Reader<'_> {
             }
             levels.push((value, until));
         }
-        sound.then(|| Course::steps(&levels))
+        sound.then(|| TimeHistory::steps(&levels))
     }
 
-    fn ramp(&self, node: &Node, report: &mut Report) -> Option<Course> {
+    fn ramp(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
         let wanted =
             [("from", self.unit, false), ("to", self.unit, true), ("start", "s", false), ("duration", "s", true)];
         let [from, to, start, duration] = self.quantities("ramp", node, wanted, report)?;
@@ -180,10 +185,10 @@ impl Reader<'_> {
         if duration <= 0.0 {
             return negative("duration", "must be positive", "for a jump, use `steps`", report);
         }
-        Some(Course::table(&[(start, from), (start + duration, to)]))
+        Some(TimeHistory::table(&[(start, from), (start + duration, to)]))
     }
 
-    fn table(&self, node: &Node, report: &mut Report) -> Option<Course> {
+    fn table(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
         let example = format!("[{{ at = \"0 s\", value = \"... {}\" }}, ...]", self.unit);
         let items = self.items("table", node, &example, report)?;
         let (mut points, mut sound): (Vec<(f64, f64)>, bool) = (vec![], true);
@@ -198,7 +203,7 @@ impl Reader<'_> {
             sound &= self.ordered(&of, item, rises, report).is_some();
             points.push((at, value));
         }
-        sound.then(|| Course::table(&points))
+        sound.then(|| TimeHistory::table(&points))
     }
 
     fn harmonics(&self, node: &Node, report: &mut Report) -> Option<Vec<Harmonic>> {
@@ -218,11 +223,11 @@ impl Reader<'_> {
         each.collect::<Vec<_>>().into_iter().collect()
     }
 
-    /// Returns `course` if its slopes, times and squared angular frequencies are finite.
-    fn finite(&self, course: Course, report: &mut Report) -> Option<Course> {
+    /// Returns `history` if its slopes, times and squared angular frequencies are finite.
+    fn finite(&self, history: TimeHistory, report: &mut Report) -> Option<TimeHistory> {
         let straight = |p: &Piece| p.slope.is_finite() && p.begin.is_finite();
-        if course.pieces.iter().all(straight) && course.harmonics.iter().all(|h| (h.omega * h.omega).is_finite()) {
-            return Some(course);
+        if history.pieces.iter().all(straight) && history.harmonics.iter().all(|h| (h.omega * h.omega).is_finite()) {
+            return Some(history);
         }
         let message = format!("a slope or frequency of `{}` is too large for a floating-point number", self.path);
         report.add(&self.node.place, message, "overflow", "give times that are further apart, or a lower frequency");

@@ -1,12 +1,16 @@
 //! A torque as a function of time: piecewise linear, plus harmonics.
 
+mod read;
+
 use std::f64::consts::TAU;
+
+pub(super) use read::read;
 
 use super::{Scene, list};
 
 /// T(t) = value + slope (t - begin) + sum a cos(omega t + phase), with value, slope and begin of the piece that contains t.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Course {
+pub struct TimeHistory {
     /// The pieces, in ascending order of `begin`; the first begins at t = 0.
     pub pieces: Vec<Piece>,
     /// Harmonics added to the pieces.
@@ -35,12 +39,12 @@ pub struct Harmonic {
     pub phase: f64,
 }
 
-impl Course {
+impl TimeHistory {
     /// Levels (value, end time \[s\]); the last one has no end.
     pub fn steps(levels: &[(f64, Option<f64>)]) -> Self {
         let begins = std::iter::once(0.0).chain(levels.iter().map(|(_, until)| until.unwrap_or(f64::INFINITY)));
         let piece = |(begin, (value, _)): (f64, &(f64, Option<f64>))| Piece { begin, value: *value, slope: 0.0 };
-        Course { pieces: begins.zip(levels).map(piece).collect(), harmonics: vec![] }
+        TimeHistory { pieces: begins.zip(levels).map(piece).collect(), harmonics: vec![] }
     }
 
     /// Linear interpolation between points (time \[s\], value) at ascending times >= 0; constant before the first and after the last point.
@@ -53,12 +57,12 @@ impl Course {
             let slope = points.get(i + 1).map_or(0.0, |next| (next.1 - value) / (next.0 - begin));
             pieces.push(Piece { begin, value, slope });
         }
-        Course { pieces, harmonics: vec![] }
+        TimeHistory { pieces, harmonics: vec![] }
     }
 
     /// The same pieces, with these harmonics.
     pub fn with(self, harmonics: Vec<Harmonic>) -> Self {
-        Course { harmonics, ..self }
+        TimeHistory { harmonics, ..self }
     }
 
     /// Value at the time `t` \[s\], with the formula of the piece with index `piece`.
@@ -97,7 +101,7 @@ impl Course {
 impl Scene {
     /// The names of the parameters that vary in time, as text; `None` if none varies.
     pub fn varying(&self) -> Option<String> {
-        let varying = self.courses.iter().filter(|(_, course)| !course.is_constant());
+        let varying = self.time_histories.iter().filter(|(_, history)| !history.is_constant());
         let names: Vec<_> = varying.map(|(p, _)| self.model.parameters[*p].name).collect();
         (!names.is_empty()).then(|| list(&names))
     }
@@ -116,16 +120,16 @@ mod tests {
 
     #[test]
     fn values_pieces_and_bounds() {
-        let at = |course: &Course, t: f64| course.at(course.piece(t), t);
-        let steps = Course::steps(&[(1.0, Some(0.5)), (3.0, Some(2.0)), (2.0, None)]);
+        let at = |history: &TimeHistory, t: f64| history.at(history.piece(t), t);
+        let steps = TimeHistory::steps(&[(1.0, Some(0.5)), (3.0, Some(2.0)), (2.0, None)]);
         assert_eq!([0.0, 0.49, 0.5, 1.9, 2.0, 9.0].map(|t| at(&steps, t)), [1.0, 1.0, 3.0, 3.0, 2.0, 2.0]);
         assert_eq!(steps.bounds(), (1.0, 3.0));
-        let table = Course::table(&[(1.0, 2.0), (3.0, 6.0), (4.0, 0.0)]);
+        let table = TimeHistory::table(&[(1.0, 2.0), (3.0, 6.0), (4.0, 0.0)]);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 3.5, 4.0, 9.0].map(|t| at(&table, t)), [2.0, 2.0, 4.0, 6.0, 3.0, 0.0, 0.0]);
         assert_eq!(table.bounds(), (0.0, 6.0));
-        let wave = Course::steps(&[(5.0, None)]).with(vec![Harmonic::new(2.0, 0.25, 0.0)]);
+        let wave = TimeHistory::steps(&[(5.0, None)]).with(vec![Harmonic::new(2.0, 0.25, 0.0)]);
         assert!((at(&wave, 2.0) - 3.0).abs() < 1e-15 && (at(&wave, 1.0) - 5.0).abs() < 1e-15);
         assert_eq!(wave.bounds(), (3.0, 7.0));
-        assert!(!wave.is_constant() && !steps.is_constant() && Course::steps(&[(5.0, None)]).is_constant());
+        assert!(!wave.is_constant() && !steps.is_constant() && TimeHistory::steps(&[(5.0, None)]).is_constant());
     }
 }
