@@ -10,7 +10,7 @@
 //! more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
 
 use super::energy::PairOfTeeth;
-use super::law::{Cell, Source, at_its_place, cells, curves};
+use super::mesh_stiffness::{Cell, StiffnessMethod, at_its_place, cells, curves};
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 
@@ -29,21 +29,27 @@ const NEAR: f64 = 1e-9;
 /// The law of what the pairs of `gears` give over a phase of the given period, times `scale`.
 ///
 /// # Errors
-/// Where the gears do not mesh, or the source is not for them.
-pub fn friction(gears: &Gears, source: Source, what: Rubbing, period: f64, scale: f64) -> Result<Profile, GearError> {
+/// Where the gears do not mesh, or the method is not for them.
+pub fn friction(
+    gears: &Gears,
+    method: StiffnessMethod,
+    what: Rubbing,
+    period: f64,
+    scale: f64,
+) -> Result<Profile, GearError> {
     if gears.internal {
         let what = "the laws of friction are those of external teeth, and the second gear is a ring";
         return Err(GearError::new(what, "give steps, or a table"));
     }
     let pairs = Pairs {
         contact: gears.contact()?,
-        teeth: match source {
-            Source::Iso6336(_) => None,
-            Source::Energy => Some(PairOfTeeth::of(gears)?),
+        teeth: match method {
+            StiffnessMethod::Iso6336(_) => None,
+            StiffnessMethod::Energy => Some(PairOfTeeth::of(gears)?),
         },
     };
     let cells = cells(&pairs.contact);
-    let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, source, period)).collect();
+    let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, method, period)).collect();
     let law = match (what, &pairs.teeth) {
         (Rubbing::Side, None) => {
             let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
@@ -65,8 +71,8 @@ struct Part {
 }
 
 /// The parts of a cell; their widths add up to that of the cell without rounding.
-fn parts(cell: &Cell, contact: &Contact, source: Source, period: f64) -> Vec<Part> {
-    let (pitch, whole) = (contact.base_pitch, cell.width(contact, source, period));
+fn parts(cell: &Cell, contact: &Contact, method: StiffnessMethod, period: f64) -> Vec<Part> {
+    let (pitch, whole) = (contact.base_pitch, cell.width(contact, method, period));
     let part = |begin, end, width| Part { pairs: cell.pairs, begin, end, width };
     let passes = (cell.begin / pitch + NEAR).ceil() * pitch;
     if passes >= cell.end - NEAR * pitch {
@@ -119,14 +125,14 @@ mod tests {
     use super::*;
     use crate::engine::crossing::Side;
     use crate::engine::phase::Pitch;
-    use crate::gear::{Course, stiffness};
+    use crate::gear::{CellShape, stiffness};
 
     fn gears() -> Gears {
         Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    fn law(source: Source, what: Rubbing, scale: f64) -> Profile {
-        friction(&gears(), source, what, TAU, scale).unwrap()
+    fn law(method: StiffnessMethod, what: Rubbing, scale: f64) -> Profile {
+        friction(&gears(), method, what, TAU, scale).unwrap()
     }
 
     /// Its value at a phase.
@@ -141,20 +147,20 @@ mod tests {
     fn sums_over_the_pairs() {
         let pair = PairOfTeeth::of(&gears()).unwrap();
         let contact = &pair.contact;
-        for (source, bound) in [(Source::Iso6336(None), 1e-12), (Source::Energy, 2e-5)] {
-            let (side, arm) = (law(source, Rubbing::Side, 1.0), law(source, Rubbing::Arm, 1.0));
+        for (method, bound) in [(StiffnessMethod::Iso6336(None), 1e-12), (StiffnessMethod::Energy, 2e-5)] {
+            let (side, arm) = (law(method, Rubbing::Side, 1.0), law(method, Rubbing::Arm, 1.0));
             let mut worst = [0.0f64; 2];
             for s in (0..200).map(|i| 0.013 + TAU * f64::from(i) / 200.0) {
                 let places = (-3..=3).map(|j| (s / TAU + f64::from(j)) * contact.base_pitch);
                 let touching: Vec<f64> = places.filter(|xi| (-contact.approach..contact.recess).contains(xi)).collect();
-                let weight = |xi: f64| if source == Source::Energy { pair.stiffness(xi) } else { 1.0 };
+                let weight = |xi: f64| if method == StiffnessMethod::Energy { pair.stiffness(xi) } else { 1.0 };
                 let all: f64 = touching.iter().map(|xi| weight(*xi)).sum();
                 let sum = |f: fn(f64) -> f64| touching.iter().map(|xi| weight(*xi) / all * f(*xi)).sum::<f64>();
                 let off = [at(&side, s) - sum(f64::signum), (at(&arm, s) - sum(f64::abs)) / contact.base_pitch];
                 worst = [0, 1].map(|i| worst[i].max(off[i].abs()));
             }
-            println!("{source:?}: off by {worst:?}");
-            assert!(worst[0] < bound && worst[1] < bound, "{source:?}: {worst:?}");
+            println!("{method:?}: off by {worst:?}");
+            assert!(worst[0] < bound && worst[1] < bound, "{method:?}: {worst:?}");
         }
     }
 
@@ -167,10 +173,10 @@ mod tests {
         };
         for z in [[24.0, 96.0], [31.0, 40.0], [20.0, 77.0]] {
             let gears = Gears::standard(z, 6.35e-3, 20f64.to_radians(), 7e-3);
-            for source in [Source::Iso6336(None), Source::Energy] {
-                let k = stiffness(&gears, source, Course::Levels, TAU, 1.0).unwrap();
+            for method in [StiffnessMethod::Iso6336(None), StiffnessMethod::Energy] {
+                let k = stiffness(&gears, method, CellShape::Levels, TAU, 1.0).unwrap();
                 let [side, arm] =
-                    [Rubbing::Side, Rubbing::Arm].map(|what| friction(&gears, source, what, TAU, 1.0).unwrap());
+                    [Rubbing::Side, Rubbing::Arm].map(|what| friction(&gears, method, what, TAU, 1.0).unwrap());
                 let (k, side_ends, arm_ends) = (ends(&k), ends(&side), ends(&arm));
                 assert!(k.iter().all(|b| side_ends.contains(b) && arm_ends.contains(b)), "{k:?} {side_ends:?}");
                 let at_pitch_point = |b: &&f64| b.abs() < 1e-12 || (*b - TAU).abs() < 1e-12;
@@ -186,7 +192,7 @@ mod tests {
     #[test]
     fn the_arm_of_one_pair() {
         let base_pitch = gears().contact().unwrap().base_pitch;
-        let arm = law(Source::Iso6336(None), Rubbing::Arm, TAU / base_pitch);
+        let arm = law(StiffnessMethod::Iso6336(None), Rubbing::Arm, TAU / base_pitch);
         for s in [-0.3, -0.1, 0.2] {
             assert!((at(&arm, s) - f64::abs(s)).abs() < 1e-12);
         }
@@ -195,6 +201,6 @@ mod tests {
     #[test]
     fn a_ring_is_refused() {
         let ring = Gears { internal: true, ..gears() };
-        assert!(friction(&ring, Source::Energy, Rubbing::Arm, TAU, 1.0).unwrap_err().what.contains("a ring"));
+        assert!(friction(&ring, StiffnessMethod::Energy, Rubbing::Arm, TAU, 1.0).unwrap_err().what.contains("a ring"));
     }
 }

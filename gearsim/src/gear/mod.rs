@@ -5,7 +5,7 @@
 //!   and leave;
 //! - `iso6336`: the stiffness of ISO 6336-1, method B;
 //! - `tooth`, `foundation`, `energy`: the stiffness of one pair of teeth from its strain energy, along the path of contact;
-//! - `law`: a mesh stiffness law out of either;
+//! - `mesh_stiffness`: the stiffness of the mesh as a law over the phase, by either method;
 //! - `friction`: the laws of friction, by where the pairs touch and how they share the force.
 
 mod energy;
@@ -13,12 +13,12 @@ mod foundation;
 mod friction;
 pub mod involute;
 mod iso6336;
-mod law;
+mod mesh_stiffness;
 mod pair;
 mod tooth;
 
 pub use energy::PairOfTeeth;
 pub use friction::{Rubbing, friction};
 pub use iso6336::{Iso6336, LINE_LOADS};
-pub use law::{Course, Source, stiffness};
+pub use mesh_stiffness::{CellShape, StiffnessMethod, stiffness};
 pub use pair::{Contact, GearError, Gears, Material};

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use super::document::{Entry, Node, Place, Value};
 use super::mistake::Report;
 use super::{field, keys, measure};
-use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Rubbing, Source};
+use crate::gear::{self, CellShape, GearError, Gears, LINE_LOADS, Material, Rubbing, StiffnessMethod};
 use crate::model::{Law, Role};
 use crate::profile::Profile;
 
@@ -38,7 +38,7 @@ pub(super) const KEYS: [&str; 16] = [
 ];
 
 const METHODS: [&str; 2] = ["iso6336", "energy"];
-const COURSES: [&str; 2] = ["levels", "curves"];
+const CELL_SHAPES: [&str; 2] = ["levels", "curves"];
 /// Largest number of teeth of a gear.
 const MOST_TEETH: f64 = 10_000.0;
 /// Range of a positive quantity: what messages say of it, the smallest and the largest value.
@@ -61,21 +61,21 @@ impl Teeth<'_> {
     /// Reads a stiffness.
     pub(super) fn read(&self, report: &mut Report) -> Option<Profile> {
         let scale = self.scale(report);
-        let (gears, source) = (self.gears(report), self.source(report));
-        let course = match self.get("course") {
-            None => Some(Course::Levels),
-            Some(node) => field::choice(&self.path("course"), node, "course", &COURSES, report)
-                .map(|i| if i == 0 { Course::Levels } else { Course::Curves }),
+        let (gears, method) = (self.gears(report), self.stiffness_method(report));
+        let shape = match self.get("course") {
+            None => Some(CellShape::Levels),
+            Some(node) => field::choice(&self.path("course"), node, "course", &CELL_SHAPES, report)
+                .map(|i| if i == 0 { CellShape::Levels } else { CellShape::Curves }),
         };
         let (gears, scale) = (gears?, scale?);
         let per = scale(&gears);
-        let law = gear::stiffness(&gears, source?, course?, self.law.period, per);
+        let law = gear::stiffness(&gears, method?, shape?, self.law.period, per);
         law.map_err(|e| self.refused(self.at(), e, report)).ok()
     }
 
     /// Computes a friction law from these teeth.
     pub(super) fn rubbing(&self, report: &mut Report) -> Option<Result<Profile, GearError>> {
-        let (gears, source) = (self.gears(report), self.source(report));
+        let (gears, method) = (self.gears(report), self.stiffness_method(report));
         let gears = gears?;
         let (what, scale) = match (self.law.role, self.law.unit) {
             (Role::Side, _) => (Rubbing::Side, 1.0),
@@ -83,7 +83,7 @@ impl Teeth<'_> {
             // The deflection is a phase: one base pitch is one period of the phase.
             _ => (Rubbing::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
         };
-        Some(gear::friction(&gears, source?, what, self.law.period, scale))
+        Some(gear::friction(&gears, method?, what, self.law.period, scale))
     }
 
     /// The factor from a stiffness in N/m to the unit of the law.
@@ -177,13 +177,13 @@ impl Teeth<'_> {
         Some([a?, b?])
     }
 
-    fn source(&self, report: &mut Report) -> Option<Source> {
+    fn stiffness_method(&self, report: &mut Report) -> Option<StiffnessMethod> {
         let method = match self.get("method") {
             None => Some(0),
             Some(node) => field::choice(&self.path("method"), node, "method", &METHODS, report),
         };
         let Some(node) = self.get("line_load") else {
-            return method.map(|i| if i == 0 { Source::Iso6336(None) } else { Source::Energy });
+            return method.map(|i| if i == 0 { StiffnessMethod::Iso6336(None) } else { StiffnessMethod::Energy });
         };
         let load = within(&self.path("line_load"), node, "N/m", POSITIVE, report);
         if method? == 1 {
@@ -192,7 +192,7 @@ impl Teeth<'_> {
             report.add(&node.place, message, "out of place", help);
             return None;
         }
-        Some(Source::Iso6336(Some(load?)))
+        Some(StiffnessMethod::Iso6336(Some(load?)))
     }
 
     /// Reads one number for both gears, or two numbers.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
-use crate::gear::{Gears, Rubbing, Source, friction};
+use crate::gear::{Gears, Rubbing, StiffnessMethod, friction};
 use crate::profile::Profile;
 use crate::scene::Scene;
 
@@ -31,7 +31,7 @@ fn friction_laws_use_the_teeth_of_another_law() {
     let scene = with("[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n", &[]).unwrap();
     assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k", "e", "side", "arm"]);
     assert_eq!(scene.laws[1].extremes(), (0.0, 0.0));
-    let of = |what, scale| friction(&gears(), Source::Energy, what, TAU, scale).unwrap();
+    let of = |what, scale| friction(&gears(), StiffnessMethod::Energy, what, TAU, scale).unwrap();
     let ahead = |law: Profile| {
         let origin = law.origin;
         law.beginning(origin - 0.25 * TAU)
@@ -51,10 +51,10 @@ fn friction_laws_take_steps_series_and_their_own_teeth() {
     let scene = with(&format!("[laws.side]\n{steps}\n[laws.arm]\n{own}"), &[]).unwrap();
     assert_eq!((scene.laws[2].steps[0].value, scene.laws[2].steps[1].width), (-1.0, TAU - 1.0));
     let scale = TAU / gears().contact().unwrap().base_pitch;
-    let equal = friction(&gears(), Source::Iso6336(None), Rubbing::Arm, TAU, scale).unwrap();
+    let equal = friction(&gears(), StiffnessMethod::Iso6336(None), Rubbing::Arm, TAU, scale).unwrap();
     assert!((scene.laws[3].mid() - equal.mid()).abs() < 1e-14);
     let scene = with(&format!("[laws.side]\nteeth_of = \"arm\"\n[laws.arm]\n{own}"), &[]).unwrap();
-    assert_eq!(scene.laws[2], friction(&gears(), Source::Iso6336(None), Rubbing::Side, TAU, 1.0).unwrap());
+    assert_eq!(scene.laws[2], friction(&gears(), StiffnessMethod::Iso6336(None), Rubbing::Side, TAU, 1.0).unwrap());
     let wave = "[laws.side]\nharmonics = [{ order = 1, amplitude = 1 }]\n[laws.arm]\nmean = \"1 rad\"\nharmonics = []";
     assert_eq!(with(wave, &[]).unwrap().laws[2].extremes(), (-1.0, 1.0));
 }

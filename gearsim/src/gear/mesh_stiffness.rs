@@ -11,7 +11,7 @@ use crate::profile::{Curve, Profile, Step};
 
 /// Where the stiffness is from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Source {
+pub enum StiffnessMethod {
     /// ISO 6336-1, method B, under a tangential load per width [N/m] if it is known.
     Iso6336(Option<f64>),
     /// The strain energy of the teeth.
@@ -20,7 +20,7 @@ pub enum Source {
 
 /// What it is between two steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Course {
+pub enum CellShape {
     /// Its mean.
     Levels,
     /// What it is: cubic curves.
@@ -35,28 +35,34 @@ const POINTS: usize = 64;
 /// The stiffness of the mesh of `gears` over a phase of the given period, times `scale`, which is 1 for a law in N/m.
 ///
 /// # Errors
-/// Where the gears do not mesh, or the source is not for them.
-pub fn stiffness(gears: &Gears, source: Source, course: Course, period: f64, scale: f64) -> Result<Profile, GearError> {
-    match source {
-        Source::Iso6336(_) if course == Course::Curves => {
+/// Where the gears do not mesh, or the method is not for them.
+pub fn stiffness(
+    gears: &Gears,
+    method: StiffnessMethod,
+    shape: CellShape,
+    period: f64,
+    scale: f64,
+) -> Result<Profile, GearError> {
+    match method {
+        StiffnessMethod::Iso6336(_) if shape == CellShape::Curves => {
             let what = "ISO 6336-1 gives a stiffness for each number of pairs, and no course between the steps";
             Err(GearError::new(what, "take the method \"energy\" for curves"))
         }
-        Source::Iso6336(load) => {
+        StiffnessMethod::Iso6336(load) => {
             let (iso, contact) = (Iso6336::of(gears, load)?, gears.contact()?);
             let width = scale * gears.face_width;
             let cells = cells(&contact)
                 .into_iter()
-                .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, source, period) });
+                .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, method, period) });
             Ok(at_its_place(Profile::stepping(cells.collect()), &contact, period))
         }
-        Source::Energy => {
+        StiffnessMethod::Energy => {
             let pair = PairOfTeeth::of(gears)?;
-            let curves = cells(&pair.contact).into_iter().flat_map(|cell| along(&pair, &cell, course, period, scale));
+            let curves = cells(&pair.contact).into_iter().flat_map(|cell| along(&pair, &cell, shape, period, scale));
             let curves: Vec<_> = curves.collect();
-            let stiffness = match course {
-                Course::Curves => Profile::curved(curves),
-                Course::Levels => {
+            let stiffness = match shape {
+                CellShape::Curves => Profile::curved(curves),
+                CellShape::Levels => {
                     let step = |(curve, width): (Curve, f64)| Step { value: curve.mean(width), width };
                     Profile::stepping(curves.into_iter().map(step).collect())
                 }
@@ -76,11 +82,11 @@ pub(super) struct Cell {
 
 impl Cell {
     /// The phase over which it goes, rounded as that of the stiffness.
-    pub(super) fn width(&self, contact: &Contact, source: Source, period: f64) -> f64 {
+    pub(super) fn width(&self, contact: &Contact, method: StiffnessMethod, period: f64) -> f64 {
         let length = self.end - self.begin;
-        match source {
-            Source::Iso6336(_) => length / contact.base_pitch * period,
-            Source::Energy => length * (period / contact.base_pitch),
+        match method {
+            StiffnessMethod::Iso6336(_) => length / contact.base_pitch * period,
+            StiffnessMethod::Energy => length * (period / contact.base_pitch),
         }
     }
 }
@@ -102,7 +108,7 @@ pub(super) fn at_its_place(stiffness: Profile, contact: &Contact, period: f64) -
 }
 
 /// The curves of a cell, with their widths.
-fn along(pair: &PairOfTeeth, cell: &Cell, course: Course, period: f64, scale: f64) -> Vec<(Curve, f64)> {
+fn along(pair: &PairOfTeeth, cell: &Cell, shape: CellShape, period: f64, scale: f64) -> Vec<(Curve, f64)> {
     let pitch = pair.contact.base_pitch;
     // Pairs at the ends of the cell come and go: those of its middle are summed, all the way.
     let middle = 0.5 * (cell.begin + cell.end);
@@ -110,9 +116,9 @@ fn along(pair: &PairOfTeeth, cell: &Cell, course: Course, period: f64, scale: f6
     let k =
         |x: f64| (first..first + cell.pairs as i64).map(|j| pair.stiffness(x + j as f64 * pitch)).sum::<f64>() * scale;
     let width = (cell.end - cell.begin) * (period / pitch);
-    match course {
-        Course::Curves => curves(k, [cell.begin, cell.end], width),
-        Course::Levels => {
+    match shape {
+        CellShape::Curves => curves(k, [cell.begin, cell.end], width),
+        CellShape::Levels => {
             let h = (cell.end - cell.begin) / POINTS as f64;
             let weight = |i: usize| if i == 0 || i == POINTS { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
             let sum: f64 = (0..=POINTS).map(|i| weight(i) * k(cell.begin + h * i as f64)).sum();
@@ -149,7 +155,7 @@ mod tests {
     /// touching nearer to tips and roots, are less than twice as stiff as one, by energies as by the standard (1.75).
     #[test]
     fn levels_of_the_founding_pair() {
-        let law = stiffness(&gears(), Source::Energy, Course::Levels, TAU, 1.0).unwrap();
+        let law = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Levels, TAU, 1.0).unwrap();
         let [one, two] = law.steps[..] else { panic!("{law:?}") };
         assert!((one.width - 1.728).abs() < 1e-3 && (one.width + two.width - TAU).abs() < 1e-14);
         assert!((two.value / one.value - 1.744).abs() < 1e-3, "{}", two.value / one.value);
@@ -160,8 +166,8 @@ mod tests {
     #[test]
     fn curves_follow_the_stiffness() {
         let pair = PairOfTeeth::of(&gears()).unwrap();
-        let law = stiffness(&gears(), Source::Energy, Course::Curves, TAU, 1.0).unwrap();
-        let levels = stiffness(&gears(), Source::Energy, Course::Levels, TAU, 1.0).unwrap();
+        let law = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Curves, TAU, 1.0).unwrap();
+        let levels = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Levels, TAU, 1.0).unwrap();
         let mut begin = law.origin;
         for (curve, step) in law.curves.iter().zip(&law.steps) {
             for part in [0.01, 0.3, 0.5, 0.9] {
@@ -178,13 +184,13 @@ mod tests {
     /// At the phase 0 a pair is at the pitch point, alone with these gears.
     #[test]
     fn the_phase_begins_at_the_pitch_point() {
-        let law = stiffness(&gears(), Source::Iso6336(None), Course::Levels, TAU, 1.0).unwrap();
+        let law = stiffness(&gears(), StiffnessMethod::Iso6336(None), CellShape::Levels, TAU, 1.0).unwrap();
         let contact = gears().contact().unwrap();
         let ends = (law.origin + law.steps[0].width).rem_euclid(TAU);
         assert!((law.origin.rem_euclid(TAU) - contact.recess / contact.base_pitch * TAU).abs() < 1e-12);
         assert!((ends - (TAU - contact.approach / contact.base_pitch * TAU).rem_euclid(TAU)).abs() < 1e-12);
         let mean = Iso6336::of(&gears(), None).unwrap().mean * 7e-3;
         assert!((law.mean() / mean - 1.0).abs() < 1e-14);
-        assert!(stiffness(&gears(), Source::Iso6336(None), Course::Curves, TAU, 1.0).is_err());
+        assert!(stiffness(&gears(), StiffnessMethod::Iso6336(None), CellShape::Curves, TAU, 1.0).is_err());
     }
 }
