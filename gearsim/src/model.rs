@@ -166,8 +166,8 @@ impl Role {
         matches!(self, Role::Error | Role::Side)
     }
 
-    /// Whether it is one of friction.
-    pub fn rubs(self) -> bool {
+    /// Whether it is a friction law.
+    pub fn is_friction(self) -> bool {
         matches!(self, Role::Side | Role::Arm)
     }
 }

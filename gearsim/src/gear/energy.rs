@@ -32,19 +32,19 @@ const SHEAR: f64 = 1.2;
 
 /// A pair of teeth, and how stiff it is.
 #[derive(Debug, Clone)]
-pub struct PairOfTeeth {
+pub struct ToothPair {
     /// How the gears touch.
     pub contact: Contact,
     teeth: [(Tooth, Foundation); 2],
     gears: Gears,
 }
 
-impl PairOfTeeth {
+impl ToothPair {
     /// That of two external gears.
     ///
     /// # Errors
     /// Where they do not mesh, or the teeth or bodies are none that this is for.
-    pub fn of(gears: &Gears) -> Result<PairOfTeeth, GearError> {
+    pub fn of(gears: &Gears) -> Result<ToothPair, GearError> {
         if gears.internal {
             let what = "the strain energy is that of external teeth, and the second gear is a ring";
             return Err(GearError::new(what, "take the method \"iso6336\""));
@@ -61,7 +61,7 @@ impl PairOfTeeth {
             let foundation = Foundation::new(tooth.root, bore, tooth.foot(), &format!("gear {}", i + 1))?;
             Ok((tooth, foundation))
         };
-        Ok(PairOfTeeth { teeth: [tooth(0)?, tooth(1)?], contact, gears: gears.clone() })
+        Ok(ToothPair { teeth: [tooth(0)?, tooth(1)?], contact, gears: gears.clone() })
     }
 
     /// Stiffness along the line of action [N/m] where it touches `x` [m] beyond the pitch point.
@@ -133,11 +133,11 @@ mod tests {
     /// A pair is as stiff from either side; in proportion to width and Young's modulus; the same at any module.
     #[test]
     fn symmetry_and_scale() {
-        let pair = PairOfTeeth::of(&gears(24.0, 96.0)).unwrap();
-        let mirrored = PairOfTeeth::of(&gears(96.0, 24.0)).unwrap();
+        let pair = ToothPair::of(&gears(24.0, 96.0)).unwrap();
+        let mirrored = ToothPair::of(&gears(96.0, 24.0)).unwrap();
         let soft = Material { young: 103e9, ..Material::STEEL };
         let larger = Gears { module: 12.7e-3, face_width: 14e-3, material: [soft; 2], ..gears(24.0, 96.0) };
-        let larger = PairOfTeeth::of(&larger).unwrap();
+        let larger = ToothPair::of(&larger).unwrap();
         for part in [-0.8, -0.3, 0.0, 0.5, 0.9] {
             let x = part * if part < 0.0 { pair.contact.approach } else { pair.contact.recess };
             near(pair.stiffness(x), mirrored.stiffness(-x), 1e-12);
@@ -148,7 +148,7 @@ mod tests {
     /// Where pairs come and go, the mesh steps by one of them; a pitch on, it is the same.
     #[test]
     fn the_mesh_is_the_sum_of_its_pairs() {
-        let pair = PairOfTeeth::of(&gears(24.0, 96.0)).unwrap();
+        let pair = ToothPair::of(&gears(24.0, 96.0)).unwrap();
         let c = &pair.contact;
         let (before, after) = (pair.mesh(c.recess - 1e-9), pair.mesh(c.recess + 1e-9));
         near(before - after, pair.stiffness(c.recess), 1e-6);
@@ -160,7 +160,7 @@ mod tests {
     /// that, but their sum is convergent: twice the sections change it by 1e-5.
     #[test]
     fn the_integrals_converge() {
-        let pair = PairOfTeeth::of(&gears(24.0, 96.0)).unwrap();
+        let pair = ToothPair::of(&gears(24.0, 96.0)).unwrap();
         let tooth = &pair.teeth[0].0;
         let radius = pair.contact.tip[0];
         let area = |n: usize| {
@@ -175,7 +175,7 @@ mod tests {
     fn it_agrees_with_the_standard() {
         for (z1, z2) in [(24.0, 96.0), (30.0, 30.0), (40.0, 60.0), (18.0, 50.0)] {
             let gears = gears(z1, z2);
-            let (pair, iso) = (PairOfTeeth::of(&gears).unwrap(), Iso6336::of(&gears, None).unwrap());
+            let (pair, iso) = (ToothPair::of(&gears).unwrap(), Iso6336::of(&gears, None).unwrap());
             let (c, n) = (&pair.contact, 400);
             let at = |i: usize| -c.approach + (c.approach + c.recess) * (i as f64 + 0.5) / n as f64;
             let greatest = (0..n).map(|i| pair.stiffness(at(i))).fold(0.0, f64::max) / gears.face_width;
@@ -196,7 +196,7 @@ mod tests {
             (Gears { fillet: 0.9, ..gears(24.0, 96.0) }, "cannot cut gear 1"),
         ];
         for (gears, said) in cases {
-            let error = PairOfTeeth::of(&gears).expect_err(said);
+            let error = ToothPair::of(&gears).expect_err(said);
             assert!(error.what.contains(said), "{error}");
         }
     }

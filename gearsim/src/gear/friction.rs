@@ -9,14 +9,14 @@
 //! where the shares are equal, or as the stiffnesses of the pairs. The laws have the cells of the stiffness, to the bit, and one
 //! more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
 
-use super::energy::PairOfTeeth;
+use super::energy::ToothPair;
 use super::mesh_stiffness::{Cell, StiffnessMethod, at_its_place, cells, curves};
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 
 /// What of the pairs is summed, weighted with their shares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rubbing {
+pub enum FrictionLaw {
     /// On which side of the pitch point they touch: 1 after it, -1 before it.
     Side,
     /// How far from it they touch [m].
@@ -33,7 +33,7 @@ const NEAR: f64 = 1e-9;
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
-    what: Rubbing,
+    what: FrictionLaw,
     period: f64,
     scale: f64,
 ) -> Result<Profile, GearError> {
@@ -45,13 +45,13 @@ pub fn friction(
         contact: gears.contact()?,
         teeth: match method {
             StiffnessMethod::Iso6336(_) => None,
-            StiffnessMethod::Energy => Some(PairOfTeeth::of(gears)?),
+            StiffnessMethod::Energy => Some(ToothPair::of(gears)?),
         },
     };
     let cells = cells(&pairs.contact);
     let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, method, period)).collect();
     let law = match (what, &pairs.teeth) {
-        (Rubbing::Side, None) => {
+        (FrictionLaw::Side, None) => {
             let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
             Profile::stepping(parts.iter().map(step).collect())
         }
@@ -87,12 +87,12 @@ fn parts(cell: &Cell, contact: &Contact, method: StiffnessMethod, period: f64) -
 /// The pairs of teeth, and their stiffnesses if the shares are theirs.
 struct Pairs {
     contact: Contact,
-    teeth: Option<PairOfTeeth>,
+    teeth: Option<ToothPair>,
 }
 
 impl Pairs {
     /// What the pairs of a part give where one of them is at `x` [m].
-    fn sum(&self, what: Rubbing, part: &Part, x: f64) -> f64 {
+    fn sum(&self, what: FrictionLaw, part: &Part, x: f64) -> f64 {
         let pitch = self.contact.base_pitch;
         // Pairs at the ends of a part come and go, and change sides: those of its middle are summed, all the way.
         let middle = 0.5 * (part.begin + part.end);
@@ -102,13 +102,13 @@ impl Pairs {
         let all: f64 = pairs().map(weight).sum();
         let each = |ahead: f64| {
             let side = if middle + ahead > 0.0 { 1.0 } else { -1.0 };
-            weight(ahead) / all * if what == Rubbing::Side { side } else { side * (x + ahead) }
+            weight(ahead) / all * if what == FrictionLaw::Side { side } else { side * (x + ahead) }
         };
         pairs().map(each).sum()
     }
 
     /// The curves of a part, with their widths: side and arm within 2e-5 of the sums, the arm in parts of a pitch.
-    fn along(&self, what: Rubbing, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
+    fn along(&self, what: FrictionLaw, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
         let value = |x: f64| scale * self.sum(what, part, x);
         if self.teeth.is_none() {
             let (a, b) = (value(part.begin), value(part.end));
@@ -131,7 +131,7 @@ mod tests {
         Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    fn law(method: StiffnessMethod, what: Rubbing, scale: f64) -> Profile {
+    fn law(method: StiffnessMethod, what: FrictionLaw, scale: f64) -> Profile {
         friction(&gears(), method, what, TAU, scale).unwrap()
     }
 
@@ -145,10 +145,10 @@ mod tests {
     /// Against the pairs one by one: all that touch, wherever they are.
     #[test]
     fn sums_over_the_pairs() {
-        let pair = PairOfTeeth::of(&gears()).unwrap();
+        let pair = ToothPair::of(&gears()).unwrap();
         let contact = &pair.contact;
         for (method, bound) in [(StiffnessMethod::Iso6336(None), 1e-12), (StiffnessMethod::Energy, 2e-5)] {
-            let (side, arm) = (law(method, Rubbing::Side, 1.0), law(method, Rubbing::Arm, 1.0));
+            let (side, arm) = (law(method, FrictionLaw::Side, 1.0), law(method, FrictionLaw::Arm, 1.0));
             let mut worst = [0.0f64; 2];
             for s in (0..200).map(|i| 0.013 + TAU * f64::from(i) / 200.0) {
                 let places = (-3..=3).map(|j| (s / TAU + f64::from(j)) * contact.base_pitch);
@@ -176,7 +176,7 @@ mod tests {
             for method in [StiffnessMethod::Iso6336(None), StiffnessMethod::Energy] {
                 let k = stiffness(&gears, method, CellShape::Levels, TAU, 1.0).unwrap();
                 let [side, arm] =
-                    [Rubbing::Side, Rubbing::Arm].map(|what| friction(&gears, method, what, TAU, 1.0).unwrap());
+                    [FrictionLaw::Side, FrictionLaw::Arm].map(|what| friction(&gears, method, what, TAU, 1.0).unwrap());
                 let (k, side_ends, arm_ends) = (ends(&k), ends(&side), ends(&arm));
                 assert!(k.iter().all(|b| side_ends.contains(b) && arm_ends.contains(b)), "{k:?} {side_ends:?}");
                 let at_pitch_point = |b: &&f64| b.abs() < 1e-12 || (*b - TAU).abs() < 1e-12;
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn the_arm_of_one_pair() {
         let base_pitch = gears().contact().unwrap().base_pitch;
-        let arm = law(StiffnessMethod::Iso6336(None), Rubbing::Arm, TAU / base_pitch);
+        let arm = law(StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU / base_pitch);
         for s in [-0.3, -0.1, 0.2] {
             assert!((at(&arm, s) - f64::abs(s)).abs() < 1e-12);
         }
@@ -201,6 +201,8 @@ mod tests {
     #[test]
     fn a_ring_is_refused() {
         let ring = Gears { internal: true, ..gears() };
-        assert!(friction(&ring, StiffnessMethod::Energy, Rubbing::Arm, TAU, 1.0).unwrap_err().what.contains("a ring"));
+        assert!(
+            friction(&ring, StiffnessMethod::Energy, FrictionLaw::Arm, TAU, 1.0).unwrap_err().what.contains("a ring")
+        );
     }
 }

@@ -4,7 +4,7 @@
 //! pitch point, and grows as the first gear drives. The law's first cell is that with the fewest pairs: it begins where a pair
 //! parts, the phase 2 pi g_a/p_b.
 
-use super::energy::PairOfTeeth;
+use super::energy::ToothPair;
 use super::iso6336::Iso6336;
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
@@ -57,7 +57,7 @@ pub fn stiffness(
             Ok(at_its_place(Profile::stepping(cells.collect()), &contact, period))
         }
         StiffnessMethod::Energy => {
-            let pair = PairOfTeeth::of(gears)?;
+            let pair = ToothPair::of(gears)?;
             let curves = cells(&pair.contact).into_iter().flat_map(|cell| along(&pair, &cell, shape, period, scale));
             let curves: Vec<_> = curves.collect();
             let stiffness = match shape {
@@ -108,7 +108,7 @@ pub(super) fn at_its_place(stiffness: Profile, contact: &Contact, period: f64) -
 }
 
 /// The curves of a cell, with their widths.
-fn along(pair: &PairOfTeeth, cell: &Cell, shape: CellShape, period: f64, scale: f64) -> Vec<(Curve, f64)> {
+fn along(pair: &ToothPair, cell: &Cell, shape: CellShape, period: f64, scale: f64) -> Vec<(Curve, f64)> {
     let pitch = pair.contact.base_pitch;
     // Pairs at the ends of the cell come and go: those of its middle are summed, all the way.
     let middle = 0.5 * (cell.begin + cell.end);
@@ -165,7 +165,7 @@ mod tests {
     /// The curves are the stiffness: in the middle of every piece to 1e-4, and their means are the levels.
     #[test]
     fn curves_follow_the_stiffness() {
-        let pair = PairOfTeeth::of(&gears()).unwrap();
+        let pair = ToothPair::of(&gears()).unwrap();
         let law = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Curves, TAU, 1.0).unwrap();
         let levels = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Levels, TAU, 1.0).unwrap();
         let mut begin = law.origin;

@@ -17,8 +17,8 @@ mod mesh_stiffness;
 mod pair;
 mod tooth;
 
-pub use energy::PairOfTeeth;
-pub use friction::{Rubbing, friction};
+pub use energy::ToothPair;
+pub use friction::{FrictionLaw, friction};
 pub use iso6336::{Iso6336, LINE_LOADS};
 pub use mesh_stiffness::{CellShape, StiffnessMethod, stiffness};
 pub use pair::{Contact, GearError, Gears, Material};

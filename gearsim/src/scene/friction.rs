@@ -32,7 +32,7 @@ pub(super) fn borrowed(
     report: &mut Report,
 ) -> Option<Option<Profile>> {
     let Value::Table(entries) = &node.value else { return None };
-    let name = keys::get(entries, OF).filter(|_| law.role.rubs())?;
+    let name = keys::get(entries, OF).filter(|_| law.role.is_friction())?;
     keys::known(entries, &format!("[laws.{}] with {OF}", law.name), &[OF], report);
     let path = format!("laws.{}.{OF}", law.name);
     let Some(text) = field::text(&path, name, report) else { return Some(None) };
@@ -54,7 +54,7 @@ pub(super) fn borrowed(
     let mut told = Report::new();
     let ahead = keys::get(entries, "phase").map_or(Some(0.0), |node| offset::read(law, phase, 1, node, &mut told));
     let teeth = Teeth { law, entries, place: &lender.place };
-    let read = match teeth.rubbing(&mut told) {
+    let read = match teeth.friction_law(&mut told) {
         Some(Err(error)) if told.is_empty() => {
             teeth.refused(&name.place, error, report);
             None

@@ -88,7 +88,7 @@ impl<'a> Reader<'a> {
 
     /// What to write if the law is missing.
     fn table(&self, model: &Model) -> String {
-        let line = match self.law.role.rubs() {
+        let line = match self.law.role.is_friction() {
             true => friction::example(self.law, model),
             false => format!("steps = {}", self.steps()),
         };
@@ -144,8 +144,8 @@ impl<'a> Reader<'a> {
                 Role::Stiffness => teeth.read(report),
                 Role::Error => None, // an error has no keys of teeth; `known` has reported them
                 Role::Side | Role::Arm => {
-                    let rubbing = teeth.rubbing(report)?;
-                    rubbing.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
+                    let law = teeth.friction_law(report)?;
+                    law.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
                 }
             };
             return smooth.ramped(read?, report);

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use super::document::{Entry, Node, Place, Value};
 use super::mistake::Report;
 use super::{field, keys, measure};
-use crate::gear::{self, CellShape, GearError, Gears, LINE_LOADS, Material, Rubbing, StiffnessMethod};
+use crate::gear::{self, CellShape, FrictionLaw, GearError, Gears, LINE_LOADS, Material, StiffnessMethod};
 use crate::model::{Law, Role};
 use crate::profile::Profile;
 
@@ -74,14 +74,14 @@ impl Teeth<'_> {
     }
 
     /// Computes a friction law from these teeth.
-    pub(super) fn rubbing(&self, report: &mut Report) -> Option<Result<Profile, GearError>> {
+    pub(super) fn friction_law(&self, report: &mut Report) -> Option<Result<Profile, GearError>> {
         let (gears, method) = (self.gears(report), self.stiffness_method(report));
         let gears = gears?;
         let (what, scale) = match (self.law.role, self.law.unit) {
-            (Role::Side, _) => (Rubbing::Side, 1.0),
-            (_, "m") => (Rubbing::Arm, 1.0),
+            (Role::Side, _) => (FrictionLaw::Side, 1.0),
+            (_, "m") => (FrictionLaw::Arm, 1.0),
             // The deflection is a phase: one base pitch is one period of the phase.
-            _ => (Rubbing::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
+            _ => (FrictionLaw::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
         };
         Some(gear::friction(&gears, method?, what, self.law.period, scale))
     }

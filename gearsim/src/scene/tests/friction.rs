@@ -3,14 +3,14 @@
 use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
-use crate::gear::{Gears, Rubbing, StiffnessMethod, friction};
+use crate::gear::{FrictionLaw, Gears, StiffnessMethod, friction};
 use crate::profile::Profile;
 use crate::scene::Scene;
 
 const TEETH: &str = "teeth = [24, 96]\nmodule = \"6.35 mm\"\nface_width = \"7 mm\"\nmethod = \"energy\"";
 
 /// The scene with the effect, its stiffness computed from teeth.
-fn rubbing() -> String {
+fn scene_with_friction() -> String {
     let (begin, end) = (SCENE.find("steps = [").unwrap(), SCENE.find("[start]").unwrap());
     let text = format!("{}{TEETH}\nphase = 0.25\n\n{}", &SCENE[..begin], &SCENE[end..]);
     text.replace("\"damping\",", "\"sliding_friction\",")
@@ -18,7 +18,7 @@ fn rubbing() -> String {
 
 /// That scene with the tables `laws`; the messages if it has mistakes.
 fn with(laws: &str, overrides: &[&str]) -> Result<Scene, String> {
-    parse(&format!("{}\n{laws}", rubbing()), overrides).map_err(|errors| errors.render(100, false))
+    parse(&format!("{}\n{laws}", scene_with_friction()), overrides).map_err(|errors| errors.render(100, false))
 }
 
 fn gears() -> Gears {
@@ -36,9 +36,9 @@ fn friction_laws_use_the_teeth_of_another_law() {
         let origin = law.origin;
         law.beginning(origin - 0.25 * TAU)
     };
-    assert_eq!(scene.laws[2], ahead(of(Rubbing::Side, 1.0)));
+    assert_eq!(scene.laws[2], ahead(of(FrictionLaw::Side, 1.0)));
     // The deflection is a phase: one base pitch is one turn of it.
-    let arm = ahead(of(Rubbing::Arm, TAU / gears().contact().unwrap().base_pitch));
+    let arm = ahead(of(FrictionLaw::Arm, TAU / gears().contact().unwrap().base_pitch));
     let off = |a: &Profile| a.steps.iter().zip(&arm.steps).fold(0.0f64, |m, (a, b)| m.max((a.value - b.value).abs()));
     assert!(off(&scene.laws[3]) < 1e-14 && scene.laws[3].origin == arm.origin);
 }
@@ -51,10 +51,10 @@ fn friction_laws_take_steps_series_and_their_own_teeth() {
     let scene = with(&format!("[laws.side]\n{steps}\n[laws.arm]\n{own}"), &[]).unwrap();
     assert_eq!((scene.laws[2].steps[0].value, scene.laws[2].steps[1].width), (-1.0, TAU - 1.0));
     let scale = TAU / gears().contact().unwrap().base_pitch;
-    let equal = friction(&gears(), StiffnessMethod::Iso6336(None), Rubbing::Arm, TAU, scale).unwrap();
+    let equal = friction(&gears(), StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU, scale).unwrap();
     assert!((scene.laws[3].mid() - equal.mid()).abs() < 1e-14);
     let scene = with(&format!("[laws.side]\nteeth_of = \"arm\"\n[laws.arm]\n{own}"), &[]).unwrap();
-    assert_eq!(scene.laws[2], friction(&gears(), StiffnessMethod::Iso6336(None), Rubbing::Side, TAU, 1.0).unwrap());
+    assert_eq!(scene.laws[2], friction(&gears(), StiffnessMethod::Iso6336(None), FrictionLaw::Side, TAU, 1.0).unwrap());
     let wave = "[laws.side]\nharmonics = [{ order = 1, amplitude = 1 }]\n[laws.arm]\nmean = \"1 rad\"\nharmonics = []";
     assert_eq!(with(wave, &[]).unwrap().laws[2].extremes(), (-1.0, 1.0));
 }
@@ -91,6 +91,6 @@ fn mistakes_point_to_their_places() {
     let both = "[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n";
     insta::assert_snapshot!(with("", &[]).unwrap_err());
     insta::assert_snapshot!(with(&both.replace("\"k\"", "\"kk\""), &[]).unwrap_err());
-    let ring = rubbing().replace("method = \"energy\"", "internal = true");
+    let ring = scene_with_friction().replace("method = \"energy\"", "internal = true");
     insta::assert_snapshot!(parse(&format!("{ring}\n{both}"), &[]).expect_err("a ring").render(100, false));
 }
