@@ -1,4 +1,8 @@
-//! Readers of single values: text, flags, arrays, tables, lists of names. Quantities are in [`super::measure`].
+//! Readers of single values: quantities, text, flags, arrays, tables, lists of names.
+
+mod quantity;
+
+pub(super) use quantity::{out_of_range, quantity};
 
 use super::document::{Entry, Node, Value};
 use super::keys::choices;

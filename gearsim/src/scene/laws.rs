@@ -6,7 +6,7 @@ use super::document::{Entry, Node, Value};
 use super::mistake::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
-use super::{Effects, field, friction, keys, measure, offset, transmission_error};
+use super::{Effects, field, friction, keys, offset, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 
@@ -191,9 +191,9 @@ impl<'a> Reader<'a> {
 
         let value = value.and_then(|node| {
             let path = format!("{path}.value");
-            let x = measure::quantity(&path, node, self.law.unit, report)?;
+            let x = field::quantity(&path, node, self.law.unit, report)?;
             if x < 0.0 && !self.law.role.has_sign() {
-                measure::out_of_range(&path, node, "must not be negative", why_not_negative(self.law), report);
+                field::out_of_range(&path, node, "must not be negative", why_not_negative(self.law), report);
             }
             Some(x)
         });
@@ -201,10 +201,10 @@ impl<'a> Reader<'a> {
             None => Some(None),
             Some(node) => {
                 let path = format!("{path}.width");
-                let x = measure::quantity(&path, node, self.phase, report);
+                let x = field::quantity(&path, node, self.phase, report);
                 if x.is_some_and(|x| x <= 0.0) {
                     let what = "it is the part of the pitch that the step covers";
-                    measure::out_of_range(&path, node, "must be positive", what, report);
+                    field::out_of_range(&path, node, "must be positive", what, report);
                 }
                 x.map(Some)
             }

@@ -20,7 +20,7 @@ use super::document::{Entry, Node, Value};
 use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
-use super::{field, keys, measure};
+use super::{field, keys};
 use crate::model::Law;
 
 /// Largest denominator of the fractions of a pitch that [`whole_fraction`] recognises.
@@ -43,8 +43,8 @@ pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mu
         _ => false,
     };
     match bare {
-        true => Some(measure::quantity(&path, node, "1", report)? % f64::from(pitches) * law.period),
-        false => Some(measure::quantity(&path, node, unit, report)? % (law.period * f64::from(pitches))),
+        true => Some(field::quantity(&path, node, "1", report)? % f64::from(pitches) * law.period),
+        false => Some(field::quantity(&path, node, unit, report)? % (law.period * f64::from(pitches))),
     }
 }
 
@@ -55,15 +55,15 @@ fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) ->
     let teeth = |key: &str, report: &mut Report| -> Option<Option<f64>> {
         let Some(node) = keys::get(entries, key) else { return Some(None) };
         let path = format!("{path}.{key}");
-        let z = measure::quantity(&path, node, "1", report)?;
+        let z = field::quantity(&path, node, "1", report)?;
         if z.fract() != 0.0 || z < 1.0 {
-            measure::out_of_range(&path, node, "must be a whole number", "it is a number of teeth", report);
+            field::out_of_range(&path, node, "must be a whole number", "it is a number of teeth", report);
             return None;
         }
         Some(Some(z))
     };
     let (sun, ring, planet) = (teeth("sun", report), teeth("ring", report), teeth("planet", report));
-    let at = get("at").and_then(|node| measure::quantity(&format!("{path}.at"), node, "rad", report));
+    let at = get("at").and_then(|node| field::quantity(&format!("{path}.at"), node, "rad", report));
     if get("at").is_none() {
         keys::missing(&[("at", "at = \"120 deg\"".into())], &format!("`{path}`"), &node.place, report);
     }

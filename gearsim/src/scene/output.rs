@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node};
 use super::mistake::Report;
-use super::{Output, PLOTS, Solver, field, keys, measure, solver};
+use super::{Output, PLOTS, Solver, field, keys, solver};
 use crate::model::Model;
 use crate::trajectory::Trajectory;
 
@@ -40,7 +40,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
         return None;
     };
-    let t_end = measure::quantity("run.t_end", node, "s", report)?;
+    let t_end = field::quantity("run.t_end", node, "s", report)?;
     if t_end >= MIN_END {
         return Some(t_end);
     }
@@ -48,7 +48,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
         true => format!("must be at least {MIN_END:e} s"),
         false => "must be positive".to_string(),
     };
-    measure::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
+    field::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
     None
 }
 
@@ -84,20 +84,20 @@ pub(super) fn read(
 }
 
 fn read_most_rows(node: &Node, report: &mut Report) -> Option<f64> {
-    let rows = measure::quantity("output.most_rows", node, "1", report)?;
+    let rows = field::quantity("output.most_rows", node, "1", report)?;
     if rows < 2.0 || rows.fract() != 0.0 {
         let what = "give the largest number of rows to record, e.g. 1e7";
-        measure::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
+        field::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
         return None;
     }
     Some(rows)
 }
 
 fn read_rate(node: &Node, t_end: Option<f64>, most_rows: Option<f64>, report: &mut Report) -> Option<f64> {
-    let rate = measure::quantity("output.rate", node, "Hz", report)?;
+    let rate = field::quantity("output.rate", node, "Hz", report)?;
     if rate <= 0.0 {
         let what = "give the samples per second, e.g. \"20 kHz\"";
-        measure::out_of_range("output.rate", node, "must be positive", what, report);
+        field::out_of_range("output.rate", node, "must be positive", what, report);
         return None;
     }
     let (t_end, most_rows) = (t_end?, most_rows?);

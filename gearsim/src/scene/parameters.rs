@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
-use super::{Effects, TimeHistory, field, keys, measure, time_history};
+use super::{Effects, TimeHistory, field, keys, time_history};
 use crate::model::{Model, Parameter, Range};
 
 /// Values at t = 0 [SI], in the order of the model; and, by index, the parameters that vary in time.
@@ -75,13 +75,13 @@ fn example(parameter: &Parameter) -> String {
 
 fn value(parameter: &Parameter, node: &Node, report: &mut Report) -> Option<f64> {
     let path = format!("parameters.{}", parameter.name);
-    let x = measure::quantity(&path, node, parameter.unit, report)?;
+    let x = field::quantity(&path, node, parameter.unit, report)?;
     if parameter.range.contains(x) {
         return Some(x);
     }
     let must = describe(&parameter.range, parameter.unit);
     let what = format!("`{}` is the {}", parameter.name, parameter.doc);
-    measure::out_of_range(&path, node, &must, &what, report);
+    field::out_of_range(&path, node, &must, &what, report);
     None
 }
 

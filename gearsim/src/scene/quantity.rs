@@ -58,6 +58,21 @@ pub fn split(text: &str) -> Result<(f64, &str), UnitError> {
     Ok((text[start..end].parse().unwrap_or(f64::NAN), text[end..].trim()))
 }
 
+/// Reads a time, e.g. `0.1 s` [s].
+///
+/// # Errors
+/// If the text is not a quantity, not a time, negative or not finite.
+pub fn parse_time(text: &str) -> Result<f64, String> {
+    let quantity = Quantity::parse(text).map_err(|error| error.to_string())?;
+    let second = Unit::parse("s").map_err(|error| error.to_string())?;
+    let none = quantity.bare && quantity.value == 0.0;
+    match quantity.dimension == second.dimension || none {
+        true if quantity.value >= 0.0 && quantity.value.is_finite() => Ok(quantity.value),
+        true => Err("the time must be finite and not negative".into()),
+        false => Err(format!("a time is required, e.g. \"0.1 s\", not {}", quantity.dimension.describe())),
+    }
+}
+
 /// The decimal number at byte `start`: its mantissa, its power of ten, and the byte where it ends.
 fn number(text: &str, start: usize) -> Result<(&str, i64, usize), UnitError> {
     let skip = |from: usize, what: fn(char) -> bool| from + text[from..].chars().take_while(|c| what(*c)).count();

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Place};
 use super::mistake::Report;
-use super::{field, keys, laws, measure, transmission_error};
+use super::{field, keys, laws, transmission_error};
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
 
@@ -76,9 +76,9 @@ impl Smooth<'_> {
             );
             return None;
         }
-        let width = measure::quantity(&path, node, self.phase, report)?;
+        let width = field::quantity(&path, node, self.phase, report)?;
         if width <= 0.0 {
-            measure::out_of_range(&path, node, "must be positive", "leave it out for steps", report);
+            field::out_of_range(&path, node, "must be positive", "leave it out for steps", report);
             return None;
         }
         let ramped = stepping.ramped(width, 0.5);
@@ -86,7 +86,7 @@ impl Smooth<'_> {
             let narrowest = stepping.steps.iter().map(|step| step.width).fold(f64::INFINITY, f64::min);
             let must =
                 format!("must be narrower than every level, the narrowest of which has {narrowest:.6} {}", self.phase);
-            measure::out_of_range(&path, node, &must, "a ramp is centred on its step", report);
+            field::out_of_range(&path, node, &must, "a ramp is centred on its step", report);
         }
         ramped
     }
@@ -104,7 +104,7 @@ impl Smooth<'_> {
         let lacking: Vec<_> = lines.into_iter().filter(|line| line.1).map(|(key, _, line)| (key, line)).collect();
         keys::missing(&lacking, &format!("[laws.{name}]"), self.place, report);
         let mean = match mean {
-            Some(node) => measure::quantity(&format!("laws.{name}.mean"), node, unit, report),
+            Some(node) => field::quantity(&format!("laws.{name}.mean"), node, unit, report),
             None => self.law.role.has_sign().then_some(0.0),
         };
         let path = format!("laws.{name}.harmonics");
@@ -125,17 +125,17 @@ impl Smooth<'_> {
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
         let order = get("order").and_then(|node| {
             let path = format!("{path}.order");
-            let order = measure::quantity(&path, node, "1", report)?;
+            let order = field::quantity(&path, node, "1", report)?;
             if order.fract() != 0.0 || !(1.0..=MOST_ORDER).contains(&order) {
                 let must = format!("must be a whole number from 1 to {MOST_ORDER}");
-                measure::out_of_range(&path, node, &must, "it counts the waves in one period of the law", report);
+                field::out_of_range(&path, node, &must, "it counts the waves in one period of the law", report);
                 return None;
             }
             Some(order)
         });
         let of = |key: &str, unit: &str, report: &mut Report| {
             let node = keys::get(entries, key)?;
-            measure::quantity(&format!("{path}.{key}"), node, unit, report)
+            field::quantity(&format!("{path}.{key}"), node, unit, report)
         };
         let amplitude = of("amplitude", self.law.unit, report);
         let phase = if get("phase").is_some() { of("phase", "rad", report) } else { Some(0.0) };
@@ -181,7 +181,7 @@ impl Smooth<'_> {
         let lacking: Vec<_> = lacking.map(|(key, unit)| (*key, format!("{key} = \"... {unit}\""))).collect();
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
         let [at, value] = units.map(|(key, unit)| {
-            keys::get(entries, key).and_then(|node| measure::quantity(&format!("{path}.{key}"), node, unit, report))
+            keys::get(entries, key).and_then(|node| field::quantity(&format!("{path}.{key}"), node, unit, report))
         });
         Some((at?, value?))
     }

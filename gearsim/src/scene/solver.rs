@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node};
 use super::mistake::Report;
-use super::{field, keys, measure};
+use super::{field, keys};
 
 /// Settings of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,21 +107,21 @@ pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<S
     }
     let tolerance = match tolerance {
         None => Some(TOLERANCE),
-        Some(node) => measure::quantity("run.tolerance", node, "1", report).filter(|x| {
+        Some(node) => field::quantity("run.tolerance", node, "1", report).filter(|x| {
             let inside = TOLERANCES.contains(x);
             if !inside {
                 let must = format!("must lie between {:e} and {:e}", TOLERANCES.start(), TOLERANCES.end());
-                measure::out_of_range("run.tolerance", node, &must, "the relative error allowed in a step", report);
+                field::out_of_range("run.tolerance", node, &must, "the relative error allowed in a step", report);
             }
             inside
         }),
     };
     let step = match step {
         None => Some(None),
-        Some(node) => measure::quantity("run.step", node, "s", report)
+        Some(node) => field::quantity("run.step", node, "s", report)
             .filter(|x| {
                 if *x <= 0.0 {
-                    measure::out_of_range("run.step", node, "must be positive", "the length of a step", report);
+                    field::out_of_range("run.step", node, "must be positive", "the length of a step", report);
                 }
                 *x > 0.0
             })

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::mistake::{Report, list};
-use super::{Beginning, field, keys, measure};
+use super::{Beginning, field, keys};
 use crate::model::{Model, Start};
 
 /// Reads `[start]`. The table and all its keys may be left out.
@@ -24,7 +24,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
             report.add(&node.place, message, "a speed", help);
             None
         }
-        Some(node) => measure::quantity(&format!("start.{name}"), node, unit, report).map(Some),
+        Some(node) => field::quantity(&format!("start.{name}"), node, unit, report).map(Some),
     };
     let q_dot: Vec<_> = (model.coordinates.iter().zip(&speeds))
         .map(|(coordinate, name)| speed(name, &format!("{}/s", coordinate.unit)))
@@ -39,7 +39,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
                 // The rest of the text is a quantity. Mistakes in it are reported as for any quantity.
                 let rest = Node { value: Value::Text(text["static near ".len()..].to_owned()), ..node.clone() };
                 let path = format!("start.{}", coordinate.name);
-                measure::quantity(&path, &rest, coordinate.unit, report).map(Start::Near)
+                field::quantity(&path, &rest, coordinate.unit, report).map(Start::Near)
             }
             Some(Node { value: Value::Text(text), place }) if text.trim_start().starts_with(char::is_alphabetic) => {
                 let message = format!("`start.{}` cannot be \"{text}\"", coordinate.name);
@@ -50,7 +50,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
             }
             Some(node) => {
                 let path = format!("start.{}", coordinate.name);
-                measure::quantity(&path, node, coordinate.unit, report).map(Start::At)
+                field::quantity(&path, node, coordinate.unit, report).map(Start::At)
             }
         })
         .collect();

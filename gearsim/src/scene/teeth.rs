@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use super::document::{Entry, Node, Place, Value};
 use super::mistake::Report;
-use super::{field, keys, measure};
+use super::{field, keys};
 use crate::gear::{self, CellShape, FrictionLaw, GearError, Gears, LINE_LOADS, Material, StiffnessMethod};
 use crate::model::{Law, Role};
 use crate::profile::Profile;
@@ -158,7 +158,7 @@ impl Teeth<'_> {
             let (path, node) = (format!("{path}.{i}"), items.get(i)?);
             let z = within(&path, node, "1", range, report)?;
             if z.fract() != 0.0 {
-                measure::out_of_range(&path, node, range.0, "it is a number of teeth", report);
+                field::out_of_range(&path, node, range.0, "it is a number of teeth", report);
                 return None;
             }
             Some(z)
@@ -246,9 +246,9 @@ fn within(
     (must, low, high): (&str, f64, f64),
     report: &mut Report,
 ) -> Option<f64> {
-    let x = measure::quantity(path, node, unit, report)?;
+    let x = field::quantity(path, node, unit, report)?;
     if !(low..=high).contains(&x) {
-        measure::out_of_range(path, node, must, "no gear has this value", report);
+        field::out_of_range(path, node, must, "no gear has this value", report);
         return None;
     }
     Some(x)

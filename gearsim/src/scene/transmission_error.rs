@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
-use super::{field, keys, measure};
+use super::{field, keys};
 use crate::model::{Law, Role};
 use crate::profile::{Profile, Step};
 
@@ -25,11 +25,11 @@ pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Opti
         }
         (Some(node), None) => {
             let path = format!("laws.{}.pitches", law.name);
-            let count = measure::quantity(&path, node, "1", report)?;
+            let count = field::quantity(&path, node, "1", report)?;
             if count.fract() != 0.0 || !(1.0..=MOST).contains(&count) {
                 let must = format!("must be a whole number from 1 to {MOST}");
                 let what = "the error repeats after this number of pitches, e.g. the number of teeth of a gear";
-                measure::out_of_range(&path, node, &must, what, report);
+                field::out_of_range(&path, node, &must, what, report);
                 return None;
             }
             Some(count as u32)
@@ -49,7 +49,7 @@ pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Pr
         report.add(&node.place, format!("`{path}` has {} errors", items.len()), "too few or too many", help);
         return None;
     }
-    let error = |(i, node)| measure::quantity(&format!("{path}.{i}"), node, law.unit, report);
+    let error = |(i, node)| field::quantity(&format!("{path}.{i}"), node, law.unit, report);
     let levels: Vec<_> = items.iter().enumerate().map(error).collect();
     let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
     Some(Profile::stepping(levels.into_iter().map(|value| Step { value, width: law.period }).collect()))

@@ -12,7 +12,7 @@ use super::{Harmonic, Piece, TimeHistory};
 use crate::model::{Model, Parameter};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::mistake::{Report, list};
-use crate::scene::{field, keys, measure};
+use crate::scene::{field, keys};
 
 /// Keys of the table.
 const KEYS: [&str; 5] = ["steps", "ramp", "table", "mean", "harmonics"];
@@ -93,7 +93,7 @@ impl Reader<'_> {
     }
 
     fn quantity(&self, key: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
-        measure::quantity(&format!("{}.{key}", self.path), node, unit, report)
+        field::quantity(&format!("{}.{key}", self.path), node, unit, report)
     }
 
     fn items<'a>(&self, key: &str, node: &'a Node, example: &str, report: &mut Report) -> Option<&'a [Node]> {
@@ -123,7 +123,7 @@ impl Reader<'_> {
         let lacking: Vec<_> = lacking.map(|(key, unit, _)| (*key, format!("{key} = \"... {unit}\""))).collect();
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
         let read = wanted.map(|(key, unit, _)| match keys::get(entries, key) {
-            Some(node) => measure::quantity(&format!("{path}.{key}"), node, unit, report).map(Some),
+            Some(node) => field::quantity(&format!("{path}.{key}"), node, unit, report).map(Some),
             None => Some(None),
         });
         let whole = lacking.is_empty() && read.iter().all(Option::is_some);
@@ -175,7 +175,7 @@ impl Reader<'_> {
             if let Value::Table(entries) = &node.value
                 && let Some(node) = keys::get(entries, key)
             {
-                measure::out_of_range(&format!("{path}.{key}"), node, must, what, report);
+                field::out_of_range(&format!("{path}.{key}"), node, must, what, report);
             }
             None
         };

@@ -1,11 +1,11 @@
 //! Reads quantities and checks their dimension.
 
-use super::dimension::Dimension;
-use super::document::{Node, Place, Value};
-use super::field::wrong_type;
-use super::mistake::Report;
-use super::quantity::Quantity;
-use super::unit::{Unit, UnitError};
+use super::wrong_type;
+use crate::scene::dimension::Dimension;
+use crate::scene::document::{Node, Place, Value};
+use crate::scene::mistake::Report;
+use crate::scene::quantity::Quantity;
+use crate::scene::unit::{Unit, UnitError};
 
 const FREQUENCY: Dimension = Dimension::new(0, 0, -1, 0);
 const ANGULAR_SPEED: Dimension = Dimension::new(0, 0, -1, 1);
@@ -14,7 +14,7 @@ const ANGULAR_SPEED: Dimension = Dimension::new(0, 0, -1, 1);
 ///
 /// A number without a unit is accepted only for plain numbers (`unit` is 1) and for zero, which is the same in every unit. No unit is
 /// ever assumed.
-pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
+pub(in crate::scene) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
     let quantity = match &node.value {
         Value::Number(x) => Quantity::bare(*x),
         Value::Text(text) => match Quantity::parse(text) {
@@ -48,7 +48,7 @@ pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report)
 }
 
 /// Reports a quantity outside its range: `must` says what is required, e.g. "must be positive"; `what` is the help.
-pub(super) fn out_of_range(path: &str, node: &Node, must: &str, what: &str, report: &mut Report) {
+pub(in crate::scene) fn out_of_range(path: &str, node: &Node, must: &str, what: &str, report: &mut Report) {
     let written = report.text(&node.place).trim_matches(['"', '\'']);
     let message = format!("`{path}` {must}, but is {}", written.trim());
     report.add(&node.place, message, "out of range", what);

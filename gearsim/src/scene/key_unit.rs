@@ -1,7 +1,5 @@
-//! The SI unit of each key of a scene, and reading of times.
+//! The SI unit of each key of a scene.
 
-use super::quantity::Quantity;
-use super::unit::{Unit, UnitError};
 use crate::model::Model;
 
 /// SI unit of the quantity at `key` (`parameters.T0`, `laws.k.steps.0.value`) in a scene of `model`, e.g. `N*m`; `1` for a plain
@@ -39,19 +37,4 @@ pub fn unit_of(key: &str, model: &Model) -> Option<String> {
         _ => return None,
     };
     Some(unit.to_owned())
-}
-
-/// Reads a time, e.g. `0.1 s` [s].
-///
-/// # Errors
-/// If the text is not a quantity, not a time, negative or not finite.
-pub fn time(text: &str) -> Result<f64, String> {
-    let quantity = Quantity::parse(text).map_err(|error: UnitError| error.to_string())?;
-    let second = Unit::parse("s").map_err(|error| error.to_string())?;
-    let none = quantity.bare && quantity.value == 0.0;
-    match quantity.dimension == second.dimension || none {
-        true if quantity.value >= 0.0 && quantity.value.is_finite() => Ok(quantity.value),
-        true => Err("the time must be finite and not negative".into()),
-        false => Err(format!("a time is required, e.g. \"0.1 s\", not {}", quantity.dimension.describe())),
-    }
 }
