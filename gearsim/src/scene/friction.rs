@@ -3,7 +3,7 @@
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
 use super::teeth::{self, Teeth};
-use super::{field, keys, offset};
+use super::{field, keys, mesh_phase};
 use crate::model::{Law, Model};
 use crate::profile::Profile;
 
@@ -52,7 +52,7 @@ pub(super) fn borrowed(
     };
     // Mistakes in the keys of the other law are reported when that law is read, so they are dropped here.
     let mut told = Report::new();
-    let ahead = keys::get(entries, "phase").map_or(Some(0.0), |node| offset::read(law, phase, 1, node, &mut told));
+    let ahead = keys::get(entries, "phase").map_or(Some(0.0), |node| mesh_phase::read(law, phase, 1, node, &mut told));
     let teeth = Teeth { law, entries, place: &lender.place };
     let read = match teeth.friction_law(&mut told) {
         Some(Err(error)) if told.is_empty() => {

@@ -6,7 +6,7 @@ use super::document::{Entry, Node, Value};
 use super::mistake::Report;
 use super::smooth::{self, Smooth};
 use super::teeth::{self, Teeth};
-use super::{Effects, field, friction, keys, offset, transmission_error};
+use super::{Effects, field, friction, keys, mesh_phase, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 
@@ -119,8 +119,8 @@ impl<'a> Reader<'a> {
         let pitches = said.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
-            Some(node) if offset::wrong_type(&format!("{table}.phase"), node, report) => None,
-            Some(node) => offset::read(self.law, self.phase, pitches, node, report),
+            Some(node) if mesh_phase::wrong_type(&format!("{table}.phase"), node, report) => None,
+            Some(node) => mesh_phase::read(self.law, self.phase, pitches, node, report),
         };
         let law = self.unshifted(entries, node, pitches, report)?.over(said?);
         let begins = law.origin - phase?;
