@@ -104,7 +104,7 @@ pub(super) fn cells(contact: &Contact) -> Vec<Cell> {
 
 /// Puts the first cell where it begins in the pitch, which itself begins at the pitch point.
 pub(super) fn at_its_place(stiffness: Profile, contact: &Contact, period: f64) -> Profile {
-    stiffness.beginning((contact.recess / contact.base_pitch).fract() * period)
+    stiffness.with_origin((contact.recess / contact.base_pitch).fract() * period)
 }
 
 /// The curves of a cell, with their widths.

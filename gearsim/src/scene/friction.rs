@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
-use super::teeth::{self, Teeth};
+use super::teeth::{self, TeethReader};
 use super::{field, keys, mesh_phase};
 use crate::model::{Law, Model};
 use crate::profile::Profile;
@@ -24,9 +24,9 @@ pub(super) fn example(law: &Law, model: &Model) -> String {
 }
 
 /// Reads a law with `teeth_of`. `None` if it does not have this key, `Some(None)` if a mistake was found.
-pub(super) fn borrowed(
+pub(super) fn from_teeth_of(
     law: &Law,
-    phase: &str,
+    phase_unit: &str,
     node: &Node,
     laws: &[Entry],
     report: &mut Report,
@@ -52,8 +52,9 @@ pub(super) fn borrowed(
     };
     // Mistakes in the keys of the other law are reported when that law is read, so they are dropped here.
     let mut told = Report::new();
-    let ahead = keys::get(entries, "phase").map_or(Some(0.0), |node| mesh_phase::read(law, phase, 1, node, &mut told));
-    let teeth = Teeth { law, entries, place: &lender.place };
+    let ahead =
+        keys::get(entries, "phase").map_or(Some(0.0), |node| mesh_phase::read(law, phase_unit, 1, node, &mut told));
+    let teeth = TeethReader { law, entries, place: &lender.place };
     let read = match teeth.friction_law(&mut told) {
         Some(Err(error)) if told.is_empty() => {
             teeth.refused(&name.place, error, report);
@@ -63,6 +64,6 @@ pub(super) fn borrowed(
     };
     Some(read.and_then(|law| {
         let begins = law.origin - ahead?;
-        Some(law.beginning(begins))
+        Some(law.with_origin(begins))
     }))
 }

@@ -1,37 +1,15 @@
 //! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one pitch; transmission errors also over several pitches.
 
-use xprec::Df64;
-
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
-use super::smooth::{self, Smooth};
-use super::teeth::{self, Teeth};
+use super::smooth::{self, SmoothLaw};
+use super::teeth::{self, TeethReader};
 use super::{Effects, field, friction, keys, mesh_phase, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 
 /// If all widths are given, their sum may differ from the pitch by this fraction of it, because written widths are rounded.
 const PITCH_TOLERANCE: f64 = 1e-9;
-
-impl Profile {
-    /// Mean of the largest and the smallest value [unit of the law].
-    pub fn mid(&self) -> f64 {
-        let (low, high) = self.extremes();
-        (high + low) / 2.0
-    }
-
-    /// [`Profile::mid`] in double-double precision.
-    pub fn exact_mid(&self) -> Df64 {
-        let (low, high) = self.extremes();
-        (Df64::from(high) + low) * 0.5
-    }
-
-    /// Mean over the period [unit of the law].
-    pub fn mean(&self) -> f64 {
-        let width: f64 = self.steps.iter().map(|step| step.width).sum();
-        self.steps.iter().map(|step| step.value * step.width).sum::<f64>() / width
-    }
-}
 
 /// Reads `[laws]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A law whose effect is not
 /// among `effects` may be left out.
@@ -44,7 +22,7 @@ pub(super) fn read(
 ) -> Option<Vec<Profile>> {
     let names = effects.map_or(vec![], |effects| effects.names(model));
     let idle = |law: &Law| law.with.is_some_and(|effect| !names.contains(&effect));
-    let readers = model.laws.iter().map(|law| Reader::new(law, model));
+    let readers = model.laws.iter().map(|law| LawReader::new(law, model));
     let Some(node) = keys::get(entries, "laws") else {
         let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table(model)).collect();
         if !examples.is_empty() {
@@ -71,19 +49,19 @@ pub(super) fn read(
 }
 
 /// Reads one law.
-struct Reader<'a> {
+struct LawReader<'a> {
     law: &'a Law,
     /// Unit of the phase and of the widths.
-    phase: &'static str,
+    phase_unit: &'static str,
     /// Key path of the steps, e.g. `laws.k.steps`.
     path: String,
 }
 
-impl<'a> Reader<'a> {
-    fn new(law: &'a Law, model: &Model) -> Reader<'a> {
+impl<'a> LawReader<'a> {
+    fn new(law: &'a Law, model: &Model) -> LawReader<'a> {
         let phase = model.coordinates.iter().find(|coordinate| coordinate.name == law.phase);
         let path = format!("laws.{}.steps", law.name);
-        Reader { law, phase: phase.map_or("rad", |coordinate| coordinate.unit), path }
+        LawReader { law, phase_unit: phase.map_or("rad", |coordinate| coordinate.unit), path }
     }
 
     /// What to write if the law is missing.
@@ -96,13 +74,13 @@ impl<'a> Reader<'a> {
     }
 
     fn steps(&self) -> String {
-        let (value, width) = (self.law.unit, self.phase);
+        let (value, width) = (self.law.unit, self.phase_unit);
         format!("[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]")
     }
 
     /// Reads the law; `all` are the tables of all laws.
     fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Profile> {
-        if let Some(read) = friction::borrowed(self.law, self.phase, node, all, report) {
+        if let Some(read) = friction::from_teeth_of(self.law, self.phase_unit, node, all, report) {
             return read;
         }
         let table = format!("laws.{}", self.law.name);
@@ -120,25 +98,25 @@ impl<'a> Reader<'a> {
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
             Some(node) if mesh_phase::wrong_type(&format!("{table}.phase"), node, report) => None,
-            Some(node) => mesh_phase::read(self.law, self.phase, pitches, node, report),
+            Some(node) => mesh_phase::read(self.law, self.phase_unit, pitches, node, report),
         };
-        let law = self.unshifted(entries, node, pitches, report)?.over(said?);
+        let law = self.unshifted(entries, node, pitches, report)?.with_pitches(said?);
         let begins = law.origin - phase?;
-        Some(law.beginning(begins))
+        Some(law.with_origin(begins))
     }
 
     /// Reads the law without its `phase`, over a number of pitches.
     fn unshifted(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
-        let smooth = Smooth { law: self.law, phase: self.phase, length, entries, place: &node.place };
+        let smooth = SmoothLaw { law: self.law, phase_unit: self.phase_unit, length, entries, place: &node.place };
         if let Some(read) = smooth.instead_of_steps(report) {
             return read;
         }
         if let Some(node) = keys::get(entries, transmission_error::OF_TEETH) {
             return smooth.ramped(transmission_error::of_teeth(self.law, node, report)?, report);
         }
-        let teeth = Teeth { law: self.law, entries, place: &node.place };
+        let teeth = TeethReader { law: self.law, entries, place: &node.place };
         if teeth.given() {
             let read = match self.law.role {
                 Role::Stiffness => teeth.read(report),
@@ -185,7 +163,7 @@ impl<'a> Reader<'a> {
         }
         if width.is_none() && !last {
             let why = "only the last step may leave it out";
-            lacking.push(("width", format!("width = \"... {}\"  # {why}", self.phase)));
+            lacking.push(("width", format!("width = \"... {}\"  # {why}", self.phase_unit)));
         }
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
 
@@ -201,7 +179,7 @@ impl<'a> Reader<'a> {
             None => Some(None),
             Some(node) => {
                 let path = format!("{path}.width");
-                let x = field::quantity(&path, node, self.phase, report);
+                let x = field::quantity(&path, node, self.phase_unit, report);
                 if x.is_some_and(|x| x <= 0.0) {
                     let what = "it is the part of the pitch that the step covers";
                     field::out_of_range(&path, node, "must be positive", what, report);
@@ -218,7 +196,7 @@ impl<'a> Reader<'a> {
         let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
         let rest = pitch - given;
         let open = levels.iter().any(|(_, width)| width.is_none());
-        let sum = format!("add up to {} {unit}, {one} {} {unit}", short(given), short(pitch), unit = self.phase);
+        let sum = format!("add up to {} {unit}, {one} {} {unit}", short(given), short(pitch), unit = self.phase_unit);
         if open && rest <= 0.0 {
             let message = format!("`{}` leaves nothing of the pitch for its last step", self.path);
             let help = format!("the widths before it {sum}\nmake them narrower");

@@ -132,7 +132,7 @@ pub struct Scene {
     /// Mesh stiffnesses, transmission errors and friction laws, in the order of `model.laws`; 0 for a law whose effect is not active.
     pub laws: Vec<Profile>,
     /// State at t = 0.
-    pub start: Beginning,
+    pub start: InitialState,
     /// End time of the run [s].
     pub t_end: f64,
     /// Method, tolerance and precision.
@@ -164,7 +164,7 @@ pub struct Effects(pub u32);
 
 /// The state at t = 0, as the scene states it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Beginning {
+pub struct InitialState {
     /// Coordinates, in the order of `model.coordinates`.
     pub q: Vec<Start>,
     /// Speeds [SI]; `None` where the scene states none: the speed is then that of the rigid motions, which may be 0.

@@ -1,4 +1,4 @@
-//! Smooth laws: ramps instead of steps, a Fourier series, or a spline through a table.
+//! SmoothLaw laws: ramps instead of steps, a Fourier series, or a spline through a table.
 
 use super::document::{Entry, Node, Place};
 use super::mistake::Report;
@@ -15,10 +15,10 @@ const MOST_ORDER: f64 = 1000.0;
 const MOST_POINTS: usize = 1000;
 
 /// Reads the keys of a smooth law.
-pub(super) struct Smooth<'a> {
+pub(super) struct SmoothLaw<'a> {
     pub(super) law: &'a Law,
     /// Unit of the phase.
-    pub(super) phase: &'static str,
+    pub(super) phase_unit: &'static str,
     /// Period of the law: one or more pitches [unit of the phase].
     pub(super) length: f64,
     /// The table of the law.
@@ -26,7 +26,7 @@ pub(super) struct Smooth<'a> {
     pub(super) place: &'a Place,
 }
 
-impl Smooth<'_> {
+impl SmoothLaw<'_> {
     /// Reads a law given by a series or a table. `None` if it has neither, `Some(None)` if a mistake was found.
     pub(super) fn instead_of_steps(&self, report: &mut Report) -> Option<Option<Profile>> {
         let get = |key| keys::get(self.entries, key);
@@ -76,7 +76,7 @@ impl Smooth<'_> {
             );
             return None;
         }
-        let width = field::quantity(&path, node, self.phase, report)?;
+        let width = field::quantity(&path, node, self.phase_unit, report)?;
         if width <= 0.0 {
             field::out_of_range(&path, node, "must be positive", "leave it out for steps", report);
             return None;
@@ -84,8 +84,10 @@ impl Smooth<'_> {
         let ramped = stepping.ramped(width, 0.5);
         if ramped.is_none() {
             let narrowest = stepping.steps.iter().map(|step| step.width).fold(f64::INFINITY, f64::min);
-            let must =
-                format!("must be narrower than every level, the narrowest of which has {narrowest:.6} {}", self.phase);
+            let must = format!(
+                "must be narrower than every level, the narrowest of which has {narrowest:.6} {}",
+                self.phase_unit
+            );
             field::out_of_range(&path, node, &must, "a ramp is centred on its step", report);
         }
         ramped
@@ -144,7 +146,7 @@ impl Smooth<'_> {
 
     fn table(&self, node: &Node, report: &mut Report) -> Option<Profile> {
         let path = format!("laws.{}.table", self.law.name);
-        let (unit, phase) = (self.law.unit, self.phase);
+        let (unit, phase) = (self.law.unit, self.phase_unit);
         let example = format!("[{{ at = \"0 {phase}\", value = \"... {unit}\" }}, ...]");
         let items = field::array(&path, node, &example, report)?;
         if !(3..=MOST_POINTS).contains(&items.len()) {
@@ -176,7 +178,7 @@ impl Smooth<'_> {
     fn point(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64)> {
         let entries = field::table(path, node, report)?;
         keys::known(entries, &format!("`{path}`"), &["at", "value"], report);
-        let units = [("at", self.phase), ("value", self.law.unit)];
+        let units = [("at", self.phase_unit), ("value", self.law.unit)];
         let lacking = units.iter().filter(|(key, _)| keys::get(entries, key).is_none());
         let lacking: Vec<_> = lacking.map(|(key, unit)| (*key, format!("{key} = \"... {unit}\""))).collect();
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);

@@ -2,11 +2,11 @@
 
 use super::document::{Entry, Node, Value};
 use super::mistake::{Report, list};
-use super::{Beginning, field, keys};
+use super::{InitialState, field, keys};
 use crate::model::{Model, Start};
 
 /// Reads `[start]`. The table and all its keys may be left out.
-pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<Beginning> {
+pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<InitialState> {
     let node = keys::get(entries, "start");
     let given = node.map_or(Some(&[][..]), |node| field::table("start", node, report))?;
     let places: Vec<_> = model.coordinates.iter().map(|c| c.name).collect();
@@ -54,7 +54,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
             }
         })
         .collect();
-    Some(Beginning {
+    Some(InitialState {
         q: q.into_iter().collect::<Option<_>>()?,
         q_dot: q_dot.into_iter().collect::<Option<_>>()?,
         motions: motions.into_iter().collect::<Option<_>>()?,

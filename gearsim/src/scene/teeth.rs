@@ -45,14 +45,14 @@ const MOST_TEETH: f64 = 10_000.0;
 const POSITIVE: (&str, f64, f64) = ("must be positive", f64::MIN_POSITIVE, f64::INFINITY);
 
 /// Reads a law that is computed from teeth.
-pub(super) struct Teeth<'a> {
+pub(super) struct TeethReader<'a> {
     pub(super) law: &'a Law,
     /// The table of the law.
     pub(super) entries: &'a [Entry],
     pub(super) place: &'a Place,
 }
 
-impl Teeth<'_> {
+impl TeethReader<'_> {
     /// Whether the law has keys of teeth.
     pub(super) fn given(&self) -> bool {
         self.entries.iter().any(|entry| KEYS.contains(&entry.key.as_str()))

@@ -34,7 +34,7 @@ fn friction_laws_use_the_teeth_of_another_law() {
     let of = |what, scale| friction(&gears(), StiffnessMethod::Energy, what, TAU, scale).unwrap();
     let ahead = |law: Profile| {
         let origin = law.origin;
-        law.beginning(origin - 0.25 * TAU)
+        law.with_origin(origin - 0.25 * TAU)
     };
     assert_eq!(scene.laws[2], ahead(of(FrictionLaw::Side, 1.0)));
     // The deflection is a phase: one base pitch is one turn of it.

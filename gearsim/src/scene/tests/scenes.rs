@@ -78,14 +78,6 @@ fn the_hash_depends_on_text_and_overrides() {
 }
 
 #[test]
-fn mid_is_between_the_extremes_and_mean_is_the_average() {
-    let steps = vec![Step { value: 1.0, width: 3.0 }, Step { value: 5.0, width: 1.0 }];
-    let stiffness = Profile::stepping(steps);
-    assert_eq!(stiffness.mid(), 3.0);
-    assert_eq!(stiffness.mean(), 2.0);
-}
-
-#[test]
 fn effect_sets_come_from_names() {
     let set = Effects::from_names(["torques", "stiffness_step"], &GEAR_PAIR).unwrap();
     assert_eq!(set, Effects(0b10001));

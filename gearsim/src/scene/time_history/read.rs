@@ -37,14 +37,14 @@ pub(in crate::scene) fn read(
         return None;
     }
     let entries = field::table(&path, node, report)?;
-    let reader = Reader { unit: parameter.unit, path, entries, node };
+    let reader = HistoryReader { unit: parameter.unit, path, entries, node };
     keys::known(entries, &format!("[{}]", reader.path), &KEYS, report);
     let history = reader.history(report)?;
     reader.finite(history, report)
 }
 
 /// Reads one parameter as a function of time.
-struct Reader<'a> {
+struct HistoryReader<'a> {
     unit: &'static str,
     /// Key path of the parameter, e.g. `parameters.T_motor`.
     path: String,
@@ -52,7 +52,7 @@ struct Reader<'a> {
     node: &'a Node,
 }
 
-impl Reader<'_> {
+impl HistoryReader<'_> {
     fn history(&self, report: &mut Report) -> Option<TimeHistory> {
         let get = |key| keys::get(self.entries, key);
         let harmonics = match get("harmonics") {
