@@ -1,35 +1,36 @@
-//! The laws of friction out of tooth data: how the pairs in contact share the force, and where they touch.
+//! The friction laws of a mesh, computed from the points of contact and the shares of the force.
 //!
-//! Pair i touches at xi_i from the pitch point along the line of action, and bears the share s_i of the force:
+//! Pair i touches at the distance xi_i from the pitch point along the line of action, and carries the share s_i of the force:
 //!
 //! ```text
 //! side = sum s_i sgn(xi_i),    arm = sum s_i |xi_i|
 //! ```
 //!
-//! where the shares are equal, or as the stiffnesses of the pairs. The laws have the cells of the stiffness, to the bit, and one
-//! more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
+//! The shares are equal, or proportional to the stiffnesses of the pairs. The cells of these laws are bit-identical to those of the
+//! stiffness, with one more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
 
 use super::energy::ToothPair;
-use super::mesh_stiffness::{Cell, StiffnessMethod, at_its_place, cells, curves};
+use super::mesh_stiffness::{Cell, StiffnessMethod, cells, curves, from_pitch_point};
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 
-/// What of the pairs is summed, weighted with their shares.
+/// The quantity of the pairs that is summed, weighted with their shares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrictionLaw {
-    /// On which side of the pitch point they touch: 1 after it, -1 before it.
+    /// Side of the pitch point: 1 after it, -1 before it.
     Side,
-    /// How far from it they touch [m].
+    /// Distance from the pitch point [m].
     Arm,
 }
 
-/// A pair that passes the pitch point within this part of a pitch from a boundary does so there.
-const NEAR: f64 = 1e-9;
+/// If a pair passes the pitch point within this distance of a cell boundary [base pitches], no further boundary is added.
+const BOUNDARY_TOLERANCE: f64 = 1e-9;
 
-/// The law of what the pairs of `gears` give over a phase of the given period, times `scale`.
+/// The friction law `what` of `gears` over a phase of the given period, times `scale`. The stiffness method decides the shares: equal
+/// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// Where the gears do not mesh, or the method is not for them.
+/// If the gears do not mesh, the second one is a ring, or they are outside the range of the method.
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
@@ -38,8 +39,8 @@ pub fn friction(
     scale: f64,
 ) -> Result<Profile, GearError> {
     if gears.internal {
-        let what = "the laws of friction are those of external teeth, and the second gear is a ring";
-        return Err(GearError::new(what, "give steps, or a table"));
+        let what = "friction laws need external teeth, and the second gear is a ring";
+        return Err(GearError::new(what, "give steps, a series or a table"));
     }
     let pairs = Pairs {
         contact: gears.contact()?,
@@ -55,46 +56,46 @@ pub fn friction(
             let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
             Profile::stepping(parts.iter().map(step).collect())
         }
-        _ => Profile::curved(parts.iter().flat_map(|part| pairs.along(what, part, scale)).collect()),
+        _ => Profile::curved(parts.iter().flat_map(|part| pairs.curves(what, part, scale)).collect()),
     };
-    Ok(at_its_place(law, &pairs.contact, period))
+    Ok(from_pitch_point(law, &pairs.contact, period))
 }
 
-/// A part of a cell, in which no pair passes the pitch point.
+/// A part of a cell in which no pair passes the pitch point.
 struct Part {
     pairs: usize,
-    /// Where it begins and ends, as places of a pair along the path of contact [m].
+    /// Ends of the part, as positions of a pair along the path of contact [m].
     begin: f64,
     end: f64,
-    /// The phase over which it goes.
+    /// Width [unit of the phase].
     width: f64,
 }
 
-/// The parts of a cell; their widths add up to that of the cell without rounding.
+/// The parts of a cell. Their widths add up to that of the cell without rounding error.
 fn parts(cell: &Cell, contact: &Contact, method: StiffnessMethod, period: f64) -> Vec<Part> {
     let (pitch, whole) = (contact.base_pitch, cell.width(contact, method, period));
     let part = |begin, end, width| Part { pairs: cell.pairs, begin, end, width };
-    let passes = (cell.begin / pitch + NEAR).ceil() * pitch;
-    if passes >= cell.end - NEAR * pitch {
+    let passes = (cell.begin / pitch + BOUNDARY_TOLERANCE).ceil() * pitch;
+    if passes >= cell.end - BOUNDARY_TOLERANCE * pitch {
         return vec![part(cell.begin, cell.end, whole)];
     }
     let first = (passes - cell.begin) / (cell.end - cell.begin) * whole;
-    // The difference to the larger of the two is exact.
+    // `whole - first` is exact if `first` is at least half of `whole`. Otherwise `first` is rounded so that it is exact.
     let first = if first >= whole / 2.0 { first } else { whole - (whole - first) };
     vec![part(cell.begin, passes, first), part(passes, cell.end, whole - first)]
 }
 
-/// The pairs of teeth, and their stiffnesses if the shares are theirs.
+/// The tooth pairs; with their stiffnesses if the shares are proportional to them.
 struct Pairs {
     contact: Contact,
     teeth: Option<ToothPair>,
 }
 
 impl Pairs {
-    /// What the pairs of a part give where one of them is at `x` [m].
+    /// The weighted sum over the pairs of a part when one of them is at `x` [m].
     fn sum(&self, what: FrictionLaw, part: &Part, x: f64) -> f64 {
         let pitch = self.contact.base_pitch;
-        // Pairs at the ends of a part come and go, and change sides: those of its middle are summed, all the way.
+        // At the ends of a part a pair begins or ends contact, or changes sides. So the pairs and sides at its middle are used throughout.
         let middle = 0.5 * (part.begin + part.end);
         let first = ((-self.contact.approach - middle) / pitch).ceil() as i64;
         let pairs = || (first..first + part.pairs as i64).map(|j| j as f64 * pitch);
@@ -107,8 +108,9 @@ impl Pairs {
         pairs().map(each).sum()
     }
 
-    /// The curves of a part, with their widths: side and arm within 2e-5 of the sums, the arm in parts of a pitch.
-    fn along(&self, what: FrictionLaw, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
+    /// The curves of a part, with their widths [unit of the phase]. Their error is at most 2e-5: absolute for the side, in base pitches for
+    /// the arm.
+    fn curves(&self, what: FrictionLaw, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
         let value = |x: f64| scale * self.sum(what, part, x);
         if self.teeth.is_none() {
             let (a, b) = (value(part.begin), value(part.end));
@@ -135,16 +137,16 @@ mod tests {
         friction(&gears(), method, what, TAU, scale).unwrap()
     }
 
-    /// Its value at a phase.
+    /// Value of the law at a phase.
     fn at(law: &Profile, s: f64) -> f64 {
         let pitch = Pitch::new(law, TAU);
         let (_, rest, cell) = pitch.locate(s, 1.0);
         pitch.course(cell, rest - pitch.bounds(cell).0)[0]
     }
 
-    /// Against the pairs one by one: all that touch, wherever they are.
+    /// The laws equal the sums over all pairs in contact, computed one by one.
     #[test]
-    fn sums_over_the_pairs() {
+    fn laws_are_the_sums_over_the_pairs() {
         let pair = ToothPair::of(&gears()).unwrap();
         let contact = &pair.contact;
         for (method, bound) in [(StiffnessMethod::Iso6336(None), 1e-12), (StiffnessMethod::Energy, 2e-5)] {
@@ -164,9 +166,10 @@ mod tests {
         }
     }
 
-    /// Boundaries: those of the stiffness, to the bit, and one more, where a pair is at the pitch point. There the arm goes on.
+    /// The boundaries are bit-identical to those of the stiffness, and there is one more, where a pair is at the pitch point. The arm is
+    /// continuous there.
     #[test]
-    fn boundaries_are_those_of_the_stiffness() {
+    fn boundaries_are_those_of_the_stiffness_and_the_pitch_point() {
         let ends = |law: &Profile| {
             let pitch = Pitch::new(law, TAU);
             (0..pitch.cells()).map(|cell| pitch.bounds(cell).0).collect::<Vec<_>>()
@@ -188,9 +191,9 @@ mod tests {
         }
     }
 
-    /// In units of the phase the arm of one pair alone is its phase.
+    /// In units of the phase, the arm of a single pair is the absolute value of the phase.
     #[test]
-    fn the_arm_of_one_pair() {
+    fn the_arm_of_a_single_pair_is_its_distance_from_the_pitch_point() {
         let base_pitch = gears().contact().unwrap().base_pitch;
         let arm = law(StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU / base_pitch);
         for s in [-0.3, -0.1, 0.2] {

@@ -1,41 +1,41 @@
-//! A mesh stiffness law out of tooth data.
+//! The mesh stiffness as a law over the phase, computed from tooth data.
 //!
-//! One pitch of the law's phase is one base pitch along the line of action. The phase is 0 where a pair touches at the
-//! pitch point, and grows as the first gear drives. The law's first cell is that with the fewest pairs: it begins where a pair
-//! parts, the phase 2 pi g_a/p_b.
+//! One period of the phase is one base pitch along the line of action. The phase is 0 where a pair touches at the pitch point, and
+//! increases as the first gear drives. The first cell of the law is the one with the fewest pairs. It begins where a pair ends
+//! contact, at the phase 2 pi g_a/p_b.
 
 use super::energy::ToothPair;
 use super::iso6336::Iso6336;
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 
-/// Where the stiffness is from.
+/// How the stiffness is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StiffnessMethod {
-    /// ISO 6336-1, method B, under a tangential load per width [N/m] if it is known.
+    /// ISO 6336-1, method B, under a line load (tangential force per face width) [N/m], if it is given.
     Iso6336(Option<f64>),
-    /// The strain energy of the teeth.
+    /// Strain energy of the teeth, see [`ToothPair`].
     Energy,
 }
 
-/// What it is between two steps.
+/// The stiffness within a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CellShape {
-    /// Its mean.
+    /// Constant: the mean over the cell.
     Levels,
-    /// What it is: cubic curves.
+    /// Cubic curves that follow the computed stiffness.
     Curves,
 }
 
-/// Cubic curves in a cell; they are then within 1e-4 of the stiffness.
+/// Number of cubic curves in a cell. Their relative error is then at most 1e-4.
 const PIECES: usize = 4;
-/// Points of a cell whose mean is taken, by Simpson's rule.
-const POINTS: usize = 64;
+/// Number of intervals of Simpson's rule for the mean over a cell.
+const INTERVALS: usize = 64;
 
-/// The stiffness of the mesh of `gears` over a phase of the given period, times `scale`, which is 1 for a law in N/m.
+/// The mesh stiffness of `gears` over a phase of the given period, times `scale`, which is 1 for a law in N/m.
 ///
 /// # Errors
-/// Where the gears do not mesh, or the method is not for them.
+/// If the gears do not mesh or are outside the range of the method, or for curves with [`StiffnessMethod::Iso6336`].
 pub fn stiffness(
     gears: &Gears,
     method: StiffnessMethod,
@@ -45,8 +45,8 @@ pub fn stiffness(
 ) -> Result<Profile, GearError> {
     match method {
         StiffnessMethod::Iso6336(_) if shape == CellShape::Curves => {
-            let what = "ISO 6336-1 gives a stiffness for each number of pairs, and no course between the steps";
-            Err(GearError::new(what, "take the method \"energy\" for curves"))
+            let what = "ISO 6336-1 gives one stiffness for each number of pairs, and no curves between the steps";
+            Err(GearError::new(what, "use the method \"energy\" for curves"))
         }
         StiffnessMethod::Iso6336(load) => {
             let (iso, contact) = (Iso6336::of(gears, load)?, gears.contact()?);
@@ -54,11 +54,12 @@ pub fn stiffness(
             let cells = cells(&contact)
                 .into_iter()
                 .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, method, period) });
-            Ok(at_its_place(Profile::stepping(cells.collect()), &contact, period))
+            Ok(from_pitch_point(Profile::stepping(cells.collect()), &contact, period))
         }
         StiffnessMethod::Energy => {
             let pair = ToothPair::of(gears)?;
-            let curves = cells(&pair.contact).into_iter().flat_map(|cell| along(&pair, &cell, shape, period, scale));
+            let curves =
+                cells(&pair.contact).into_iter().flat_map(|cell| curves_of_cell(&pair, &cell, shape, period, scale));
             let curves: Vec<_> = curves.collect();
             let stiffness = match shape {
                 CellShape::Curves => Profile::curved(curves),
@@ -67,21 +68,21 @@ pub fn stiffness(
                     Profile::stepping(curves.into_iter().map(step).collect())
                 }
             };
-            Ok(at_its_place(stiffness, &pair.contact, period))
+            Ok(from_pitch_point(stiffness, &pair.contact, period))
         }
     }
 }
 
-/// A part of a pitch over which the same pairs touch.
+/// A part of a pitch in which the same pairs are in contact.
 pub(super) struct Cell {
     pub(super) pairs: usize,
-    /// Where it begins and ends, as places of a pair along the path of contact [m].
+    /// Ends of the cell, as positions of a pair along the path of contact [m].
     pub(super) begin: f64,
     pub(super) end: f64,
 }
 
 impl Cell {
-    /// The phase over which it goes, rounded as that of the stiffness.
+    /// Width [unit of the phase]. Stiffness and friction laws use this function, so that their widths are bit-identical.
     pub(super) fn width(&self, contact: &Contact, method: StiffnessMethod, period: f64) -> f64 {
         let length = self.end - self.begin;
         match method {
@@ -91,7 +92,7 @@ impl Cell {
     }
 }
 
-/// The cells of a pitch, from where a pair parts.
+/// The cells of a pitch, from the point where a pair ends contact.
 pub(super) fn cells(contact: &Contact) -> Vec<Cell> {
     let ((pairs, more), pitch) = (contact.pairs(), contact.base_pitch);
     let (begin, middle) = (contact.recess, contact.recess + (1.0 - more) * pitch);
@@ -102,15 +103,15 @@ pub(super) fn cells(contact: &Contact) -> Vec<Cell> {
     }
 }
 
-/// Puts the first cell where it begins in the pitch, which itself begins at the pitch point.
-pub(super) fn at_its_place(stiffness: Profile, contact: &Contact, period: f64) -> Profile {
+/// Sets the origin of a law whose first cell begins at the end of contact, so that the phase 0 is at the pitch point.
+pub(super) fn from_pitch_point(stiffness: Profile, contact: &Contact, period: f64) -> Profile {
     stiffness.with_origin((contact.recess / contact.base_pitch).fract() * period)
 }
 
-/// The curves of a cell, with their widths.
-fn along(pair: &ToothPair, cell: &Cell, shape: CellShape, period: f64, scale: f64) -> Vec<(Curve, f64)> {
+/// The curves of a cell with the stiffness of `pair`, with their widths [unit of the phase].
+fn curves_of_cell(pair: &ToothPair, cell: &Cell, shape: CellShape, period: f64, scale: f64) -> Vec<(Curve, f64)> {
     let pitch = pair.contact.base_pitch;
-    // Pairs at the ends of the cell come and go: those of its middle are summed, all the way.
+    // At the ends of a cell a pair begins or ends contact. So the pairs at its middle are summed throughout.
     let middle = 0.5 * (cell.begin + cell.end);
     let first = ((-pair.contact.approach - middle) / pitch).ceil() as i64;
     let k =
@@ -119,19 +120,20 @@ fn along(pair: &ToothPair, cell: &Cell, shape: CellShape, period: f64, scale: f6
     match shape {
         CellShape::Curves => curves(k, [cell.begin, cell.end], width),
         CellShape::Levels => {
-            let h = (cell.end - cell.begin) / POINTS as f64;
-            let weight = |i: usize| if i == 0 || i == POINTS { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
-            let sum: f64 = (0..=POINTS).map(|i| weight(i) * k(cell.begin + h * i as f64)).sum();
-            let mean = sum / (3.0 * POINTS as f64);
+            let h = (cell.end - cell.begin) / INTERVALS as f64;
+            let weight = |i: usize| if i == 0 || i == INTERVALS { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
+            let sum: f64 = (0..=INTERVALS).map(|i| weight(i) * k(cell.begin + h * i as f64)).sum();
+            let mean = sum / (3.0 * INTERVALS as f64);
             vec![(Curve::Cubic([mean, 0.0, 0.0, 0.0]), width)]
         }
     }
 }
 
-/// Cubic curves, with their widths, that follow `value` of a place along the path of contact [m] from the one end to the other, over a
-/// phase of `width`.
+/// Cubic Hermite curves, with their widths, that interpolate `value`, a function of the position along the path of contact [m], from
+/// `begin` to `end`. Together they cover `width` [unit of the phase].
 pub(super) fn curves(value: impl Fn(f64) -> f64, [begin, end]: [f64; 2], width: f64) -> Vec<(Curve, f64)> {
     let (length, w) = ((end - begin) / PIECES as f64, width / PIECES as f64);
+    // Slopes by central differences.
     let h = 1e-4 * length;
     let slope = |x: f64| (value(x + h) - value(x - h)) / (2.0 * h) * length / w;
     let piece = |i: usize| {
@@ -151,10 +153,10 @@ mod tests {
         Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    /// The gears of Oh, Grosh & Barber (2005). Their widths are met; the ratio of their levels, 1.944, is not: two pairs of teeth,
-    /// touching nearer to tips and roots, are less than twice as stiff as one, by energies as by the standard (1.75).
+    /// The gears of Oh, Grosh & Barber (2005). The widths agree with the paper. The ratio of the levels, 1.944 in the paper, does not: two
+    /// tooth pairs, which touch nearer to tips and roots, are less than twice as stiff as one, both here and in the standard (1.75).
     #[test]
-    fn levels_of_the_founding_pair() {
+    fn levels_and_widths_of_the_gears_of_oh_2005() {
         let law = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Levels, TAU, 1.0).unwrap();
         let [one, two] = law.steps[..] else { panic!("{law:?}") };
         assert!((one.width - 1.728).abs() < 1e-3 && (one.width + two.width - TAU).abs() < 1e-14);
@@ -162,7 +164,7 @@ mod tests {
         assert!((one.value / 1.018e8 - 1.0).abs() < 1e-3, "{:e}", one.value);
     }
 
-    /// The curves are the stiffness: in the middle of every piece to 1e-4, and their means are the levels.
+    /// The curves follow the stiffness with a relative error of 1e-4, and their means are the levels.
     #[test]
     fn curves_follow_the_stiffness() {
         let pair = ToothPair::of(&gears()).unwrap();
@@ -181,9 +183,9 @@ mod tests {
         assert!((law.mean() / levels.mean() - 1.0).abs() < 1e-5);
     }
 
-    /// At the phase 0 a pair is at the pitch point, alone with these gears.
+    /// At the phase 0 a pair is at the pitch point. With these gears it is the only pair in contact there.
     #[test]
-    fn the_phase_begins_at_the_pitch_point() {
+    fn the_phase_is_zero_at_the_pitch_point() {
         let law = stiffness(&gears(), StiffnessMethod::Iso6336(None), CellShape::Levels, TAU, 1.0).unwrap();
         let contact = gears().contact().unwrap();
         let ends = (law.origin + law.steps[0].width).rem_euclid(TAU);

@@ -1,12 +1,11 @@
-//! Gears by their teeth: the geometry of an involute pair, and the stiffness of its mesh. Pure functions, SI units.
+//! Geometry of an involute spur gear pair, and the mesh stiffness and friction laws that follow from it. Pure functions, SI units.
 //!
 //! - `involute`: the involute function and its inverse;
-//! - `pair`: [`Gears`], what a drawing says; [`Contact`], how they touch: path of contact, contact ratio, where pairs enter
-//!   and leave;
-//! - `iso6336`: the stiffness of ISO 6336-1, method B;
-//! - `tooth`, `foundation`, `energy`: the stiffness of one pair of teeth from its strain energy, along the path of contact;
+//! - `pair`: [`Gears`], the data of a drawing; [`Contact`], the path of contact and the contact ratio;
+//! - `iso6336`: the mesh stiffness by ISO 6336-1, method B;
+//! - `tooth`, `foundation`, `energy`: the stiffness of one tooth pair from its strain energy, along the path of contact;
 //! - `mesh_stiffness`: the stiffness of the mesh as a law over the phase, by either method;
-//! - `friction`: the laws of friction, by where the pairs touch and how they share the force.
+//! - `friction`: the friction laws, from the points of contact and the shares of the force.
 
 mod energy;
 mod foundation;

@@ -76,7 +76,7 @@ fn messages_name_the_mistake() {
         ("laws.k.profile_shift=[0, 0.2]", "smaller profile shift"),
         ("laws.k.addendum=[1, 2, 3]", "not two gears"),
         ("laws.k.method=\"iso\"", "there is no method `iso`"),
-        ("laws.k.course=\"curves\"", "no course between the steps"),
+        ("laws.k.course=\"curves\"", "no curves between the steps"),
         ("laws.k.internal=1", "true or false"),
         ("laws.k.steps=[{ value = \"1 N*m\" }]", "has both steps and teeth"),
         ("laws.k.modul=1 mm", "did you mean `module`"),
