@@ -1,7 +1,7 @@
-//! The profile of a law: its values over the phase, constant between steps or smooth between kinks.
+//! The profile of a law: its value over the phase, piecewise constant or piecewise smooth.
 //!
-//! What a scene says of a stiffness, a transmission error or the friction of a mesh, what tooth geometry gives, and what the engine
-//! follows from cell to cell.
+//! Scenes and tooth geometry ([`crate::gear`]) produce profiles of stiffnesses, transmission errors and friction laws. The engine follows
+//! them from cell to cell.
 
 mod curve;
 #[cfg(test)]
@@ -12,57 +12,59 @@ use xprec::Df64;
 
 pub use curve::Curve;
 
-/// A law, a stiffness, a transmission error or one of friction, over one pitch: constant between its steps, or smooth between its kinks.
+/// A stiffness, a transmission error or a friction law as a periodic function of the phase. The period is divided into cells; in each
+/// cell the law is constant, or follows a smooth curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.
+    /// The cells of one period, in the order of increasing phase. The value of a cell with a curve is the mean of the curve.
     pub steps: Vec<Step>,
-    /// What it follows in each cell; empty where it is constant there.
+    /// The curve of each cell; empty if the law is piecewise constant.
     pub curves: Vec<Curve>,
-    /// Phase at which the first level begins, once a pitch [unit of the phase].
+    /// Phase at which the first cell begins, modulo the period [unit of the phase].
     pub origin: f64,
-    /// Pitches after which it repeats itself: 1, of a transmission error also more, over which the levels then go.
+    /// Period in pitches: 1, or more for a transmission error.
     pub pitches: u32,
 }
 
-/// One level of a [`Profile`].
+/// One cell of a [`Profile`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     /// Value [unit of the law].
     pub value: f64,
-    /// Phase over which it holds [unit of the phase]; the widths add up to the pitch, or the pitches.
+    /// Width of the cell [unit of the phase]. The widths add up to the period.
     pub width: f64,
 }
 
 impl Profile {
-    /// The stiffness that is constant between its steps.
+    /// A piecewise constant law over one pitch, with the origin 0.
     pub fn stepping(steps: Vec<Step>) -> Self {
         Profile { steps, curves: vec![], origin: 0.0, pitches: 1 }
     }
 
-    /// The stiffness that follows a curve in each cell, of a width each.
+    /// A piecewise smooth law over one pitch, with the origin 0; each cell is given by its curve and its width [unit of the phase].
     pub fn curved(cells: Vec<(Curve, f64)>) -> Self {
         let steps = cells.iter().map(|(curve, width)| Step { value: curve.mean(*width), width: *width }).collect();
         Profile { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0, pitches: 1 }
     }
 
-    /// The same, said to go over a number of pitches.
+    /// The same law, with its cells covering this number of pitches.
     pub fn with_pitches(self, pitches: u32) -> Self {
         Profile { pitches, ..self }
     }
 
-    /// The same, its first level beginning at the phase `origin`, or whole pitches from it.
+    /// The same law, with its first cell beginning at the phase `origin` [unit of the phase].
     pub fn with_origin(self, origin: f64) -> Self {
         Profile { origin, ..self }
     }
 
-    /// Whether it is constant in every cell.
+    /// Whether the law is piecewise constant.
     pub fn steps_only(&self) -> bool {
         self.curves.is_empty()
     }
 
-    /// The same levels, joined by straight ramps of width `ramp`, of which the part `before` lies before the step and the rest
-    /// after it; curves stay as they are. `None` if a level has no room for that.
+    /// The same law with each step replaced by a straight ramp of width `ramp` [unit of the phase]. The fraction `before` of the ramp lies
+    /// before the step, the rest after it. A law with curves, or with a single level, is returned unchanged. `None` if a level is not
+    /// wider than the ramp.
     pub fn ramped(&self, ramp: f64, before: f64) -> Option<Self> {
         let n = self.steps.len();
         if n == 1 || !self.steps_only() {
@@ -71,7 +73,7 @@ impl Profile {
         if self.steps.iter().any(|step| step.width <= ramp) {
             return None;
         }
-        // The pitch begins at a step, so within a ramp: that one is cut in two.
+        // The period begins at a step, that is within a ramp. This ramp is cut into two cells.
         let after = (1.0 - before) * ramp;
         let mut cells = vec![];
         let mut add = |from: f64, to: f64, width: f64| {
@@ -93,11 +95,11 @@ impl Profile {
         Some(Profile::curved(cells).with_origin(self.origin).with_pitches(self.pitches))
     }
 
-    /// The periodic cubic spline through `points` (place, value), at increasing places within one pitch of `period`: twice
-    /// continuously differentiable. `None` if there are fewer than three, or they are not so.
+    /// The periodic cubic spline through `points` (phase, value), twice continuously differentiable. `None` if there are fewer than three
+    /// points, or their phases do not ascend strictly within 0 <= phase < `period`.
     ///
-    /// h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1)), with the second derivatives m, the distances
-    /// h and the slopes d of the chords: de Boor, A Practical Guide to Splines (1978), ch. IV.
+    /// The second derivatives m at the points solve h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1)), with the
+    /// distances h and the slopes d of the chords. Source: de Boor, A Practical Guide to Splines (1978), ch. IV.
     pub fn spline(points: &[(f64, f64)], period: f64) -> Option<Self> {
         let n = points.len();
         let (first, last) = (points.first()?.0, points.last()?.0);
@@ -119,7 +121,7 @@ impl Profile {
             let (m0, m1) = (m[i], m[(i + 1) % n]);
             [points[i].1, chord(i) - h(i) * (2.0 * m0 + m1) / 6.0, m0 / 2.0, (m1 - m0) / (6.0 * h(i))]
         };
-        // The last piece goes on beyond the end of the pitch, at which it is cut.
+        // The last piece extends beyond the end of the period. It is cut there, and the rest is the first cell.
         let cut = period - last;
         let tail = Curve::Cubic(cubic(n - 1));
         let [k, dk, ddk] = tail.at(cut);
@@ -132,7 +134,7 @@ impl Profile {
         Some(Profile::curved(cells))
     }
 
-    /// Its least value and its greatest.
+    /// Smallest and largest value [unit of the law].
     pub fn extremes(&self) -> (f64, f64) {
         let levels = self.steps.iter().map(|step| (step.value, step.value));
         let curves = self.curves.iter().zip(&self.steps).map(|(curve, step)| curve.extremes(step.width));

@@ -1,8 +1,8 @@
-//! The course of a stiffness within one cell of its pitch, where that is not constant.
+//! A law within one cell, where it is not constant.
 
 use std::f64::consts::TAU;
 
-/// k(x), smooth over a cell; x is the phase from where the cell begins.
+/// A smooth function k(x) over a cell; x is the phase relative to the beginning of the cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Curve {
     /// c_0 + c_1 x + c_2 x² + c_3 x³ \[unit of the law, per unit of the phase to the power\].
@@ -13,13 +13,13 @@ pub enum Curve {
         mean: f64,
         /// n, a_n \[unit of the law\], phase_n \[rad\].
         harmonics: Vec<(f64, f64, f64)>,
-        /// One pitch \[unit of the phase\].
+        /// Period \[unit of the phase\].
         period: f64,
     },
 }
 
 impl Curve {
-    /// The cubic with these values and slopes at the ends of a cell.
+    /// The cubic with these values and these slopes at the two ends of a cell of this width.
     pub fn hermite([a, b]: [f64; 2], [da, db]: [f64; 2], width: f64) -> Curve {
         let chord = (b - a) / width;
         Curve::Cubic([a, da, (3.0 * chord - 2.0 * da - db) / width, (da + db - 2.0 * chord) / (width * width)])
@@ -42,10 +42,10 @@ impl Curve {
         }
     }
 
-    /// Where between 0 and `width` it is least and greatest, and how much it is there.
+    /// Smallest and largest value for 0 <= x <= `width`.
     pub fn extremes(&self, width: f64) -> (f64, f64) {
-        // Between two neighbours of this grid there is at most one turn of a curve that anyone draws; Newton's method
-        // on dk/dx = 0 gets the turn to rounding.
+        // The grid has 64 intervals per wave, so that an interval has at most one extremum of any practical curve. Newton's
+        // method on dk/dx = 0 locates it to rounding error.
         let order = match self {
             Curve::Cubic(_) => 1.0,
             Curve::Fourier { harmonics, .. } => harmonics.iter().fold(1.0f64, |m, h| m.max(h.0)),
@@ -70,7 +70,7 @@ impl Curve {
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
     }
 
-    /// Mean over 0 to `width`.
+    /// Mean over 0 <= x <= `width`; for a Fourier series the mean over its period.
     pub fn mean(&self, width: f64) -> f64 {
         match self {
             Curve::Cubic([a, b, c, d]) => a + width * (b / 2.0 + width * (c / 3.0 + width * d / 4.0)),
@@ -83,9 +83,9 @@ impl Curve {
 mod tests {
     use super::*;
 
-    /// 2 + cos s + cos(2 s + 1), its slopes by differences, its extremes by a fine scan.
+    /// 2 + cos s + cos(2 s + 1): derivatives against finite differences, extremes against a fine scan.
     #[test]
-    fn fourier_series() {
+    fn a_fourier_series_has_the_right_derivatives_and_extremes() {
         let curve = Curve::Fourier { mean: 2.0, harmonics: vec![(1.0, 1.0, 0.0), (2.0, 1.0, 1.0)], period: TAU };
         let k = |s: f64| 2.0 + s.cos() + (2.0 * s + 1.0).cos();
         for s in [0.0, 1.0, 2.7, 6.0] {

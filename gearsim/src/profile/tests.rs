@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::*;
 
-/// k and its derivatives at a phase within the pitch.
+/// k, dk/ds and d²k/ds² at a phase within the period.
 fn at(stiffness: &Profile, s: f64) -> [f64; 3] {
     let mut begin = 0.0;
     for (curve, step) in stiffness.curves.iter().zip(&stiffness.steps) {
@@ -20,9 +20,9 @@ fn width(stiffness: &Profile) -> f64 {
     stiffness.steps.iter().map(|step| step.width).sum()
 }
 
-/// Through its points, and twice continuously differentiable: across its knots, and across the end of the pitch.
+/// The spline passes through its points, and is twice continuously differentiable at its knots and at the end of the period.
 #[test]
-fn splines_are_smooth_and_periodic() {
+fn a_spline_interpolates_and_is_smooth_and_periodic() {
     let points = [(0.3, 1.0), (1.0, 3.0), (2.5, 2.0), (4.0, 2.5), (5.5, 0.5)];
     let spline = Profile::spline(&points, TAU).unwrap();
     assert!((width(&spline) - TAU).abs() < 1e-14);
@@ -36,9 +36,9 @@ fn splines_are_smooth_and_periodic() {
     assert_eq!(Profile::spline(&[(0.0, 1.0), (0.0, 2.0), (3.0, 1.0)], TAU), None);
 }
 
-/// Through n points of a cosine it errs as n⁻⁴.
+/// The error of a spline through n points of a cosine is proportional to n⁻⁴.
 #[test]
-fn splines_converge_in_fourth_order() {
+fn splines_converge_with_order_4() {
     let error = |n: usize| {
         let point = |i: usize| TAU * i as f64 / n as f64;
         let points: Vec<_> = (0..n).map(|i| (point(i), point(i).cos())).collect();
@@ -50,17 +50,17 @@ fn splines_converge_in_fourth_order() {
 }
 
 #[test]
-fn ramps_join_levels() {
+fn ramps_replace_steps_and_leave_the_law_continuous() {
     let steps = [(1.0, 2.0), (3.0, TAU - 2.0)].map(|(value, width)| Step { value, width });
     let stepping = Profile::stepping(steps.to_vec());
     for before in [0.0, 0.5, 1.0] {
         let ramped = stepping.ramped(0.1, before).unwrap();
         assert!((width(&ramped) - TAU).abs() < 1e-14);
-        // Half-way up, where the ramp about the step is half over.
+        // The middle of the ramp, at half the height of the step.
         let middle = 2.0 + 0.1 * (0.5 - before);
         assert!((at(&ramped, middle)[0] - 2.0).abs() < 1e-12 && (at(&ramped, middle)[1] - 20.0).abs() < 1e-9);
         assert_eq!(ramped.extremes(), (1.0, 3.0));
-        // Continuous, across the pitch too.
+        // The law is continuous, also across the end of the period.
         let ends = ramped.curves.iter().zip(&ramped.steps).map(|(c, s)| (c.at(0.0)[0], c.at(s.width)[0]));
         let ends: Vec<_> = ends.collect();
         assert!((0..ends.len()).all(|i| (ends[i].1 - ends[(i + 1) % ends.len()].0).abs() < 1e-12), "{ends:?}");
