@@ -51,19 +51,19 @@ pub(super) fn from_teeth_of(
         return Some(None);
     };
     // Mistakes in the keys of the other law are reported when that law is read, so they are dropped here.
-    let mut told = Report::new();
-    let ahead =
-        keys::get(entries, "phase").map_or(Some(0.0), |node| mesh_phase::read(law, phase_unit, 1, node, &mut told));
+    let mut ignored = Report::new();
+    let shift =
+        keys::get(entries, "phase").map_or(Some(0.0), |node| mesh_phase::read(law, phase_unit, 1, node, &mut ignored));
     let teeth = TeethReader { law, entries, place: &lender.place };
-    let read = match teeth.friction_law(&mut told) {
-        Some(Err(error)) if told.is_empty() => {
+    let read = match teeth.friction_law(&mut ignored) {
+        Some(Err(error)) if ignored.is_empty() => {
             teeth.refused(&name.place, error, report);
             None
         }
         read => read.and_then(Result::ok),
     };
     Some(read.and_then(|law| {
-        let begins = law.origin - ahead?;
+        let begins = law.origin - shift?;
         Some(law.with_origin(begins))
     }))
 }

@@ -93,14 +93,14 @@ impl<'a> LawReader<'a> {
         let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
         // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
-        let said = transmission_error::pitches(self.law, entries, report);
-        let pitches = said.unwrap_or(1);
+        let stated = transmission_error::pitches(self.law, entries, report);
+        let pitches = stated.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
             Some(node) if mesh_phase::wrong_type(&format!("{table}.phase"), node, report) => None,
             Some(node) => mesh_phase::read(self.law, self.phase_unit, pitches, node, report),
         };
-        let law = self.unshifted(entries, node, pitches, report)?.with_pitches(said?);
+        let law = self.unshifted(entries, node, pitches, report)?.with_pitches(stated?);
         let begins = law.origin - phase?;
         Some(law.with_origin(begins))
     }

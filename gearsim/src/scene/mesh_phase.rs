@@ -24,9 +24,9 @@ use super::{field, keys};
 use crate::model::Law;
 
 /// Largest denominator of the fractions of a pitch that [`whole_fraction`] recognises.
-const PARTS: i32 = 360;
+const MAX_DENOMINATOR: i32 = 360;
 /// A phase within this distance of such a fraction [pitches] is replaced by it.
-const NEAR: f64 = 1e-11;
+const FRACTION_TOLERANCE: f64 = 1e-11;
 
 /// Reads `phase` [unit of the law's phase coordinate], reduced to less than the period of `pitches` pitches.
 pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mut Report) -> Option<f64> {
@@ -88,9 +88,9 @@ fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) ->
     Some(whole_fraction((lead - between).fract()))
 }
 
-/// Rounds `x` to a fraction with a denominator of at most [`PARTS`] if one lies within [`NEAR`]; otherwise returns `x`.
+/// Rounds `x` to a fraction with a denominator of at most [`MAX_DENOMINATOR`] if one lies within [`FRACTION_TOLERANCE`]; otherwise returns `x`.
 fn whole_fraction(x: f64) -> f64 {
-    let near = (1..=PARTS).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < NEAR * d);
+    let near = (1..=MAX_DENOMINATOR).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < FRACTION_TOLERANCE * d);
     near.map_or(x, |d| ((x * d).round() / d).fract())
 }
 

@@ -9,7 +9,7 @@
 //!
 //! [parameters]                                # the parameters of the model; one with a default may be left out
 //! I1 = "2890 kg*mm^2"
-//! # A torque may vary in time: levels, a ramp, or lines between points. Harmonics a cos(2 pi f t + phase) may be added to each.
+//! # A torque may vary in time: levels, a ramp, or lines between points. Harmonics a cos(2 pi f t + phase) can be added.
 //! # T0 = { steps = [{ value = "0 N*m", until = "0.1 s" }, { value = "10 N*m" }] }
 //! # T0 = { ramp = { from = "0 N*m", to = "10 N*m", start = "0.1 s", duration = "2 s" } }
 //! # T0 = { table = [{ at = "0 s", value = "0 N*m" }, { at = "1 s", value = "8 N*m" }, { at = "4 s", value = "10 N*m" }] }

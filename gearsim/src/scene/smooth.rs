@@ -60,7 +60,7 @@ impl SmoothLaw<'_> {
             (_, Some(node)) => self.table(node, report),
             _ => return None,
         };
-        Some(read.and_then(|stiffness| self.pushing(stiffness, report)))
+        Some(read.and_then(|stiffness| self.refuse_negative(stiffness, report)))
     }
 
     /// Replaces the steps of a piecewise constant law by ramps if the scene gives `ramp`.
@@ -189,7 +189,7 @@ impl SmoothLaw<'_> {
     }
 
     /// Reports a law that is negative somewhere although it must not be.
-    fn pushing(&self, stiffness: Profile, report: &mut Report) -> Option<Profile> {
+    fn refuse_negative(&self, stiffness: Profile, report: &mut Report) -> Option<Profile> {
         let least = stiffness.extremes().0;
         if least >= 0.0 || self.law.role.has_sign() {
             return Some(stiffness);
