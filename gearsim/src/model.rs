@@ -1,38 +1,38 @@
-//! What a derived model says about itself: the half of a generated file that people and scenes read.
+//! Description of a derived model: names, units, parameters, laws, effects. Scenes and the command line use it.
 //!
-//! The other half, the equations, is [`crate::engine::Equations`]. Both are written by the `equations!` macro
-//! from the files under `generated/`; nothing here is typed by hand for a particular model.
+//! The equations of the model are in [`crate::engine::Equations`]. The `equations!` macro generates both from the files under
+//! `generated/`; no description is written by hand.
 
-/// A drivetrain model: what a scene can set, and what it can ask for.
+/// Description of a drivetrain model: what a scene can set, and which effects it can activate.
 #[derive(Debug, Clone, Copy)]
 pub struct Model {
     /// Name in scenes and on the command line, e.g. `gear_pair`.
     pub name: &'static str,
-    /// One line saying what it is.
+    /// Title, one line.
     pub title: &'static str,
-    /// Where it comes from: author, year, equations.
+    /// Source: author, year, equations.
     pub source: &'static str,
-    /// Generalised coordinates, in the order of every state vector.
+    /// Generalised coordinates, in the order of all state vectors.
     pub coordinates: &'static [Coordinate],
-    /// Parameters, in the order of every parameter vector.
+    /// Parameters, in the order of all parameter vectors.
     pub parameters: &'static [Parameter],
-    /// Laws that a scene fills in: mesh stiffnesses, and behind them transmission errors, and behind these friction.
+    /// Laws whose profiles a scene gives: first the mesh stiffnesses, then transmission errors, then friction laws.
     pub laws: &'static [Law],
-    /// Rigid motions by which a scene may state its start: `speed = "300 rpm"`.
+    /// Rigid motions by which a scene may state initial speeds: `speed = "300 rpm"`.
     pub motions: &'static [Motion],
-    /// Effects that a scene may name; bit `i` of an effect set is entry `i`.
+    /// Effects that a scene may activate; bit `i` of an effect set is entry `i`.
     pub effects: &'static [Effect],
-    /// External torques, in the order in which their work is recorded.
+    /// External torques, in the order of their columns of work.
     pub torques: &'static [Torque],
-    /// Deflections with play, in the order of the law values behind those of the laws.
+    /// Deflections with play. Vectors of law values have four entries for each, in this order, after the entries of the laws.
     pub dead_bands: &'static [DeadBand],
-    /// The terms that make a cell nonlinear, with the energies they come from; empty where cells are linear.
+    /// The terms that make cells nonlinear without any effect, with the energies they come from; empty if there are none.
     pub nonlinear: &'static str,
-    /// Those that make it so with an effect: the effect, and the term.
+    /// The terms that make cells nonlinear if an effect is active: (effect, term).
     pub nonlinear_with: &'static [(&'static str, &'static str)],
-    /// The derived equations as plain text, one a line.
+    /// The derived equations as plain text, one per line.
     pub equations: &'static str,
-    /// The derived equations in LaTeX, one a line.
+    /// The derived equations in LaTeX, one per line.
     pub latex: &'static str,
 }
 
@@ -45,28 +45,28 @@ pub struct Coordinate {
     pub unit: &'static str,
     /// What it measures.
     pub doc: &'static str,
-    /// Where a scene that does not say otherwise starts it.
+    /// Initial value if the scene gives none.
     pub start: Start,
 }
 
-/// Where a coordinate starts.
+/// Initial value of a coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
     /// At this value [SI unit of the coordinate].
     At(f64),
-    /// Where the forces on it balance, the other coordinates given.
+    /// The static equilibrium of the coordinate.
     Static,
-    /// The same; of several such places that which is found from this value [SI unit of the coordinate].
+    /// The static equilibrium; of several, the one that is found from this value [SI unit of the coordinate].
     Near(f64),
 }
 
 impl Start {
-    /// Whether it is where forces balance.
+    /// Whether it is a static equilibrium.
     pub fn is_static(self) -> bool {
         !matches!(self, Start::At(_))
     }
 
-    /// Its value, or the one from which the balance is looked for.
+    /// The value, or the starting point of the search for the equilibrium [SI unit of the coordinate].
     pub fn guess(self) -> f64 {
         match self {
             Start::At(x) | Start::Near(x) => x,
@@ -82,28 +82,28 @@ pub struct Parameter {
     pub name: &'static str,
     /// SI unit, e.g. `kg*m^2`; `1` for a plain number.
     pub unit: &'static str,
-    /// Value [SI] if a scene gives none; `None` if a scene must give one.
+    /// Default value [SI]; `None` if the scene must give one.
     pub default: Option<f64>,
-    /// The effect that alone needs it: without a default, it must be given only by scenes that name this effect.
+    /// The only effect that uses the parameter, if there is one. Scenes without this effect need not give it.
     pub with: Option<&'static str>,
-    /// Whether a scene may let it vary in time: the generalised forces are linear in it, and nothing else depends on it.
+    /// Whether it may vary in time. This requires that the generalised forces are linear in it and that nothing else depends on it.
     pub varies: bool,
-    /// Admissible values [SI].
+    /// Allowed values [SI].
     pub range: Range,
     /// What it is.
     pub doc: &'static str,
 }
 
-/// An interval of admissible values.
+/// An interval of allowed values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Lower end; may be `-inf`.
     pub low: f64,
     /// Upper end; may be `inf`.
     pub high: f64,
-    /// Whether the lower end itself is admissible.
+    /// Whether the lower end is allowed.
     pub low_included: bool,
-    /// Whether the upper end itself is admissible.
+    /// Whether the upper end is allowed.
     pub high_included: bool,
 }
 
@@ -124,39 +124,40 @@ impl std::fmt::Display for Range {
     }
 }
 
-/// A mesh stiffness, a transmission error, or how a mesh rubs: it depends on the mesh phase, periodic with one tooth pitch; an
-/// error also with several.
+/// A mesh stiffness, a transmission error or a friction law: a function of the mesh phase, periodic with one pitch; a transmission error
+/// may have a period of several pitches.
 #[derive(Debug, Clone, Copy)]
 pub struct Law {
     /// Name, e.g. `k`.
     pub name: &'static str,
     /// SI unit of its value, e.g. `N*m`.
     pub unit: &'static str,
-    /// The coordinate that is its phase, e.g. `theta`.
+    /// The coordinate on which it depends, e.g. `theta`.
     pub phase: &'static str,
     /// One pitch [unit of the phase].
     pub period: f64,
-    /// Whether whole pitches of the phase change nothing else: then they are counted off, and cost no digits.
+    /// Whether nothing else depends on the number of whole pitches in the phase. The engine then subtracts whole pitches and counts
+    /// them, so that large angles do not lose digits.
     pub rolling: bool,
-    /// The effect without which it is zero; `None` for a stiffness.
+    /// The effect that activates it; without this effect it is zero. `None` for a stiffness, which is always active.
     pub with: Option<&'static str>,
-    /// What it says of the mesh.
+    /// Its meaning for the mesh.
     pub role: Role,
     /// What it is.
     pub doc: &'static str,
 }
 
-/// What a law says of its mesh. Of the pairs of teeth in contact, pair i bears the share s_i of the force, at the place xi_i along the
-/// line of action from the pitch point on.
+/// The meaning of a law for its mesh. Of the tooth pairs in contact, pair i carries the share s_i of the force and touches at the distance
+/// xi_i beyond the pitch point along the line of action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// Its stiffness, never negative.
+    /// Mesh stiffness, never negative.
     Stiffness,
-    /// Its transmission error, of any sign.
+    /// Transmission error, of any sign.
     Error,
-    /// sum s_i sgn(xi_i), of any sign: friction works over it as the flanks slide at the pitch point.
+    /// sum s_i sgn(xi_i), of any sign: with it, the friction force does work over the sliding at the pitch point.
     Side,
-    /// sum s_i |xi_i|, never negative: the arm of friction as the gears roll.
+    /// sum s_i |xi_i|, never negative: the lever arm with which the friction force does work over the rolling angle of the gears.
     Arm,
 }
 
@@ -166,35 +167,35 @@ impl Role {
         matches!(self, Role::Error | Role::Side)
     }
 
-    /// Whether it is one of friction.
-    pub fn rubs(self) -> bool {
+    /// Whether it is a friction law.
+    pub fn is_friction(self) -> bool {
         matches!(self, Role::Side | Role::Arm)
     }
 }
 
-/// A deflection with play: a spring that is felt only beyond half the play to either side.
+/// A deflection with play: its spring acts only beyond half the play on either side.
 #[derive(Debug, Clone, Copy)]
 pub struct DeadBand {
-    /// Name of what is beyond the play, e.g. `over`.
+    /// Name of the deflection beyond the play, e.g. `over`.
     pub name: &'static str,
-    /// Its SI unit, e.g. `m`.
+    /// SI unit, e.g. `m`.
     pub unit: &'static str,
-    /// The effect without which there is none.
+    /// The effect that activates the play.
     pub with: &'static str,
     /// What it is.
     pub doc: &'static str,
 }
 
 impl Model {
-    /// Law values with every dead band in contact at its drive flank and without play: those of the laws, 0 for those that
-    /// `laws` leaves out, then four of each band (touch, edge, damp, clip).
+    /// Vector of law values with every dead band in contact at its drive flank and the play 0: the values `laws`, padded with 0 to the
+    /// number of laws, then four values of each band (touch = 1, edge = 0, damp = 1, clip = 0).
     pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
         laws.chain(self.dead_bands.iter().flat_map(|_| [1.0, 0.0, 1.0, 0.0])).collect()
     }
 }
 
-/// A rigid motion of the whole train, scaled by one number.
+/// A rigid motion of the whole drivetrain, scaled by one number.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion {
     /// Key in `[start]`, e.g. `speed`.
@@ -205,20 +206,20 @@ pub struct Motion {
     pub doc: &'static str,
 }
 
-/// An effect that a scene may name.
+/// An effect that a scene may activate.
 #[derive(Debug, Clone, Copy)]
 pub struct Effect {
     /// Name in a scene's `effects`.
     pub name: &'static str,
     /// What it adds to the equations, or drops from them.
     pub doc: &'static str,
-    /// Effects without which it makes no sense.
+    /// Effects that must be active too.
     pub requires: &'static [&'static str],
-    /// Effects that contradict it.
+    /// Effects that must not be active.
     pub excludes: &'static [&'static str],
 }
 
-/// An external torque whose work is accounted for.
+/// An external torque whose work is recorded.
 #[derive(Debug, Clone, Copy)]
 pub struct Torque {
     /// Name, e.g. `drive`.

@@ -1,30 +1,162 @@
-//! The profile of a law: its values over the phase, constant between steps or smooth between kinks.
+//! The profile of a law: its value over the phase, piecewise constant or piecewise smooth.
 //!
-//! What a scene says of a stiffness, a transmission error or the friction of a mesh, what tooth geometry gives, and what the engine
-//! follows from cell to cell.
+//! Scenes and tooth geometry ([`crate::gear`]) produce profiles of stiffnesses, transmission errors and friction laws. The engine follows
+//! them from cell to cell.
 
 mod curve;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::{DMatrix, DVector};
+use xprec::Df64;
 
 pub use curve::Curve;
 
-/// A law, a stiffness, a transmission error or one of friction, over one pitch: constant between its steps, or smooth between its kinks.
+/// A stiffness, a transmission error or a friction law as a periodic function of the phase. The period is divided into cells; in each
+/// cell the law is constant, or follows a smooth curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// The levels over one pitch, in the order in which a positive phase meets them; means, where it follows curves.
+    /// The cells of one period, in the order of increasing phase. The value of a cell with a curve is the mean of the curve.
     pub steps: Vec<Step>,
-    /// What it follows in each cell; empty where it is constant there.
+    /// The curve of each cell; empty if the law is piecewise constant.
     pub curves: Vec<Curve>,
-    /// Phase at which the first level begins, once a pitch [unit of the phase].
+    /// Phase at which the first cell begins, modulo the period [unit of the phase].
     pub origin: f64,
-    /// Pitches after which it repeats itself: 1, of a transmission error also more, over which the levels then go.
+    /// Period in pitches: 1, or more for a transmission error.
     pub pitches: u32,
 }
 
-/// One level of a [`Profile`].
+/// One cell of a [`Profile`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     /// Value [unit of the law].
     pub value: f64,
-    /// Phase over which it holds [unit of the phase]; the widths add up to the pitch, or the pitches.
+    /// Width of the cell [unit of the phase]. The widths add up to the period.
     pub width: f64,
+}
+
+impl Profile {
+    /// A piecewise constant law over one pitch, with the origin 0.
+    pub fn stepping(steps: Vec<Step>) -> Self {
+        Profile { steps, curves: vec![], origin: 0.0, pitches: 1 }
+    }
+
+    /// A piecewise smooth law over one pitch, with the origin 0; each cell is given by its curve and its width [unit of the phase].
+    pub fn curved(cells: Vec<(Curve, f64)>) -> Self {
+        let steps = cells.iter().map(|(curve, width)| Step { value: curve.mean(*width), width: *width }).collect();
+        Profile { steps, curves: cells.into_iter().map(|(curve, _)| curve).collect(), origin: 0.0, pitches: 1 }
+    }
+
+    /// The same law, with its cells covering this number of pitches.
+    pub fn with_pitches(self, pitches: u32) -> Self {
+        Profile { pitches, ..self }
+    }
+
+    /// The same law, with its first cell beginning at the phase `origin` [unit of the phase].
+    pub fn with_origin(self, origin: f64) -> Self {
+        Profile { origin, ..self }
+    }
+
+    /// Whether the law is piecewise constant.
+    pub fn steps_only(&self) -> bool {
+        self.curves.is_empty()
+    }
+
+    /// The same law with each step replaced by a straight ramp of width `ramp` [unit of the phase]. The fraction `before` of the ramp lies
+    /// before the step, the rest after it. A law with curves, or with a single level, is returned unchanged. `None` if a level is not
+    /// wider than the ramp.
+    pub fn ramped(&self, ramp: f64, before: f64) -> Option<Self> {
+        let n = self.steps.len();
+        if n == 1 || !self.steps_only() {
+            return Some(self.clone());
+        }
+        if self.steps.iter().any(|step| step.width <= ramp) {
+            return None;
+        }
+        // The period begins at a step, that is within a ramp. This ramp is cut into two cells.
+        let after = (1.0 - before) * ramp;
+        let mut cells = vec![];
+        let mut add = |from: f64, to: f64, width: f64| {
+            if width > 0.0 {
+                cells.push((Curve::Cubic([from, (to - from) / width, 0.0, 0.0]), width));
+            }
+        };
+        for (i, step) in self.steps.iter().enumerate() {
+            let (last, next) = (self.steps[(i + n - 1) % n].value, self.steps[(i + 1) % n].value);
+            if i == 0 {
+                add(last + before * (step.value - last), step.value, after);
+            }
+            add(step.value, step.value, step.width - ramp);
+            match i + 1 == n {
+                false => add(step.value, next, ramp),
+                true => add(step.value, step.value + before * (next - step.value), before * ramp),
+            }
+        }
+        Some(Profile::curved(cells).with_origin(self.origin).with_pitches(self.pitches))
+    }
+
+    /// The periodic cubic spline through `points` (phase, value), twice continuously differentiable. `None` if there are fewer than three
+    /// points, or their phases do not ascend strictly within 0 <= phase < `period`.
+    ///
+    /// The second derivatives m at the points solve h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1)), with the
+    /// distances h and the slopes d of the chords. Source: de Boor, A Practical Guide to Splines (1978), ch. IV.
+    pub fn spline(points: &[(f64, f64)], period: f64) -> Option<Self> {
+        let n = points.len();
+        let (first, last) = (points.first()?.0, points.last()?.0);
+        if n < 3 || first < 0.0 || last >= period || points.windows(2).any(|p| p[0].0 >= p[1].0) {
+            return None;
+        }
+        let h = |i: usize| if i + 1 == n { points[0].0 + period - points[i].0 } else { points[i + 1].0 - points[i].0 };
+        let chord = |i: usize| (points[(i + 1) % n].1 - points[i].1) / h(i);
+        let mut matrix = DMatrix::<f64>::zeros(n, n);
+        for i in 0..n {
+            let before = (i + n - 1) % n;
+            matrix[(i, i)] += 2.0 * (h(before) + h(i));
+            matrix[(i, before)] += h(before);
+            matrix[(i, (i + 1) % n)] += h(i);
+        }
+        let right = DVector::from_fn(n, |i, _| 6.0 * (chord(i) - chord((i + n - 1) % n)));
+        let m = matrix.lu().solve(&right)?;
+        let cubic = |i: usize| {
+            let (m0, m1) = (m[i], m[(i + 1) % n]);
+            [points[i].1, chord(i) - h(i) * (2.0 * m0 + m1) / 6.0, m0 / 2.0, (m1 - m0) / (6.0 * h(i))]
+        };
+        // The last piece extends beyond the end of the period. It is cut there, and the rest is the first cell.
+        let cut = period - last;
+        let tail = Curve::Cubic(cubic(n - 1));
+        let [k, dk, ddk] = tail.at(cut);
+        let mut cells = vec![];
+        if first > 0.0 {
+            cells.push((Curve::Cubic([k, dk, ddk / 2.0, cubic(n - 1)[3]]), first));
+        }
+        cells.extend((0..n - 1).map(|i| (Curve::Cubic(cubic(i)), h(i))));
+        cells.push((tail, cut));
+        Some(Profile::curved(cells))
+    }
+
+    /// Smallest and largest value [unit of the law].
+    pub fn extremes(&self) -> (f64, f64) {
+        let levels = self.steps.iter().map(|step| (step.value, step.value));
+        let curves = self.curves.iter().zip(&self.steps).map(|(curve, step)| curve.extremes(step.width));
+        let ends: Vec<_> = if self.steps_only() { levels.collect() } else { curves.collect() };
+        ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, e| (m.0.min(e.0), m.1.max(e.1)))
+    }
+
+    /// Mean of the largest and the smallest value [unit of the law].
+    pub fn mid(&self) -> f64 {
+        let (low, high) = self.extremes();
+        (high + low) / 2.0
+    }
+
+    /// [`Profile::mid`] in double-double precision.
+    pub fn exact_mid(&self) -> Df64 {
+        let (low, high) = self.extremes();
+        (Df64::from(high) + low) * 0.5
+    }
+
+    /// Mean over the period [unit of the law].
+    pub fn mean(&self) -> f64 {
+        let width: f64 = self.steps.iter().map(|step| step.width).sum();
+        self.steps.iter().map(|step| step.value * step.width).sum::<f64>() / width
+    }
 }

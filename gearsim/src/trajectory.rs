@@ -1,8 +1,8 @@
-//! What a run recorded: one row an instant, in SI units, with its energy account.
+//! The recorded rows of a run, in SI units: time, state and energy account.
 
 use crate::model::Model;
 
-/// Which instant a row is.
+/// The kind of instant that a row belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Moment {
     /// A sample at the recording rate, the start, or the end.
@@ -14,7 +14,7 @@ pub enum Moment {
 }
 
 impl Moment {
-    /// The word that stands for it in files.
+    /// Its name in files.
     pub fn name(self) -> &'static str {
         match self {
             Moment::Sample => "sample",
@@ -24,14 +24,14 @@ impl Moment {
     }
 }
 
-/// Everything recorded, column by column; all columns have one entry a row.
+/// The recorded rows, stored by columns. All columns have one entry per row.
 #[derive(Debug, Clone)]
 pub struct Trajectory {
     /// The model, for the names and units of the columns.
     pub model: &'static Model,
     /// Time [s].
     pub t: Vec<f64>,
-    /// Which instant it is.
+    /// Kind of instant.
     pub moment: Vec<Moment>,
     /// Coordinates, unwrapped [SI]: `q[i][row]` (n_q, n_rows).
     pub q: Vec<Vec<f64>>,
@@ -45,14 +45,14 @@ pub struct Trajectory {
     pub work: Vec<f64>,
     /// Work of each external torque since the start [J]: (n_torques, n_rows).
     pub torque_work: Vec<Vec<f64>>,
-    /// Energy lost to damping since the start [J], integrated on its own, not by difference.
+    /// Energy dissipated by damping since the start [J]. It is integrated from the speeds, not computed as an energy difference.
     pub dissipated: Vec<f64>,
-    /// T + V - W + dissipated, less its value at the start [J]: zero where the equations conserve energy.
+    /// T + V - W + dissipated, minus its value at the start [J]: zero if the energy balance holds.
     pub residual: Vec<f64>,
 }
 
 impl Trajectory {
-    /// An empty recording of `model`.
+    /// A trajectory of `model` without rows.
     pub fn new(model: &'static Model) -> Self {
         let n = model.coordinates.len();
         Trajectory {
@@ -70,7 +70,7 @@ impl Trajectory {
         }
     }
 
-    /// Memory that a row takes \[bytes\].
+    /// Memory of one row \[bytes\].
     pub fn bytes_of_row(model: &Model) -> usize {
         let columns = 2 * model.coordinates.len() + model.torques.len() + 6;
         columns * size_of::<f64>() + size_of::<Moment>()
@@ -81,23 +81,23 @@ impl Trajectory {
         self.t.len()
     }
 
-    /// Whether nothing was recorded.
+    /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.t.is_empty()
     }
 
-    /// U = T + V - W in row `i` [J]: the energy that only damping may change.
+    /// U = T + V - W in row `i` [J]. Only damping changes it.
     pub fn energy(&self, i: usize) -> f64 {
         self.kinetic[i] + self.strain[i] - self.work[i]
     }
 
-    /// The largest part of the energy account at any row \[J\]: T, V, the energy dissipated, the work of a torque.
+    /// The largest magnitude of T, V, the dissipated energy and the work of each torque, over all rows \[J\].
     pub fn largest_energy(&self) -> f64 {
         let parts = [&self.kinetic, &self.strain, &self.dissipated];
         parts.into_iter().chain(&self.torque_work).flatten().fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
-    /// The rows that are samples at the recording rate, in order.
+    /// Indices of the rows of kind [`Moment::Sample`], in order.
     pub fn samples(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.len()).filter(|&i| self.moment[i] == Moment::Sample)
     }

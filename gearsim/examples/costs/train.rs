@@ -12,7 +12,7 @@
 use gearsim::engine::equations::{DeadBand, Derived, Equations, Switching};
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::model::{Coordinate, Model, Start};
-use gearsim::scene::{Beginning, Effects, Scene};
+use gearsim::scene::{Effects, InitialState, Scene};
 
 use crate::row::Row;
 
@@ -53,7 +53,7 @@ impl<const N: usize> Train<N> {
         let coordinates: Vec<_> = coordinates.collect();
         let q = coordinates.iter().map(|c| c.start).collect();
         scene.model = Box::leak(Box::new(Model { coordinates: coordinates.leak(), ..GearPair::MODEL }));
-        scene.start = Beginning { q, q_dot: vec![None; N], motions: vec![SPEED] };
+        scene.start = InitialState { q, q_dot: vec![None; N], motions: vec![SPEED] };
         scene.effects = Effects(0);
         Ok(scene)
     }

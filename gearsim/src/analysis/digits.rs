@@ -13,7 +13,7 @@
 use crate::model::Start;
 use crate::run::{Digits, Outcome};
 use crate::scene::solver::{Method, Precision};
-use crate::scene::{Course, Scene};
+use crate::scene::{Scene, TimeHistory};
 use crate::trajectory::{Moment, Trajectory};
 
 use super::work_precision::{Runner, error};
@@ -63,7 +63,7 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
         other.start.q_dot[i] = Some(v * by(i + 1));
     }
     for (i, parameter) in other.parameters.iter_mut().enumerate() {
-        let varies = scene.courses.iter().any(|(which, _): &(usize, Course)| *which == i);
+        let varies = scene.time_histories.iter().any(|(which, _): &(usize, TimeHistory)| *which == i);
         // Teeth are whole numbers, and what varies in time begins at the value of its course.
         if !varies && parameter.fract() != 0.0 {
             *parameter *= by(i);

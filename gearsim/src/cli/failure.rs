@@ -7,7 +7,7 @@ use super::terminal;
 use crate::engine::{Refusal, Stop};
 use crate::output::OutputError;
 use crate::run::{Account, Outcome};
-use crate::scene::SceneErrors;
+use crate::scene::SceneMistakes;
 
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
@@ -17,7 +17,7 @@ pub(super) enum Failure {
     Usage(clap::Error),
     /// The scene makes no sense.
     #[error(transparent)]
-    Scene(Box<SceneErrors>),
+    Scene(Box<SceneMistakes>),
     /// The scene's numbers make no system that can be simulated.
     #[error("scene {scene} cannot be simulated: {refusal}")]
     Refused { scene: String, refusal: Refusal },

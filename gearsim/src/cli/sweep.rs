@@ -94,7 +94,7 @@ Examples:
 
 impl Verb for SweepCommand {
     fn run(self) -> Result<(), Failure> {
-        let from = crate::scene::time(&self.from).map_err(|why| Failure::Impossible {
+        let from = crate::scene::quantity::parse_time(&self.from).map_err(|why| Failure::Impossible {
             what: format!("--from \"{}\" is not a time: {why}", self.from),
             help: "write for example --from \"0.1 s\"".into(),
         })?;

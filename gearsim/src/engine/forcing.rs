@@ -9,7 +9,7 @@ use xprec::Df64;
 use crate::engine::clock::Clock;
 use crate::engine::equations::{DerivedModel, Equations};
 use crate::engine::vector::Vector;
-use crate::scene::{Course, Scene};
+use crate::scene::{Scene, TimeHistory};
 
 pub mod linear;
 pub mod window;
@@ -27,7 +27,7 @@ pub struct Forcing {
 /// A parameter that varies.
 #[derive(Debug, Clone)]
 struct Drive {
-    course: Course,
+    course: TimeHistory,
     /// T_p(0).
     at_start: f64,
     /// B_p: generalised forces of a unit (N).
@@ -46,7 +46,7 @@ impl Forcing {
         let bare: Vec<f64> =
             scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
         let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; mids.len()]);
-        let drive = |(p, course): &(usize, Course)| {
+        let drive = |(p, course): &(usize, TimeHistory)| {
             // The forces are linear in it: those of a unit less those of nothing.
             let mut unit = bare.clone();
             unit[*p] = 1.0;
@@ -65,7 +65,7 @@ impl Forcing {
             let at_start = course.at(piece, 0.0);
             (load.amax() > 0.0).then_some(Drive { course, at_start, load, power, piece })
         };
-        let drives: Vec<_> = scene.courses.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
+        let drives: Vec<_> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
         (!drives.is_empty()).then(|| Forcing { drives, work: vec![0.0; scene.model.torques.len()] })
     }
 

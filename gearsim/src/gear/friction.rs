@@ -1,94 +1,101 @@
-//! The laws of friction out of tooth data: how the pairs in contact share the force, and where they touch.
+//! The friction laws of a mesh, computed from the points of contact and the shares of the force.
 //!
-//! Pair i touches at xi_i from the pitch point along the line of action, and bears the share s_i of the force:
+//! Pair i touches at the distance xi_i from the pitch point along the line of action, and carries the share s_i of the force:
 //!
 //! ```text
 //! side = sum s_i sgn(xi_i),    arm = sum s_i |xi_i|
 //! ```
 //!
-//! where the shares are equal, or as the stiffnesses of the pairs. The laws have the cells of the stiffness, to the bit, and one
-//! more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
+//! The shares are equal, or proportional to the stiffnesses of the pairs. The cells of these laws are bit-identical to those of the
+//! stiffness, with one more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
 
-use super::energy::PairOfTeeth;
-use super::law::{Cell, Source, at_its_place, cells, curves};
+use super::energy::ToothPair;
+use super::mesh_stiffness::{Cell, StiffnessMethod, cells, curves, from_pitch_point};
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 
-/// What of the pairs is summed, weighted with their shares.
+/// The quantity of the pairs that is summed, weighted with their shares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rubbing {
-    /// On which side of the pitch point they touch: 1 after it, -1 before it.
+pub enum FrictionLaw {
+    /// Side of the pitch point: 1 after it, -1 before it.
     Side,
-    /// How far from it they touch [m].
+    /// Distance from the pitch point [m].
     Arm,
 }
 
-/// A pair that passes the pitch point within this part of a pitch from a boundary does so there.
-const NEAR: f64 = 1e-9;
+/// If a pair passes the pitch point within this distance of a cell boundary [base pitches], no further boundary is added.
+const BOUNDARY_TOLERANCE: f64 = 1e-9;
 
-/// The law of what the pairs of `gears` give over a phase of the given period, times `scale`.
+/// The friction law `what` of `gears` over a phase of the given period, times `scale`. The stiffness method decides the shares: equal
+/// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// Where the gears do not mesh, or the source is not for them.
-pub fn friction(gears: &Gears, source: Source, what: Rubbing, period: f64, scale: f64) -> Result<Profile, GearError> {
+/// If the gears do not mesh, the second one is a ring, or they are outside the range of the method.
+pub fn friction(
+    gears: &Gears,
+    method: StiffnessMethod,
+    what: FrictionLaw,
+    period: f64,
+    scale: f64,
+) -> Result<Profile, GearError> {
     if gears.internal {
-        let what = "the laws of friction are those of external teeth, and the second gear is a ring";
-        return Err(GearError::new(what, "give steps, or a table"));
+        let what = "friction laws need external teeth, and the second gear is a ring";
+        return Err(GearError::new(what, "give steps, a series or a table"));
     }
     let pairs = Pairs {
         contact: gears.contact()?,
-        teeth: match source {
-            Source::Iso6336(_) => None,
-            Source::Energy => Some(PairOfTeeth::of(gears)?),
+        teeth: match method {
+            StiffnessMethod::Iso6336(_) => None,
+            StiffnessMethod::Energy => Some(ToothPair::of(gears)?),
         },
     };
     let cells = cells(&pairs.contact);
-    let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, source, period)).collect();
+    let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, method, period)).collect();
     let law = match (what, &pairs.teeth) {
-        (Rubbing::Side, None) => {
+        (FrictionLaw::Side, None) => {
             let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
             Profile::stepping(parts.iter().map(step).collect())
         }
-        _ => Profile::curved(parts.iter().flat_map(|part| pairs.along(what, part, scale)).collect()),
+        _ => Profile::curved(parts.iter().flat_map(|part| pairs.curves(what, part, scale)).collect()),
     };
-    Ok(at_its_place(law, &pairs.contact, period))
+    Ok(from_pitch_point(law, &pairs.contact, period))
 }
 
-/// A part of a cell, in which no pair passes the pitch point.
+/// A part of a cell in which no pair passes the pitch point.
 struct Part {
     pairs: usize,
-    /// Where it begins and ends, as places of a pair along the path of contact [m].
+    /// Ends of the part, as positions of a pair along the path of contact [m].
     begin: f64,
     end: f64,
-    /// The phase over which it goes.
+    /// Width [unit of the phase].
     width: f64,
 }
 
-/// The parts of a cell; their widths add up to that of the cell without rounding.
-fn parts(cell: &Cell, contact: &Contact, source: Source, period: f64) -> Vec<Part> {
-    let (pitch, whole) = (contact.base_pitch, cell.width(contact, source, period));
+/// The parts of a cell. Their widths add up to that of the cell without rounding error.
+fn parts(cell: &Cell, contact: &Contact, method: StiffnessMethod, period: f64) -> Vec<Part> {
+    let (pitch, whole) = (contact.base_pitch, cell.width(contact, method, period));
     let part = |begin, end, width| Part { pairs: cell.pairs, begin, end, width };
-    let passes = (cell.begin / pitch + NEAR).ceil() * pitch;
-    if passes >= cell.end - NEAR * pitch {
+    let passes = (cell.begin / pitch + BOUNDARY_TOLERANCE).ceil() * pitch;
+    if passes >= cell.end - BOUNDARY_TOLERANCE * pitch {
         return vec![part(cell.begin, cell.end, whole)];
     }
     let first = (passes - cell.begin) / (cell.end - cell.begin) * whole;
-    // The difference to the larger of the two is exact.
+    // `whole - first` is exact if `first` is at least half of `whole`. Otherwise `first` is rounded so that it is exact.
     let first = if first >= whole / 2.0 { first } else { whole - (whole - first) };
     vec![part(cell.begin, passes, first), part(passes, cell.end, whole - first)]
 }
 
-/// The pairs of teeth, and their stiffnesses if the shares are theirs.
+/// The tooth pairs; with their stiffnesses if the shares are proportional to them.
 struct Pairs {
     contact: Contact,
-    teeth: Option<PairOfTeeth>,
+    teeth: Option<ToothPair>,
 }
 
 impl Pairs {
-    /// What the pairs of a part give where one of them is at `x` [m].
-    fn sum(&self, what: Rubbing, part: &Part, x: f64) -> f64 {
+    /// The weighted sum over the pairs of a part when one of them is at `x` [m].
+    fn sum(&self, what: FrictionLaw, part: &Part, x: f64) -> f64 {
         let pitch = self.contact.base_pitch;
-        // Pairs at the ends of a part come and go, and change sides: those of its middle are summed, all the way.
+        // At the ends of a part a pair begins or ends contact, or changes sides. So the pairs and sides at its middle are used throughout.
         let middle = 0.5 * (part.begin + part.end);
         let first = ((-self.contact.approach - middle) / pitch).ceil() as i64;
         let pairs = || (first..first + part.pairs as i64).map(|j| j as f64 * pitch);
@@ -96,13 +103,14 @@ impl Pairs {
         let all: f64 = pairs().map(weight).sum();
         let each = |ahead: f64| {
             let side = if middle + ahead > 0.0 { 1.0 } else { -1.0 };
-            weight(ahead) / all * if what == Rubbing::Side { side } else { side * (x + ahead) }
+            weight(ahead) / all * if what == FrictionLaw::Side { side } else { side * (x + ahead) }
         };
         pairs().map(each).sum()
     }
 
-    /// The curves of a part, with their widths: side and arm within 2e-5 of the sums, the arm in parts of a pitch.
-    fn along(&self, what: Rubbing, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
+    /// The curves of a part, with their widths [unit of the phase]. Their error is at most 2e-5: absolute for the side, in base pitches for
+    /// the arm.
+    fn curves(&self, what: FrictionLaw, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
         let value = |x: f64| scale * self.sum(what, part, x);
         if self.teeth.is_none() {
             let (a, b) = (value(part.begin), value(part.end));
@@ -119,58 +127,59 @@ mod tests {
     use super::*;
     use crate::engine::crossing::Side;
     use crate::engine::phase::Pitch;
-    use crate::gear::{Course, stiffness};
+    use crate::gear::{CellShape, stiffness};
 
     fn gears() -> Gears {
         Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    fn law(source: Source, what: Rubbing, scale: f64) -> Profile {
-        friction(&gears(), source, what, TAU, scale).unwrap()
+    fn law(method: StiffnessMethod, what: FrictionLaw, scale: f64) -> Profile {
+        friction(&gears(), method, what, TAU, scale).unwrap()
     }
 
-    /// Its value at a phase.
+    /// Value of the law at a phase.
     fn at(law: &Profile, s: f64) -> f64 {
         let pitch = Pitch::new(law, TAU);
         let (_, rest, cell) = pitch.locate(s, 1.0);
         pitch.course(cell, rest - pitch.bounds(cell).0)[0]
     }
 
-    /// Against the pairs one by one: all that touch, wherever they are.
+    /// The laws equal the sums over all pairs in contact, computed one by one.
     #[test]
-    fn sums_over_the_pairs() {
-        let pair = PairOfTeeth::of(&gears()).unwrap();
+    fn laws_are_the_sums_over_the_pairs() {
+        let pair = ToothPair::of(&gears()).unwrap();
         let contact = &pair.contact;
-        for (source, bound) in [(Source::Iso6336(None), 1e-12), (Source::Energy, 2e-5)] {
-            let (side, arm) = (law(source, Rubbing::Side, 1.0), law(source, Rubbing::Arm, 1.0));
+        for (method, bound) in [(StiffnessMethod::Iso6336(None), 1e-12), (StiffnessMethod::Energy, 2e-5)] {
+            let (side, arm) = (law(method, FrictionLaw::Side, 1.0), law(method, FrictionLaw::Arm, 1.0));
             let mut worst = [0.0f64; 2];
             for s in (0..200).map(|i| 0.013 + TAU * f64::from(i) / 200.0) {
                 let places = (-3..=3).map(|j| (s / TAU + f64::from(j)) * contact.base_pitch);
                 let touching: Vec<f64> = places.filter(|xi| (-contact.approach..contact.recess).contains(xi)).collect();
-                let weight = |xi: f64| if source == Source::Energy { pair.stiffness(xi) } else { 1.0 };
+                let weight = |xi: f64| if method == StiffnessMethod::Energy { pair.stiffness(xi) } else { 1.0 };
                 let all: f64 = touching.iter().map(|xi| weight(*xi)).sum();
                 let sum = |f: fn(f64) -> f64| touching.iter().map(|xi| weight(*xi) / all * f(*xi)).sum::<f64>();
                 let off = [at(&side, s) - sum(f64::signum), (at(&arm, s) - sum(f64::abs)) / contact.base_pitch];
                 worst = [0, 1].map(|i| worst[i].max(off[i].abs()));
             }
-            println!("{source:?}: off by {worst:?}");
-            assert!(worst[0] < bound && worst[1] < bound, "{source:?}: {worst:?}");
+            println!("{method:?}: off by {worst:?}");
+            assert!(worst[0] < bound && worst[1] < bound, "{method:?}: {worst:?}");
         }
     }
 
-    /// Boundaries: those of the stiffness, to the bit, and one more, where a pair is at the pitch point. There the arm goes on.
+    /// The boundaries are bit-identical to those of the stiffness, and there is one more, where a pair is at the pitch point. The arm is
+    /// continuous there.
     #[test]
-    fn boundaries_are_those_of_the_stiffness() {
+    fn boundaries_are_those_of_the_stiffness_and_the_pitch_point() {
         let ends = |law: &Profile| {
             let pitch = Pitch::new(law, TAU);
             (0..pitch.cells()).map(|cell| pitch.bounds(cell).0).collect::<Vec<_>>()
         };
         for z in [[24.0, 96.0], [31.0, 40.0], [20.0, 77.0]] {
             let gears = Gears::standard(z, 6.35e-3, 20f64.to_radians(), 7e-3);
-            for source in [Source::Iso6336(None), Source::Energy] {
-                let k = stiffness(&gears, source, Course::Levels, TAU, 1.0).unwrap();
+            for method in [StiffnessMethod::Iso6336(None), StiffnessMethod::Energy] {
+                let k = stiffness(&gears, method, CellShape::Levels, TAU, 1.0).unwrap();
                 let [side, arm] =
-                    [Rubbing::Side, Rubbing::Arm].map(|what| friction(&gears, source, what, TAU, 1.0).unwrap());
+                    [FrictionLaw::Side, FrictionLaw::Arm].map(|what| friction(&gears, method, what, TAU, 1.0).unwrap());
                 let (k, side_ends, arm_ends) = (ends(&k), ends(&side), ends(&arm));
                 assert!(k.iter().all(|b| side_ends.contains(b) && arm_ends.contains(b)), "{k:?} {side_ends:?}");
                 let at_pitch_point = |b: &&f64| b.abs() < 1e-12 || (*b - TAU).abs() < 1e-12;
@@ -182,11 +191,11 @@ mod tests {
         }
     }
 
-    /// In units of the phase the arm of one pair alone is its phase.
+    /// In units of the phase, the arm of a single pair is the absolute value of the phase.
     #[test]
-    fn the_arm_of_one_pair() {
+    fn the_arm_of_a_single_pair_is_its_distance_from_the_pitch_point() {
         let base_pitch = gears().contact().unwrap().base_pitch;
-        let arm = law(Source::Iso6336(None), Rubbing::Arm, TAU / base_pitch);
+        let arm = law(StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU / base_pitch);
         for s in [-0.3, -0.1, 0.2] {
             assert!((at(&arm, s) - f64::abs(s)).abs() < 1e-12);
         }
@@ -195,6 +204,8 @@ mod tests {
     #[test]
     fn a_ring_is_refused() {
         let ring = Gears { internal: true, ..gears() };
-        assert!(friction(&ring, Source::Energy, Rubbing::Arm, TAU, 1.0).unwrap_err().what.contains("a ring"));
+        assert!(
+            friction(&ring, StiffnessMethod::Energy, FrictionLaw::Arm, TAU, 1.0).unwrap_err().what.contains("a ring")
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 /// tan(alpha) - alpha, of an angle [rad] in [0, pi/2).
 pub fn involute(alpha: f64) -> f64 {
-    // The difference loses the digits of small angles; three terms of the series have them.
+    // For small angles the difference loses digits by cancellation; three terms of the series do not.
     if alpha.abs() < 0.01 {
         let a2 = alpha * alpha;
         return alpha * a2 / 3.0 * (1.0 + a2 * (2.0 / 5.0 + a2 * (17.0 / 105.0)));
@@ -10,7 +10,7 @@ pub fn involute(alpha: f64) -> f64 {
     alpha.tan() - alpha
 }
 
-/// The angle in [0, pi/2) whose involute is `x`; `None` where `x` is negative or not finite.
+/// The angle in [0, pi/2) [rad] whose involute is `x`; `None` if `x` is negative or not finite.
 pub fn inverse(x: f64) -> Option<f64> {
     if !(0.0..f64::INFINITY).contains(&x) {
         return None;
@@ -18,7 +18,8 @@ pub fn inverse(x: f64) -> Option<f64> {
     if x == 0.0 {
         return Some(0.0);
     }
-    // In t = tan(alpha), t - atan(t) = x, with the slope t²/(1 + t²): convex, then straight. Newton from above falls to it.
+    // With t = tan(alpha), solve t - atan(t) = x. The slope t²/(1 + t²) increases with t (convex), so Newton's method from a point
+    // above the root decreases monotonically to it.
     let mut t = (3.0 * x).cbrt() + x + 1.0;
     for _ in 0..60 {
         let step = (t - t.atan() - x) * (1.0 + t * t) / (t * t);
@@ -35,9 +36,9 @@ pub fn inverse(x: f64) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// inv 20 deg = 0.014904384 (every table); the inverse brings back the angle; the two branches meet.
+    /// inv 20 deg = 0.014904384 (standard tables); the inverse returns the angle; series and formula agree where they meet.
     #[test]
-    fn involutes_and_back() {
+    fn the_inverse_returns_the_angle() {
         assert!((involute(20f64.to_radians()) - 0.014_904_383_867).abs() < 1e-12);
         for degrees in [0.0, 0.1, 0.5, 5.0, 14.5, 20.0, 30.0, 60.0, 85.0] {
             let alpha = f64::to_radians(degrees);

@@ -1,26 +1,26 @@
-//! Stiffness of a spur gear pair by ISO 6336-1:2019, method B (clause 9; the same numbers as the edition of 2006).
+//! Mesh stiffness of a spur gear pair by ISO 6336-1:2019, method B (clause 9; same coefficients as in the 2006 edition).
 //!
 //! ```text
 //! q'       = C1 + C2/z1 + C3/z2 + C4 x1 + C5 x1/z1 + C6 x2 + C7 x2/z2 + C8 x1² + C9 x2²     [mm um/N], gear 1 the smaller
-//! c'       = C_M C_R C_B (E/E_steel)/q'            greatest stiffness of one pair of teeth, per width [N/(mm um)]
-//! C_M      = 0.8                                   measured against computed
-//! C_R      = 1                                     solid discs
-//! C_B      = (1 + 0.5 (1.2 - h_fP/m)) (1 - 0.02 (20 deg - alpha))        the mean of both gears
+//! c'       = C_M C_R C_B (E/E_steel)/q'            greatest stiffness of one tooth pair, per face width [N/(mm um)]
+//! C_M      = 0.8                                   ratio of measured to computed stiffness
+//! C_R      = 1                                     solid disc gears
+//! C_B      = (1 + 0.5 (1.2 - h_fP/m)) (1 - 0.02 (20 deg - alpha))        mean of both gears
 //! E        = 2 E1 E2/(E1 + E2),  E_steel = 206 GPa
-//! c_gamma  = c' (0.75 eps + 0.25)                  mean stiffness of the mesh at the contact ratio eps
+//! c_gamma  = c' (0.75 eps + 0.25)                  mean mesh stiffness at the contact ratio eps
 //! ```
 //!
-//! Below 100 N/mm of tangential load per width, c' falls with (load/100)^0.25. An internal gear has z2 = infinity, to which the
-//! standard only claims to be near.
+//! Below a line load (tangential force per face width) of 100 N/mm, c' decreases with (load/100)^0.25. For an internal gear z2 = infinity;
+//! the standard calls this an approximation.
 //!
-//! Its range, outside which it is refused: x1 >= x2, -0.5 <= x1 + x2 <= 2, eps >= 1.2, line loads up to 1600 N/mm (there it
-//! claims to be within +5 % and -8 %). We add what the formula is not for: fewer than 2.5 pairs, 14.5 to 25 degrees.
+//! Range of the formula: x1 >= x2, -0.5 <= x1 + x2 <= 2, eps >= 1.2, line loads up to 1600 N/mm. Within it the standard states an
+//! accuracy of +5 % and -8 %. We add the limits eps < 2.5 and 14.5 to 25 degrees of pressure angle. Gears outside this range are refused.
 //!
-//! n pairs that touch together have c' (0.75 n + 0.25): these levels have the mean c_gamma at every contact ratio.
+//! n pairs in contact have the stiffness c' (0.75 n + 0.25). These levels have the mean c_gamma at every contact ratio.
 
 use super::pair::{GearError, Gears};
 
-/// C1 ... C9.
+/// C1 to C9.
 const C: [f64; 9] = [0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188, 0.00529, 0.00182];
 /// C_M.
 const CORRECTION: f64 = 0.8;
@@ -28,29 +28,29 @@ const CORRECTION: f64 = 0.8;
 const STEEL: f64 = 206e9;
 /// One N/(mm um) [Pa].
 const PER_WIDTH: f64 = 1e9;
-/// Line loads [N/m]: below the first c' falls, beyond the second the formula ends.
+/// Line loads [N/m]: below the first, c' decreases; the second is the limit of the formula.
 pub const LINE_LOADS: [f64; 2] = [100e3, 1600e3];
 
-/// The stiffnesses of a pair, per width [Pa].
+/// The stiffnesses of a gear pair, per face width [Pa].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Iso6336 {
-    /// c': greatest stiffness of one pair of teeth.
+    /// c': greatest stiffness of one tooth pair.
     pub single: f64,
-    /// c_gamma: mean stiffness of the mesh.
+    /// c_gamma: mean mesh stiffness.
     pub mean: f64,
 }
 
 impl Iso6336 {
-    /// Those of `gears` under a tangential load per width [N/m], if that is known.
+    /// The stiffnesses of `gears` under a line load [N/m]; `None`: not reduced, as at 100 N/mm or more.
     ///
     /// # Errors
-    /// Where the gears do not mesh, or are beyond what the formulas are for.
+    /// If the gears do not mesh, or are outside the range of the formula.
     pub fn of(gears: &Gears, line_load: Option<f64>) -> Result<Iso6336, GearError> {
         let ratio = gears.contact()?.ratio();
-        // Gear 1 of the formula is the smaller.
+        // Gear 1 of the formula is the smaller gear.
         let (small, large) = if gears.teeth[0] <= gears.teeth[1] { (0, 1) } else { (1, 0) };
         let (x1, x2) = (gears.profile_shift[small], gears.profile_shift[large]);
-        // Of a ring, x2 counts as of a rack: moved towards the other gear.
+        // For a ring, the sign of x2 is that of a rack: positive towards the other gear.
         let x2 = if gears.internal { -x2 } else { x2 };
         within(gears, [x1, x2], ratio, line_load)?;
         let (z1, z2) = (gears.teeth[small], if gears.internal { f64::INFINITY } else { gears.teeth[large] });
@@ -66,33 +66,34 @@ impl Iso6336 {
         Ok(Iso6336 { single, mean: single * (0.75 * ratio + 0.25) })
     }
 
-    /// The stiffness of `n` pairs that touch together [Pa].
+    /// The stiffness of `n` pairs in contact, per face width [Pa].
     pub fn pairs(&self, n: usize) -> f64 {
         if n == 0 { 0.0 } else { self.single * (0.75 * n as f64 + 0.25) }
     }
 }
 
 fn within(gears: &Gears, [x1, x2]: [f64; 2], ratio: f64, line_load: Option<f64>) -> Result<(), GearError> {
-    let energy = "take the method \"energy\", which computes the teeth";
+    let energy = "use the method \"energy\"";
     let refused = |what: String| Err(GearError::new(format!("ISO 6336-1 has no stiffness {what}"), energy));
     if !gears.internal && x1 < x2 {
-        return refused(format!("for a smaller gear with the smaller profile shift: {x1} < {x2}"));
+        return refused(format!("if the smaller gear has the smaller profile shift: {x1} < {x2}"));
     }
     let sum = x1 + x2;
     if !gears.internal && !(-0.5..=2.0).contains(&sum) {
-        return refused(format!("for profile shifts that add up to {sum}: they must to -0.5 to 2"));
+        return refused(format!("for profile shifts that add up to {sum}: the sum must lie between -0.5 and 2"));
     }
     if !(1.2..2.5).contains(&ratio) {
         return refused(format!("for a contact ratio of {ratio:.4}: it must lie between 1.2 and 2.5"));
     }
     let degrees = gears.pressure_angle.to_degrees();
+    // The limits are allowed, so they are widened by the rounding error of the conversion to degrees.
     if !(14.5 - 1e-9..=25.0 + 1e-9).contains(&degrees) {
         return refused(format!("for a pressure angle of {degrees:.3} deg: it must lie between 14.5 and 25 deg"));
     }
     if let Some(load) = line_load
         && load > LINE_LOADS[1]
     {
-        return refused(format!("for a line load of {} N/mm: it goes up to 1600 N/mm", load / 1e3));
+        return refused(format!("for a line load of {} N/mm: it must be at most 1600 N/mm", load / 1e3));
     }
     Ok(())
 }
@@ -107,10 +108,10 @@ mod tests {
         Gears { dedendum: [1.2; 2], ..Gears::standard([z1, z2], 4e-3, twenty, 20e-3) }
     }
 
-    /// c' = 14 N/(mm um), c_gamma = 20: the averages of steel spur gears that ISO 6336-1 gives as method C. The formula is
-    /// within 6 % and 10 % of them for such gears.
+    /// ISO 6336-1 gives as method C the averages c' = 14 N/(mm um) and c_gamma = 20 N/(mm um) for steel spur gears. Method B is within 6 %
+    /// and 10 % of them for such gears.
     #[test]
-    fn steel_gears_have_about_fourteen() {
+    fn steel_gears_are_near_the_averages_of_method_c() {
         for (z1, z2) in [(24.0, 96.0), (30.0, 60.0), (40.0, 40.0)] {
             let iso = Iso6336::of(&gears(z1, z2), None).unwrap();
             assert!((iso.single / 14e9 - 1.0).abs() < 0.06, "{z1} {z2}: {}", iso.single);
@@ -118,9 +119,9 @@ mod tests {
         }
     }
 
-    /// By hand: 17 and 103 teeth, shifts 0.145 and 0: q' = 0.04723 + 0.0091476 + 0.0025040 - 0.00092075 - 0.00099402 + 0.00011122.
+    /// 17 and 103 teeth, shifts 0.145 and 0, by hand: q' = 0.04723 + 0.0091476 + 0.0025040 - 0.00092075 - 0.00099402 + 0.00011122.
     #[test]
-    fn a_pair_by_hand() {
+    fn stiffness_of_a_pair_computed_by_hand() {
         let pair = Gears { profile_shift: [0.145, 0.0], ..gears(17.0, 103.0) };
         let iso = Iso6336::of(&pair, None).unwrap();
         assert!((iso.single * 1e-9 - 0.8 / 0.057_078_1).abs() < 1e-4, "{}", iso.single);
@@ -136,9 +137,9 @@ mod tests {
         assert_eq!(Iso6336::of(&pair, Some(100e3)), Ok(iso));
     }
 
-    /// The levels of the cells have the mean that the standard gives, at one or two pairs and at two or three.
+    /// The mean of the levels is c_gamma, with one or two pairs and with two or three pairs in contact.
     #[test]
-    fn levels_have_the_mean() {
+    fn levels_have_the_mean_of_the_standard() {
         for addendum in [0.85, 1.0, 1.3] {
             let pair = Gears { addendum: [addendum; 2], dedendum: [1.5; 2], ..gears(40.0, 60.0) };
             let (iso, (pairs, more)) = (Iso6336::of(&pair, None).unwrap(), pair.contact().unwrap().pairs());
@@ -150,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn out_of_range_is_refused() {
+    fn gears_outside_the_range_are_refused() {
         let shifted = |x: [f64; 2]| Gears { profile_shift: x, ..gears(24.0, 96.0) };
         let cases = [
             (shifted([0.0, 0.2]), None, "smaller profile shift"),

@@ -1,8 +1,8 @@
-//! A pair of involute spur gears, and how they touch.
+//! A pair of involute spur gears, and its path of contact.
 //!
 //! With the base radii r_b = m z cos(alpha)/2, the working pressure angle alpha_w, the tip radii r_a = m (z/2 + h_a + x) and the
-//! base pitch p_b = pi m cos(alpha), contact runs along the common tangent of the base circles, from the tip of the driven
-//! gear to that of the driving one. From the pitch point it is
+//! base pitch p_b = pi m cos(alpha), the path of contact lies on the common tangent of the base circles, from the tip of the driven
+//! gear to the tip of the driving gear. Its lengths from the pitch point are
 //!
 //! ```text
 //! approach   g_f = sqrt(r_a2² - r_b2²) - r_b2 tan(alpha_w)          of an internal gear: r_b2 tan(alpha_w) - sqrt(r_a2² - r_b2²)
@@ -10,20 +10,20 @@
 //! contact ratio  (g_f + g_a)/p_b
 //! ```
 //!
-//! Without a centre distance the gears mesh without backlash: inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x_1 + x_2)/(z_1 + z_2).
-//! For an internal gear z_2 counts negative, x_2 is positive where the teeth are moved outwards, away from its centre, and
-//! z_2 + z_1 and x_2 + x_1 become z_2 - z_1 and x_2 - x_1. Source: ISO 21771-1:2024; G. Niemann, H. Winter, Maschinenelemente II.
+//! If no centre distance is given, the gears mesh without backlash: inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x_1 + x_2)/(z_1 + z_2).
+//! For an internal gear, z_2 + z_1 and x_2 + x_1 become z_2 - z_1 and x_2 - x_1, with x_2 positive if the teeth are shifted outwards,
+//! away from the centre of the ring. Source: ISO 21771-1:2024; G. Niemann, H. Winter, Maschinenelemente II.
 
 use std::f64::consts::PI;
 
 use super::involute::{inverse, involute};
 
-/// What a drawing says of two gears. The first drives.
+/// Data of two gears, as on a drawing. The first gear drives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gears {
     /// Numbers of teeth.
     pub teeth: [f64; 2],
-    /// Whether the second is a ring with internal teeth.
+    /// Whether the second gear is a ring with internal teeth.
     pub internal: bool,
     /// Module [m].
     pub module: f64,
@@ -31,19 +31,19 @@ pub struct Gears {
     pub pressure_angle: f64,
     /// Addendum [modules], without the profile shift.
     pub addendum: [f64; 2],
-    /// Dedendum [modules], likewise.
+    /// Dedendum [modules], without the profile shift.
     pub dedendum: [f64; 2],
-    /// Radius of the fillet of the basic rack [modules].
+    /// Tip radius of the basic rack, which cuts the fillet [modules].
     pub fillet: f64,
-    /// Stiffness shift [modules].
+    /// Profile shift [modules].
     pub profile_shift: [f64; 2],
-    /// Distance of the axes [m]; that without backlash, if none is given.
+    /// Centre distance [m]; `None`: the distance without backlash.
     pub centre_distance: Option<f64>,
-    /// Width of the mesh [m].
+    /// Face width [m].
     pub face_width: f64,
-    /// What they are made of.
+    /// Material of each gear.
     pub material: [Material; 2],
-    /// Radius of the bore [m], where it is known.
+    /// Radius of the bore [m]; `None`: not known.
     pub bore: [Option<f64>; 2],
 }
 
@@ -57,11 +57,11 @@ pub struct Material {
 }
 
 impl Material {
-    /// Steel, as ISO 6336-1 has it.
+    /// Steel, with the values of ISO 6336-1.
     pub const STEEL: Material = Material { young: 206e9, poisson: 0.3 };
 }
 
-/// Why gears cannot mesh, or a method is not for them: a sentence, and what to do.
+/// Why gears do not mesh, or are outside the range of a method; and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what}; {advice}")]
 pub struct GearError {
@@ -77,7 +77,7 @@ impl GearError {
     }
 }
 
-/// How two gears touch.
+/// Geometry of the contact of two gears.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// Reference radii [m].
@@ -90,13 +90,13 @@ pub struct Contact {
     pub root: [f64; 2],
     /// Working pressure angle [rad].
     pub angle: f64,
-    /// Distance of the axes [m].
+    /// Centre distance [m].
     pub centre_distance: f64,
     /// Base pitch [m].
     pub base_pitch: f64,
-    /// Path of contact before the pitch point [m].
+    /// Length of the path of contact before the pitch point [m].
     pub approach: f64,
-    /// Path of contact after it [m].
+    /// Length of the path of contact after the pitch point [m].
     pub recess: f64,
 }
 
@@ -119,16 +119,16 @@ impl Gears {
         }
     }
 
-    /// How they touch.
+    /// The contact of the gears.
     ///
     /// # Errors
-    /// Where they do not, or not on involutes all the way, or lose contact between two teeth.
+    /// If the gears do not mesh, touch outside their involutes, or have a contact ratio of at most 1.
     pub fn contact(&self) -> Result<Contact, GearError> {
         let ([z1, z2], m, alpha) = (self.teeth, self.module, self.pressure_angle);
         let sign = if self.internal { -1.0 } else { 1.0 };
         if self.internal && z2 <= z1 {
             let what = format!("a ring of {z2} teeth has no room for a gear of {z1}");
-            return Err(GearError::new(what, "the second of the two is the ring: give it more teeth"));
+            return Err(GearError::new(what, "the second gear is the ring: give it more teeth"));
         }
         let reference = self.teeth.map(|z| m * z / 2.0);
         let base = reference.map(|r| r * alpha.cos());
@@ -138,15 +138,16 @@ impl Gears {
                 let shift = self.profile_shift[1] + sign * self.profile_shift[0];
                 let inv = involute(alpha) + 2.0 * alpha.tan() * shift / (z2 + sign * z1);
                 inverse(inv).ok_or_else(|| {
-                    let what = format!("profile shifts of {:?} leave the gears no pressure angle", self.profile_shift);
-                    GearError::new(what, "make their sum larger, of a ring their difference")
+                    let what =
+                        format!("with the profile shifts {:?} the gears have no pressure angle", self.profile_shift);
+                    GearError::new(what, "increase their sum; with a ring, the second minus the first")
                 })?
             }
             Some(a) if a > difference => (difference / a).acos(),
             Some(a) => {
                 let what =
-                    format!("at a distance of {a} m the base circles of the gears, {difference} m apart, overlap");
-                return Err(GearError::new(what, "move the gears apart, or leave the distance out"));
+                    format!("the centre distance {a} m is not greater than {difference} m: the base circles overlap");
+                return Err(GearError::new(what, "increase centre_distance, or leave it out"));
             }
         };
         let centre_distance = self.centre_distance.unwrap_or(difference / angle.cos());
@@ -170,18 +171,20 @@ impl Gears {
         Ok(contact)
     }
 
-    /// Whether contact is on involutes all the way, and one pair takes over from another.
+    /// Checks that all contact is on involutes, that tips and roots do not overlap, and that the contact ratio is greater than 1.
     fn check(&self, contact: &Contact, tangent: [f64; 2]) -> Result<(), GearError> {
-        let shift = "give it more teeth, a positive profile shift, or the other a smaller addendum";
+        let advice = |gear: &str, other: &str| {
+            format!("give {gear} more teeth or a positive profile shift, or {other} a smaller addendum")
+        };
         if contact.approach > tangent[0] {
             let what = "the tips of gear 2 meet gear 1 below its base circle, where there is no involute";
-            return Err(GearError::new(what, format!("{shift}: gear 1")));
+            return Err(GearError::new(what, advice("gear 1", "gear 2")));
         }
         if !self.internal && contact.recess > tangent[1] {
             let what = "the tips of gear 1 meet gear 2 below its base circle, where there is no involute";
-            return Err(GearError::new(what, format!("{shift}: gear 2")));
+            return Err(GearError::new(what, advice("gear 2", "gear 1")));
         }
-        // A tip and the root that it reaches into.
+        // Overlap of the tip circle of one gear with the root circle of the other.
         let (a, tip, root) = (contact.centre_distance, contact.tip, contact.root);
         let overlap = match self.internal {
             true => (a + tip[0] - root[1]).max(a + root[0] - tip[1]),
@@ -189,30 +192,35 @@ impl Gears {
         };
         if overlap > 1e-9 * self.module {
             let what = format!("tips and roots overlap by {:.3} modules", overlap / self.module);
-            return Err(GearError::new(what, "lower the addendum, deepen the dedendum, or move the gears apart"));
+            return Err(GearError::new(
+                what,
+                "reduce the addendum, increase the dedendum, or increase the centre distance",
+            ));
         }
         let ratio = contact.ratio();
         if ratio <= 1.0 {
-            let what = format!("the contact ratio is {ratio:.4}: one pair of teeth parts before the next one meets");
-            return Err(GearError::new(what, "raise the addendum, take more teeth, or move the gears together"));
+            let what = format!(
+                "the contact ratio is {ratio:.4}: a tooth pair loses contact before the next one makes contact"
+            );
+            return Err(GearError::new(what, "increase the addendum, use more teeth, or reduce the centre distance"));
         }
         Ok(())
     }
 }
 
 impl Contact {
-    /// Contact ratio: the mean number of pairs of teeth that touch.
+    /// Contact ratio: the mean number of tooth pairs in contact.
     pub fn ratio(&self) -> f64 {
         (self.approach + self.recess) / self.base_pitch
     }
 
-    /// Pairs that touch while there are fewest, and the part of a pitch over which one more does.
+    /// The smallest number of pairs in contact, and the fraction of a pitch in which one more is in contact.
     pub fn pairs(&self) -> (usize, f64) {
         let ratio = self.ratio();
         (ratio.floor() as usize, ratio.fract())
     }
 
-    /// Radii [m] at which a pair of external teeth touches that is `x` [m] beyond the pitch point.
+    /// Radii on both gears [m] at which a pair of external teeth touches, at the distance `x` [m] beyond the pitch point.
     pub fn radii(&self, x: f64) -> [f64; 2] {
         let tangent = self.base.map(|r| r * self.angle.tan());
         [(self.base[0], tangent[0] + x), (self.base[1], tangent[1] - x)].map(|(b, t)| b.hypot(t))
@@ -229,9 +237,9 @@ mod tests {
         Gears::standard([z1, z2], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    /// The gears of Oh, Grosh & Barber (2005), computed independently: 1.72491, one pair over 1.728 rad, two over 4.555.
+    /// The gears of Oh, Grosh & Barber (2005), computed independently: contact ratio 1.72491, one pair over 1.728 rad, two over 4.555 rad.
     #[test]
-    fn the_founding_pair() {
+    fn contact_ratio_of_the_gears_of_oh_2005() {
         let contact = standard(24.0, 96.0).contact().unwrap();
         assert!((contact.ratio() - 1.724_91).abs() < 5e-6, "{}", contact.ratio());
         let (pairs, more) = contact.pairs();
@@ -240,9 +248,9 @@ mod tests {
         assert!((contact.reference[0] - 76.2e-3).abs() < 1e-12 && (contact.centre_distance - 0.381).abs() < 1e-12);
     }
 
-    /// Contact may be told from either gear; where it begins, each touches at the tip of the other.
+    /// If the gears are exchanged, approach and recess are exchanged. Contact begins at the tip of gear 2 and ends at the tip of gear 1.
     #[test]
-    fn a_pair_is_the_same_from_either_side() {
+    fn the_contact_is_symmetric_in_the_gears() {
         let (one, two) = (standard(24.0, 96.0).contact().unwrap(), standard(96.0, 24.0).contact().unwrap());
         assert!((one.ratio() - two.ratio()).abs() < 1e-14 && (one.approach - two.recess).abs() < 1e-15);
         let (begin, end) = (one.radii(-one.approach), one.radii(one.recess));
@@ -251,10 +259,10 @@ mod tests {
         assert!((pitch[0] - one.reference[0]).abs() < 1e-15 && (pitch[1] - one.reference[1]).abs() < 1e-15);
     }
 
-    /// Shifts that cancel leave the distance; with their sum the gears move apart and mesh without backlash: the thicknesses
-    /// of both teeth at the working pitch circles make up the pitch.
+    /// Profile shifts with the sum 0 do not change the pressure angle. With another sum the gears still mesh without backlash: the tooth
+    /// thicknesses at the working pitch circles add up to the pitch.
     #[test]
-    fn profile_shift() {
+    fn shifted_gears_mesh_without_backlash() {
         let shifted = |x: [f64; 2]| Gears { profile_shift: x, ..standard(20.0, 40.0) };
         let zero = shifted([0.3, -0.3]).contact().unwrap();
         assert!((zero.angle - 20f64.to_radians()).abs() < 1e-12);
@@ -268,15 +276,14 @@ mod tests {
         };
         let ((s1, pitch), (s2, same)) = (thickness(0), thickness(1));
         assert!((pitch - same).abs() < 1e-15 && (s1 + s2 - pitch).abs() < 1e-12, "{s1} {s2} {pitch}");
-        // Told its own distance, it is the same pair.
+        // Given this centre distance explicitly, the pair is the same.
         let told = Gears { centre_distance: Some(contact.centre_distance), ..gears }.contact().unwrap();
         assert!((told.ratio() - contact.ratio()).abs() < 1e-9);
     }
 
-    /// A ring and its planet: with infinitely many teeth it touches as a rack, from which an external gear is as far on the
-    /// other side.
+    /// A ring with very many teeth is a rack, and so is an external gear: both have the same contact ratio with a planet.
     #[test]
-    fn internal_gears() {
+    fn a_ring_with_many_teeth_is_a_rack() {
         let ring = |z2: f64| Gears { internal: true, addendum: [1.0, 0.8], ..standard(36.0, z2) };
         let external = |z2: f64| Gears { addendum: [1.0, 0.8], ..standard(36.0, z2) };
         let (inside, outside) = (ring(1e7).contact().unwrap().ratio(), external(1e7).contact().unwrap().ratio());

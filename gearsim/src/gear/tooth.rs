@@ -1,9 +1,9 @@
-//! The outline of an external tooth, cut by the basic rack: involute flank, trochoid fillet, root.
+//! The outline of an external tooth cut by the basic rack: involute flank, trochoid fillet, root.
 //!
-//! With the pitch line of the rack rolling on the reference circle, the circle that rounds the rack's tip (radius rho, centre
-//! b = (h_f - rho - x) m below that line and e = m (pi/4 - h_f tan(alpha) - rho (1 - sin(alpha))/cos(alpha)) from the middle of
-//! the rack's tooth) touches the gear where its normal passes through the pitch point: with u the angle of that normal from the
-//! radius, 0 <= u <= pi/2 - alpha,
+//! The pitch line of the rack rolls on the reference circle. The tip of the rack is rounded by a circle of radius rho. Its centre is
+//! b = (h_f - rho - x) m below the pitch line and e = m (pi/4 - h_f tan(alpha) - rho (1 - sin(alpha))/cos(alpha)) from the middle of
+//! the rack's tooth. This circle touches the gear where its normal passes through the pitch point. With u the angle of that normal
+//! from the radius, 0 <= u <= pi/2 - alpha, the point of the fillet is
 //!
 //! ```text
 //! F = (b tan(u) + rho sin(u), r - b - rho cos(u)),   at the angle atan(F_x/F_y) - (b tan(u) - e)/r from the middle of the space
@@ -16,35 +16,35 @@ use std::f64::consts::PI;
 use super::involute::involute;
 use super::pair::{Contact, GearError, Gears};
 
-/// A tooth: heights are radii along its middle, from the centre of the gear [m].
+/// A tooth. Heights are measured along its centre line from the centre of the gear [m].
 #[derive(Debug, Clone)]
 pub(super) struct Tooth {
-    /// Base radius.
+    /// Base radius [m].
     pub(super) base: f64,
-    /// Root radius.
+    /// Root radius [m].
     pub(super) root: f64,
-    /// Reference radius.
+    /// Reference radius [m].
     reference: f64,
-    /// Half the angle of a tooth and its space, pi/z [rad].
+    /// Half the angular pitch, pi/z [rad].
     half_pitch: f64,
-    /// Half the angle of the tooth at its base circle [rad].
+    /// Half angle of the tooth at its base circle [rad].
     at_base: f64,
     /// b, e and rho [m].
     cutter: [f64; 3],
-    /// u where fillet and flank meet [rad].
+    /// The parameter u at which fillet and flank meet [rad].
     join: f64,
-    /// Radius there [m].
+    /// Radius at which fillet and flank meet [m].
     pub(super) form: f64,
 }
 
-/// Depth of an undercut [modules] that is ignored: the standard pinion of 17 teeth has 0.006.
+/// Largest undercut that is accepted [modules]: the standard pinion of 17 teeth has 0.006.
 const UNDERCUT: f64 = 0.02;
 
 impl Tooth {
     /// The tooth of gear `i`.
     ///
     /// # Errors
-    /// Where the rack undercuts it, has no tip, or no room for its fillet.
+    /// If the rack undercuts the tooth, or has no room for its tip radius.
     pub(super) fn of(gears: &Gears, contact: &Contact, i: usize) -> Result<Tooth, GearError> {
         let (m, alpha, z) = (gears.module, gears.pressure_angle, gears.teeth[i]);
         let (x, dedendum, rho) = (gears.profile_shift[i], gears.dedendum[i], gears.fillet);
@@ -54,7 +54,7 @@ impl Tooth {
         if b <= 0.0 || e < 0.0 {
             let what =
                 format!("a rack of dedendum {dedendum} with a fillet of {rho} modules cannot cut gear {}", i + 1);
-            return Err(GearError::new(what, "make the fillet smaller, or the profile shift"));
+            return Err(GearError::new(what, "reduce the fillet or the profile shift"));
         }
         let straight = dedendum - rho * (1.0 - sin) - x;
         let undercut = straight - z * sin * sin / 2.0;
@@ -62,7 +62,7 @@ impl Tooth {
             let what = format!("the teeth of gear {} are undercut by {undercut:.3} modules", i + 1);
             return Err(GearError::new(
                 what,
-                "give it more teeth, or a positive profile shift; ISO 6336-1 does not mind",
+                "give it more teeth or a positive profile shift, or use the method \"iso6336\"",
             ));
         }
         let at_base = (PI / 2.0 + 2.0 * x * tan) / z + involute(alpha);
@@ -72,7 +72,7 @@ impl Tooth {
             Tooth { base, root, reference, half_pitch: PI / z, at_base, cutter, join: PI / 2.0 - alpha, form: 0.0 };
         tooth.form = tooth.fillet(tooth.join).0;
         if undercut > 0.0 {
-            // The end of the rack's flank sweeps below the base circle: there the tooth goes on as the fillet.
+            // The end of the rack's flank sweeps below the base circle. The fillet then ends at the base circle.
             let (mut low, mut high) = (0.0, tooth.join);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
@@ -83,24 +83,24 @@ impl Tooth {
         Ok(tooth)
     }
 
-    /// Half the angle of the tooth at a radius of its flank [rad].
+    /// Half angle of the tooth at a radius of its flank [rad].
     pub(super) fn half_angle(&self, radius: f64) -> f64 {
         self.at_base - involute((self.base / radius).min(1.0).acos())
     }
 
-    /// Radius [m] and half the angle of the tooth [rad] where the fillet's normal has the angle `u`.
+    /// Radius [m] and half angle of the tooth [rad] at the point of the fillet with the parameter `u` [rad].
     pub(super) fn fillet(&self, u: f64) -> (f64, f64) {
         let [b, e, rho] = self.cutter;
         let (x, y) = (b * u.tan() + rho * u.sin(), self.reference - b - rho * u.cos());
         (x.hypot(y), self.half_pitch - (x.atan2(y) - (b * u.tan() - e) / self.reference))
     }
 
-    /// Half the angle of the tooth where its fillets meet the root circle [rad].
+    /// Half angle of the tooth where its fillets meet the root circle [rad].
     pub(super) fn foot(&self) -> f64 {
         self.fillet(0.0).1
     }
 
-    /// Sections (height, half the thickness) [m] from the root to the radius `load` on the flank, `n` of each part.
+    /// Sections (height, half the thickness) [m] from the root to the radius `load` on the flank: `n` on the fillet, `n` + 1 on the flank.
     pub(super) fn sections(&self, load: f64, n: usize) -> impl Iterator<Item = (f64, f64)> + '_ {
         let part = move |i: usize| i as f64 / n as f64;
         let fillet = (0..n).map(move |i| self.fillet(self.join * part(i)));
@@ -115,13 +115,13 @@ mod tests {
     use super::*;
 
     fn tooth(z: f64, x: f64) -> Result<Tooth, GearError> {
-        // Short teeth of the other gear leave the root of this one alone.
+        // The other gear has a short addendum, so that its tips do not reach the fillet of this one.
         let gears = Gears::standard([z, 96.0], 2e-3, 20f64.to_radians(), 1e-2);
         let gears = Gears { profile_shift: [x, -x], addendum: [1.0, 0.6], ..gears };
         Tooth::of(&gears, &gears.contact().unwrap(), 0)
     }
 
-    /// Fillet and flank meet at one point with one tangent; the fillet begins at the root circle, along it.
+    /// Fillet and flank meet with a common tangent; the fillet begins at the root circle, tangent to it.
     #[test]
     fn the_fillet_joins_flank_and_root() {
         for (z, x) in [(24.0, 0.0), (40.0, 0.2), (60.0, -0.3), (18.0, 0.1)] {
@@ -140,9 +140,9 @@ mod tests {
         }
     }
 
-    /// Half a pitch at the reference circle; thicker towards the root all the way.
+    /// The tooth takes half a pitch at the reference circle, and its thickness increases towards the root everywhere.
     #[test]
-    fn teeth_grow_towards_the_root() {
+    fn the_thickness_increases_towards_the_root() {
         let t = tooth(24.0, 0.0).unwrap();
         assert!((t.half_angle(24e-3) - PI / 48.0).abs() < 1e-14);
         let sections: Vec<_> = t.sections(26e-3, 50).collect();
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn undercut() {
+    fn undercut_teeth_are_refused_beyond_the_limit() {
         assert!(tooth(14.0, 0.0).unwrap_err().what.contains("undercut by 0.18"));
         let seventeen = tooth(17.0, 0.0).unwrap();
         assert_eq!(seventeen.form, seventeen.base);

@@ -1,13 +1,14 @@
-//! From the tree of a scene to a scene, with everything that is wrong reported in one go.
+//! Checks the tree of a scene file and builds the [`Scene`]. All mistakes are reported at once.
 
 use super::document::{Entry, Node, Place};
-use super::error::{Report, did_you_mean};
+use super::mistake::{Report, did_you_mean};
 use super::{Scene, effects, field, keys, laws, output, parameters, start};
 use crate::model::Model;
 
 const KEYS: [&str; 8] = ["about", "model", "effects", "parameters", "laws", "start", "run", "output"];
 
-/// Reads a scene without name and hash; `end` is where tables would be added. `None` only if something is reported.
+/// Reads a scene without name and hash. `end` is the place where a missing table would be added. Returns `None` only if a mistake was
+/// reported.
 pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report: &mut Report) -> Option<Scene> {
     let entries = field::table("", root, report)?;
     let required = [("model", "model = \"...\""), ("effects", "effects = []  # or some names")];
@@ -34,14 +35,14 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     keys::missing(&absent, "the scene", end, report);
 
     let (effects, parameters, laws, start) = of_model?;
-    let (parameters, courses) = parameters?;
+    let (parameters, time_histories) = parameters?;
     Some(Scene {
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
         effects: effects?,
         parameters,
-        courses,
+        time_histories,
         laws: laws?,
         start: start?,
         t_end: t_end?,
@@ -51,7 +52,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     })
 }
 
-/// Reports keys that do not belong at the top, and where those belong that are known.
+/// Reports keys that are not allowed at the top level. For a key that belongs to a table, the help names that table.
 fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
     let mut homes =
         vec![("run", vec!["t_end", "method", "precision", "tolerance", "step"]), ("output", output::KEYS.to_vec())];
@@ -68,7 +69,7 @@ fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
             Some((table, _)) => ("in the wrong place", format!("it belongs to [{table}]: `{table}.{key}`")),
             None => ("unknown key", keys::choices(key, &KEYS)),
         };
-        report.add(place, format!("the top of a scene has no `{key}`"), label, help);
+        report.add(place, format!("the top level of a scene has no `{key}`"), label, help);
     }
 }
 

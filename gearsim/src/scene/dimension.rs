@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a quantity measures: powers of the base units.
+/// The physical dimension of a quantity: powers of the base units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
     /// Power of the metre.
@@ -11,7 +11,7 @@ pub struct Dimension {
     pub kg: i32,
     /// Power of the second.
     pub s: i32,
-    /// Power of the radian. SI has none; here it tells an angular speed from a frequency.
+    /// Power of the radian. SI treats it as 1; here it distinguishes an angular speed from a frequency.
     pub rad: i32,
 }
 
@@ -55,16 +55,16 @@ impl Dimension {
         }
     }
 
-    /// Whether a quantity of this dimension may stand where `expected` is wanted.
+    /// Whether a quantity of this dimension is accepted where `expected` is required.
     ///
-    /// Where forces and lengths are involved, people write and omit the radian at will (`N*m/rad` or `N*m` for a
-    /// torsional stiffness). In what is made of angle and time alone it decides: 1/s is not rad/s.
+    /// If mass or length is involved, the power of the radian is ignored, because both ways of writing are common (`N*m/rad` or `N*m` for a
+    /// torsional stiffness). In dimensions of angle and time alone it must match: 1/s is not rad/s.
     pub fn fits(self, expected: Dimension) -> bool {
         let alone = self.m == 0 && self.kg == 0;
         (self.m, self.kg, self.s) == (expected.m, expected.kg, expected.s) && (!alone || self.rad == expected.rad)
     }
 
-    /// What it is called, e.g. "a torque or energy"; else its base units.
+    /// Its name, e.g. "a torque or energy"; "measured in" its base units if it has no name.
     pub fn describe(self) -> String {
         match NAMES.iter().find(|(named, _)| self.fits(*named)) {
             Some((_, name)) => name.to_string(),

@@ -1,18 +1,18 @@
-//! The text of a scene as a tree in which every key and value knows where it was written.
+//! The text of a scene as a tree. Every key and value carries its place in the text.
 
 use std::ops::Range;
 
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Error};
 
-use super::error::Report;
+use super::mistake::Report;
 
-/// Where something is written.
+/// A place in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Place {
-    /// Number of the text: the file, or an override.
+    /// Index of the text in [`Report`]: the file, or an override.
     pub source: usize,
-    /// Bytes of the text.
+    /// Byte range in the text.
     pub span: Range<usize>,
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Node {
     pub place: Place,
 }
 
-/// A value; numbers are all `f64`, since no key of a scene asks for a whole one.
+/// A value. All numbers are `f64`; keys that need a whole number check for it.
 #[derive(Debug, Clone)]
 pub(super) enum Value {
     Text(String),
@@ -42,7 +42,7 @@ pub(super) struct Entry {
     pub node: Node,
 }
 
-/// A text being read: its number, and how far what is parsed lies from its beginning.
+/// Converts positions of the parser to places: the index of the text, and the byte offset of the parsed part within it.
 #[derive(Clone, Copy)]
 pub(crate) struct Origin {
     pub source: usize,
@@ -57,7 +57,7 @@ impl Origin {
     fn node(self, spanned: &Spanned<DeValue>) -> Node {
         let value = match spanned.get_ref() {
             DeValue::String(text) => Value::Text(text.to_string()),
-            // The parser has checked the digits; what still does not fit is refused as not finite.
+            // The parser has checked the digits. A number too large for i128 becomes NaN, which is refused later as not finite.
             DeValue::Integer(x) => {
                 Value::Number(i128::from_str_radix(x.as_str(), x.radix()).map_or(f64::NAN, |x| x as f64))
             }
@@ -81,42 +81,42 @@ impl Origin {
 
     fn error(self, error: &Error, length: usize, report: &mut Report) {
         let span = error.span().unwrap_or(length..length);
-        // What the parser expected is about tokens; the help below is about scenes.
+        // The rest of the parser's message lists tokens. The help below is more useful.
         let message = error.message().split(", expected ").next().unwrap_or_default();
         let says = |words: &[&str]| words.iter().any(|word| message.contains(word));
         let help = if says(&[UNQUOTED]) {
             "put it in quotes: quantities with units are text, as in \"10 N*m\""
         } else if says(&[DUPLICATE]) {
-            "each key and each table may be there once"
+            "each key and each table may occur only once"
         } else if says(&["missing comma", "unclosed", "string"]) {
             "is a comma missing here, or a closing bracket or quote in this line or above?"
         } else {
-            "lines are KEY = VALUE or [TABLE]; all of the format is at https://toml.io"
+            "a line is KEY = VALUE or [TABLE]; the format is described at https://toml.io"
         };
         report.add(&self.place(span), format!("not valid TOML: {message}"), "here", help);
     }
 }
 
-/// Messages of the parser about slips after which it is not lost.
+/// Parts of parser messages for errors after which the parser continues correctly.
 const UNQUOTED: &str = "must be quoted";
 const DUPLICATE: &str = "duplicate key";
 
-/// Reads a file's text.
+/// Reads the text of a scene file.
 pub(super) fn read(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
     let (table, errors) = DeTable::parse_recoverable(text);
     for error in &errors {
         origin.error(error, text.len(), report);
-        // What follows any other error is mostly its echo.
+        // Errors after any other error are mostly consequences of it.
         if ![UNQUOTED, DUPLICATE].iter().any(|slip| error.message().contains(slip)) {
             break;
         }
     }
-    // Keys that are missing at the top have to be written there, before the first table.
+    // The root has its place at the start of the text: missing top-level keys must be added there, before the first table.
     let root = Node { value: Value::Table(origin.entries(table.get_ref())), place: origin.place(0..0) };
     errors.is_empty().then_some(root)
 }
 
-/// Reads a single value.
+/// Reads a single TOML value.
 pub(super) fn read_value(text: &str, origin: Origin) -> Result<Node, Error> {
     DeValue::parse(text).map(|value| origin.node(&value))
 }

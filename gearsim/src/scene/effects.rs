@@ -1,9 +1,9 @@
-//! Effect sets: by name, and whether they make sense together.
+//! Effect sets: conversion from and to names, and checks of combinations.
 
 use super::Effects;
 use super::document::Node;
-use super::error::{Report, list};
 use super::field;
+use super::mistake::{Report, list};
 use crate::model::{Effect, Model};
 
 impl Effects {
@@ -17,14 +17,14 @@ impl Effects {
         model.effects.iter().enumerate().filter(|(i, _)| self.contains(*i)).map(|(_, effect)| effect.name).collect()
     }
 
-    /// The terms that make a cell of `model` nonlinear with these effects, in words; empty where cells are linear.
+    /// The terms that make cells of `model` nonlinear with these effects, as text; empty if cells are linear.
     pub fn nonlinear(self, model: &Model) -> String {
         let with = model.nonlinear_with.iter().filter(|(effect, _)| self.names(model).contains(effect));
         let all = std::iter::once(model.nonlinear).filter(|terms| !terms.is_empty()).chain(with.map(|(_, term)| *term));
         all.collect::<Vec<_>>().join("; ")
     }
 
-    /// The effects of the set that contradict one another or lack another, in words.
+    /// The effects of the set that exclude one another or need a missing one, as text; empty if there are none.
     pub fn contradictions(self, model: &Model) -> String {
         let names = self.names(model);
         let of = |effect: &Effect| {
@@ -37,7 +37,7 @@ impl Effects {
         present.flat_map(of).collect::<Vec<_>>().join(", ")
     }
 
-    /// The set of these effects of the model; `None` if it does not have one of them.
+    /// The set of the effects with these names; `None` if the model lacks one of them.
     pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
         let index = |name| model.effects.iter().position(|effect| effect.name == name);
         names.into_iter().try_fold(Effects(0), |set, name| Some(set.with(index(name)?)))
@@ -60,7 +60,7 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
         if !lacking.is_empty() {
             let message = format!("effect `{name}` needs {}", list(&lacking));
             let help = format!("add {}, or leave out `{name}`", list(&lacking));
-            report.add(&node.place, message, "not enough", help);
+            report.add(&node.place, message, "an effect is missing", help);
         }
         for other in chosen[..n].iter().map(|j| &model.effects[*j]) {
             if effect.excludes.contains(&other.name) || other.excludes.contains(&name) {

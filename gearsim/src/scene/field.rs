@@ -1,10 +1,14 @@
-//! Reading single values: text, flags, arrays, tables, lists of names. Quantities are in [`super::measure`].
+//! Readers of single values: quantities, text, flags, arrays, tables, lists of names.
+
+mod quantity;
+
+pub(super) use quantity::{out_of_range, quantity};
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
 use super::keys::choices;
+use super::mistake::Report;
 
-/// Reports a value of another type than `expected`.
+/// Reports that a value has the wrong type; `expected` is the right one.
 pub(super) fn wrong_type(path: &str, node: &Node, expected: &str, help: &str, report: &mut Report) {
     let found = match node.value {
         Value::Text(_) => "text",
@@ -57,7 +61,7 @@ pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Opti
     }
 }
 
-/// Reads one name out of `allowed`, as an index; `noun` is what it is.
+/// Reads a name and returns its index in `allowed`; `noun` says in messages what the name stands for.
 pub(super) fn choice(path: &str, node: &Node, noun: &str, allowed: &[&str], report: &mut Report) -> Option<usize> {
     let name = text(path, node, report)?;
     let chosen = allowed.iter().position(|known| *known == name);
@@ -68,7 +72,7 @@ pub(super) fn choice(path: &str, node: &Node, noun: &str, allowed: &[&str], repo
     chosen
 }
 
-/// Reads an array of distinct names out of `allowed`, as indices; `noun` is what one of them is.
+/// Reads an array of distinct names and returns their indices in `allowed`; `noun` says in messages what a name stands for.
 pub(super) fn names(path: &str, node: &Node, noun: &str, allowed: &[&str], report: &mut Report) -> Option<Vec<usize>> {
     let example = format!("{:?}", &allowed[..allowed.len().min(2)]);
     let items = array(path, node, &example, report)?;

@@ -1,38 +1,38 @@
-//! What of a law of friction is not as of a stiffness: it may be had from the teeth by which another law is stated.
+//! Scene keys of friction laws that stiffnesses do not have: `teeth_of` computes the law from the teeth of another law.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
-use super::teeth::{self, Teeth};
-use super::{field, keys, offset};
+use super::mistake::Report;
+use super::teeth::{self, TeethReader};
+use super::{field, keys, mesh_phase};
 use crate::model::{Law, Model};
 use crate::profile::Profile;
 
-/// Key that names the law with the teeth.
+/// Key that names the law whose teeth are used.
 pub(super) const OF: &str = "teeth_of";
 
-/// What a law of friction has of the keys of teeth: the gears, and how pairs share the force.
+/// The keys of teeth that a friction law may have: those of the gears and of how pairs share the force.
 pub(super) fn keys_of_teeth() -> impl Iterator<Item = &'static str> {
     teeth::KEYS.into_iter().filter(|key| !["course", "line_load"].contains(key))
 }
 
-/// What to write for a law that is missing.
+/// Example line for a missing friction law. It names the stiffness with the same suffix: `k2` for `side2`.
 pub(super) fn example(law: &Law, model: &Model) -> String {
     let part = |law: &Law| law.name.trim_start_matches(|c: char| c.is_alphabetic());
     let of_mesh = model.laws.iter().find(|other| other.with.is_none() && part(other) == part(law));
     let of_mesh = of_mesh.map_or("...", |law| law.name);
-    format!("{OF} = \"{of_mesh}\"  # or teeth of its own, or steps")
+    format!("{OF} = \"{of_mesh}\"  # or its own teeth, or steps")
 }
 
-/// The law by the teeth of another, if it is stated so; `Some(None)` if that is wrong.
-pub(super) fn borrowed(
+/// Reads a law with `teeth_of`. `None` if it does not have this key, `Some(None)` if a mistake was found.
+pub(super) fn from_teeth_of(
     law: &Law,
-    phase: &str,
+    phase_unit: &str,
     node: &Node,
     laws: &[Entry],
     report: &mut Report,
 ) -> Option<Option<Profile>> {
     let Value::Table(entries) = &node.value else { return None };
-    let name = keys::get(entries, OF).filter(|_| law.role.rubs())?;
+    let name = keys::get(entries, OF).filter(|_| law.role.is_friction())?;
     keys::known(entries, &format!("[laws.{}] with {OF}", law.name), &[OF], report);
     let path = format!("laws.{}.{OF}", law.name);
     let Some(text) = field::text(&path, name, report) else { return Some(None) };
@@ -43,25 +43,27 @@ pub(super) fn borrowed(
     else {
         let with: Vec<_> = lenders.iter().map(|entry| entry.key.as_str()).collect();
         let help = match &with[..] {
-            [] => "give this law its own: teeth = [24, 96], module = \"... mm\"; or steps".to_string(),
+            [] => "give this law its own teeth = [24, 96], module = \"... mm\", face_width = \"... mm\"; or steps"
+                .to_string(),
             _ => keys::choices(text, &with),
         };
         report.add(&name.place, format!("`laws.{text}` is not given by its teeth"), "no teeth there", help);
         return Some(None);
     };
-    // What is wrong with the keys of the other law is told of it.
-    let mut told = Report::new();
-    let ahead = keys::get(entries, "phase").map_or(Some(0.0), |node| offset::read(law, phase, 1, node, &mut told));
-    let teeth = Teeth { law, entries, place: &lender.place };
-    let read = match teeth.rubbing(&mut told) {
-        Some(Err(error)) if told.is_empty() => {
+    // Mistakes in the keys of the other law are reported when that law is read, so they are dropped here.
+    let mut ignored = Report::new();
+    let shift =
+        keys::get(entries, "phase").map_or(Some(0.0), |node| mesh_phase::read(law, phase_unit, 1, node, &mut ignored));
+    let teeth = TeethReader { law, entries, place: &lender.place };
+    let read = match teeth.friction_law(&mut ignored) {
+        Some(Err(error)) if ignored.is_empty() => {
             teeth.refused(&name.place, error, report);
             None
         }
         read => read.and_then(Result::ok),
     };
     Some(read.and_then(|law| {
-        let begins = law.origin - ahead?;
-        Some(law.beginning(begins))
+        let begins = law.origin - shift?;
+        Some(law.with_origin(begins))
     }))
 }

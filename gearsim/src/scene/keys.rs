@@ -1,9 +1,9 @@
-//! The keys of tables: those that are there, those that should not be, and those that are missing.
+//! The keys of tables: looking them up, reporting unknown and missing ones.
 
 use super::document::{Entry, Node, Place};
-use super::error::{Report, did_you_mean, list};
+use super::mistake::{Report, did_you_mean, list};
 
-/// The value of a key, if it is there.
+/// The value of a key; `None` if the table does not have it.
 pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
     entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node)
 }
@@ -13,7 +13,7 @@ pub(super) fn unknown<'a>(entries: &'a [Entry], allowed: &[&str]) -> impl Iterat
     entries.iter().filter(|entry| !allowed.contains(&entry.key.as_str()))
 }
 
-/// Reports the keys of a table that mean nothing.
+/// Reports the keys of a table that are not allowed.
 pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
     for entry in unknown(entries, allowed) {
         let message = format!("{title} has no `{}`", entry.key);
@@ -21,7 +21,7 @@ pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &m
     }
 }
 
-/// Reports keys that a table lacks, each with the line to write for it.
+/// Reports missing keys of a table, each given with an example line.
 pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, report: &mut Report) {
     let names: Vec<_> = keys.iter().map(|(name, _)| *name).collect();
     let lines: Vec<_> = keys.iter().map(|(_, line)| line.as_str()).collect();
@@ -34,7 +34,7 @@ pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, repor
     report.add(place, message, "add here", format!("add\n{lines}"));
 }
 
-/// The names that are allowed, and the one that `word` was most likely meant to be.
+/// Help for an unknown name: the nearest allowed name, and all allowed names.
 pub(super) fn choices(word: &str, allowed: &[&str]) -> String {
     let all = match allowed {
         [] => "nothing is allowed here".to_string(),

@@ -1,40 +1,18 @@
-//! Mesh stiffnesses, transmission errors and laws of friction: their levels over one pitch, of errors also over several.
-
-use xprec::Df64;
+//! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one pitch; transmission errors also over several pitches.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
-use super::smooth::{self, Smooth};
-use super::teeth::{self, Teeth};
-use super::{Effects, errors, field, friction, keys, measure, offset};
+use super::mistake::Report;
+use super::smooth::{self, SmoothLaw};
+use super::teeth::{self, TeethReader};
+use super::{Effects, field, friction, keys, mesh_phase, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 
-/// Widths that are all given may miss the pitch by this much, relative to it: they are often rounded.
+/// If all widths are given, their sum may differ from the pitch by this fraction of it, because written widths are rounded.
 const PITCH_TOLERANCE: f64 = 1e-9;
 
-impl Profile {
-    /// Half-way between its greatest and its least value [unit of the law].
-    pub fn mid(&self) -> f64 {
-        let (low, high) = self.extremes();
-        (high + low) / 2.0
-    }
-
-    /// The same in twice the digits.
-    pub fn exact_mid(&self) -> Df64 {
-        let (low, high) = self.extremes();
-        (Df64::from(high) + low) * 0.5
-    }
-
-    /// Average over its pitches [unit of the law].
-    pub fn mean(&self) -> f64 {
-        let width: f64 = self.steps.iter().map(|step| step.width).sum();
-        self.steps.iter().map(|step| step.value * step.width).sum::<f64>() / width
-    }
-}
-
-/// Reads `[laws]`, in the order of the model; what to add goes to `absent` if the table is not there. A law of an effect that
-/// is not among `effects` may be left out.
+/// Reads `[laws]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A law whose effect is not
+/// among `effects` may be left out.
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
@@ -44,7 +22,7 @@ pub(super) fn read(
 ) -> Option<Vec<Profile>> {
     let names = effects.map_or(vec![], |effects| effects.names(model));
     let idle = |law: &Law| law.with.is_some_and(|effect| !names.contains(&effect));
-    let readers = model.laws.iter().map(|law| Reader::new(law, model));
+    let readers = model.laws.iter().map(|law| LawReader::new(law, model));
     let Some(node) = keys::get(entries, "laws") else {
         let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table(model)).collect();
         if !examples.is_empty() {
@@ -71,24 +49,24 @@ pub(super) fn read(
 }
 
 /// Reads one law.
-struct Reader<'a> {
+struct LawReader<'a> {
     law: &'a Law,
-    /// Unit of the phase, and so of the widths.
-    phase: &'static str,
-    /// Where the steps are, e.g. `laws.k.steps`.
+    /// Unit of the phase and of the widths.
+    phase_unit: &'static str,
+    /// Key path of the steps, e.g. `laws.k.steps`.
     path: String,
 }
 
-impl<'a> Reader<'a> {
-    fn new(law: &'a Law, model: &Model) -> Reader<'a> {
+impl<'a> LawReader<'a> {
+    fn new(law: &'a Law, model: &Model) -> LawReader<'a> {
         let phase = model.coordinates.iter().find(|coordinate| coordinate.name == law.phase);
         let path = format!("laws.{}.steps", law.name);
-        Reader { law, phase: phase.map_or("rad", |coordinate| coordinate.unit), path }
+        LawReader { law, phase_unit: phase.map_or("rad", |coordinate| coordinate.unit), path }
     }
 
     /// What to write if the law is missing.
     fn table(&self, model: &Model) -> String {
-        let line = match self.law.role.rubs() {
+        let line = match self.law.role.is_friction() {
             true => friction::example(self.law, model),
             false => format!("steps = {}", self.steps()),
         };
@@ -96,56 +74,56 @@ impl<'a> Reader<'a> {
     }
 
     fn steps(&self) -> String {
-        let (value, width) = (self.law.unit, self.phase);
+        let (value, width) = (self.law.unit, self.phase_unit);
         format!("[{{ value = \"... {value}\", width = \"... {width}\" }}, {{ value = \"... {value}\" }}]")
     }
 
-    /// The law; `all` are the tables of all laws.
+    /// Reads the law; `all` are the tables of all laws.
     fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Profile> {
-        if let Some(read) = friction::borrowed(self.law, self.phase, node, all, report) {
+        if let Some(read) = friction::from_teeth_of(self.law, self.phase_unit, node, all, report) {
             return read;
         }
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
         let of_kind: Vec<_> = match self.law.role {
             Role::Stiffness => teeth::KEYS.to_vec(),
-            Role::Error => errors::KEYS.to_vec(),
+            Role::Error => transmission_error::KEYS.to_vec(),
             Role::Side | Role::Arm => friction::keys_of_teeth().chain([friction::OF]).collect(),
         };
         let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind).collect();
         keys::known(entries, &format!("[{table}]"), &allowed, report);
-        // What is wrong with the pitches keeps nothing else from being told.
-        let said = errors::pitches(self.law, entries, report);
-        let pitches = said.unwrap_or(1);
+        // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
+        let stated = transmission_error::pitches(self.law, entries, report);
+        let pitches = stated.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
-            Some(node) if offset::wrong_type(&format!("{table}.phase"), node, report) => None,
-            Some(node) => offset::read(self.law, self.phase, pitches, node, report),
+            Some(node) if mesh_phase::wrong_type(&format!("{table}.phase"), node, report) => None,
+            Some(node) => mesh_phase::read(self.law, self.phase_unit, pitches, node, report),
         };
-        let law = self.course(entries, node, pitches, report)?.over(said?);
+        let law = self.unshifted(entries, node, pitches, report)?.with_pitches(stated?);
         let begins = law.origin - phase?;
-        Some(law.beginning(begins))
+        Some(law.with_origin(begins))
     }
 
-    /// The law without its phase, over a number of pitches.
-    fn course(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
+    /// Reads the law without its `phase`, over a number of pitches.
+    fn unshifted(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
-        let smooth = Smooth { law: self.law, phase: self.phase, length, entries, place: &node.place };
+        let smooth = SmoothLaw { law: self.law, phase_unit: self.phase_unit, length, entries, place: &node.place };
         if let Some(read) = smooth.instead_of_steps(report) {
             return read;
         }
-        if let Some(node) = keys::get(entries, errors::OF_TEETH) {
-            return smooth.ramped(errors::of_teeth(self.law, node, report)?, report);
+        if let Some(node) = keys::get(entries, transmission_error::OF_TEETH) {
+            return smooth.ramped(transmission_error::of_teeth(self.law, node, report)?, report);
         }
-        let teeth = Teeth { law: self.law, entries, place: &node.place };
+        let teeth = TeethReader { law: self.law, entries, place: &node.place };
         if teeth.given() {
             let read = match self.law.role {
                 Role::Stiffness => teeth.read(report),
-                Role::Error => None, // no keys of an error, which has been told
+                Role::Error => None, // an error has no keys of teeth; `known` has reported them
                 Role::Side | Role::Arm => {
-                    let rubbing = teeth.rubbing(report)?;
-                    rubbing.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
+                    let law = teeth.friction_law(report)?;
+                    law.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
                 }
             };
             return smooth.ramped(read?, report);
@@ -173,7 +151,7 @@ impl<'a> Reader<'a> {
         self.fill(&levels, length, last, report)
     }
 
-    /// A level and its width, which only the last step may leave out.
+    /// Reads a level and its width. Only the last step may leave out the width.
     fn step(&self, i: usize, node: &Node, last: bool, report: &mut Report) -> Option<(f64, Option<f64>)> {
         let path = format!("{}.{i}", self.path);
         let entries = field::table(&path, node, report)?;
@@ -185,15 +163,15 @@ impl<'a> Reader<'a> {
         }
         if width.is_none() && !last {
             let why = "only the last step may leave it out";
-            lacking.push(("width", format!("width = \"... {}\"  # {why}", self.phase)));
+            lacking.push(("width", format!("width = \"... {}\"  # {why}", self.phase_unit)));
         }
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
 
         let value = value.and_then(|node| {
             let path = format!("{path}.value");
-            let x = measure::quantity(&path, node, self.law.unit, report)?;
+            let x = field::quantity(&path, node, self.law.unit, report)?;
             if x < 0.0 && !self.law.role.has_sign() {
-                measure::out_of_range(&path, node, "must not be negative", why_not_negative(self.law), report);
+                field::out_of_range(&path, node, "must not be negative", why_not_negative(self.law), report);
             }
             Some(x)
         });
@@ -201,10 +179,10 @@ impl<'a> Reader<'a> {
             None => Some(None),
             Some(node) => {
                 let path = format!("{path}.width");
-                let x = measure::quantity(&path, node, self.phase, report);
+                let x = field::quantity(&path, node, self.phase_unit, report);
                 if x.is_some_and(|x| x <= 0.0) {
-                    let what = "it is the part of the pitch over which the step holds";
-                    measure::out_of_range(&path, node, "must be positive", what, report);
+                    let what = "it is the part of the pitch that the step covers";
+                    field::out_of_range(&path, node, "must be positive", what, report);
                 }
                 x.map(Some)
             }
@@ -212,15 +190,15 @@ impl<'a> Reader<'a> {
         Some((value?, width?))
     }
 
-    /// Gives the last level the rest of the pitch, or checks that nothing is left of it.
+    /// Gives the last level the rest of the pitch if it has no width; otherwise checks that the widths add up to the pitch.
     fn fill(&self, levels: &[(f64, Option<f64>)], pitch: f64, last: &Node, report: &mut Report) -> Option<Profile> {
         let one = if pitch == self.law.period { "one pitch is" } else { "the pitches are" };
         let given: f64 = levels.iter().filter_map(|(_, width)| *width).sum();
         let rest = pitch - given;
         let open = levels.iter().any(|(_, width)| width.is_none());
-        let sum = format!("add up to {} {unit}, {one} {} {unit}", short(given), short(pitch), unit = self.phase);
+        let sum = format!("add up to {} {unit}, {one} {} {unit}", short(given), short(pitch), unit = self.phase_unit);
         if open && rest <= 0.0 {
-            let message = format!("`{}` leaves nothing of the pitch to its last step", self.path);
+            let message = format!("`{}` leaves nothing of the pitch for its last step", self.path);
             let help = format!("the widths before it {sum}\nmake them narrower");
             report.add(&last.place, message, "no room for this", help);
             return None;
@@ -241,15 +219,15 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Why a law that has no sign is never negative.
+/// Why a law of this role cannot be negative.
 pub(super) fn why_not_negative(law: &Law) -> &'static str {
     match law.role {
-        Role::Arm => "it is a mean of distances from the pitch point",
-        _ => "a mesh pushes back or, at 0, does nothing",
+        Role::Arm => "it is a mean distance from the pitch point",
+        _ => "a mesh stiffness is positive or 0",
     }
 }
 
-/// The number to twelve digits: enough to see why it is refused, without the noise of binary sums.
+/// The number rounded to twelve significant digits. This hides the rounding errors of sums in messages.
 fn short(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }

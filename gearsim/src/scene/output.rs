@@ -1,24 +1,24 @@
-//! `[run]` and `[output]`: how long a run takes, and what is kept of it.
+//! `[run]` and `[output]`: the end time of a run, and what is recorded.
 
 use super::document::{Entry, Node};
-use super::error::Report;
-use super::{Output, PLOTS, Solver, field, keys, measure, solver};
+use super::mistake::Report;
+use super::{Output, PLOTS, Solver, field, keys, solver};
 use crate::model::Model;
 use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
 pub(super) const KEYS: [&str; 5] = ["rate", "events", "plots", "csv", "most_rows"];
 
-/// Memory that the rows of a run may take, unless the scene says how many they may be [bytes].
+/// Memory for the rows of a run if the scene does not set `most_rows` [bytes].
 const MEMORY: f64 = 4e9;
 
-/// Samples of a run whose scene states no rate.
+/// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
 
-/// Earliest end of a run [s]: earlier, its sampling rate would not be finite.
+/// Smallest end time of a run [s]. For a smaller one the sampling rate would not be finite.
 const MIN_END: f64 = 1e-300;
 
-/// Reads the end of the run [s] and how it is solved; what to add goes to `absent` if there is no `[run]`.
+/// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`.
 pub(super) fn read_run(
     entries: &[Entry],
     absent: &mut Vec<(&str, String)>,
@@ -40,7 +40,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
         return None;
     };
-    let t_end = measure::quantity("run.t_end", node, "s", report)?;
+    let t_end = field::quantity("run.t_end", node, "s", report)?;
     if t_end >= MIN_END {
         return Some(t_end);
     }
@@ -48,11 +48,11 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
         true => format!("must be at least {MIN_END:e} s"),
         false => "must be positive".to_string(),
     };
-    measure::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
+    field::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
     None
 }
 
-/// Reads `[output]`, all of which may be left out.
+/// Reads `[output]`. The table and all its keys may be left out.
 pub(super) fn read(
     entries: &[Entry],
     model: Option<&Model>,
@@ -84,20 +84,20 @@ pub(super) fn read(
 }
 
 fn read_most_rows(node: &Node, report: &mut Report) -> Option<f64> {
-    let rows = measure::quantity("output.most_rows", node, "1", report)?;
+    let rows = field::quantity("output.most_rows", node, "1", report)?;
     if rows < 2.0 || rows.fract() != 0.0 {
-        let what = "give the rows that may be recorded, e.g. 1e7";
-        measure::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
+        let what = "give the largest number of rows to record, e.g. 1e7";
+        field::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
         return None;
     }
     Some(rows)
 }
 
 fn read_rate(node: &Node, t_end: Option<f64>, most_rows: Option<f64>, report: &mut Report) -> Option<f64> {
-    let rate = measure::quantity("output.rate", node, "Hz", report)?;
+    let rate = field::quantity("output.rate", node, "Hz", report)?;
     if rate <= 0.0 {
-        let what = "give the samples a second, e.g. \"20 kHz\"";
-        measure::out_of_range("output.rate", node, "must be positive", what, report);
+        let what = "give the samples per second, e.g. \"20 kHz\"";
+        field::out_of_range("output.rate", node, "must be positive", what, report);
         return None;
     }
     let (t_end, most_rows) = (t_end?, most_rows?);
@@ -106,7 +106,7 @@ fn read_rate(node: &Node, t_end: Option<f64>, most_rows: Option<f64>, report: &m
         let message = format!("`output.rate` asks for {samples:.1e} samples");
         let most = most_rows / t_end;
         let help = format!(
-            "at most {most_rows:.1e} rows are kept, {most:.1e} a second up to {t_end} s: lower the rate, end the run earlier, or \
+            "at most {most_rows:.1e} rows are kept, which allows {most:.1e} Hz up to {t_end} s: lower the rate, end the run earlier, or \
              raise output.most_rows"
         );
         report.add(&node.place, message, "too many samples", help);

@@ -1,13 +1,13 @@
-//! Overrides: `--set parameters.T0="20 N*m"` written over the tree of a scene before it is checked.
+//! Overrides: `--set parameters.T0="20 N*m"` replaces values in the tree of a scene before the tree is checked.
 
 use super::document::{self, Entry, Node, Origin, Place, Value};
-use super::error::Report;
+use super::mistake::Report;
 
-/// Keys deeper than any that a scene has: the tree is walked recursively, so its depth must have an end.
+/// Largest depth of a key, more than any scene has. The tree is walked recursively, so its depth must be limited.
 const MAX_DEPTH: usize = 16;
 
-/// Writes an override into the tree. What is wrong with its form is reported; its value is checked with the scene.
-/// `option` is shown before it where it is quoted, so that it looks as it was typed.
+/// Writes an override into the tree. Mistakes in its form are reported here; its value is checked with the scene.
+/// Messages quote `option` followed by `text`, as the user typed it.
 pub(super) fn apply(root: &mut Node, option: &str, text: &str, report: &mut Report) {
     let source = report.source("command line", &format!("{option}{text}"));
     let origin = Origin { source, offset: option.len() };
@@ -16,15 +16,15 @@ pub(super) fn apply(root: &mut Node, option: &str, text: &str, report: &mut Repo
         return report.add(&origin.place(0..text.len()), "an override without a value", "no `=`", help);
     };
     let Some(keys) = keys(path, origin) else {
-        let help = "write the key as in the file, its tables before it: parameters.T0, laws.k.steps.0.value";
-        return report.add(&origin.place(0..path.len()), "an override of no possible key", "not a key", help);
+        let help = "write the key with its tables, separated by dots: parameters.T0, laws.k.steps.0.value";
+        return report.add(&origin.place(0..path.len()), "an override with an invalid key", "not a key", help);
     };
     if let Some(node) = read_value(value, Origin { source, offset: option.len() + path.len() + 1 }, report) {
         set(root, &keys, node, report);
     }
 }
 
-/// The keys of a path; `None` if one is empty, or there are too many.
+/// Splits a path into its keys; `None` if one is empty, or there are more than [`MAX_DEPTH`].
 fn keys(path: &str, origin: Origin) -> Option<Vec<(&str, Place)>> {
     let mut keys = Vec::new();
     let mut at = 0;
@@ -40,7 +40,8 @@ fn keys(path: &str, origin: Origin) -> Option<Vec<(&str, Place)>> {
     Some(keys)
 }
 
-/// A TOML value; what is none, and does not look as if it should be, is text: shells eat quotes.
+/// Reads a TOML value. A text that is not valid TOML and does not begin like a TOML string, array or table is taken as a string,
+/// because shells remove quotes.
 fn read_value(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
     let trimmed = text.trim();
     let start = text.len() - text.trim_start().len();
@@ -91,8 +92,8 @@ fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, report: &mut Report
             }
         }
         _ => {
-            let help = "leave out what follows the key of the value";
-            report.add(place, format!("nothing can be set by `{key}` inside a single value"), "too deep", help);
+            let help = "the key before it has a single value, not a table: leave out this part of the key";
+            report.add(place, format!("`{key}` cannot be set inside a single value"), "too deep", help);
         }
     }
 }

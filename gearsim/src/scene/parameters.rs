@@ -1,15 +1,15 @@
-//! `[parameters]`: a value for each parameter of the model, or a course in time.
+//! `[parameters]`: for each parameter of the model a value, or a function of time.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
-use super::{Course, Effects, courses, field, keys, measure};
+use super::mistake::Report;
+use super::{Effects, TimeHistory, field, keys, time_history};
 use crate::model::{Model, Parameter, Range};
 
-/// Values in the order of the model, at t = 0, and the courses of those that vary.
-pub(super) type Given = (Vec<f64>, Vec<(usize, Course)>);
+/// Values at t = 0 [SI], in the order of the model; and, by index, the parameters that vary in time.
+pub(super) type Given = (Vec<f64>, Vec<(usize, TimeHistory)>);
 
-/// Reads `[parameters]`, in the order of the model; what to add goes to `absent` if the table is not there. What only
-/// effects other than `effects` need is no number (NaN) where it is not given.
+/// Reads `[parameters]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A parameter without a
+/// default whose effect is not among `effects` may be left out; its value is then NaN.
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
@@ -39,9 +39,9 @@ pub(super) fn read(
     let values: Vec<_> = (model.parameters.iter().enumerate())
         .map(|(i, parameter)| match keys::get(given, parameter.name) {
             Some(node) if matches!(node.value, Value::Table(_)) => {
-                let course = course(parameter, node, model, report)?;
-                let value = course.at(course.piece(0.0), 0.0);
-                varying.push((i, course));
+                let history = history(parameter, node, model, report)?;
+                let value = history.at(history.piece(0.0), 0.0);
+                varying.push((i, history));
                 Some(value)
             }
             Some(node) => value(parameter, node, report),
@@ -52,12 +52,12 @@ pub(super) fn read(
     Some((values.into_iter().collect::<Option<_>>()?, varying))
 }
 
-/// A course in time, all of which is admissible.
-fn course(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<Course> {
-    let course = courses::read(parameter, node, model, report)?;
-    let (low, high) = course.bounds();
+/// Reads a function of time and checks that its bounds are in the range of the parameter.
+fn history(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<TimeHistory> {
+    let history = time_history::read(parameter, node, model, report)?;
+    let (low, high) = history.bounds();
     if parameter.range.contains(low) && parameter.range.contains(high) {
-        return Some(course);
+        return Some(history);
     }
     let must = describe(&parameter.range, parameter.unit);
     let message = format!("`parameters.{}` {must}, but goes from {low} to {high}", parameter.name);
@@ -65,7 +65,7 @@ fn course(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report
     None
 }
 
-/// What to write for a parameter.
+/// Example line for a missing parameter.
 fn example(parameter: &Parameter) -> String {
     match parameter.unit {
         "1" => format!("{} = ...  # {}", parameter.name, parameter.doc),
@@ -75,17 +75,17 @@ fn example(parameter: &Parameter) -> String {
 
 fn value(parameter: &Parameter, node: &Node, report: &mut Report) -> Option<f64> {
     let path = format!("parameters.{}", parameter.name);
-    let x = measure::quantity(&path, node, parameter.unit, report)?;
+    let x = field::quantity(&path, node, parameter.unit, report)?;
     if parameter.range.contains(x) {
         return Some(x);
     }
     let must = describe(&parameter.range, parameter.unit);
     let what = format!("`{}` is the {}", parameter.name, parameter.doc);
-    measure::out_of_range(&path, node, &must, &what, report);
+    field::out_of_range(&path, node, &must, &what, report);
     None
 }
 
-/// What a value in the range must do.
+/// The range in words: "must be positive", "must be at least 1 and be less than 2".
 fn describe(range: &Range, unit: &str) -> String {
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let low = match (range.low, range.low_included) {

@@ -1,7 +1,7 @@
-//! Quantities: `1.43 kN*m` as 1430 and a dimension.
+//! Quantities: `1.43 kN*m` is read as 1430 and a dimension.
 //!
-//! Decimal factors (prefixes) are applied to the decimal text, so that the result is the double nearest to what is
-//! written: `2890 kg*mm^2` is 2.89e-3, to the last bit. Only degrees, revolutions, minutes and hours are multiplied.
+//! Decimal factors (prefixes) are applied to the exponent of the decimal text. The result is therefore the double nearest to the written
+//! value: `2890 kg*mm^2` is 2.89e-3 to the last bit. Only degrees, revolutions, minutes and hours need a floating-point multiplication.
 
 use super::dimension::Dimension;
 use super::unit::{Unit, UnitError};
@@ -11,7 +11,7 @@ use super::unit::{Unit, UnitError};
 pub struct Quantity {
     /// Value [SI].
     pub value: f64,
-    /// What it measures.
+    /// Physical dimension.
     pub dimension: Dimension,
     /// Whether it was written without a unit.
     pub bare: bool,
@@ -36,7 +36,7 @@ impl Quantity {
             error.span = error.span.start + end..error.span.end + end;
             error
         })?;
-        // Every text of this form is a number to f64, so the error is unreachable; NaN would be refused later.
+        // f64 parses every text of this form, so the default is never used; a NaN would be refused later.
         let decimal: f64 = format!("{mantissa}e{}", exponent + i64::from(unit.decimal)).parse().unwrap_or(f64::NAN);
         let value = match (unit.numerator, unit.denominator) {
             (1.0, 1.0) => decimal,
@@ -46,7 +46,7 @@ impl Quantity {
     }
 }
 
-/// The number and the unit of a quantity, as they are written.
+/// Splits a quantity into its number and its unit, both as written (the number not scaled by the unit).
 ///
 /// # Errors
 /// As [`Quantity::parse`].
@@ -54,11 +54,26 @@ pub fn split(text: &str) -> Result<(f64, &str), UnitError> {
     Quantity::parse(text)?;
     let start = text.len() - text.trim_start().len();
     let (_, _, end) = number(text, start)?;
-    // A number that was just read as part of a quantity is one to f64.
+    // `Quantity::parse` has accepted this number, so f64 parses it.
     Ok((text[start..end].parse().unwrap_or(f64::NAN), text[end..].trim()))
 }
 
-/// The decimal number at `start`: its mantissa, its power of ten, and where it ends.
+/// Reads a time, e.g. `0.1 s` [s].
+///
+/// # Errors
+/// If the text is not a quantity, not a time, negative or not finite.
+pub fn parse_time(text: &str) -> Result<f64, String> {
+    let quantity = Quantity::parse(text).map_err(|error| error.to_string())?;
+    let second = Unit::parse("s").map_err(|error| error.to_string())?;
+    let none = quantity.bare && quantity.value == 0.0;
+    match quantity.dimension == second.dimension || none {
+        true if quantity.value >= 0.0 && quantity.value.is_finite() => Ok(quantity.value),
+        true => Err("the time must be finite and not negative".into()),
+        false => Err(format!("a time is required, e.g. \"0.1 s\", not {}", quantity.dimension.describe())),
+    }
+}
+
+/// The decimal number at byte `start`: its mantissa, its power of ten, and the byte where it ends.
 fn number(text: &str, start: usize) -> Result<(&str, i64, usize), UnitError> {
     let skip = |from: usize, what: fn(char) -> bool| from + text[from..].chars().take_while(|c| what(*c)).count();
     let digit = |c: char| c.is_ascii_digit();
@@ -79,7 +94,7 @@ fn number(text: &str, start: usize) -> Result<(&str, i64, usize), UnitError> {
         let digits = sign(end + 1);
         let after = skip(digits, digit);
         if after > digits {
-            // Beyond i32 the number is 0 or infinite whatever its mantissa.
+            // An exponent beyond i32 gives 0 or infinity for every mantissa.
             let exponent = text[end + 1..after].parse::<i32>().unwrap_or(if text[end + 1..].starts_with('-') {
                 i32::MIN
             } else {

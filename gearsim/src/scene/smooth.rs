@@ -1,45 +1,50 @@
-//! Smooth laws: ramps in place of steps, a Fourier series, or a spline through a table.
+//! SmoothLaw laws: ramps instead of steps, a Fourier series, or a spline through a table.
 
 use super::document::{Entry, Node, Place};
-use super::error::Report;
-use super::{errors, field, keys, laws, measure};
+use super::mistake::Report;
+use super::{field, keys, laws, transmission_error};
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
 
-/// Keys of a law that make it smooth.
+/// Keys of smooth laws.
 pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
 
-/// Highest order of a harmonic: its wave is then a thousandth of a pitch.
+/// Highest order of a harmonic: its wavelength is then a thousandth of the period.
 const MOST_ORDER: f64 = 1000.0;
-/// Most points of a table.
+/// Largest number of points of a table.
 const MOST_POINTS: usize = 1000;
 
-/// Reads what of a law is smooth.
-pub(super) struct Smooth<'a> {
+/// Reads the keys of a smooth law.
+pub(super) struct SmoothLaw<'a> {
     pub(super) law: &'a Law,
     /// Unit of the phase.
-    pub(super) phase: &'static str,
-    /// Its pitch, or pitches [unit of the phase].
+    pub(super) phase_unit: &'static str,
+    /// Period of the law: one or more pitches [unit of the phase].
     pub(super) length: f64,
     /// The table of the law.
     pub(super) entries: &'a [Entry],
     pub(super) place: &'a Place,
 }
 
-impl Smooth<'_> {
-    /// The law, if it is one without steps; `Some(None)` if that is wrong.
+impl SmoothLaw<'_> {
+    /// Reads a law given by a series or a table. `None` if it has neither, `Some(None)` if a mistake was found.
     pub(super) fn instead_of_steps(&self, report: &mut Report) -> Option<Option<Profile>> {
         let get = |key| keys::get(self.entries, key);
         let series = get("harmonics").or(get("mean"));
         let (steps, table) = (get("steps"), get("table"));
-        let (teeth, errors) = (get("teeth"), get(errors::OF_TEETH));
-        let forms =
-            [("steps", steps), ("harmonics", series), ("table", table), ("teeth", teeth), (errors::OF_TEETH, errors)];
+        let (teeth, pitch_errors) = (get("teeth"), get(transmission_error::OF_TEETH));
+        let forms = [
+            ("steps", steps),
+            ("harmonics", series),
+            ("table", table),
+            ("teeth", teeth),
+            (transmission_error::OF_TEETH, pitch_errors),
+        ];
         let mut given = forms.iter().filter_map(|(name, node)| Some((*name, (*node)?)));
         let (first, second) = (given.next(), given.next());
         if let (Some((a, _)), Some((b, node))) = (first, second) {
             let message = format!("`laws.{}` has both {a} and {b}", self.law.name);
-            let teeth = if self.law.role == Role::Error { errors::OF_TEETH } else { "teeth" };
+            let teeth = if self.law.role == Role::Error { transmission_error::OF_TEETH } else { "teeth" };
             let help = format!("a law is one of steps, a series, a table, or {teeth}");
             report.add(&node.place, message, "one too many", help);
             return Some(None);
@@ -55,10 +60,10 @@ impl Smooth<'_> {
             (_, Some(node)) => self.table(node, report),
             _ => return None,
         };
-        Some(read.and_then(|stiffness| self.pushing(stiffness, report)))
+        Some(read.and_then(|stiffness| self.refuse_negative(stiffness, report)))
     }
 
-    /// A stepping law with ramps for its steps, if it is to have them.
+    /// Replaces the steps of a piecewise constant law by ramps if the scene gives `ramp`.
     pub(super) fn ramped(&self, stepping: Profile, report: &mut Report) -> Option<Profile> {
         let Some(node) = keys::get(self.entries, "ramp") else { return Some(stepping) };
         let path = format!("laws.{}.ramp", self.law.name);
@@ -67,21 +72,23 @@ impl Smooth<'_> {
                 &node.place,
                 format!("`{path}` joins levels, and this law has none"),
                 "out of place",
-                "leave it out",
+                "leave it out: only steps can be joined by ramps",
             );
             return None;
         }
-        let width = measure::quantity(&path, node, self.phase, report)?;
+        let width = field::quantity(&path, node, self.phase_unit, report)?;
         if width <= 0.0 {
-            measure::out_of_range(&path, node, "must be positive", "leave it out for steps", report);
+            field::out_of_range(&path, node, "must be positive", "leave it out for steps", report);
             return None;
         }
         let ramped = stepping.ramped(width, 0.5);
         if ramped.is_none() {
             let narrowest = stepping.steps.iter().map(|step| step.width).fold(f64::INFINITY, f64::min);
-            let must =
-                format!("must be narrower than every level, the narrowest of which has {narrowest:.6} {}", self.phase);
-            measure::out_of_range(&path, node, &must, "a ramp lies about its step, half on either side", report);
+            let must = format!(
+                "must be narrower than every level, the narrowest of which has {narrowest:.6} {}",
+                self.phase_unit
+            );
+            field::out_of_range(&path, node, &must, "a ramp is centred on its step", report);
         }
         ramped
     }
@@ -92,14 +99,14 @@ impl Smooth<'_> {
         let (mean, harmonics) = (keys::get(self.entries, "mean"), keys::get(self.entries, "harmonics"));
         let example = format!("[{{ order = 1, amplitude = \"... {unit}\", phase = \"0 rad\" }}]");
         let lines = [
-            // The mean of an error is mostly of no interest, that of a side about zero.
+            // The mean may be left out where it is usually 0: for a transmission error and for a side.
             ("mean", mean.is_none() && !self.law.role.has_sign(), format!("mean = \"... {unit}\"")),
             ("harmonics", harmonics.is_none(), format!("harmonics = {example}")),
         ];
         let lacking: Vec<_> = lines.into_iter().filter(|line| line.1).map(|(key, _, line)| (key, line)).collect();
         keys::missing(&lacking, &format!("[laws.{name}]"), self.place, report);
         let mean = match mean {
-            Some(node) => measure::quantity(&format!("laws.{name}.mean"), node, unit, report),
+            Some(node) => field::quantity(&format!("laws.{name}.mean"), node, unit, report),
             None => self.law.role.has_sign().then_some(0.0),
         };
         let path = format!("laws.{name}.harmonics");
@@ -120,17 +127,17 @@ impl Smooth<'_> {
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
         let order = get("order").and_then(|node| {
             let path = format!("{path}.order");
-            let order = measure::quantity(&path, node, "1", report)?;
+            let order = field::quantity(&path, node, "1", report)?;
             if order.fract() != 0.0 || !(1.0..=MOST_ORDER).contains(&order) {
                 let must = format!("must be a whole number from 1 to {MOST_ORDER}");
-                measure::out_of_range(&path, node, &must, "the law repeats itself once a pitch", report);
+                field::out_of_range(&path, node, &must, "it counts the waves in one period of the law", report);
                 return None;
             }
             Some(order)
         });
         let of = |key: &str, unit: &str, report: &mut Report| {
             let node = keys::get(entries, key)?;
-            measure::quantity(&format!("{path}.{key}"), node, unit, report)
+            field::quantity(&format!("{path}.{key}"), node, unit, report)
         };
         let amplitude = of("amplitude", self.law.unit, report);
         let phase = if get("phase").is_some() { of("phase", "rad", report) } else { Some(0.0) };
@@ -139,7 +146,7 @@ impl Smooth<'_> {
 
     fn table(&self, node: &Node, report: &mut Report) -> Option<Profile> {
         let path = format!("laws.{}.table", self.law.name);
-        let (unit, phase) = (self.law.unit, self.phase);
+        let (unit, phase) = (self.law.unit, self.phase_unit);
         let example = format!("[{{ at = \"0 {phase}\", value = \"... {unit}\" }}, ...]");
         let items = field::array(&path, node, &example, report)?;
         if !(3..=MOST_POINTS).contains(&items.len()) {
@@ -158,7 +165,8 @@ impl Smooth<'_> {
             let inside = (0.0..self.length).contains(&point.0);
             if !inside || points.last().is_some_and(|last| last.0 >= point.0) {
                 let message = format!("`{path}.{i}` is out of order");
-                let help = format!("points go from 0 up to below one pitch, {:.6} {phase}, which repeats", self.length);
+                let help =
+                    format!("points must ascend from 0 to less than the period of the law, {:.6} {phase}", self.length);
                 report.add(&item.place, message, "misplaced", help);
                 wrong = true;
             }
@@ -170,26 +178,26 @@ impl Smooth<'_> {
     fn point(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64)> {
         let entries = field::table(path, node, report)?;
         keys::known(entries, &format!("`{path}`"), &["at", "value"], report);
-        let units = [("at", self.phase), ("value", self.law.unit)];
+        let units = [("at", self.phase_unit), ("value", self.law.unit)];
         let lacking = units.iter().filter(|(key, _)| keys::get(entries, key).is_none());
         let lacking: Vec<_> = lacking.map(|(key, unit)| (*key, format!("{key} = \"... {unit}\""))).collect();
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
         let [at, value] = units.map(|(key, unit)| {
-            keys::get(entries, key).and_then(|node| measure::quantity(&format!("{path}.{key}"), node, unit, report))
+            keys::get(entries, key).and_then(|node| field::quantity(&format!("{path}.{key}"), node, unit, report))
         });
         Some((at?, value?))
     }
 
-    /// The law, unless it is negative somewhere and must not be.
-    fn pushing(&self, stiffness: Profile, report: &mut Report) -> Option<Profile> {
+    /// Reports a law that is negative somewhere although it must not be.
+    fn refuse_negative(&self, stiffness: Profile, report: &mut Report) -> Option<Profile> {
         let least = stiffness.extremes().0;
         if least >= 0.0 || self.law.role.has_sign() {
             return Some(stiffness);
         }
         let message = format!("`laws.{}` falls to {least:.4e} {}", self.law.name, self.law.unit);
-        let help = "raise its mean, lower its waves, or give more points";
+        let help = "raise the mean, reduce the amplitudes, or give more points";
         let help = format!("{}: {help}", laws::why_not_negative(self.law));
-        report.add(self.place, message, "negative somewhere in the pitch", help);
+        report.add(self.place, message, "negative in a part of the pitch", help);
         None
     }
 }

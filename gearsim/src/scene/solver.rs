@@ -1,38 +1,38 @@
-//! `[run]`: by which method a scene is solved, and how finely.
+//! `[run]`: the method by which a scene is solved, its tolerance or step, and its precision.
 
 use super::document::{Entry, Node};
-use super::error::Report;
-use super::{field, keys, measure};
+use super::mistake::Report;
+use super::{field, keys};
 
-/// How a scene is to be solved.
+/// Settings of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver {
-    /// The method; `None`: the exact one where cells are linear, else a suitable one.
+    /// The method. `None`: the exact method if cells are linear, otherwise a method that suits the scene.
     pub method: Option<Method>,
-    /// Error allowed in a step of an adaptive method, relative to what each component has reached.
+    /// Tolerance of an adaptive method: error allowed in a step, relative to the largest magnitude that each component has reached.
     pub tolerance: f64,
-    /// Length of the steps of a method of fixed ones \[s\].
+    /// Step length of a method with fixed steps \[s\].
     pub step: Option<f64>,
-    /// Digits in which the exact method carries its state.
+    /// Precision of the exact method.
     pub precision: Precision,
-    /// Steps after which a method by steps gives up.
+    /// Number of steps after which a stepping method stops with an error.
     pub most_steps: u64,
 }
 
-/// Digits in which a run carries its state, its time and the constants of its cells.
+/// Precision in which a run stores its state, its time and the constants of its cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Precision {
-    /// Those of f64.
+    /// Double precision (f64).
     #[default]
     Plain,
-    /// Twice as many.
+    /// Double-double precision: twice the digits.
     Compensated,
 }
 
 /// A method that a scene can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Closed form between two steps of the stiffness.
+    /// Closed-form solution between two steps of the stiffness.
     Exact,
     /// Dormand & Prince 5(4), explicit, adaptive.
     Dopri5,
@@ -40,24 +40,24 @@ pub enum Method {
     Dop853,
     /// Radau IIA 5, implicit, adaptive.
     Radau,
-    /// The classical method with steps of one length, events located.
+    /// The classical Runge-Kutta method of order 4 with a fixed step; events are located.
     Rk4,
-    /// The same on a grid that knows of no events: a jump is taken after the step in which it was due. For comparison.
+    /// The same on a fixed time grid without event location: a jump is applied at the end of the step in which it occurs. For comparison.
     Rk4Grid,
 }
 
-/// Keys of `[run]` that say how.
+/// Keys of `[run]` for the solver.
 pub(super) const KEYS: [&str; 4] = ["method", "precision", "tolerance", "step"];
 
-/// Tolerance of a scene that states none.
+/// Default tolerance.
 const TOLERANCE: f64 = 1e-9;
-/// Steps after which a run is given up: some hours.
+/// Number of steps after which a run stops: some hours of computing time.
 const MOST_STEPS: u64 = 10_000_000_000;
-/// Admissible tolerances: below, a step's rounding is larger; above, the error estimate means nothing.
+/// Allowed tolerances. Below, rounding errors of a step are larger; above, the error estimate is meaningless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-14..=1e-2;
 
 impl Method {
-    /// All of them, with their names in scenes.
+    /// All methods, with their names in scenes.
     pub const ALL: [(Method, &'static str); 6] = [
         (Method::Exact, "exact"),
         (Method::Dopri5, "dopri5"),
@@ -67,12 +67,12 @@ impl Method {
         (Method::Rk4Grid, "rk4_grid"),
     ];
 
-    /// Its name in scenes.
+    /// Name in scenes.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(method, _)| *method == self).map_or("", |(_, name)| name)
     }
 
-    /// Whether its steps are of one length.
+    /// Whether the step length is fixed.
     pub fn has_fixed_steps(self) -> bool {
         matches!(self, Method::Rk4 | Method::Rk4Grid)
     }
@@ -84,7 +84,7 @@ impl Default for Solver {
     }
 }
 
-/// Reads the solver out of `[run]`, whose other keys are read elsewhere.
+/// Reads the solver's keys of `[run]`. The caller reads the others.
 pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<Solver> {
     let method = match keys::get(run, "method") {
         None => Some(None),
@@ -94,34 +94,34 @@ pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<S
     let fixed = method.flatten().map(Method::has_fixed_steps);
     let exact = method.flatten() == Some(Method::Exact);
     if let Some(node) = tolerance.filter(|_| exact || fixed == Some(true)) {
-        let why = if exact { "it is exact" } else { "its steps are of one length: it has `step`" };
+        let why = if exact { "leave it out: it is exact" } else { "leave it out: its step is fixed, give `step`" };
         report.add(&node.place, "this method has no tolerance".to_string(), "out of place", why);
     }
     if let Some(node) = step.filter(|_| fixed == Some(false)) {
-        let why = "it chooses its steps by `tolerance`; `rk4` has steps of one length";
-        report.add(&node.place, "this method has no step of its own".to_string(), "out of place", why);
+        let why = "leave it out: it chooses its steps from `tolerance`; `rk4` has a fixed step";
+        report.add(&node.place, "this method has no fixed step".to_string(), "out of place", why);
     }
     if fixed == Some(true) && step.is_none() {
-        let line = "step = \"... s\"  # the length of its steps".to_string();
+        let line = "step = \"... s\"  # the fixed step length".to_string();
         keys::missing(&[("step", line)], "[run]", &place.place, report);
     }
     let tolerance = match tolerance {
         None => Some(TOLERANCE),
-        Some(node) => measure::quantity("run.tolerance", node, "1", report).filter(|x| {
+        Some(node) => field::quantity("run.tolerance", node, "1", report).filter(|x| {
             let inside = TOLERANCES.contains(x);
             if !inside {
                 let must = format!("must lie between {:e} and {:e}", TOLERANCES.start(), TOLERANCES.end());
-                measure::out_of_range("run.tolerance", node, &must, "the relative error allowed in a step", report);
+                field::out_of_range("run.tolerance", node, &must, "the relative error allowed in a step", report);
             }
             inside
         }),
     };
     let step = match step {
         None => Some(None),
-        Some(node) => measure::quantity("run.step", node, "s", report)
+        Some(node) => field::quantity("run.step", node, "s", report)
             .filter(|x| {
                 if *x <= 0.0 {
-                    measure::out_of_range("run.step", node, "must be positive", "the length of a step", report);
+                    field::out_of_range("run.step", node, "must be positive", "the length of a step", report);
                 }
                 *x > 0.0
             })
@@ -139,7 +139,8 @@ fn read_precision(run: &[Entry], method: Option<Method>, report: &mut Report) ->
         _ => Precision::Compensated,
     };
     if precision == Precision::Compensated && method.is_some_and(|method| method != Method::Exact) {
-        let why = "only the exact method carries more digits: its error is rounding, theirs is that of their steps";
+        let why =
+            "only the exact method can: its errors are rounding errors, those of other methods come from their steps";
         report.add(&node.place, "this method is not compensated".to_string(), "out of place", why);
     }
     Some(precision)
@@ -150,7 +151,7 @@ fn read_method(node: &Node, report: &mut Report) -> Option<Method> {
     let found = Method::ALL.iter().find(|(_, known)| *known == name).map(|(method, _)| *method);
     if found.is_none() {
         let names: Vec<_> = Method::ALL.iter().map(|(_, name)| *name).collect();
-        let help = keys::choices(name, &names) + "\nleave it out for the one that suits the scene";
+        let help = keys::choices(name, &names) + "\nleave it out to have one chosen that suits the scene";
         report.add(&node.place, format!("there is no method `{name}`"), "unknown method", help);
     }
     found

@@ -1,12 +1,12 @@
-//! `[start]`: where the coordinates start, and how fast.
+//! `[start]`: the initial coordinates and speeds.
 
 use super::document::{Entry, Node, Value};
-use super::error::{Report, list};
-use super::{Beginning, field, keys, measure};
+use super::mistake::{Report, list};
+use super::{InitialState, field, keys};
 use crate::model::{Model, Start};
 
-/// Reads `[start]`, all of which may be left out.
-pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<Beginning> {
+/// Reads `[start]`. The table and all its keys may be left out.
+pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<InitialState> {
     let node = keys::get(entries, "start");
     let given = node.map_or(Some(&[][..]), |node| field::table("start", node, report))?;
     let places: Vec<_> = model.coordinates.iter().map(|c| c.name).collect();
@@ -15,16 +15,16 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
     let allowed: Vec<_> = places.iter().copied().chain(speeds.iter().map(String::as_str)).chain(motions).collect();
     keys::known(given, "[start]", &allowed, report);
 
-    // A key that is not there is `Some(None)`; one that is there and wrong is `None`.
+    // `Some(None)` for a key that is not given, `None` for a mistake.
     let mut speed = |name: &str, unit: &str| match keys::get(given, name) {
         None => Some(None),
         Some(node) if is_static(node) => {
             let message = format!("`start.{name}` cannot be \"static\"");
-            let help = format!("write a speed, e.g. \"1 {unit}\"; static can be {}", list(&places));
+            let help = format!("write a speed, e.g. \"1 {unit}\"; \"static\" is allowed for {}", list(&places));
             report.add(&node.place, message, "a speed", help);
             None
         }
-        Some(node) => measure::quantity(&format!("start.{name}"), node, unit, report).map(Some),
+        Some(node) => field::quantity(&format!("start.{name}"), node, unit, report).map(Some),
     };
     let q_dot: Vec<_> = (model.coordinates.iter().zip(&speeds))
         .map(|(coordinate, name)| speed(name, &format!("{}/s", coordinate.unit)))
@@ -36,10 +36,10 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
             None => Some(coordinate.start),
             Some(node) if is_static(node) => Some(Start::Static),
             Some(node @ Node { value: Value::Text(text), .. }) if text.starts_with("static near ") => {
-                // The rest is a quantity, and said to be wrong in its own words.
+                // The rest of the text is a quantity. Mistakes in it are reported as for any quantity.
                 let rest = Node { value: Value::Text(text["static near ".len()..].to_owned()), ..node.clone() };
                 let path = format!("start.{}", coordinate.name);
-                measure::quantity(&path, &rest, coordinate.unit, report).map(Start::Near)
+                field::quantity(&path, &rest, coordinate.unit, report).map(Start::Near)
             }
             Some(Node { value: Value::Text(text), place }) if text.trim_start().starts_with(char::is_alphabetic) => {
                 let message = format!("`start.{}` cannot be \"{text}\"", coordinate.name);
@@ -50,11 +50,11 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
             }
             Some(node) => {
                 let path = format!("start.{}", coordinate.name);
-                measure::quantity(&path, node, coordinate.unit, report).map(Start::At)
+                field::quantity(&path, node, coordinate.unit, report).map(Start::At)
             }
         })
         .collect();
-    Some(Beginning {
+    Some(InitialState {
         q: q.into_iter().collect::<Option<_>>()?,
         q_dot: q_dot.into_iter().collect::<Option<_>>()?,
         motions: motions.into_iter().collect::<Option<_>>()?,

@@ -1,12 +1,12 @@
-//! Unit symbols: what each stands for, and which was meant by one that stands for nothing.
+//! Unit symbols: the unit of each symbol, and suggestions for unknown symbols.
 
 use std::f64::consts::PI;
 
 use super::dimension::Dimension;
-use super::error::did_you_mean;
+use super::mistake::did_you_mean;
 use super::unit::Unit;
 
-/// The symbols, for people.
+/// The symbols, as shown in messages.
 pub(super) const KNOWN: &str = "m g s N J W Pa Hz rad, with prefixes n u m c d k M G T; min h deg rev rpm %";
 
 const PREFIXES: [(&str, i32); 11] = [
@@ -23,7 +23,7 @@ const PREFIXES: [(&str, i32); 11] = [
     ("T", 12),
 ];
 
-/// Units that take a prefix, with their power of ten in kg, m, s.
+/// Units that take a prefix: symbol, power of ten relative to kg, m, s, rad, and dimension.
 const SI: [(&str, i32, Dimension); 10] = [
     ("m", 0, Dimension::new(1, 0, 0, 0)),
     ("g", -3, Dimension::new(0, 1, 0, 0)),
@@ -37,7 +37,7 @@ const SI: [(&str, i32, Dimension); 10] = [
     ("rad", 0, Dimension::new(0, 0, 0, 1)),
 ];
 
-/// Units that take none, with their power of ten, factor and divisor.
+/// Units that take no prefix: symbol, power of ten, factor, divisor and dimension.
 const OTHER: [(&str, i32, f64, f64, Dimension); 8] = [
     ("1", 0, 1.0, 1.0, Dimension::NONE),
     ("%", -2, 1.0, 1.0, Dimension::NONE),
@@ -49,7 +49,7 @@ const OTHER: [(&str, i32, f64, f64, Dimension); 8] = [
     ("rpm", 0, PI, 30.0, Dimension::new(0, 0, -1, 1)),
 ];
 
-/// The unit of a symbol. Whole symbols come first: `min` is a minute, `m` a metre, `h` an hour.
+/// The unit of a symbol. Symbols without a prefix take precedence: `min` is a minute, `m` a metre, `h` an hour.
 pub(super) fn find(symbol: &str) -> Option<Unit> {
     let prefixed = || PREFIXES.iter().find_map(|(prefix, decimal)| si(symbol.strip_prefix(prefix)?, *decimal));
     other(symbol).or_else(|| si(symbol, 0)).or_else(prefixed)
@@ -66,7 +66,7 @@ fn other(symbol: &str) -> Option<Unit> {
     Some(Unit { dimension, decimal, numerator, denominator })
 }
 
-/// What may have been meant by an unknown symbol: by `KHz` kHz, by `degs` deg, by `Nmm` N*mm.
+/// A suggestion for an unknown symbol: kHz for `KHz`, deg for `degs`, N*mm for `Nmm`.
 pub(super) fn meant(symbol: &str) -> Option<String> {
     let whole = || OTHER.iter().map(|unit| unit.0).chain(["rad"]);
     let case = PREFIXES

@@ -1,23 +1,23 @@
-//! A mesh stiffness law, or one of friction, by the teeth of its gears.
+//! A mesh stiffness or a friction law, computed from the teeth of its gears.
 //!
-//! Its unit says what the law is, and the author need not think about it: one pitch of the phase is one base pitch p_b on the
-//! line of action, and a law
-//! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh`, and so most models);
-//! - in N·m is that of Oh, Grosh & Barber, V = k phi², where the gears turn by N1 theta1 - N2 theta2 = 2 phi against each other,
+//! The unit of the law decides how the stiffness is scaled, so the author of a scene does not state it. One pitch of the phase is one base
+//! pitch p_b on the line of action. A stiffness
+//! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh`, used by most models);
+//! - in N·m is that of Oh, Grosh & Barber, V = k phi², with the relative rotation N1 theta1 - N2 theta2 = 2 phi of the gears,
 //!   hence delta = 2 h phi with h = r_b1/N1 = m cos(alpha)/2, and k = 2 kt h² (`gear_pair`).
 //!
-//! Laws in other units take no teeth.
+//! A stiffness in another unit cannot be computed from teeth.
 
 use std::f64::consts::PI;
 
 use super::document::{Entry, Node, Place, Value};
-use super::error::Report;
-use super::{field, keys, measure};
-use crate::gear::{self, Course, GearError, Gears, LINE_LOADS, Material, Rubbing, Source};
+use super::mistake::Report;
+use super::{field, keys};
+use crate::gear::{self, CellShape, FrictionLaw, GearError, Gears, LINE_LOADS, Material, StiffnessMethod};
 use crate::model::{Law, Role};
 use crate::profile::Profile;
 
-/// Keys of a law that is stated by its teeth.
+/// Keys of a law that is computed from teeth.
 pub(super) const KEYS: [&str; 16] = [
     "teeth",
     "module",
@@ -38,64 +38,65 @@ pub(super) const KEYS: [&str; 16] = [
 ];
 
 const METHODS: [&str; 2] = ["iso6336", "energy"];
-const COURSES: [&str; 2] = ["levels", "curves"];
-/// Teeth and other numbers that a gear may have.
+const CELL_SHAPES: [&str; 2] = ["levels", "curves"];
+/// Largest number of teeth of a gear.
 const MOST_TEETH: f64 = 10_000.0;
-/// What they must, the least and the greatest.
+/// Range of a positive quantity: what messages say of it, the smallest and the largest value.
 const POSITIVE: (&str, f64, f64) = ("must be positive", f64::MIN_POSITIVE, f64::INFINITY);
 
-/// Reads a law by its teeth.
-pub(super) struct Teeth<'a> {
+/// Reads a law that is computed from teeth.
+pub(super) struct TeethReader<'a> {
     pub(super) law: &'a Law,
     /// The table of the law.
     pub(super) entries: &'a [Entry],
     pub(super) place: &'a Place,
 }
 
-impl Teeth<'_> {
-    /// Whether the law is stated so.
+impl TeethReader<'_> {
+    /// Whether the law has keys of teeth.
     pub(super) fn given(&self) -> bool {
         self.entries.iter().any(|entry| KEYS.contains(&entry.key.as_str()))
     }
 
-    /// The law.
+    /// Reads a stiffness.
     pub(super) fn read(&self, report: &mut Report) -> Option<Profile> {
         let scale = self.scale(report);
-        let (gears, source) = (self.gears(report), self.source(report));
-        let course = match self.get("course") {
-            None => Some(Course::Levels),
-            Some(node) => field::choice(&self.path("course"), node, "course", &COURSES, report)
-                .map(|i| if i == 0 { Course::Levels } else { Course::Curves }),
+        let (gears, method) = (self.gears(report), self.stiffness_method(report));
+        let shape = match self.get("course") {
+            None => Some(CellShape::Levels),
+            Some(node) => field::choice(&self.path("course"), node, "course", &CELL_SHAPES, report)
+                .map(|i| if i == 0 { CellShape::Levels } else { CellShape::Curves }),
         };
         let (gears, scale) = (gears?, scale?);
         let per = scale(&gears);
-        let law = gear::stiffness(&gears, source?, course?, self.law.period, per);
+        let law = gear::stiffness(&gears, method?, shape?, self.law.period, per);
         law.map_err(|e| self.refused(self.at(), e, report)).ok()
     }
 
-    /// A law of friction by these teeth.
-    pub(super) fn rubbing(&self, report: &mut Report) -> Option<Result<Profile, GearError>> {
-        let (gears, source) = (self.gears(report), self.source(report));
+    /// Computes a friction law from these teeth.
+    pub(super) fn friction_law(&self, report: &mut Report) -> Option<Result<Profile, GearError>> {
+        let (gears, method) = (self.gears(report), self.stiffness_method(report));
         let gears = gears?;
         let (what, scale) = match (self.law.role, self.law.unit) {
-            (Role::Side, _) => (Rubbing::Side, 1.0),
-            (_, "m") => (Rubbing::Arm, 1.0),
-            // Where the deflection is a phase: one pitch of it is one of the phase.
-            _ => (Rubbing::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
+            (Role::Side, _) => (FrictionLaw::Side, 1.0),
+            (_, "m") => (FrictionLaw::Arm, 1.0),
+            // The deflection is a phase: one base pitch is one period of the phase.
+            _ => (FrictionLaw::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
         };
-        Some(gear::friction(&gears, source?, what, self.law.period, scale))
+        Some(gear::friction(&gears, method?, what, self.law.period, scale))
     }
 
-    /// What a stiffness in N/m is multiplied by.
+    /// The factor from a stiffness in N/m to the unit of the law.
     fn scale(&self, report: &mut Report) -> Option<fn(&Gears) -> f64> {
         match self.law.unit {
             "N/m" => Some(|_| 1.0),
             "N*m" => Some(|gears| 2.0 * (gears.module * gears.pressure_angle.cos() / 2.0).powi(2)),
             other => {
-                let message = format!("`laws.{}` is measured in {other}, which no teeth give", self.law.name);
+                let message =
+                    format!("`laws.{}` is measured in {other} and cannot be computed from teeth", self.law.name);
                 let help =
-                    "teeth give laws in N/m, along the line of action, and in N*m, as of a gear_pair; give steps";
-                report.add(self.place, message, "not by its teeth", help);
+                    "teeth give stiffnesses in N/m (along the line of action) and in N*m (as in gear_pair); give steps";
+                report.add(self.place, message, "no teeth allowed", help);
                 None
             }
         }
@@ -157,7 +158,7 @@ impl Teeth<'_> {
             let (path, node) = (format!("{path}.{i}"), items.get(i)?);
             let z = within(&path, node, "1", range, report)?;
             if z.fract() != 0.0 {
-                measure::out_of_range(&path, node, range.0, "it is a number of teeth", report);
+                field::out_of_range(&path, node, range.0, "it is a number of teeth", report);
                 return None;
             }
             Some(z)
@@ -176,25 +177,25 @@ impl Teeth<'_> {
         Some([a?, b?])
     }
 
-    fn source(&self, report: &mut Report) -> Option<Source> {
+    fn stiffness_method(&self, report: &mut Report) -> Option<StiffnessMethod> {
         let method = match self.get("method") {
             None => Some(0),
             Some(node) => field::choice(&self.path("method"), node, "method", &METHODS, report),
         };
         let Some(node) = self.get("line_load") else {
-            return method.map(|i| if i == 0 { Source::Iso6336(None) } else { Source::Energy });
+            return method.map(|i| if i == 0 { StiffnessMethod::Iso6336(None) } else { StiffnessMethod::Energy });
         };
         let load = within(&self.path("line_load"), node, "N/m", POSITIVE, report);
         if method? == 1 {
-            let help = format!("leave it out: it is what ISO 6336-1 asks for below {} N/mm", LINE_LOADS[0] / 1e3);
-            let message = format!("`{}` means nothing to the method \"energy\"", self.path("line_load"));
+            let help = format!("leave it out: only ISO 6336-1 uses it, below {} N/mm", LINE_LOADS[0] / 1e3);
+            let message = format!("`{}` has no effect with the method \"energy\"", self.path("line_load"));
             report.add(&node.place, message, "out of place", help);
             return None;
         }
-        Some(Source::Iso6336(Some(load?)))
+        Some(StiffnessMethod::Iso6336(Some(load?)))
     }
 
-    /// A number for both gears, or two.
+    /// Reads one number for both gears, or two numbers.
     fn both(
         &self,
         key: &str,
@@ -226,18 +227,18 @@ impl Teeth<'_> {
         format!("laws.{}.{key}", self.law.name)
     }
 
-    /// Where the gears are.
+    /// The place of `teeth`.
     pub(super) fn at(&self) -> &Place {
         self.get("teeth").map_or(self.place, |node| &node.place)
     }
 
-    /// Reports gears that do not mesh, or not so.
+    /// Reports an error of the gear geometry or of the stiffness method.
     pub(super) fn refused(&self, at: &Place, error: GearError, report: &mut Report) {
         report.add(at, format!("`laws.{}`: {}", self.law.name, error.what), "these gears", error.advice);
     }
 }
 
-/// A quantity within a range, both ends included.
+/// Reads a quantity within a range, both ends included.
 fn within(
     path: &str,
     node: &Node,
@@ -245,9 +246,9 @@ fn within(
     (must, low, high): (&str, f64, f64),
     report: &mut Report,
 ) -> Option<f64> {
-    let x = measure::quantity(path, node, unit, report)?;
+    let x = field::quantity(path, node, unit, report)?;
     if !(low..=high).contains(&x) {
-        measure::out_of_range(path, node, must, "gears have no such number", report);
+        field::out_of_range(path, node, must, "no gear has this value", report);
         return None;
     }
     Some(x)

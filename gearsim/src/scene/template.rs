@@ -1,20 +1,20 @@
-//! A scene read but not checked: what the points of a sweep write their values over, each its own.
+//! A scene that is parsed but not yet checked. Each point of a sweep applies its values to it.
 
 use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
 use super::document::{self, Node, Origin, Place, Value};
-use super::error::Report;
-use super::{Scene, SceneErrors, check, keys, overrides};
+use super::mistake::Report;
+use super::{Scene, SceneMistakes, check, keys, overrides};
 use crate::model::Model;
 
-/// A scene's text as a tree, with overrides written over it, and what is wrong with it so far.
+/// The text of a scene as a tree with overrides applied, and the mistakes found so far.
 #[derive(Debug, Clone)]
 pub struct Template {
     name: String,
     root: Node,
-    /// Where tables would be added.
+    /// Place where a missing table would be added.
     end: Place,
     report: Report,
     hash: Sha256,
@@ -22,10 +22,10 @@ pub struct Template {
 
 impl Template {
     /// Reads the file of a scene. See [`Template::parse`].
-    pub fn load(path: &Path, overrides: &[String]) -> Result<Template, SceneErrors> {
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Template, SceneMistakes> {
         let shown = path.display().to_string();
         let name = path.file_stem().map_or_else(|| shown.clone(), |stem| stem.to_string_lossy().into_owned());
-        let unreadable = |message| SceneErrors::unreadable(&name, message, "give the path of a scene, a TOML file");
+        let unreadable = |message| SceneMistakes::unreadable(&name, message, "give the path of a scene, a TOML file");
         let bytes = std::fs::read(path).map_err(|error| unreadable(format!("cannot read {shown}: {error}")))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             unreadable(format!("{shown} is not text: byte {} is not UTF-8", error.utf8_error().valid_up_to()))
@@ -33,16 +33,16 @@ impl Template {
         Template::parse(&name, &shown, &text, overrides)
     }
 
-    /// Reads the text of a scene, and writes the `overrides` over it.
+    /// Reads the text of a scene and applies the `overrides`.
     ///
     /// # Errors
     ///
-    /// Where the text is no TOML. All else is found by [`Template::scene`].
-    pub fn parse(name: &str, source_name: &str, text: &str, overrides: &[String]) -> Result<Template, SceneErrors> {
+    /// If the text is not TOML. All other mistakes are reported by [`Template::scene`].
+    pub fn parse(name: &str, source_name: &str, text: &str, overrides: &[String]) -> Result<Template, SceneMistakes> {
         let mut report = Report::new();
         let origin = Origin { source: report.source(source_name, text), offset: 0 };
         let Some(root) = document::read(text, origin, &mut report) else {
-            return Err(report.into_errors(name));
+            return Err(report.into_mistakes(name));
         };
         let end = text.trim_end().len();
         let hash = Sha256::new_with_prefix(text);
@@ -51,18 +51,18 @@ impl Template {
         Ok(template)
     }
 
-    /// The scene of one of `models` that it is after writing `values` (`run.t_end=1 s`), of options `--vary`, over it.
+    /// Checks the scene with `values` (`run.t_end=1 s`, from options `--vary`) applied. Its model must be one of `models`.
     ///
     /// # Errors
     ///
-    /// Everything that is wrong with it.
-    pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneErrors> {
+    /// All mistakes in the scene, its overrides and the values.
+    pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         let mut all = self.clone();
         all.set("--vary ", values);
         let Template { name, root, end, mut report, hash } = all;
         match check::scene(&root, &end, models, &mut report) {
             Some(scene) if report.is_empty() => Ok(Scene { name, hash: hexadecimal(hash), ..scene }),
-            _ => Err(report.into_errors(&name)),
+            _ => Err(report.into_mistakes(&name)),
         }
     }
 
@@ -71,12 +71,12 @@ impl Template {
         &self.name
     }
 
-    /// SHA-256 of the text and, after a zero byte each, the overrides: without any, that of the file.
+    /// SHA-256 of the text and of the overrides, each after a zero byte. Without overrides it is the hash of the file.
     pub fn hash(&self) -> String {
         hexadecimal(self.hash.clone())
     }
 
-    /// The model that it names, if it is one of `models`.
+    /// The model that the scene names; `None` if it is not one of `models`.
     pub fn model(&self, models: &[&'static Model]) -> Option<&'static Model> {
         let Value::Table(entries) = &self.root.value else { return None };
         match &keys::get(entries, "model")?.value {
@@ -85,7 +85,7 @@ impl Template {
         }
     }
 
-    /// What is wrong with it so far, to be added to.
+    /// The mistakes found so far, for the caller to add more.
     pub(crate) fn report(&self) -> Report {
         self.report.clone()
     }

@@ -1,9 +1,9 @@
-//! Tests of scene files: what they mean, and what is said of mistakes in them.
+//! Tests of scene files: the meaning of their keys, and the messages for mistakes.
 
-mod errors;
 mod fixture;
 mod friction;
 mod mistakes;
 mod quantities;
 mod scenes;
 mod teeth;
+mod transmission_error;

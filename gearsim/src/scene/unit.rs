@@ -1,19 +1,19 @@
-//! Units: `kN*m`, `kg mm^2`, `rad/s` as a factor to SI and a dimension.
+//! Units: `kN*m`, `kg mm^2`, `rad/s` are read as a factor to SI and a dimension.
 //!
-//! A unit is a product of symbols, then divisions: `N*m*s/rad`. Products are written `*`, `.`, `·` or a space,
-//! powers `^2` or `²`. A product after a division (`N*m/rad*s`) is read differently by different people: refused.
+//! A unit is a product of symbols, followed by divisions: `N*m*s/rad`. Products are written `*`, `.`, `·` or a space,
+//! powers `^2` or `²`. A product after a division (`N*m/rad*s`) is ambiguous and is refused.
 
 use std::ops::Range;
 
 use super::dimension::Dimension;
 use super::symbol;
 
-/// A unit as it relates to SI: 1 unit = 10^`decimal` `numerator` / `denominator` SI units.
+/// A unit relative to SI: 1 unit = 10^`decimal` `numerator` / `denominator` SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// What it measures.
+    /// Physical dimension.
     pub dimension: Dimension,
-    /// Power of ten, kept apart so that decimal numbers are scaled without rounding.
+    /// Power of ten, stored separately so that decimal numbers are scaled without rounding.
     pub decimal: i32,
     /// Non-decimal factor, e.g. 60 for minutes.
     pub numerator: f64,
@@ -25,15 +25,15 @@ pub struct Unit {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{message}: {help}")]
 pub struct UnitError {
-    /// The offending bytes of the text.
+    /// Byte range of the text that is wrong.
     pub span: Range<usize>,
-    /// What is wrong with them.
+    /// What is wrong.
     pub message: String,
     /// What to write instead.
     pub help: String,
 }
 
-/// Largest power of a symbol: far beyond use, and no sum of powers in a file can overflow.
+/// Largest power of a symbol. It is far more than any unit needs, and the sum of powers in a file cannot overflow.
 const MAX_POWER: i32 = 9;
 
 impl Unit {
@@ -92,7 +92,7 @@ impl Unit {
     }
 }
 
-/// The bytes of the symbol that begins at `at`: letters, or one of `%`, `°`, `1`.
+/// Byte range of the symbol that begins at `at`: letters, or one of `%`, `°`, `1`.
 fn symbol_at(text: &str, at: usize) -> Result<Range<usize>, UnitError> {
     let rest = &text[at..];
     let letters = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
@@ -110,7 +110,7 @@ fn symbol_at(text: &str, at: usize) -> Result<Range<usize>, UnitError> {
     }
 }
 
-/// The power that follows a symbol, `^2`, `^-1` or `²`, and where it ends; 1 if there is none.
+/// The power after a symbol, `^2`, `^-1` or `²`, and the byte where it ends; 1 if there is none.
 fn power(text: &str, at: usize) -> Result<(i32, usize), UnitError> {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let rest = &text[at..];

@@ -28,7 +28,7 @@ pub use shard::Shard;
 
 use crate::output::OutputError;
 use crate::run::Entry;
-use crate::scene::{Scene, SceneErrors, Template};
+use crate::scene::{Scene, SceneMistakes, Template};
 use record::{Column, Group};
 
 /// What is asked of a sweep.
@@ -73,7 +73,7 @@ pub struct Sweep {
 pub enum Error {
     /// The scene or an axis makes no sense.
     #[error(transparent)]
-    Scene(Box<SceneErrors>),
+    Scene(Box<SceneMistakes>),
     /// A file could not be written or read.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -87,8 +87,8 @@ pub enum Error {
     },
 }
 
-impl From<SceneErrors> for Error {
-    fn from(errors: SceneErrors) -> Error {
+impl From<SceneMistakes> for Error {
+    fn from(errors: SceneMistakes) -> Error {
         Error::Scene(Box::new(errors))
     }
 }
@@ -163,7 +163,7 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
     let mut report = template.report();
     let axes = parse::axes(&request.vary, entry.model, &mut report);
     if !report.is_empty() {
-        return Err(report.into_errors(template.name()).into());
+        return Err(report.into_mistakes(template.name()).into());
     }
     if axes.is_empty() {
         return impossible("nothing is varied", "say what: --vary parameters.T0=\"1 N*m:100 N*m:50\"");

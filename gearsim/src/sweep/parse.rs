@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::model::Model;
-use crate::scene::error::{Report, list};
+use crate::scene::mistake::{Report, list};
 use crate::scene::quantity::{self, Quantity};
 use crate::scene::unit_of;
 

@@ -13,7 +13,7 @@ pub fn check(data: &[u8]) {
     match Scene::parse("fuzz", "fuzz.toml", scene, &overrides, &models) {
         Ok(scene) => sound(&scene),
         Err(errors) => {
-            assert!(!errors.problems().is_empty(), "refused without a reason");
+            assert!(!errors.mistakes().is_empty(), "refused without a reason");
             for (width, colour) in [(100, false), (20, true)] {
                 assert!(!errors.render(width, colour).trim().is_empty(), "the report of the problems is empty");
             }

@@ -8,7 +8,7 @@ use gearsim::generated::gear_pair;
 use gearsim::model::Start;
 use gearsim::profile::Step;
 use gearsim::run::Outcome;
-use gearsim::scene::{Beginning, Scene};
+use gearsim::scene::{InitialState, Scene};
 use gearsim::trajectory::Moment;
 use gearsim_tests::oh2005::{Event, GearPair, Kind, PITCH, State};
 
@@ -29,7 +29,7 @@ pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
     scene.parameters[..6].copy_from_slice(&[pair.n1, pair.n2, pair.i1, pair.i2, pair.zeta, pair.t0]);
     let steps = [(pair.k1, pair.width1), (pair.k2, PITCH - pair.width1)];
     scene.laws[0].steps = steps.map(|(value, width)| Step { value, width }).into();
-    scene.start = Beginning {
+    scene.start = InitialState {
         q: vec![Start::At(start.theta), Start::At(start.phi)],
         q_dot: vec![Some(start.theta_dot), Some(start.phi_dot)],
         motions: vec![0.0],

@@ -53,7 +53,7 @@ fn vary(scene: &mut Scene, draw: &mut Draw) {
         }
     }
     for torque in 0..scene.parameters.len() {
-        let fixed = scene.courses.iter().all(|(which, _)| *which != torque);
+        let fixed = scene.time_histories.iter().all(|(which, _)| *which != torque);
         if fixed && scene.model.parameters[torque].unit == "N*m" && scene.model.parameters[torque].varies {
             scene.parameters[torque] *= 0.7 + 0.6 * draw.unit();
         }

@@ -208,10 +208,10 @@ fn a_sweep_that_makes_no_sense_writes_nothing() {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("out");
     let cases: [(&[&str], &str); 7] = [
-        (&["--vary", "parameters.T0=1:x:3"], "a problem"),
+        (&["--vary", "parameters.T0=1:x:3"], "a mistake"),
         (&["--map", "phi_maxx"], "did you mean `phi_max`?"),
         (&["--waterfall"], "over one varied number"),
-        (&["--from", "3 m"], "a time is wanted"),
+        (&["--from", "3 m"], "a time is required"),
         (&["--from", "1 s"], "the run ends at 0.02 s"),
         (&["--shard", "4/3"], "I/N"),
         (&["--threads", "0"], "threads"),

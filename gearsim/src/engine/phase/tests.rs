@@ -7,7 +7,7 @@ use crate::profile::Step;
 
 fn pitch(origin: f64) -> Pitch {
     let steps = [(1.0, 2.0), (2.0, 1.0), (3.0, TAU - 3.0)].map(|(value, width)| Step { value, width });
-    Pitch::new(&Profile::stepping(steps.to_vec()).beginning(origin), TAU)
+    Pitch::new(&Profile::stepping(steps.to_vec()).with_origin(origin), TAU)
 }
 
 /// The level that holds at a phase, from the law's definition.
@@ -63,7 +63,7 @@ fn whole_pitches_are_nothing() {
 #[test]
 fn several_pitches() {
     let steps: Vec<_> = (0..24).map(|i| Step { value: f64::from(i), width: TAU }).collect();
-    let pitch = Pitch::new(&Profile::stepping(steps).beginning(-1.3).over(24), TAU);
+    let pitch = Pitch::new(&Profile::stepping(steps).with_origin(-1.3).with_pitches(24), TAU);
     for (teeth, tooth) in [(0.0, 0), (5.0, 5), (23.0, 23), (24.0, 0), (-1.0, 23), (-25.0, 23)] {
         let (count, rest, cell) = pitch.locate(teeth * TAU, 1.0);
         assert_eq!(cell, tooth);
@@ -94,7 +94,7 @@ fn a_law_is_found_from_the_turns_of_another() {
     for (pitches, origin) in [(1, -0.86), (1, 0.0), (3, -1.3), (24, -100.0)] {
         let widths: Vec<f64> = (0..2 * pitches).map(|i| if i % 2 == 0 { 1.7 } else { TAU - 1.7 }).collect();
         let steps = widths.iter().enumerate().map(|(i, width)| Step { value: i as f64, width: *width }).collect();
-        let pitch = Pitch::new(&Profile::stepping(steps).beginning(origin).over(pitches), TAU);
+        let pitch = Pitch::new(&Profile::stepping(steps).with_origin(origin).with_pitches(pitches), TAU);
         for i in 0..500 {
             let (turns, rest) = (i % 60 - 30, 0.013 + (0.618 * i as f64) % TAU);
             let (count, _, cell) = pitch.locate(turns as f64 * TAU + rest, 1.0);

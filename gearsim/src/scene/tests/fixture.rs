@@ -1,9 +1,9 @@
-//! A gear pair's description, and a scene of it.
+//! A model of a gear pair without equations, and a scene of it.
 
 use std::f64::consts::TAU;
 
 use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Torque};
-use crate::scene::{Scene, SceneErrors};
+use crate::scene::{Scene, SceneMistakes};
 
 const POSITIVE: Range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
 const NOT_NEGATIVE: Range = Range { low_included: true, ..POSITIVE };
@@ -94,7 +94,7 @@ t_end = "0.1 s"
 rate = "20 kHz"
 "#;
 
-pub fn parse(text: &str, overrides: &[&str]) -> Result<Scene, SceneErrors> {
+pub fn parse(text: &str, overrides: &[&str]) -> Result<Scene, SceneMistakes> {
     let overrides: Vec<_> = overrides.iter().map(|text| text.to_string()).collect();
     Scene::parse("energy", "scenes/energy.toml", text, &overrides, &[&GEAR_PAIR])
 }

@@ -1,66 +1,66 @@
-//! Laws of friction in scenes: what they mean, and mistakes.
+//! Friction laws in scenes: meaning of their keys, and messages for mistakes.
 
 use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
-use crate::gear::{Gears, Rubbing, Source, friction};
+use crate::gear::{FrictionLaw, Gears, StiffnessMethod, friction};
 use crate::profile::Profile;
 use crate::scene::Scene;
 
 const TEETH: &str = "teeth = [24, 96]\nmodule = \"6.35 mm\"\nface_width = \"7 mm\"\nmethod = \"energy\"";
 
-/// The scene with the effect, its stiffness by its teeth.
-fn rubbing() -> String {
+/// The scene with the effect, its stiffness computed from teeth.
+fn scene_with_friction() -> String {
     let (begin, end) = (SCENE.find("steps = [").unwrap(), SCENE.find("[start]").unwrap());
     let text = format!("{}{TEETH}\nphase = 0.25\n\n{}", &SCENE[..begin], &SCENE[end..]);
     text.replace("\"damping\",", "\"sliding_friction\",")
 }
 
-/// What `laws` make of it.
+/// That scene with the tables `laws`; the messages if it has mistakes.
 fn with(laws: &str, overrides: &[&str]) -> Result<Scene, String> {
-    parse(&format!("{}\n{laws}", rubbing()), overrides).map_err(|errors| errors.render(100, false))
+    parse(&format!("{}\n{laws}", scene_with_friction()), overrides).map_err(|errors| errors.render(100, false))
 }
 
 fn gears() -> Gears {
     Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
 }
 
-/// By the teeth of the stiffness, in its phase; without a transmission error, which is zero.
+/// `teeth_of` takes teeth and phase of the stiffness. The transmission error, whose effect is not active, is zero.
 #[test]
-fn laws_have_the_teeth_of_another() {
+fn friction_laws_use_the_teeth_of_another_law() {
     let scene = with("[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n", &[]).unwrap();
     assert_eq!(scene.present().map(|(law, _)| law.name).collect::<Vec<_>>(), ["k", "e", "side", "arm"]);
     assert_eq!(scene.laws[1].extremes(), (0.0, 0.0));
-    let of = |what, scale| friction(&gears(), Source::Energy, what, TAU, scale).unwrap();
+    let of = |what, scale| friction(&gears(), StiffnessMethod::Energy, what, TAU, scale).unwrap();
     let ahead = |law: Profile| {
         let origin = law.origin;
-        law.beginning(origin - 0.25 * TAU)
+        law.with_origin(origin - 0.25 * TAU)
     };
-    assert_eq!(scene.laws[2], ahead(of(Rubbing::Side, 1.0)));
-    // The deflection is a phase, of which a base pitch is a turn.
-    let arm = ahead(of(Rubbing::Arm, TAU / gears().contact().unwrap().base_pitch));
+    assert_eq!(scene.laws[2], ahead(of(FrictionLaw::Side, 1.0)));
+    // The deflection is a phase: one base pitch is one turn of it.
+    let arm = ahead(of(FrictionLaw::Arm, TAU / gears().contact().unwrap().base_pitch));
     let off = |a: &Profile| a.steps.iter().zip(&arm.steps).fold(0.0f64, |m, (a, b)| m.max((a.value - b.value).abs()));
     assert!(off(&scene.laws[3]) < 1e-14 && scene.laws[3].origin == arm.origin);
 }
 
-/// As any law is stated, a side of any sign; by teeth of their own, of which another may have them.
+/// A friction law may be given by steps or a series (a side has any sign), or by its own teeth, which another law may then use.
 #[test]
-fn laws_by_steps_and_by_teeth_of_their_own() {
+fn friction_laws_take_steps_series_and_their_own_teeth() {
     let steps = "steps = [{ value = -1, width = \"1 rad\" }, { value = 1 }]";
     let own = TEETH.replace("method = \"energy\"", "");
     let scene = with(&format!("[laws.side]\n{steps}\n[laws.arm]\n{own}"), &[]).unwrap();
     assert_eq!((scene.laws[2].steps[0].value, scene.laws[2].steps[1].width), (-1.0, TAU - 1.0));
     let scale = TAU / gears().contact().unwrap().base_pitch;
-    let equal = friction(&gears(), Source::Iso6336(None), Rubbing::Arm, TAU, scale).unwrap();
+    let equal = friction(&gears(), StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU, scale).unwrap();
     assert!((scene.laws[3].mid() - equal.mid()).abs() < 1e-14);
     let scene = with(&format!("[laws.side]\nteeth_of = \"arm\"\n[laws.arm]\n{own}"), &[]).unwrap();
-    assert_eq!(scene.laws[2], friction(&gears(), Source::Iso6336(None), Rubbing::Side, TAU, 1.0).unwrap());
+    assert_eq!(scene.laws[2], friction(&gears(), StiffnessMethod::Iso6336(None), FrictionLaw::Side, TAU, 1.0).unwrap());
     let wave = "[laws.side]\nharmonics = [{ order = 1, amplitude = 1 }]\n[laws.arm]\nmean = \"1 rad\"\nharmonics = []";
     assert_eq!(with(wave, &[]).unwrap().laws[2].extremes(), (-1.0, 1.0));
 }
 
 #[test]
-fn mistakes_are_named() {
+fn messages_name_the_mistake() {
     let side = "[laws.side]\nteeth_of = \"k\"\n";
     let cases = [
         (format!("{side}[laws.arm]\nteeth_of = 3"), "`laws.arm.teeth_of` must be text"),
@@ -85,12 +85,12 @@ fn mistakes_are_named() {
     assert!(text.contains("effects `sliding_friction` and `frozen_phase` contradict each other"), "{text}");
 }
 
-/// What is missing is told with the line to write; what gears are not for, where it is asked of them.
+/// A missing law is reported with the line to add. Unsuitable gears are reported at the law that asks for them.
 #[test]
 fn mistakes_point_to_their_places() {
     let both = "[laws.side]\nteeth_of = \"k\"\n[laws.arm]\nteeth_of = \"k\"\n";
     insta::assert_snapshot!(with("", &[]).unwrap_err());
     insta::assert_snapshot!(with(&both.replace("\"k\"", "\"kk\""), &[]).unwrap_err());
-    let ring = rubbing().replace("method = \"energy\"", "internal = true");
+    let ring = scene_with_friction().replace("method = \"energy\"", "internal = true");
     insta::assert_snapshot!(parse(&format!("{ring}\n{both}"), &[]).expect_err("a ring").render(100, false));
 }

@@ -1,4 +1,4 @@
-//! What is said of mistakes: the whole text where it is shown to people, else what matters of it.
+//! Messages for mistakes: as snapshots of the whole text, or by a characteristic part of it.
 
 use super::fixture::{SCENE, parse};
 
@@ -55,24 +55,24 @@ fn laws_that_do_not_fill_the_pitch() {
     insta::assert_snapshot!(rendered(SCENE, &[r#"laws.k.steps.1.width="4.5 rad""#]));
 }
 
-/// The whole of what is said of a course, each mistake at its place.
+/// Each mistake in a function of time is shown at its place.
 #[test]
-fn courses_with_mistakes() {
-    let course = r#"
+fn time_histories_with_mistakes() {
+    let history = r#"
 [parameters.T0]
 steps = [{ value = "5 N*m", until = "2 s" }, { value = "8 N", until = "1 s" }, { value = "9 N*m", till = "4 s" }]
 harmonics = [{ amplitude = "1 N*m", frequency = "50 rpm" }]
 "#;
-    insta::assert_snapshot!(rendered(&SCENE.replace("\n[laws.k]", &format!("{course}\n[laws.k]")), &[]));
+    insta::assert_snapshot!(rendered(&SCENE.replace("\n[laws.k]", &format!("{history}\n[laws.k]")), &[]));
     insta::assert_snapshot!(rendered(
         SCENE,
         &["parameters.I1={ramp={to=\"1 kg*m^2\", duration=\"1 s\"}}", "parameters.T0={}"]
     ));
 }
 
-/// Every override is refused, with this in the message.
+/// Each override is refused; the message contains the text beside it.
 #[test]
-fn every_mistake_is_named() {
+fn messages_name_the_mistake() {
     let cases = [
         ("parameters.I1=nan", "not a finite number"),
         ("parameters.zeta=inf", "not a finite number"),
@@ -124,10 +124,10 @@ fn every_mistake_is_named() {
         ("run={t_end=\"1 s\", method=\"rk4\", step=0}", "must be positive"),
         ("run={t_end=\"1 s\", method=\"rk4\", step=\"1 s\", tolerance=1e-3}", "has no tolerance"),
         ("run={t_end=\"1 s\", method=\"exact\", tolerance=1e-3}", "has no tolerance"),
-        ("run={t_end=\"1 s\", method=\"radau\", step=\"1 s\"}", "has no step of its own"),
+        ("run={t_end=\"1 s\", method=\"radau\", step=\"1 s\"}", "has no fixed step"),
         ("run.tolerance=1e-20", "must lie between 1e-14 and 1e-2"),
         ("parameters.zeta={mean=0.1}", "cannot vary in time"),
-        ("parameters.T0={}", "has no course"),
+        ("parameters.T0={}", "has no values"),
         ("parameters.T0={mean=\"1 N\"}", "is a torque or energy, but"),
         ("parameters.T0={men=\"1 N*m\"}", "did you mean `mean`"),
         ("parameters.T0={mean=\"1 N*m\", steps=[{value=0}]}", "has both steps and mean"),
@@ -135,7 +135,7 @@ fn every_mistake_is_named() {
         ("parameters.T0={ramp={to=\"1 N*m\"}}", "lacks `duration`"),
         ("parameters.T0={ramp={to=\"1 N*m\", duration=0}}", "`parameters.T0.ramp.duration` must be positive"),
         ("parameters.T0={ramp={to=\"1 N*m\", duration=\"1 s\", start=\"-1 s\"}}", "must not be negative"),
-        ("parameters.T0={ramp={to=\"1e300 N*m\", duration=\"1e-300 s\"}}", "faster than numbers can hold"),
+        ("parameters.T0={ramp={to=\"1e300 N*m\", duration=\"1e-300 s\"}}", "too large for a floating-point number"),
         ("parameters.T0={steps=[]}", "has 0 entries"),
         ("parameters.T0={steps=[{value=0, until=\"1 s\"}]}", "nothing follows"),
         ("parameters.T0={steps=[{value=0}, {value=0}]}", "lacks `until`"),
@@ -144,7 +144,10 @@ fn every_mistake_is_named() {
         ("parameters.T0={table=[{at=\"1 s\"}]}", "lacks `value`"),
         ("parameters.T0={table=[{at=\"-1 s\", value=0}]}", "is out of order"),
         ("parameters.T0={table=3}", "must be an array"),
-        ("parameters.T0={harmonics=[{amplitude=\"1 N*m\", frequency=0}]}", "has no positive frequency"),
+        (
+            "parameters.T0={harmonics=[{amplitude=\"1 N*m\", frequency=0}]}",
+            "the frequency of `parameters.T0.harmonics.0` must be positive",
+        ),
         ("parameters.T0={harmonics=[{amplitude=\"1 N*m\", frequency=\"9 rad/s\"}]}", "write Hz"),
         ("parameters.T0={harmonics=[{frequency=\"1 Hz\"}]}", "lacks `amplitude`"),
         ("parameters.T0.mean=\"1 N\"", "is a torque or energy, but"),
@@ -160,8 +163,8 @@ fn every_mistake_is_named() {
         ("speed=300 rpm", "`start.speed`"),
         ("zetta=1", "allowed: `about`"),
         ("model.name=1", "inside a single value"),
-        ("=1", "no possible key"),
-        ("a..b=1", "no possible key"),
+        ("=1", "an override with an invalid key"),
+        ("a..b=1", "an override with an invalid key"),
         ("run.t_end=", "without a value"),
         ("effects=[\"damping\"", "not valid TOML"),
     ];
@@ -172,22 +175,22 @@ fn every_mistake_is_named() {
 }
 
 #[test]
-fn depth_has_an_end() {
+fn deep_nesting_is_refused() {
     let deep = "a.".repeat(100_000);
     assert!(rendered(&format!("{deep}a = 1"), &[]).contains("recursion limit"));
     assert!(rendered(&"[".repeat(100_000), &[]).contains("not valid TOML"));
-    assert!(rendered(SCENE, &[&format!("{deep}a=1")]).contains("no possible key"));
+    assert!(rendered(SCENE, &[&format!("{deep}a=1")]).contains("an override with an invalid key"));
     assert!(rendered(SCENE, &[&format!("about={}", "[".repeat(100_000))]).contains("not valid TOML"));
 }
 
-/// Whatever is cut off or put in, the answer is a scene or errors that can be shown.
+/// A text cut off anywhere, or with anything inserted, gives a scene or mistakes that can be shown.
 #[test]
 fn no_text_panics() {
     for cut in (0..=SCENE.len()).filter(|cut| SCENE.is_char_boundary(*cut)) {
         for insert in ["", "\"", "[", "µ", "\n[[laws]]\n", " = 1\n"] {
             let text = format!("{}{insert}{}", &SCENE[..cut], if insert.is_empty() { "" } else { &SCENE[cut..] });
             if let Err(errors) = parse(&text, &[]) {
-                assert!(!errors.problems().is_empty(), "{text}");
+                assert!(!errors.mistakes().is_empty(), "{text}");
                 assert!(!errors.render(80, true).is_empty());
             }
         }

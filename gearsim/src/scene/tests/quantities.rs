@@ -1,4 +1,4 @@
-//! Quantities: exact decimal scaling, ambiguous symbols, refusals.
+//! Quantities: exact decimal scaling, ambiguous symbols, rejected texts.
 
 use std::f64::consts::PI;
 
@@ -53,7 +53,7 @@ fn symbols_are_read_whole_before_prefixes() {
 }
 
 #[test]
-fn nonsense_is_refused_at_its_place() {
+fn errors_mark_the_wrong_part_of_a_quantity() {
     #[track_caller]
     fn at(text: &str, offending: &str) {
         let error = Quantity::parse(text).expect_err(text);
@@ -74,7 +74,7 @@ fn nonsense_is_refused_at_its_place() {
 }
 
 #[test]
-fn what_was_meant_is_guessed() {
+fn unknown_units_come_with_a_suggestion() {
     for (text, meant) in [("KHz", "kHz"), ("RPM", "rpm"), ("degs", "deg"), ("Nmm", "N*mm"), ("Kg", "kg")] {
         let error = Unit::parse(text).expect_err(text);
         assert!(error.help.contains(&format!("did you mean {meant}?")), "{text}: {}", error.help);
@@ -88,7 +88,7 @@ fn huge_exponents_do_not_panic() {
 }
 
 #[test]
-fn radians_matter_only_in_kinematics() {
+fn radians_are_ignored_if_mass_or_length_is_involved() {
     let dimension = |unit: &str| Unit::parse(unit).unwrap().dimension;
     assert!(dimension("N*m/rad").fits(dimension("N*m")));
     assert!(dimension("N*m").fits(dimension("N*m/rad")));
@@ -98,7 +98,7 @@ fn radians_matter_only_in_kinematics() {
 }
 
 #[test]
-fn dimensions_are_named_or_spelled_out() {
+fn dimensions_are_described_by_name_or_by_base_units() {
     let describe = |unit: &str| Unit::parse(unit).unwrap().dimension.describe();
     assert_eq!(describe("N*m"), "a torque or energy");
     assert_eq!(describe("N*m/rad"), "a torque or energy");

@@ -1,4 +1,4 @@
-//! What a correct scene means.
+//! Scenes without mistakes: the values that are read.
 
 use std::f64::consts::{PI, TAU};
 
@@ -30,7 +30,7 @@ fn a_scene_is_read_in_si() {
 }
 
 #[test]
-fn a_scene_may_say_little() {
+fn a_minimal_scene_gets_the_defaults() {
     let text = r#"
         model = "gear_pair"
         effects = []
@@ -46,7 +46,7 @@ fn a_scene_may_say_little() {
 }
 
 #[test]
-fn overrides_replace_add_and_index() {
+fn overrides_replace_values_add_keys_and_index_arrays() {
     let overrides = [
         "parameters.T0=20 N*m",
         r#"run.t_end="1 s""#,
@@ -69,20 +69,12 @@ fn overrides_replace_add_and_index() {
 }
 
 #[test]
-fn the_hash_names_text_and_overrides() {
+fn the_hash_depends_on_text_and_overrides() {
     let hash = |overrides: &[&str]| parse(SCENE, overrides).unwrap().hash;
     assert_eq!(hash(&[]).len(), 64);
     assert_eq!(hash(&["run.t_end=1 s"]), hash(&["run.t_end=1 s"]));
     assert_ne!(hash(&["run.t_end=1 s"]), hash(&["run.t_end=2 s"]));
     assert_ne!(hash(&["run.t_end=1 s"]), hash(&[]));
-}
-
-#[test]
-fn a_stiffness_has_two_middles() {
-    let steps = vec![Step { value: 1.0, width: 3.0 }, Step { value: 5.0, width: 1.0 }];
-    let stiffness = Profile::stepping(steps);
-    assert_eq!(stiffness.mid(), 3.0);
-    assert_eq!(stiffness.mean(), 2.0);
 }
 
 #[test]
@@ -94,7 +86,7 @@ fn effect_sets_come_from_names() {
 }
 
 #[test]
-fn a_file_gives_its_stem_or_says_why_not() {
+fn a_scene_file_gives_its_stem_as_name_and_a_missing_file_is_reported() {
     let path = std::env::temp_dir().join(format!("gearsim-{}.scene.toml", std::process::id()));
     std::fs::write(&path, SCENE).unwrap();
     let scene = Scene::load(&path, &[], &[&GEAR_PAIR]);
@@ -104,14 +96,14 @@ fn a_file_gives_its_stem_or_says_why_not() {
     assert!(error.render(80, false).contains("cannot read"));
 }
 
-/// The courses of a torque, the last set over the first from the command line.
+/// Torques that vary in time, set from the command line; a later override changes one key of an earlier one.
 #[test]
-fn courses() {
+fn torques_vary_in_time() {
     let at = |overrides: &[&str], t: f64| {
         let scene = parse(SCENE, overrides).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-        let (p, course) = &scene.courses[0];
-        assert_eq!((*p, scene.parameters[5]), (5, course.at(0, 0.0)));
-        course.at(course.piece(t), t)
+        let (p, history) = &scene.time_histories[0];
+        assert_eq!((*p, scene.parameters[5]), (5, history.at(0, 0.0)));
+        history.at(history.piece(t), t)
     };
     let steps = "parameters.T0={steps=[{value=\"1 kN*m\", until=\"100 ms\"}, {value=\"5 N*m\"}]}";
     assert_eq!((at(&[steps], 0.05), at(&[steps], 0.1)), (1000.0, 5.0));

@@ -1,4 +1,4 @@
-//! Laws by their teeth, and their phases.
+//! Laws computed from teeth, and phases of laws.
 
 use std::f64::consts::TAU;
 
@@ -17,9 +17,9 @@ fn with(law: &str, overrides: &[&str]) -> Result<Profile, String> {
     parse(&text, overrides).map(|scene| scene.laws[0].clone()).map_err(|e| e.render(160, false))
 }
 
-/// The paper's gears: its widths; k = 2 kt h², with the base radius of one tooth, h = m cos(alpha)/2.
+/// The gears of Oh, Grosh & Barber (2005) give the widths of the paper; k = 2 kt h², with the base radius per tooth h = m cos(alpha)/2.
 #[test]
-fn a_gear_pair_by_its_teeth() {
+fn teeth_give_widths_and_stiffness_of_a_gear_pair() {
     let law = with(TEETH, &[]).unwrap();
     let [one, two] = law.steps[..] else { panic!("{law:?}") };
     assert!((one.width - 1.728).abs() < 1e-3 && (one.width + two.width - TAU).abs() < 1e-14);
@@ -28,13 +28,13 @@ fn a_gear_pair_by_its_teeth() {
     let kt = Iso6336::of(&gears, None).unwrap().single * 7e-3;
     assert!((one.value / (2.0 * kt * h * h) - 1.0).abs() < 1e-14, "{}", one.value);
     assert!((two.value / one.value - 1.75).abs() < 1e-14);
-    // The paper's 1.43 kN m are those of a face width of 5.8 mm, in a gear set for which its inertias say about 7.
+    // The paper's 1.43 kN m would need a face width of 5.8 mm; its inertias imply about 7 mm.
     assert!((one.value - 1724.0).abs() < 2.0, "{}", one.value);
 }
 
-/// Every key means what it says: the law is that of the gears.
+/// The law is that of gears with the same data set in Rust.
 #[test]
-fn every_key_is_read() {
+fn every_key_of_teeth_is_read() {
     let keys = r#"
 pressure_angle = "25 deg"
 addendum = [0.9, 1.0]
@@ -55,7 +55,7 @@ line_load = "50 N/mm"
     let h = 6.35e-3 * 25f64.to_radians().cos() / 2.0;
     assert!((law.steps[0].value / (2.0 * kt * h * h) - 1.0).abs() < 1e-14);
     let energy = with(&format!("{TEETH}{keys}"), &["laws.k.line_load=1 N/mm", "laws.k.method=\"energy\""]);
-    assert!(energy.unwrap_err().contains("means nothing to the method"));
+    assert!(energy.unwrap_err().contains("has no effect with the method"));
     let curves =
         with(&format!("{TEETH}\nmethod = \"energy\"\ncourse = \"curves\"\nbore = [\"60 mm\", \"200 mm\"]"), &[])
             .unwrap();
@@ -65,7 +65,7 @@ line_load = "50 N/mm"
 }
 
 #[test]
-fn mistakes_of_teeth_are_named() {
+fn messages_name_the_mistake() {
     let cases = [
         ("laws.k.teeth=[24]", "has 1 numbers"),
         ("laws.k.teeth=[24.5, 96]", "must be a whole number"),
@@ -76,13 +76,13 @@ fn mistakes_of_teeth_are_named() {
         ("laws.k.profile_shift=[0, 0.2]", "smaller profile shift"),
         ("laws.k.addendum=[1, 2, 3]", "not two gears"),
         ("laws.k.method=\"iso\"", "there is no method `iso`"),
-        ("laws.k.course=\"curves\"", "no course between the steps"),
+        ("laws.k.course=\"curves\"", "no curves between the steps"),
         ("laws.k.internal=1", "true or false"),
         ("laws.k.steps=[{ value = \"1 N*m\" }]", "has both steps and teeth"),
         ("laws.k.modul=1 mm", "did you mean `module`"),
         ("laws.k.phase=1 m", "is an angle, but"),
         ("laws.k.phase=[1]", "must be a phase"),
-        ("laws.k.phase={ at = \"1 rad\" }", "is of a sun or of a ring"),
+        ("laws.k.phase={ at = \"1 rad\" }", "must have either `sun` or `ring`"),
         ("laws.k.phase={ sun = 27 }", "lacks `at`"),
         ("laws.k.phase={ sun = 27.5, at = 0 }", "must be a whole number"),
         ("laws.k.phase={ sun = 27, planet = 36, at = 0 }", "goes with `ring`"),
@@ -95,22 +95,22 @@ fn mistakes_of_teeth_are_named() {
     assert!(lacking.contains("lacks `module` and `face_width`"), "{lacking}");
 }
 
-/// k(s) = k0(s + phase): the first level begins that much earlier.
+/// k(s) = k0(s + phase): the first level begins earlier by the phase.
 #[test]
-fn phases() {
+fn a_phase_shifts_the_origin_of_a_law() {
     let origin =
         |phase: &str| with(&format!("steps = [{{ value = \"1 N*m\" }}]\nphase = {phase}"), &[]).unwrap().origin;
     assert_eq!(origin("0.25"), -0.25 * TAU);
     assert_eq!(origin("\"25 %\""), -0.25 * TAU);
     assert_eq!(origin("3"), 0.0);
     assert!((origin("\"90 deg\"") + 0.25 * TAU).abs() < 1e-15);
-    // Planets that fit: sun and ring say the same, and a third of a pitch is one, to the last bit.
+    // Planets that fit: sun and ring give the same phase; two thirds of a pitch are exact to the last bit.
     let third = origin("{ ring = 98, at = \"120 deg\" }");
     assert_eq!(third, -(2.0 / 3.0) * TAU);
     let of_sun: f64 = origin("{ sun = 28, at = \"120 deg\" }");
     assert!(((third - of_sun).rem_euclid(TAU)).min(TAU - (third - of_sun).rem_euclid(TAU)) < 1e-14, "{third} {of_sun}");
     assert_eq!(origin("{ ring = 99, at = \"120 deg\" }"), 0.0);
-    // Between the meshes of one planet: half a pitch if it has an even number of teeth.
+    // The two meshes of one planet differ by half a pitch if the planet has an even number of teeth.
     assert_eq!(origin("{ ring = 99, at = 0, planet = 36 }").abs(), 0.5 * TAU);
     assert_eq!(origin("{ ring = 99, at = 0, planet = 35 }"), 0.0);
 }

@@ -52,7 +52,7 @@ fn every_mistake_of_an_axis_is_named() {
 #[test]
 fn mistakes_of_all_axes_are_shown_at_once() {
     let shown = said(load(&request(&["parameters.T0=1:x:3", "parameters.zeta", "start.speed=1:2:0"])).err().unwrap());
-    assert!(shown.contains("3 problems"), "{shown}");
+    assert!(shown.contains("3 mistakes"), "{shown}");
 }
 
 #[test]

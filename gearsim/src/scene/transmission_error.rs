@@ -1,20 +1,20 @@
-//! What of a transmission error is not as of a stiffness: the pitches it goes over, and the errors of single teeth.
+//! Scene keys of transmission errors that stiffnesses do not have: the number of pitches, and the pitch errors of the teeth.
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
-use super::{field, keys, measure};
+use super::mistake::Report;
+use super::{field, keys};
 use crate::model::{Law, Role};
 use crate::profile::{Profile, Step};
 
-/// Key of the errors of the teeth: a level a pitch.
+/// Key of the pitch errors of the teeth: one level a pitch.
 pub(super) const OF_TEETH: &str = "pitch_errors";
 /// Keys that only transmission errors have.
 pub(super) const KEYS: [&str; 2] = ["pitches", OF_TEETH];
 
-/// Most pitches after which an error repeats itself.
+/// Largest number of pitches in one period.
 const MOST: f64 = 10_000.0;
 
-/// Pitches after which the law repeats itself: those said, else a pitch a tooth error, else one.
+/// Number of pitches in one period of the law: the value of `pitches`, or the number of pitch errors, or 1.
 pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Option<u32> {
     let get = |key| keys::get(entries, key).filter(|_| law.role == Role::Error);
     match (get("pitches"), get(OF_TEETH)) {
@@ -25,11 +25,11 @@ pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Opti
         }
         (Some(node), None) => {
             let path = format!("laws.{}.pitches", law.name);
-            let count = measure::quantity(&path, node, "1", report)?;
+            let count = field::quantity(&path, node, "1", report)?;
             if count.fract() != 0.0 || !(1.0..=MOST).contains(&count) {
                 let must = format!("must be a whole number from 1 to {MOST}");
-                let what = "the error repeats itself after so many pitches, such as the teeth of a gear";
-                measure::out_of_range(&path, node, &must, what, report);
+                let what = "the error repeats after this number of pitches, e.g. the number of teeth of a gear";
+                field::out_of_range(&path, node, &must, what, report);
                 return None;
             }
             Some(count as u32)
@@ -39,7 +39,7 @@ pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Opti
     }
 }
 
-/// The law of the teeth's errors, one a pitch.
+/// The law of `pitch_errors`: one level a pitch.
 pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Profile> {
     let path = format!("laws.{}.{OF_TEETH}", law.name);
     let example = format!("[\"0 {0}\", \"... {0}\"]", law.unit);
@@ -49,7 +49,7 @@ pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Pr
         report.add(&node.place, format!("`{path}` has {} errors", items.len()), "too few or too many", help);
         return None;
     }
-    let error = |(i, node)| measure::quantity(&format!("{path}.{i}"), node, law.unit, report);
+    let error = |(i, node)| field::quantity(&format!("{path}.{i}"), node, law.unit, report);
     let levels: Vec<_> = items.iter().enumerate().map(error).collect();
     let levels: Vec<_> = levels.into_iter().collect::<Option<_>>()?;
     Some(Profile::stepping(levels.into_iter().map(|value| Step { value, width: law.period }).collect()))

@@ -1,33 +1,34 @@
-//! The phase of a law: how far it is ahead in its pitch, k(s) = k0(s + phase).
+//! The key `phase` of a law: the shift of the law within its pitch, k(s) = k0(s + phase).
 //!
-//! Meshes that roll on with one coordinate differ by their phases. Of the planets of a stage they follow from the tooth
+//! Meshes that share one coordinate differ in their phases (mesh phasing). The phases of the planets of a stage follow from the tooth
 //! numbers: R. G. Parker, J. Lin, "Mesh Phasing Relationships in Planetary and Epicyclic Gears", J. Mech. Des. 126(2), 2004.
-//! Where the phase counts the teeth of the sun as they pass, counterclockwise seen from the carrier, a planet at the angle psi
-//! meets each of them later than a planet at 0 would, and each tooth of the ring earlier:
+//! Let the mesh phase s count the passing teeth of the sun, counterclockwise as seen from the carrier. A planet at the angle psi
+//! meets each tooth of the sun later than a planet at the angle 0, and each tooth of the ring earlier:
 //!
 //! ```text
 //! phase of k_sn = -Z_s psi_n/(2 pi)          k_rn:  +Z_r psi_n/(2 pi) - (Z_p - 1)/2        [pitches]
 //! ```
 //!
-//! (their gamma_sn, gamma_rn and gamma_rs with the opposite sign: they count how late a mesh is). The two agree for a planet
-//! that fits between sun and ring, (Z_s + Z_r) psi_n = 2 pi times a whole number. The last term is between the meshes of one
-//! planet, whose teeth touch the sun with one flank and the ring with the other: laws that begin at the pitch point, and teeth
-//! as thick as their spaces.
+//! These are the paper's gamma_sn, gamma_rn and gamma_rs with the opposite sign, because the paper counts the delay of a mesh. The first
+//! two terms agree modulo 1 for a planet that fits between sun and ring, (Z_s + Z_r) psi_n = 2 pi times a whole number. The last term is
+//! the shift between the two meshes of one planet, whose teeth touch the sun with one flank and the ring with the other. It holds for
+//! laws that begin at the pitch point, and for teeth as thick as their spaces.
 
 use std::f64::consts::TAU;
 
 use super::document::{Entry, Node, Value};
-use super::error::Report;
+use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
-use super::{field, keys, measure};
+use super::{field, keys};
 use crate::model::Law;
 
-/// Parts of a pitch at which teeth meet are whole fractions of this many, or fewer: so near to one, it is meant.
-const PARTS: i32 = 360;
-const NEAR: f64 = 1e-11;
+/// Largest denominator of the fractions of a pitch that [`whole_fraction`] recognises.
+const MAX_DENOMINATOR: i32 = 360;
+/// A phase within this distance of such a fraction [pitches] is replaced by it.
+const FRACTION_TOLERANCE: f64 = 1e-11;
 
-/// Reads `phase`, in the unit of the law's phase; within the `pitches` after which the law repeats itself.
+/// Reads `phase` [unit of the law's phase coordinate], reduced to less than the period of `pitches` pitches.
 pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mut Report) -> Option<f64> {
     let path = format!("laws.{}.phase", law.name);
     if let Value::Table(entries) = &node.value {
@@ -42,27 +43,27 @@ pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mu
         _ => false,
     };
     match bare {
-        true => Some(measure::quantity(&path, node, "1", report)? % f64::from(pitches) * law.period),
-        false => Some(measure::quantity(&path, node, unit, report)? % (law.period * f64::from(pitches))),
+        true => Some(field::quantity(&path, node, "1", report)? % f64::from(pitches) * law.period),
+        false => Some(field::quantity(&path, node, unit, report)? % (law.period * f64::from(pitches))),
     }
 }
 
-/// The phase of a planet's mesh [pitches].
+/// Reads the phase of a planet's mesh from tooth numbers and angle [pitches].
 fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) -> Option<f64> {
     keys::known(entries, &format!("`{path}`"), &["sun", "ring", "at", "planet"], report);
     let get = |key| keys::get(entries, key);
     let teeth = |key: &str, report: &mut Report| -> Option<Option<f64>> {
         let Some(node) = keys::get(entries, key) else { return Some(None) };
         let path = format!("{path}.{key}");
-        let z = measure::quantity(&path, node, "1", report)?;
+        let z = field::quantity(&path, node, "1", report)?;
         if z.fract() != 0.0 || z < 1.0 {
-            measure::out_of_range(&path, node, "must be a whole number", "it is a number of teeth", report);
+            field::out_of_range(&path, node, "must be a whole number", "it is a number of teeth", report);
             return None;
         }
         Some(Some(z))
     };
     let (sun, ring, planet) = (teeth("sun", report), teeth("ring", report), teeth("planet", report));
-    let at = get("at").and_then(|node| measure::quantity(&format!("{path}.at"), node, "rad", report));
+    let at = get("at").and_then(|node| field::quantity(&format!("{path}.at"), node, "rad", report));
     if get("at").is_none() {
         keys::missing(&[("at", "at = \"120 deg\"".into())], &format!("`{path}`"), &node.place, report);
     }
@@ -70,14 +71,14 @@ fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) ->
         (Some(z), None) => -z * at? / TAU,
         (None, Some(z)) => z * at? / TAU,
         _ => {
-            let help = "give `sun` for the mesh of sun and planet, `ring` for that of ring and planet: their teeth";
-            report.add(&node.place, format!("`{path}` is of a sun or of a ring"), "one of the two", help);
+            let help = "give the number of teeth of the sun for a sun-planet mesh, of the ring for a ring-planet mesh";
+            report.add(&node.place, format!("`{path}` must have either `sun` or `ring`"), "one of the two", help);
             return None;
         }
     };
     let between = match (planet?, get("sun"), get("planet")) {
         (Some(_), Some(_), Some(node)) => {
-            let help = "leave it out here: it sets the ring's meshes against the sun's";
+            let help = "leave it out: it shifts the ring mesh relative to the sun mesh";
             report.add(&node.place, format!("`{path}.planet` goes with `ring`"), "out of place", help);
             return None;
         }
@@ -87,24 +88,24 @@ fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) ->
     Some(whole_fraction((lead - between).fract()))
 }
 
-/// The whole fraction that `x` means, if it is that near to one.
+/// Rounds `x` to a fraction with a denominator of at most [`MAX_DENOMINATOR`] if one lies within [`FRACTION_TOLERANCE`]; otherwise returns `x`.
 fn whole_fraction(x: f64) -> f64 {
-    let near = (1..=PARTS).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < NEAR * d);
+    let near = (1..=MAX_DENOMINATOR).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < FRACTION_TOLERANCE * d);
     near.map_or(x, |d| ((x * d).round() / d).fract())
 }
 
-/// What is allowed in place of a table.
+/// Reports a value of `phase` that is neither a number, a text nor a table; returns whether it did.
 pub(super) fn wrong_type(path: &str, node: &Node, report: &mut Report) -> bool {
     let readable = matches!(node.value, Value::Number(_) | Value::Text(_) | Value::Table(_));
     if !readable {
-        let help = "write a part of a pitch, 0.25, an angle, \"90 deg\", or { sun = 27, at = \"120 deg\" }";
+        let help = "write a fraction of a pitch, 0.25, an angle, \"90 deg\", or { sun = 27, at = \"120 deg\" }";
         field::wrong_type(path, node, "a phase", help, report);
     }
     !readable
 }
 
 #[test]
-fn whole_fractions_are_met_exactly() {
+fn phases_near_a_fraction_are_rounded_to_it() {
     for (z, degrees) in [(27.0, 120.0), (28.0, 120.0), (31.0, 72.0), (99.0, 240.0), (1000.0, 288.0f64)] {
         let x = (z * degrees.to_radians() / TAU).fract();
         let found = whole_fraction(x);

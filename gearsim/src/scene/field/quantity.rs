@@ -1,20 +1,20 @@
-//! Reading quantities: a number with a unit that fits what is measured.
+//! Reads quantities and checks their dimension.
 
-use super::dimension::Dimension;
-use super::document::{Node, Place, Value};
-use super::error::Report;
-use super::field::wrong_type;
-use super::quantity::Quantity;
-use super::unit::{Unit, UnitError};
+use super::wrong_type;
+use crate::scene::dimension::Dimension;
+use crate::scene::document::{Node, Place, Value};
+use crate::scene::mistake::Report;
+use crate::scene::quantity::Quantity;
+use crate::scene::unit::{Unit, UnitError};
 
 const FREQUENCY: Dimension = Dimension::new(0, 0, -1, 0);
 const ANGULAR_SPEED: Dimension = Dimension::new(0, 0, -1, 1);
 
-/// Reads a number with a unit that fits `unit`; the result is in SI and finite.
+/// Reads a number with a unit of the same dimension as `unit`. The result is finite, in SI.
 ///
-/// Without a unit only plain numbers are read, and zero, which is the same in all: an assumed unit is a wrong one
-/// sooner or later.
-pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
+/// A number without a unit is accepted only for plain numbers (`unit` is 1) and for zero, which is the same in every unit. No unit is
+/// ever assumed.
+pub(in crate::scene) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
     let quantity = match &node.value {
         Value::Number(x) => Quantity::bare(*x),
         Value::Text(text) => match Quantity::parse(text) {
@@ -32,7 +32,7 @@ pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report)
     };
     let Ok(expected) = Unit::parse(unit) else {
         let message = format!("the model measures `{path}` in `{unit}`, which is no unit");
-        report.add(&node.place, message, "cannot be read", "mend the model, or use another");
+        report.add(&node.place, message, "cannot be read", "correct the unit in the model, or use another model");
         return None;
     };
     if !quantity.value.is_finite() {
@@ -47,15 +47,15 @@ pub(super) fn quantity(path: &str, node: &Node, unit: &str, report: &mut Report)
     None
 }
 
-/// Reports a quantity that is understood but not admissible: what it `must` do, and `what` it is.
-pub(super) fn out_of_range(path: &str, node: &Node, must: &str, what: &str, report: &mut Report) {
+/// Reports a quantity outside its range: `must` says what is required, e.g. "must be positive"; `what` is the help.
+pub(in crate::scene) fn out_of_range(path: &str, node: &Node, must: &str, what: &str, report: &mut Report) {
     let written = report.text(&node.place).trim_matches(['"', '\'']);
     let message = format!("`{path}` {must}, but is {}", written.trim());
     report.add(&node.place, message, "out of range", what);
 }
 
 fn unreadable(path: &str, node: &Node, text: &str, error: UnitError, report: &mut Report) {
-    // The error's bytes are bytes of the file unless the text is written with escapes.
+    // The error's byte range is one of the file, unless the string contains escapes: then `find` fails and the whole value is marked.
     let place = match report.text(&node.place).find(text) {
         Some(offset) => {
             let start = node.place.span.start + offset;

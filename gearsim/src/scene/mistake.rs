@@ -1,4 +1,4 @@
-//! What is wrong with a scene: where, what is allowed, and what to do.
+//! Mistakes in a scene file, shown with the marked line: what is wrong, where, what is allowed, and what to do.
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,10 +9,10 @@ use miette::{
 
 use super::document::Place;
 
-/// One thing wrong with a scene.
+/// One mistake in a scene.
 #[derive(Debug, Clone, thiserror::Error, Diagnostic)]
 #[error("{message}")]
-pub struct Problem {
+pub struct Mistake {
     message: String,
     label: String,
     #[help]
@@ -23,32 +23,32 @@ pub struct Problem {
     text: Option<NamedSource<Arc<str>>>,
 }
 
-/// Everything wrong with a scene, in the order of its text; overrides come last.
+/// All mistakes in a scene, in the order of its text; those in overrides come last.
 #[derive(Debug, Clone, Diagnostic)]
-pub struct SceneErrors {
+pub struct SceneMistakes {
     scene: String,
     #[related]
-    problems: Vec<Problem>,
+    mistakes: Vec<Mistake>,
 }
 
-impl SceneErrors {
-    /// A scene that could not be read at all.
-    pub(super) fn unreadable(scene: &str, message: String, help: &str) -> SceneErrors {
-        let problem = Problem { message, label: String::new(), help: help.to_string(), span: None, text: None };
-        SceneErrors { scene: scene.to_string(), problems: vec![problem] }
+impl SceneMistakes {
+    /// The error of a file that could not be read.
+    pub(super) fn unreadable(scene: &str, message: String, help: &str) -> SceneMistakes {
+        let mistake = Mistake { message, label: String::new(), help: help.to_string(), span: None, text: None };
+        SceneMistakes { scene: scene.to_string(), mistakes: vec![mistake] }
     }
 
-    /// The problems, in the order in which they are shown.
-    pub fn problems(&self) -> &[Problem] {
-        &self.problems
+    /// The mistakes, in the order in which they are shown.
+    pub fn mistakes(&self) -> &[Mistake] {
+        &self.mistakes
     }
 
-    /// What is wrong, in one line.
+    /// The messages in one line, separated by semicolons.
     pub fn brief(&self) -> String {
-        self.problems.iter().map(|problem| problem.message.as_str()).collect::<Vec<_>>().join("; ")
+        self.mistakes.iter().map(|mistake| mistake.message.as_str()).collect::<Vec<_>>().join("; ")
     }
 
-    /// The errors as text for people, at most `width` columns wide where that is possible.
+    /// The mistakes as text with the marked lines, at most `width` columns wide where possible, with terminal colours if `color`.
     pub fn render(&self, width: usize, color: bool) -> String {
         let theme = GraphicalTheme {
             characters: ThemeCharacters::unicode(),
@@ -56,42 +56,42 @@ impl SceneErrors {
         };
         let handler = GraphicalReportHandler::new_themed(theme).with_width(width).with_links(false);
         let mut text = format!("{self}\n");
-        for problem in &self.problems {
+        for mistake in &self.mistakes {
             text.push('\n');
             let start = text.len();
-            if handler.render_report(&mut text, problem).is_err() {
+            if handler.render_report(&mut text, mistake).is_err() {
                 text.truncate(start);
-                text.push_str(&format!("  {}\n  help: {}\n", problem.message, problem.help));
+                text.push_str(&format!("  {}\n  help: {}\n", mistake.message, mistake.help));
             }
         }
         text
     }
 }
 
-impl fmt::Display for SceneErrors {
+impl fmt::Display for SceneMistakes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.problems.len() {
-            1 => write!(f, "scene {} has a problem", self.scene),
-            n => write!(f, "scene {} has {n} problems", self.scene),
+        match self.mistakes.len() {
+            1 => write!(f, "scene {} has a mistake", self.scene),
+            n => write!(f, "scene {} has {n} mistakes", self.scene),
         }
     }
 }
 
-impl std::error::Error for SceneErrors {}
+impl std::error::Error for SceneMistakes {}
 
-/// Collects problems while a scene is read.
+/// Collects mistakes while a scene is read.
 #[derive(Debug, Clone)]
 pub(crate) struct Report {
     sources: Vec<NamedSource<Arc<str>>>,
-    problems: Vec<(Place, Problem)>,
+    mistakes: Vec<(Place, Mistake)>,
 }
 
 impl Report {
     pub(crate) fn new() -> Report {
-        Report { sources: Vec::new(), problems: Vec::new() }
+        Report { sources: Vec::new(), mistakes: Vec::new() }
     }
 
-    /// Adds a text that problems may point into, and returns its number.
+    /// Adds a text that mistakes can refer to, and returns its index.
     pub(crate) fn source(&mut self, name: &str, text: &str) -> usize {
         self.sources.push(NamedSource::new(name, Arc::from(text)));
         self.sources.len() - 1
@@ -102,7 +102,7 @@ impl Report {
         self.sources.get(place.source).and_then(|s| s.inner().get(place.span.clone())).unwrap_or_default()
     }
 
-    /// Adds a problem: `message` says what is wrong, `label` is written at the place, `help` says what to do.
+    /// Adds a mistake: `message` says what is wrong, `label` is shown at the place, `help` says what to do.
     pub(crate) fn add(
         &mut self,
         place: &Place,
@@ -110,27 +110,27 @@ impl Report {
         label: impl Into<String>,
         help: impl Into<String>,
     ) {
-        let problem = Problem {
+        let mistake = Mistake {
             message: message.into(),
             label: label.into(),
             help: help.into(),
             span: Some(place.span.clone().into()),
             text: self.sources.get(place.source).cloned(),
         };
-        self.problems.push((place.clone(), problem));
+        self.mistakes.push((place.clone(), mistake));
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.problems.is_empty()
+        self.mistakes.is_empty()
     }
 
-    pub(crate) fn into_errors(mut self, scene: &str) -> SceneErrors {
-        self.problems.sort_by_key(|(place, _)| (place.source, place.span.start));
-        SceneErrors { scene: scene.to_string(), problems: self.problems.into_iter().map(|(_, p)| p).collect() }
+    pub(crate) fn into_mistakes(mut self, scene: &str) -> SceneMistakes {
+        self.mistakes.sort_by_key(|(place, _)| (place.source, place.span.start));
+        SceneMistakes { scene: scene.to_string(), mistakes: self.mistakes.into_iter().map(|(_, p)| p).collect() }
     }
 }
 
-/// The candidate that `word` was most likely meant to be, if any is close.
+/// The candidate nearest to `word`: the smallest Damerau-Levenshtein distance without case, if at most a third of the word's length.
 pub(crate) fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
@@ -138,7 +138,7 @@ pub(crate) fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = 
     (distance <= word.chars().count() / 3).then_some(candidate)
 }
 
-/// `a, b and c`, each in backquotes.
+/// The names in backquotes, as in "`a`, `b` and `c`".
 pub(crate) fn list(names: &[&str]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
     match quoted.split_last() {

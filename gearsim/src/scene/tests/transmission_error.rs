@@ -1,11 +1,11 @@
-//! Transmission errors in scenes: what they mean, and mistakes.
+//! Transmission errors in scenes: meaning of their keys, and messages for mistakes.
 
 use std::f64::consts::TAU;
 
 use super::fixture::{SCENE, parse};
 use crate::profile::{Curve, Profile};
 
-/// The scene with the effect, and the law that `law` makes of it.
+/// The transmission error of the scene with the effect and with the keys `law` in `[laws.e]`; the messages if it has mistakes.
 fn with(law: &str, overrides: &[&str]) -> Result<Profile, String> {
     let text = SCENE.replace("\"damping\",", "\"transmission_error\",") + "\n[laws.e]\n" + law;
     let scene = parse(&text, overrides).map_err(|errors| errors.render(100, false))?;
@@ -14,7 +14,7 @@ fn with(law: &str, overrides: &[&str]) -> Result<Profile, String> {
 }
 
 #[test]
-fn errors_of_teeth_are_levels_of_a_pitch_each() {
+fn pitch_errors_are_levels_of_one_pitch_each() {
     let law = with("pitch_errors = [\"0 rad\", \"-2e-4 rad\", \"0.01 deg\"]\nphase = 1.25", &[]).unwrap();
     let levels: Vec<f64> = law.steps.iter().map(|step| step.value).collect();
     assert_eq!((levels, law.pitches), (vec![0.0, -2e-4, 0.01f64.to_radians()], 3));
@@ -22,7 +22,7 @@ fn errors_of_teeth_are_levels_of_a_pitch_each() {
 }
 
 #[test]
-fn steps_series_and_tables_go_over_so_many_pitches() {
+fn steps_series_and_tables_cover_the_given_number_of_pitches() {
     let steps = "pitches = 2\nsteps = [{ value = \"-1 rad\", width = \"7 rad\" }, { value = \"1 rad\" }]";
     let steps = with(steps, &[]).unwrap();
     assert_eq!((steps.steps[1].width, steps.pitches), (2.0 * TAU - 7.0, 2));
@@ -38,7 +38,7 @@ fn steps_series_and_tables_go_over_so_many_pitches() {
 }
 
 #[test]
-fn mistakes_are_named() {
+fn messages_name_the_mistake() {
     let steps = "steps = [{ value = \"1 rad\" }]";
     let cases = [
         ("", "lacks `steps`"),

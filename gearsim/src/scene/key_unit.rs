@@ -1,11 +1,9 @@
-//! In what the value of a key is measured.
+//! The SI unit of each key of a scene.
 
-use super::quantity::Quantity;
-use super::unit::{Unit, UnitError};
 use crate::model::Model;
 
-/// SI unit of the quantity that `key` (`parameters.T0`, `laws.k.steps.0.value`) takes in a scene of `model`, e.g.
-/// `N*m`; `1` for a plain number, `None` where it takes no quantity.
+/// SI unit of the quantity at `key` (`parameters.T0`, `laws.k.steps.0.value`) in a scene of `model`, e.g. `N*m`; `1` for a plain
+/// number, `None` if the key does not take a quantity.
 pub fn unit_of(key: &str, model: &Model) -> Option<String> {
     let path: Vec<&str> = key.split('.').collect();
     let coordinate = |name: &str| model.coordinates.iter().find(|c| c.name == name).map(|c| c.unit);
@@ -39,19 +37,4 @@ pub fn unit_of(key: &str, model: &Model) -> Option<String> {
         _ => return None,
     };
     Some(unit.to_owned())
-}
-
-/// The time that `text` says [s].
-///
-/// # Errors
-/// Where it is none.
-pub fn time(text: &str) -> Result<f64, String> {
-    let quantity = Quantity::parse(text).map_err(|error: UnitError| error.to_string())?;
-    let second = Unit::parse("s").map_err(|error| error.to_string())?;
-    let none = quantity.bare && quantity.value == 0.0;
-    match quantity.dimension == second.dimension || none {
-        true if quantity.value >= 0.0 && quantity.value.is_finite() => Ok(quantity.value),
-        true => Err("a time that is not negative is wanted".into()),
-        false => Err(format!("a time is wanted, e.g. \"0.1 s\", not {}", quantity.dimension.describe())),
-    }
 }

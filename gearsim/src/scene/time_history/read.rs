@@ -1,54 +1,59 @@
-//! A parameter that varies in time, in place of a number: `T_motor = { ramp = { to = "240 N*m", duration = "1 s" } }`.
+//! Reads a parameter that varies in time, a table instead of a quantity: `T_motor = { ramp = { to = "240 N*m", duration = "1 s" } }`.
 //!
-//! | key | it is |
+//! | key | meaning |
 //! | --- | --- |
-//! | `steps` | levels, each `until` a time; the last for ever |
-//! | `ramp` | straight `from` (default 0) `to` a value, from `start` (default 0 s) on, within `duration` |
-//! | `table` | straight lines through points, `at` a time each; constant before and after |
-//! | `mean` | a constant for harmonics to swing about (default 0) |
-//! | `harmonics` | on top of any of these: `amplitude`, `frequency`, `phase` (default 0) each |
+//! | `steps` | levels; each holds `until` a time, the last one without end |
+//! | `ramp` | linear change `from` a value (default 0) `to` a value, beginning at `start` (default 0 s), of length `duration` |
+//! | `table` | linear interpolation between points, each `at` a time; constant before the first and after the last |
+//! | `mean` | a constant (default 0) |
+//! | `harmonics` | added to any of these: a list of `amplitude`, `frequency` and `phase` (default 0) |
 
-use super::course::{Course, Harmonic, Piece};
-use super::document::{Entry, Node, Value};
-use super::error::{Report, list};
-use super::{field, keys, measure};
+use super::{Harmonic, Piece, TimeHistory};
 use crate::model::{Model, Parameter};
+use crate::scene::document::{Entry, Node, Value};
+use crate::scene::mistake::{Report, list};
+use crate::scene::{field, keys};
 
-/// Keys of a course.
+/// Keys of the table.
 const KEYS: [&str; 5] = ["steps", "ramp", "table", "mean", "harmonics"];
-/// Most entries of one of its lists.
+/// Largest number of entries in each list.
 const MOST: usize = 10_000;
 
-/// Reads the course of `parameter`.
-pub(super) fn read(parameter: &Parameter, node: &Node, model: &Model, report: &mut Report) -> Option<Course> {
+/// Reads `parameter` as a function of time.
+pub(in crate::scene) fn read(
+    parameter: &Parameter,
+    node: &Node,
+    model: &Model,
+    report: &mut Report,
+) -> Option<TimeHistory> {
     let path = format!("parameters.{}", parameter.name);
     if !parameter.varies {
         let can: Vec<_> = model.parameters.iter().filter(|p| p.varies).map(|p| p.name).collect();
         let help = match can[..] {
-            [] => "give a number: this model has no torque to vary".to_string(),
-            _ => format!("give a number; what can vary in time in this model is {}", list(&can)),
+            [] => "give a number: no parameter of this model can vary in time".to_string(),
+            _ => format!("give a number; parameters of this model that can vary in time: {}", list(&can)),
         };
         report.add(&node.place, format!("`{path}` must be a quantity: it cannot vary in time"), "a table", help);
         return None;
     }
     let entries = field::table(&path, node, report)?;
-    let reader = Reader { unit: parameter.unit, path, entries, node };
+    let reader = HistoryReader { unit: parameter.unit, path, entries, node };
     keys::known(entries, &format!("[{}]", reader.path), &KEYS, report);
-    let course = reader.course(report)?;
-    reader.finite(course, report)
+    let history = reader.history(report)?;
+    reader.finite(history, report)
 }
 
-/// Reads one course.
-struct Reader<'a> {
+/// Reads one parameter as a function of time.
+struct HistoryReader<'a> {
     unit: &'static str,
-    /// Where it is, e.g. `parameters.T_motor`.
+    /// Key path of the parameter, e.g. `parameters.T_motor`.
     path: String,
     entries: &'a [Entry],
     node: &'a Node,
 }
 
-impl Reader<'_> {
-    fn course(&self, report: &mut Report) -> Option<Course> {
+impl HistoryReader<'_> {
+    fn history(&self, report: &mut Report) -> Option<TimeHistory> {
         let get = |key| keys::get(self.entries, key);
         let harmonics = match get("harmonics") {
             Some(node) => self.harmonics(node, report),
@@ -59,36 +64,36 @@ impl Reader<'_> {
         let (first, second) = (given.next(), given.next());
         if let (Some((a, _)), Some((b, node))) = (first, second) {
             let message = format!("`{}` has both {a} and {b}", self.path);
-            let help = "a course is one of steps, a ramp, a table or a mean; harmonics go on top of any of them";
+            let help = "give only one of steps, ramp, table and mean; harmonics may be added to each of them";
             report.add(&node.place, message, "one too many", help);
             return None;
         }
-        let course = match first {
+        let history = match first {
             Some(("steps", node)) => self.steps(node, report),
             Some(("ramp", node)) => self.ramp(node, report),
             Some(("table", node)) => self.table(node, report),
             Some((_, node)) => {
-                self.quantity("mean", node, self.unit, report).map(|mean| Course::steps(&[(mean, None)]))
+                self.quantity("mean", node, self.unit, report).map(|mean| TimeHistory::steps(&[(mean, None)]))
             }
-            None if get("harmonics").is_some() => Some(Course::steps(&[(0.0, None)])),
+            None if get("harmonics").is_some() => Some(TimeHistory::steps(&[(0.0, None)])),
             None => {
                 let unit = self.unit;
                 let help = format!(
                     "write one of\nsteps = [{{ value = \"... {unit}\", until = \"... s\" }}, {{ value = \"... {unit}\" }}]\n\
                      ramp = {{ from = \"... {unit}\", to = \"... {unit}\", start = \"... s\", duration = \"... s\" }}\n\
                      table = [{{ at = \"... s\", value = \"... {unit}\" }}, ...]\n\
-                     mean = \"... {unit}\"\nand on top of it, if it swings,\n\
+                     mean = \"... {unit}\"\nand, to add oscillations,\n\
                      harmonics = [{{ amplitude = \"... {unit}\", frequency = \"... Hz\", phase = \"... rad\" }}]"
                 );
-                report.add(&self.node.place, format!("`{}` has no course", self.path), "nothing said", help);
+                report.add(&self.node.place, format!("`{}` has no values", self.path), "no values", help);
                 None
             }
         };
-        Some(course?.with(harmonics?))
+        Some(history?.with(harmonics?))
     }
 
     fn quantity(&self, key: &str, node: &Node, unit: &str, report: &mut Report) -> Option<f64> {
-        measure::quantity(&format!("{}.{key}", self.path), node, unit, report)
+        field::quantity(&format!("{}.{key}", self.path), node, unit, report)
     }
 
     fn items<'a>(&self, key: &str, node: &'a Node, example: &str, report: &mut Report) -> Option<&'a [Node]> {
@@ -103,7 +108,7 @@ impl Reader<'_> {
         Some(items)
     }
 
-    /// The quantities of a table by their keys, units and whether they must be there; those left out are `None`.
+    /// Reads quantities of a table, each wanted as (key, unit, required). A quantity that is not given is `None`.
     fn quantities<const K: usize>(
         &self,
         of: &str,
@@ -118,23 +123,23 @@ impl Reader<'_> {
         let lacking: Vec<_> = lacking.map(|(key, unit, _)| (*key, format!("{key} = \"... {unit}\""))).collect();
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
         let read = wanted.map(|(key, unit, _)| match keys::get(entries, key) {
-            Some(node) => measure::quantity(&format!("{path}.{key}"), node, unit, report).map(Some),
+            Some(node) => field::quantity(&format!("{path}.{key}"), node, unit, report).map(Some),
             None => Some(None),
         });
         let whole = lacking.is_empty() && read.iter().all(Option::is_some);
         whole.then(|| read.map(Option::flatten))
     }
 
-    /// Reports a time that is not after the one before it, or negative.
+    /// Reports the entry `what` if its time does not ascend (`rises` is false).
     fn ordered(&self, what: &str, node: &Node, rises: bool, report: &mut Report) -> Option<()> {
         if !rises {
             let message = format!("`{}.{what}` is out of order", self.path);
-            report.add(&node.place, message, "misplaced", "the run begins at 0 s, and each time is after the last");
+            report.add(&node.place, message, "misplaced", "times must ascend, and the run starts at 0 s");
         }
         rises.then_some(())
     }
 
-    fn steps(&self, node: &Node, report: &mut Report) -> Option<Course> {
+    fn steps(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
         let unit = self.unit;
         let example = format!("[{{ value = \"... {unit}\", until = \"... s\" }}, {{ value = \"... {unit}\" }}]");
         let items = self.items("steps", node, &example, report)?;
@@ -148,7 +153,7 @@ impl Reader<'_> {
             };
             if let Some(until) = until.filter(|_| !ends) {
                 let message = format!("`{}.{of}` ends at {until} s, and nothing follows", self.path);
-                report.add(&item.place, message, "the last", "the last step holds for ever: leave out its `until`");
+                report.add(&item.place, message, "the last", "the last step has no end: leave out its `until`");
                 sound = false;
             } else if let Some(until) = until {
                 sound &= self.ordered(&of, item, until > last, report).is_some();
@@ -156,10 +161,10 @@ impl Reader<'_> {
             }
             levels.push((value, until));
         }
-        sound.then(|| Course::steps(&levels))
+        sound.then(|| TimeHistory::steps(&levels))
     }
 
-    fn ramp(&self, node: &Node, report: &mut Report) -> Option<Course> {
+    fn ramp(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
         let wanted =
             [("from", self.unit, false), ("to", self.unit, true), ("start", "s", false), ("duration", "s", true)];
         let [from, to, start, duration] = self.quantities("ramp", node, wanted, report)?;
@@ -170,20 +175,20 @@ impl Reader<'_> {
             if let Value::Table(entries) = &node.value
                 && let Some(node) = keys::get(entries, key)
             {
-                measure::out_of_range(&format!("{path}.{key}"), node, must, what, report);
+                field::out_of_range(&format!("{path}.{key}"), node, must, what, report);
             }
             None
         };
         if start < 0.0 {
-            return negative("start", "must not be negative", "the run begins at 0 s", report);
+            return negative("start", "must not be negative", "the run starts at 0 s", report);
         }
         if duration <= 0.0 {
-            return negative("duration", "must be positive", "for a jump there is `steps`", report);
+            return negative("duration", "must be positive", "for a jump, use `steps`", report);
         }
-        Some(Course::table(&[(start, from), (start + duration, to)]))
+        Some(TimeHistory::table(&[(start, from), (start + duration, to)]))
     }
 
-    fn table(&self, node: &Node, report: &mut Report) -> Option<Course> {
+    fn table(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
         let example = format!("[{{ at = \"0 s\", value = \"... {}\" }}, ...]", self.unit);
         let items = self.items("table", node, &example, report)?;
         let (mut points, mut sound): (Vec<(f64, f64)>, bool) = (vec![], true);
@@ -198,7 +203,7 @@ impl Reader<'_> {
             sound &= self.ordered(&of, item, rises, report).is_some();
             points.push((at, value));
         }
-        sound.then(|| Course::table(&points))
+        sound.then(|| TimeHistory::table(&points))
     }
 
     fn harmonics(&self, node: &Node, report: &mut Report) -> Option<Vec<Harmonic>> {
@@ -209,8 +214,8 @@ impl Reader<'_> {
             let wanted = [("amplitude", unit, true), ("frequency", "Hz", true), ("phase", "rad", false)];
             let [amplitude, frequency, phase] = self.quantities(&format!("harmonics.{i}"), item, wanted, report)?;
             if frequency? <= 0.0 {
-                let message = format!("`{}.harmonics.{i}` has no positive frequency", self.path);
-                report.add(&item.place, message, "not a swing", "what does not swing belongs to `mean`");
+                let message = format!("the frequency of `{}.harmonics.{i}` must be positive", self.path);
+                report.add(&item.place, message, "not an oscillation", "a constant part belongs to `mean`");
                 return None;
             }
             Some(Harmonic::new(amplitude?, frequency?, phase.unwrap_or(0.0)))
@@ -218,14 +223,14 @@ impl Reader<'_> {
         each.collect::<Vec<_>>().into_iter().collect()
     }
 
-    /// The course, if numbers can hold its slopes and its waves.
-    fn finite(&self, course: Course, report: &mut Report) -> Option<Course> {
+    /// Returns `history` if its slopes, times and squared angular frequencies are finite.
+    fn finite(&self, history: TimeHistory, report: &mut Report) -> Option<TimeHistory> {
         let straight = |p: &Piece| p.slope.is_finite() && p.begin.is_finite();
-        if course.pieces.iter().all(straight) && course.harmonics.iter().all(|h| (h.omega * h.omega).is_finite()) {
-            return Some(course);
+        if history.pieces.iter().all(straight) && history.harmonics.iter().all(|h| (h.omega * h.omega).is_finite()) {
+            return Some(history);
         }
-        let message = format!("`{}` rises or swings faster than numbers can hold", self.path);
-        report.add(&self.node.place, message, "too steep", "give times that are further apart, or a lower frequency");
+        let message = format!("a slope or frequency of `{}` is too large for a floating-point number", self.path);
+        report.add(&self.node.place, message, "overflow", "give times that are further apart, or a lower frequency");
         None
     }
 }
