@@ -37,9 +37,10 @@ pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
             style: Style { colour: "#777777", ..Style::PLAIN },
             ..Series::new(0, "", vec![-0.6, coordinates.len() as f64 - 0.4], vec![0.0, 0.0])
         }];
+        // q = Re(z e^(i w t)) = Re(z) cos(w t) + Im(z) cos(w t + pi/2): the imaginary part leads.
         if complex {
             series.push(part(0, -0.06, &|i| mode.shape[i].re, &format!("{head}, in phase")));
-            series.push(part(1, 0.06, &|i| mode.shape[i].im, "a quarter of a period behind"));
+            series.push(part(1, 0.06, &|i| mode.shape[i].im, "a quarter of a period ahead"));
         } else {
             series.push(part(0, 0.0, &|i| mode.shape[i].re, &head));
         }
