@@ -1,9 +1,9 @@
 //! gearsim: energy-conserving simulation of gear systems.
 //!
-//! A scene ([`scene`]) names a derived model ([`generated`], described by [`model`]) and the effects it has; the
-//! [`engine`] runs it exactly from step to step, one of the numerical [`methods`] where cells are not linear, and
-//! [`ensemble`] many scenes at once; [`run`] chooses among them; [`trajectory`] holds what was recorded, [`analysis`] and [`plot`] make
-//! pictures of it, [`output`] writes files. The program in `cli` joins them.
+//! A scene ([`scene`]) names a derived model ([`generated`], described by [`model`]) and its effects. Three solvers run scenes, and
+//! [`run`] chooses among them: the [`engine`] solves linear cells exactly from event to event, the [`methods`] integrate nonlinear
+//! cells numerically, and [`ensemble`] runs many scenes at once. A [`trajectory`] holds the recorded rows. [`analysis`] and [`plot`]
+//! evaluate and draw it, [`output`] writes files, [`sweep`] runs a scene at many parameter values. `cli` is the command-line program.
 
 // Units in square brackets are not links.
 #![allow(rustdoc::broken_intra_doc_links)]

@@ -1,4 +1,4 @@
-//! The program.
+//! The command-line program `gearsim`.
 
 use std::process::ExitCode;
 

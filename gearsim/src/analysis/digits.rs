@@ -1,14 +1,15 @@
-//! How many digits of a result are left: what rounding, or the tolerance of a method, has become at the end of a run.
+//! The number of digits left of a result: an estimate of the error that rounding, or the tolerance of a numerical method, causes in
+//! the state.
 //!
-//! A second run, the companion, starts from a state and parameters that differ by a rounding; by steps it has ten times the
-//! tolerance, or twice the step. It makes its own rounding errors at its own places, and the motion makes of them what it makes of
-//! those of the run itself. So the distance between the two is an estimate of the error:
+//! A second run, the companion run, starts from a state and parameters that differ by a few roundings. With a numerical method it has
+//! ten times the tolerance, or twice the time step. It makes rounding errors of its own, and the motion amplifies them as it amplifies
+//! those of the run itself. The distance between the two runs is therefore an estimate of the error:
 //!
-//! digits = -log10 of ten times the largest difference of a coordinate or speed, in units of its size in the run; of a coordinate that rolls
-//! on, one pitch is the unit ([`super::work_precision::error`]).
+//! digits = -log10(10 d), where d is the largest difference of a coordinate or speed, in units of its size in the run. The unit of a
+//! coordinate that rotates continuously is one pitch ([`super::work_precision::error`]).
 //!
-//! Where no digit is left the motion is chaotic, or the tolerance too coarse: the state is one of many. What is conserved, and
-//! averages, may still be right.
+//! If no digit is left, the motion is chaotic, or the tolerance is too coarse: the state is one of many possible ones. Conserved
+//! quantities and averages may still be right.
 
 use crate::model::Start;
 use crate::run::{Digits, Outcome};
@@ -18,23 +19,23 @@ use crate::trajectory::{Moment, Trajectory};
 
 use super::work_precision::{Runner, error};
 
-/// Digits of a number in f64, and of one carried in twice the digits.
+/// Decimal digits of an f64, and of a number carried in twice the digits (double-double).
 const PLAIN: f64 = 15.95;
 const COMPENSATED: f64 = 31.0;
-/// Roundings by which the companion's start and parameters differ.
+/// Relative change of the companion's start and parameters [eps].
 const ROUNDINGS: f64 = 4.0;
-/// What the error may be of the distance to the one other run, which may come near by chance.
+/// The error claimed, over the distance between the two runs: they may come close to each other by chance.
 const MARGIN: f64 = 10.0;
-/// The most samples at which the two are compared.
+/// Maximum number of samples at which the two runs are compared.
 const SAMPLES: usize = 512;
-/// Part of the run before its end over which the largest difference counts as that of the end: differences oscillate.
+/// The largest difference over this last fraction of the run counts as that at the end, because differences oscillate.
 const END: f64 = 0.02;
-/// How much coarser the companion of a method by steps is.
+/// Tolerance of the companion of a numerical method, over that of the run.
 const COARSER: f64 = 10.0;
-/// The coarsest tolerance.
+/// Maximum tolerance of a companion.
 const COARSEST: f64 = 1e-2;
 
-/// The companion of `run`, a run of `scene`. `ends` if only its end is wanted.
+/// The scene of the companion of `run`, a run of `scene`. `ends`: only its end state is needed.
 pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     let trajectory = &run.trajectory;
     let mut other = scene.clone();
@@ -43,18 +44,18 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     if ends {
         other.output.rate = 0.5 / scene.t_end;
     } else {
-        // A power of two: then the companion's samples are at the very times of samples of the run.
+        // Divide the rate by a power of two, so that the companion's samples are at exactly the times of samples of the run.
         let samples = (scene.t_end * scene.output.rate) as usize / SAMPLES;
         other.output.rate = scene.output.rate / (samples + 1).next_power_of_two() as f64;
     }
     other.t_end = trajectory.t.last().copied().filter(|t| *t > 0.0).unwrap_or(scene.t_end);
-    // Alternating signs, so that what is common to all numbers, as a unit of mass is, does not cancel the disturbance.
+    // The changes have alternating signs. Equal changes of all numbers could cancel, as a change of the unit of mass does.
     let part = ROUNDINGS * f64::EPSILON;
     let by = |i: usize| if i.is_multiple_of(2) { 1.0 + part } else { 1.0 - part };
     let sizes = error::sizes(trajectory);
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
         let (Some(q), Some(v)) = (trajectory.q[i].first(), trajectory.q_dot[i].first()) else { return other };
-        // A phase may start on a boundary: it is left on its side of that.
+        // A phase may start on a boundary between cells. It is not moved, so that it stays on its side.
         let is_phase = scene.model.laws.iter().any(|law| law.phase == coordinate.name);
         let moved = if is_phase { 0.0 } else { sizes.0[i] * (by(i) - 1.0) };
         if !is_phase || scene.start.q[i].is_static() {
@@ -64,7 +65,7 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     }
     for (i, parameter) in other.parameters.iter_mut().enumerate() {
         let varies = scene.time_histories.iter().any(|(which, _): &(usize, TimeHistory)| *which == i);
-        // Teeth are whole numbers, and what varies in time begins at the value of its course.
+        // Numbers of teeth stay whole numbers, and a parameter that varies in time starts at the value of its course.
         if !varies && parameter.fract() != 0.0 {
             *parameter *= by(i);
         }
@@ -78,7 +79,7 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     other
 }
 
-/// How many digits of `run`, a run of `scene`, are left, by its `companion`.
+/// The number of digits left of `run`, a run of `scene`, from its `companion` run.
 pub fn left(scene: &Scene, run: &Outcome, companion: &Outcome) -> Digits {
     let (a, b) = (&run.trajectory, &companion.trajectory);
     let curve = differences(a, b);
@@ -92,8 +93,8 @@ pub fn left(scene: &Scene, run: &Outcome, companion: &Outcome) -> Digits {
     if scene.solver.precision == Precision::Plain {
         return Digits { at_end: plain, none_from };
     }
-    // The companion has plain numbers, and so the error of those. In twice the digits it is as much smaller as they are more; where
-    // the plain ones are all lost, at the rate at which they were lost until then.
+    // The companion runs in plain numbers and has their error. A run in twice the digits loses as many digits as the plain one. If
+    // the plain run loses all its digits, the rate at which it lost them is extrapolated to the end.
     let lost = match none_from {
         Some(t) if t > 0.0 => PLAIN * end / t,
         Some(_) => COMPENSATED,
@@ -104,7 +105,7 @@ pub fn left(scene: &Scene, run: &Outcome, companion: &Outcome) -> Digits {
     Digits { at_end: left.clamp(0.0, PLAIN), none_from }
 }
 
-/// Runs the companion of `outcome`, a run of `scene`, and notes how many digits are left.
+/// Runs the companion of `outcome`, a run of `scene`, and sets the number of digits left in `outcome`.
 pub fn noted(scene: &Scene, mut outcome: Outcome, run: Runner<'_>) -> Outcome {
     if let Ok(companion) = run(&companion(scene, &outcome, false)) {
         outcome.digits = Some(left(scene, &outcome, &companion));
@@ -112,7 +113,7 @@ pub fn noted(scene: &Scene, mut outcome: Outcome, run: Runner<'_>) -> Outcome {
     outcome
 }
 
-/// The largest difference of two runs at each time at which both have a sample \[s, 1\].
+/// Time and largest difference of two runs \[s, 1\], at each time at which both have a sample.
 fn differences(a: &Trajectory, b: &Trajectory) -> Vec<(f64, f64)> {
     let sizes = error::sizes(a);
     let mut rows = a.samples().peekable();

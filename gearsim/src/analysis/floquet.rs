@@ -1,9 +1,9 @@
-//! Stability of steady rotation: the stiffnesses are periodic in time, and a small disturbance grows a period by the
-//! Floquet multipliers, the eigenvalues of the product of the cells' exact propagators (mechanics: Meissner's equation and
-//! its kind; G. Floquet, 1883).
+//! Stability of steady rotation: the stiffnesses are periodic in time. The monodromy matrix is the product of the exact propagators of
+//! the cells of a period. Its eigenvalues are the Floquet multipliers, by which a small disturbance grows per period (Meissner's
+//! equation and its generalisations; G. Floquet, 1883).
 //!
-//! Rigid motions, null space of every K and of C, have the double multiplier 1 and are split off exactly, through their
-//! M-orthogonal complement; the verdict is on what is left.
+//! Rigid motions, the null space of every K and of C, have the double multiplier 1. They are split off exactly, through their
+//! M-orthogonal complement. The verdict is on the other motions.
 
 use nalgebra::{Complex, DMatrix};
 
@@ -19,7 +19,7 @@ mod period;
 pub use chart::{Chart, Spot, Varied};
 pub use period::{Aperiodic, Stretch, stretches};
 
-/// Why the stability of a scene is not found.
+/// Why the stability of a scene cannot be determined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the messages are the documentation
 pub enum FloquetError {
@@ -29,20 +29,20 @@ pub enum FloquetError {
     Aperiodic(#[from] Aperiodic),
     #[error("nothing vibrates: every motion of the model is rigid")]
     Rigid,
-    #[error("the multipliers overflow: a period at this speed is too long beside what grows in it")]
+    #[error("the multipliers overflow: a period at this speed is too long for the growth in it; choose a higher speed")]
     Overflow,
 }
 
-/// The multipliers of a scene.
+/// The Floquet multipliers of a scene.
 #[derive(Debug, Clone)]
 pub struct Floquet {
     /// Common period of all stiffnesses [s].
     pub period: f64,
-    /// Multipliers of all motions that are not rigid, largest first.
+    /// Multipliers of all motions that are not rigid, the largest first.
     pub multipliers: Vec<Complex<f64>>,
-    /// Rigid motions, left out.
+    /// Number of rigid motions, which are left out.
     pub rigid: usize,
-    /// What comes of them.
+    /// Stability according to the multipliers.
     pub verdict: Verdict,
     /// Lowest natural frequency [Hz] at the mean stiffness.
     pub natural: f64,
@@ -50,20 +50,20 @@ pub struct Floquet {
     pub mesh: f64,
 }
 
-/// What becomes of a small disturbance.
+/// How a small disturbance develops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// It dies away.
+    /// It decays.
     Stable,
-    /// It stays: nothing damps it, nothing feeds it.
+    /// It keeps its size: there is neither damping nor excitation.
     Neutral,
-    /// It stays or grows linearly: two multipliers meet on the unit circle, which an undamped system leaves there.
+    /// It keeps its size or grows linearly: two multipliers coincide on the unit circle. There an undamped system may become unstable.
     Border,
-    /// It grows with the period of the stiffness, a real multiplier above 1.
+    /// It grows with the period of the stiffness: a real multiplier above 1.
     Growing,
-    /// It grows with twice that period, a real multiplier below -1.
+    /// It grows with twice that period: a real multiplier below -1.
     Alternating,
-    /// It grows at a frequency of its own, two complex multipliers outside the unit circle.
+    /// It grows at a frequency of its own (combination resonance): two complex multipliers outside the unit circle.
     Combination,
 }
 
@@ -74,18 +74,19 @@ impl Verdict {
     }
 }
 
-/// How far from the unit circle multipliers are told from it; two that meet there are known to a root of rounding.
+/// A Floquet multiplier within this distance of the unit circle counts as being on it. A double multiplier there has an error of
+/// sqrt(eps).
 const CIRCLE: f64 = 1e-7;
-/// The same for one vibration, whose trace and determinant decide.
+/// The tolerance for a single vibration, for which the trace and the determinant of the monodromy matrix decide.
 const TRACE: f64 = 1e-11;
-/// Multipliers nearer than this on the unit circle meet.
+/// Two multipliers on the unit circle coincide if their distance is at most this.
 const MEET: f64 = 1e-4;
 
 impl Floquet {
-    /// The multipliers of `scene` in steady rotation at the speeds it starts with.
+    /// The multipliers of `scene` in steady rotation at the speeds of its start.
     ///
     /// # Errors
-    /// Where a cell has no modes, or the stiffnesses have no common period.
+    /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
         let courses = steady::courses(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
@@ -107,7 +108,8 @@ impl Floquet {
         } else {
             monodromy.complex_eigenvalues().iter().copied().collect()
         };
-        // Motions that only dampers hold stay where they come to rest: multipliers 1 that say nothing.
+        // A motion held by dampers only keeps the displacement at which it comes to rest: its multiplier 1 says nothing about stability
+        // and is removed.
         for _ in 0..split.drifting {
             let apart = |z: &Complex<f64>| (z - 1.0).norm();
             let nearest =
@@ -121,13 +123,13 @@ impl Floquet {
         Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh })
     }
 
-    /// Exponential growth of a disturbance a period, the logarithm of the largest multiplier; negative where it dies away.
+    /// Exponential growth of a disturbance per period: ln of the largest absolute value of a multiplier; negative if it decays.
     pub fn growth(&self) -> f64 {
         self.multipliers.first().map_or(f64::NEG_INFINITY, |z| z.norm().ln())
     }
 }
 
-/// The two multipliers of a trace and a determinant, without cancellation.
+/// The two eigenvalues of a 2 x 2 matrix from its trace and determinant, without cancellation.
 fn pair(trace: f64, determinant: f64) -> [Complex<f64>; 2] {
     let d = 0.25 * trace * trace - determinant;
     if d < 0.0 {
@@ -138,7 +140,7 @@ fn pair(trace: f64, determinant: f64) -> [Complex<f64>; 2] {
     [Complex::from(large), Complex::from(if large == 0.0 { 0.0 } else { determinant / large })]
 }
 
-/// The verdict on one vibration: |trace| <= 1 + determinant, determinant <= 1.
+/// The verdict on a single vibration. It is stable for |trace| <= 1 + determinant and determinant <= 1.
 fn of_one(trace: f64, determinant: f64) -> Verdict {
     let beyond = trace.abs() - (1.0 + determinant);
     let undamped = (determinant - 1.0).abs() <= TRACE;
@@ -151,6 +153,7 @@ fn of_one(trace: f64, determinant: f64) -> Verdict {
     }
 }
 
+/// The verdict on several vibrations, from the multipliers with the largest first.
 fn of_all(multipliers: &[Complex<f64>]) -> Verdict {
     let Some(first) = multipliers.first() else { return Verdict::Neutral };
     if first.norm() > 1.0 + CIRCLE {
@@ -169,25 +172,27 @@ fn of_all(multipliers: &[Complex<f64>]) -> Verdict {
     if meet { Verdict::Border } else { Verdict::Neutral }
 }
 
-/// Rigid motions parted from the others.
+/// The separation of rigid motions from the others.
 struct Split {
+    /// Number of rigid motions.
     rigid: usize,
+    /// Number of motions that are not rigid.
     elastic: usize,
-    /// Directions that no spring holds but some damper sees.
+    /// Number of directions that no spring acts on, but a damper does.
     drifting: usize,
-    /// E, a basis of what is M-orthogonal to the rigid motions (n x elastic), and (EᵀME)⁻¹EᵀM.
+    /// E, a basis of the M-orthogonal complement of the rigid motions (n x elastic), and (EᵀME)⁻¹EᵀM.
     basis: DMatrix<f64>,
     onto: DMatrix<f64>,
 }
 
-/// Singular values below this part of the largest are rounding.
+/// Singular values below this fraction of the largest count as zero.
 const NULL: f64 = 1e-12;
 
 impl Split {
     fn of(system: &System, stretches: &[Stretch]) -> Result<Split, FloquetError> {
         let first = system.matrices(&stretches[0].levels)?;
         let n = first.load.len();
-        // In units in which M has a unit diagonal.
+        // Scale the coordinates so that M has a unit diagonal.
         let unit = first.mass.diagonal().map(|m| 1.0 / m.sqrt());
         let scaled = |a: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| a[(i, j)] * unit[i] * unit[j]);
         let mut springs = DMatrix::zeros(0, n);
@@ -215,7 +220,7 @@ impl Split {
         Ok(Split { rigid: rigid.ncols(), elastic, drifting, basis, onto })
     }
 
-    /// A propagator of (q, q') as one of what is not rigid, (e, e'/omega).
+    /// A propagator of (q, q'), reduced to the motions that are not rigid, (e, e'/omega).
     fn reduced(&self, propagator: &DMatrix<f64>, omega: f64) -> DMatrix<f64> {
         let (n, e) = (self.basis.nrows(), self.elastic);
         let mut reduced = DMatrix::zeros(2 * e, 2 * e);
@@ -238,7 +243,7 @@ impl Split {
 fn null_space(a: &DMatrix<f64>) -> DMatrix<f64> {
     let n = a.ncols();
     let (values, vectors) = {
-        // Square at least, so that all right singular vectors are there.
+        // Pad with zero rows to at least n rows, so that the decomposition has all n right singular vectors.
         let padded = a.clone().insert_rows(a.nrows(), n.saturating_sub(a.nrows()), 0.0);
         let svd = padded.svd(false, true);
         (svd.singular_values, svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n)))

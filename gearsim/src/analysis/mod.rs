@@ -1,4 +1,4 @@
-//! What is computed from a recording after the run, and from the equations without one.
+//! Analysis of trajectories after a run, and of the equations without a run.
 
 pub mod advise;
 pub mod digits;

@@ -1,12 +1,12 @@
 //! Natural frequencies, damping, mode shapes and energies of the cells of a scene.
 //!
 //! A mode is a pair of eigenvalues lambda of M lambda² + C lambda + K: natural frequency |lambda|/2 pi, damping factor
-//! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, shape phi, complex where damping couples the modes.
+//! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, mode shape phi, complex if damping couples the modes.
 //!
-//! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), for K is linear in
-//!   the laws; likewise of a spring, phi* K_s phi/(phi* K phi), see [`springs`].
-//! - Share of a coordinate in the kinetic energy: Re(conj(phi_i) (M phi)_i)/(phi* M phi). Shares add up to one; where inertia
-//!   couples coordinates, one may be negative.
+//! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
+//!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see [`springs`].
+//! - Share of a coordinate in the kinetic energy: Re(conj(phi_i) (M phi)_i)/(phi* M phi). Shares add up to one. A share may be
+//!   negative if inertia couples coordinates.
 
 pub mod springs;
 
@@ -25,9 +25,9 @@ use springs::Spring;
 /// The modes of one cell.
 #[derive(Debug, Clone)]
 pub struct CellModes {
-    /// The value of each law.
+    /// The value of each law [SI].
     pub levels: Vec<f64>,
-    /// Rigid motions first, then by rising frequency.
+    /// Rigid motions first, then the others by ascending frequency.
     pub modes: Vec<Vibration>,
     /// Whether damping couples the modes of the undamped system.
     pub coupled: bool,
@@ -38,24 +38,24 @@ pub struct CellModes {
 pub struct Vibration {
     /// Natural frequency [Hz]; 0 for a rigid motion.
     pub natural: f64,
-    /// Frequency of the damped vibration [Hz]; 0 where it does not oscillate.
+    /// Damped natural frequency [Hz]; 0 if the mode does not oscillate.
     pub damped: f64,
     /// Damping factor; `None` for a rigid motion.
     pub zeta: Option<f64>,
-    /// Amplitude of each coordinate; the one of most inertia, largest sqrt(M_ii) |phi_i|, is 1.
+    /// Mode shape: amplitude of each coordinate (n). The coordinate with the largest sqrt(M_ii) |phi_i| has the amplitude 1.
     pub shape: Vec<Complex<f64>>,
     /// Share of each law in the strain energy; empty for a rigid motion.
     pub strain: Vec<f64>,
-    /// Share of each spring in it; empty for a rigid motion.
+    /// Share of each spring in the strain energy; empty for a rigid motion.
     pub springs: Vec<f64>,
     /// Share of each coordinate in the kinetic energy.
     pub kinetic: Vec<f64>,
 }
 
-/// More cells than this are not looked at one by one.
+/// Maximum number of cells that are analysed one by one.
 pub const MOST_CELLS: usize = 64;
 
-/// Every combination of levels, the first law's changing fastest; none if there are more than [`MOST_CELLS`].
+/// Every combination of levels, in which the first law varies fastest; empty if there are more than [`MOST_CELLS`].
 pub fn combinations(courses: &[Course]) -> Vec<Vec<f64>> {
     let count = courses.iter().map(|c| c.levels.len()).fold(1, usize::saturating_mul);
     if count > MOST_CELLS {
@@ -72,7 +72,7 @@ pub fn combinations(courses: &[Course]) -> Vec<Vec<f64>> {
     (0..count).map(levels).collect()
 }
 
-/// The modes of the cell with law values `k`, and the shares of `springs` in their energy.
+/// The modes of the cell with law values `k` [SI], and the shares of `springs` in their strain energy.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
@@ -107,7 +107,7 @@ pub fn of_matrices(
     })
 }
 
-/// phi = X1 + lambda X2 in the coordinates; where a mode does not oscillate, that of its slower decay.
+/// The mode shape phi = X1 + lambda X2 in the coordinates. If a mode does not oscillate, lambda is that of its slower decay.
 fn shape(modal: &Modal, i: usize, mode: &Mode) -> DVector<Complex<f64>> {
     let complex = |x: DVector<f64>| x.map(Complex::from);
     let Some(coupled) = &modal.coupled else { return complex(modal.shapes.column(i).into_owned()) };
@@ -153,22 +153,22 @@ fn vibration(
 /// A harmonic of a mesh frequency near a natural frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meeting {
-    /// The law whose mesh it is.
+    /// Index of the law.
     pub law: usize,
-    /// Which harmonic of the mesh frequency, from 1 on.
+    /// Number of the harmonic, from 1.
     pub harmonic: usize,
-    /// Which mode.
+    /// Index of the mode, from 0.
     pub mode: usize,
     /// Frequency of the harmonic over that of the mode.
     pub ratio: f64,
 }
 
-/// Harmonics looked at.
+/// Number of harmonics of each mesh frequency that are compared with the natural frequencies.
 pub const HARMONICS: usize = 8;
-/// How near they are told.
+/// Maximum relative distance of a harmonic from a damped natural frequency that is reported.
 pub const NEAR: f64 = 0.1;
 
-/// The harmonics of the mesh frequencies within [`NEAR`] of a damped frequency, nearest first.
+/// The harmonics of the mesh frequencies within [`NEAR`] of a damped natural frequency, the nearest first.
 pub fn meetings(courses: &[Course], cell: &CellModes) -> Vec<Meeting> {
     let mut meetings = vec![];
     for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {

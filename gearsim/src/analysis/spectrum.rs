@@ -1,11 +1,11 @@
 //! Power spectral density by Welch's method: averaged periodograms of overlapping, windowed segments.
 //!
-//! For segments `x` of length L, less their mean, at the rate fs, with the Hann window w:
+//! For segments `x` of length L, without their mean, at the sampling rate fs, with the Hann window w:
 //!
 //! `P(f_m) = 2 |sum_n w_n x_n exp(-2 pi i m n/L)|^2 / (fs sum_n w_n^2)`, `f_m = m fs/L`,
 //!
-//! without the factor 2 at `f = 0` and, for even L, at `f = fs/2`; segments overlap by half. `P` is one-sided, in
-//! unit^2/Hz: its integral over f is the mean square of the signal.
+//! without the factor 2 at `f = 0` and, for even L, at `f = fs/2`. Segments overlap by half. `P` is one-sided, in
+//! unit^2/Hz: its integral over f is the mean square of the signal without its mean.
 //!
 //! Sources: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70-73, doi:10.1109/TAU.1967.1161901;
 //! normalisation as in G. Heinzel, A. Rüdiger, R. Schilling, "Spectrum and spectral density estimation by the DFT",
@@ -40,25 +40,25 @@ impl Spectrum {
     }
 }
 
-/// Why there is no spectrum.
+/// Why a spectrum cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SpectrumError {
     /// Too few samples.
     #[error("a spectrum needs at least 4 samples, there are {samples}; record longer or at a higher rate")]
     TooShort {
-        /// The samples there are.
+        /// Number of samples.
         samples: usize,
     },
     /// Segments longer than the signal, or too short.
     #[error("segments of {segment} samples do not fit a signal of {samples}")]
     BadSegment {
-        /// The length asked for.
+        /// The requested length of the segments.
         segment: usize,
         /// The length of the signal.
         samples: usize,
     },
-    /// A rate that is none.
-    #[error("a sampling rate of {rate} Hz makes no sense")]
+    /// A sampling rate that is not positive or not finite.
+    #[error("the sampling rate must be positive and finite, but is {rate} Hz")]
     BadRate {
         /// The rate [Hz].
         rate: f64,
@@ -66,27 +66,27 @@ pub enum SpectrumError {
     /// Samples that are not evenly spaced.
     #[error("samples are not evenly spaced: {step} s instead of {expected} s at t = {t} s")]
     Uneven {
-        /// Where [s].
+        /// Time of the sample [s].
         t: f64,
-        /// Distance to the sample before [s].
+        /// Distance to the sample before it [s].
         step: f64,
-        /// Distance of the first two samples [s].
+        /// Distance between the first two samples [s].
         expected: f64,
     },
-    /// Values that are not finite.
+    /// A value that is not finite.
     #[error("sample {index} is {value}")]
     NotFinite {
-        /// Which one.
+        /// Index of the sample, from 0.
         index: usize,
         /// Its value.
         value: f64,
     },
 }
 
-/// Below this number of samples there is one segment: four would not resolve anything.
+/// A signal of fewer samples is one segment: four segments would be too short to resolve anything.
 const SHORT: usize = 256;
 
-/// The longest even segment that still gives four of them, or all of a short signal (fewer than 256 samples).
+/// The longest even length of segments of which there are four; the whole of a signal with fewer than 256 samples.
 pub fn segment_length(samples: usize) -> usize {
     // Four segments overlapping by half cover 2.5 of their length.
     if samples < SHORT { samples } else { samples * 2 / 5 / 2 * 2 }
@@ -94,7 +94,7 @@ pub fn segment_length(samples: usize) -> usize {
 
 /// Power spectral density of `x` [unit], sampled at `rate` [Hz], from segments of `segment` samples.
 ///
-/// What is left at the end of `x` beyond the last whole segment is not used.
+/// The end of `x` beyond the last whole segment is not used.
 /// Errors: [`SpectrumError::TooShort`], [`SpectrumError::BadSegment`], [`SpectrumError::BadRate`],
 /// [`SpectrumError::NotFinite`].
 pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumError> {
@@ -123,7 +123,7 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         for ((v, x), w) in input.iter_mut().zip(part).zip(&window) {
             *v = (x - mean) * w;
         }
-        // It fails only on buffers of the wrong length, and these are its own.
+        // This fails only on buffers of the wrong length; these were made for it.
         if fft.process(&mut input, &mut output).is_err() {
             return Err(SpectrumError::BadSegment { segment, samples: x.len() });
         }
@@ -149,7 +149,7 @@ fn hann(n: usize) -> Vec<f64> {
 
 /// The rows of `run` that are evenly spaced samples, and their rate [Hz].
 ///
-/// A last row that the end of the run put between two samples is left out.
+/// The last row is left out if the end of the run is not at a multiple of the sampling interval.
 /// Errors: [`SpectrumError::TooShort`], [`SpectrumError::Uneven`].
 pub fn uniform_samples(run: &Trajectory) -> Result<(Vec<usize>, f64), SpectrumError> {
     let mut rows: Vec<usize> = run.samples().collect();
@@ -158,7 +158,7 @@ pub fn uniform_samples(run: &Trajectory) -> Result<(Vec<usize>, f64), SpectrumEr
     }
     let expected = run.t[rows[1]] - run.t[rows[0]];
     let step = |pair: &[usize]| run.t[pair[1]] - run.t[pair[0]];
-    // Times far from zero carry rounding errors larger than any fixed fraction of a step.
+    // The second term allows for the rounding errors of times far from zero, which may exceed a fixed fraction of the interval.
     let even = |step: f64, t: f64| (step - expected).abs() <= 1e-6 * expected + 4.0 * f64::EPSILON * t.abs();
     if let [.., a, b] = rows[..]
         && !even(step(&[a, b]), run.t[b])

@@ -1,4 +1,4 @@
-//! Steady rotation: every mesh phase moves on at the speed that the scene starts it with, and its laws are functions of time,
+//! Steady rotation: every mesh phase has the constant speed of the scene's start, so that its laws are periodic functions of time,
 //! k(Omega0 t).
 
 use crate::engine::equations::Switching;
@@ -11,32 +11,32 @@ use crate::scene::Scene;
 /// A law in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
-    /// Name of its law.
+    /// Name of the law.
     pub name: &'static str,
-    /// Its levels, each with the phase at which it ends; the last ends at `period`.
+    /// Its levels [SI unit of the law], each with the phase at which it ends; the last ends at `period`.
     pub levels: Vec<(f64, f64)>,
-    /// One pitch, or as many as a transmission error goes over [unit of the phase].
+    /// Period of the law [unit of the phase]: one pitch, or several for a transmission error.
     pub period: f64,
-    /// Phase at t = 0, from the beginning of the first level on.
+    /// Phase at t = 0, counted from the beginning of the first level [unit of the phase].
     pub start: f64,
     /// Speed of the phase [unit of the phase/s].
     pub speed: f64,
-    /// Whether it steps at all.
+    /// Whether it steps in the scene's equations; else it is constant at its mid value.
     pub steps: bool,
 }
 
 impl Course {
-    /// Periods a second [Hz].
+    /// Periods per second [Hz].
     pub fn frequency(&self) -> f64 {
         self.speed.abs() / self.period
     }
 
-    /// Whether it steps as it turns.
+    /// Whether it steps and its phase moves.
     pub fn turns(&self) -> bool {
         self.steps && self.speed != 0.0
     }
 
-    /// Its average over a period.
+    /// Its mean over a period [SI unit of the law].
     pub fn mean(&self) -> f64 {
         let mut begin = 0.0;
         let part = |&(value, end): &(f64, f64)| {
@@ -48,7 +48,7 @@ impl Course {
     }
 }
 
-/// The speeds q' that a scene starts with: those given, else those of its rigid motions.
+/// The speeds q' at the start of a scene (n) [SI]: those given, else those of its rigid motions.
 pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
     let mut speeds = vec![0.0; scene.model.coordinates.len()];
     for (i, size) in scene.start.motions.iter().enumerate() {
@@ -63,17 +63,17 @@ pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
 /// The stiffnesses of a scene in steady rotation, in the order of the model's laws.
 ///
 /// # Errors
-/// Where the start of the scene is not determined.
+/// [`Refusal`] if the start of the scene cannot be determined.
 pub fn courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
     let mut all = all_courses(scene, system)?;
     all.truncate(scene.stiffnesses().count());
     Ok(all)
 }
 
-/// All its laws: the stiffnesses, and after them the transmission errors, which a small disturbance does not feel.
+/// All laws of a scene in steady rotation: the stiffnesses, then the transmission errors. The latter do not act on small disturbances.
 ///
 /// # Errors
-/// Where the start of the scene is not determined.
+/// [`Refusal`] if the start of the scene cannot be determined.
 pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
     let (begin, speeds) = (system.start(scene)?, speeds(scene, system));
     let course = |(i, (law, given)): (usize, (&'static Law, &Profile))| {

@@ -1,8 +1,9 @@
-//! What accuracy costs: methods and approximations, from coarse to fine, on one scene, each measured against a reference.
+//! Error against processor time: methods and approximations on one scene, each with settings from coarse to fine, compared with a
+//! reference.
 //!
-//! `reference` (the motion to compare with, and how far it is to be trusted), `ladder` (what is run), `error` (how far off
-//! a run is, apart: at the end, along the path, in the times and number of events, in energy), `measure` (what it costs),
-//! `table` (time at equal error, and in words).
+//! [`reference`] computes the reference motion and its own error. [`ladder`] lists the methods and settings to run. [`error`] defines
+//! the errors of a run: at the end, along the path, in times and number of events, and in energy. [`measure`] times the runs.
+//! [`table`] writes the time at equal error as a table and in words.
 
 pub mod error;
 pub mod ladder;
@@ -22,25 +23,26 @@ use crate::scene::Scene;
 /// Runs a scene, as [`Entry::run`](crate::run::Entry::run) does.
 pub type Runner<'a> = &'a dyn Fn(&Scene) -> Result<Outcome, Refusal>;
 
-/// A scene measured.
+/// The measurements of a scene.
 #[derive(Debug, Clone)]
 pub struct WorkPrecision {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// Events in the reference.
+    /// Number of events in the reference.
     pub events: u64,
-    /// How the reference was found.
+    /// How the reference was computed.
     pub reference: By,
-    /// Its own error, as it is estimated: errors are not told from it.
+    /// Estimated error of the reference. Errors below this value are not resolved.
     pub floor: f64,
-    /// One curve a method or approximation.
+    /// One curve per method or approximation.
     pub curves: Vec<Curve>,
 }
 
-/// Measures a scene, and the cheaper equations among `scenes`; `repetitions` runs a point at most, and `say` is told what runs.
+/// Measures a scene, and the same under the cheaper equations of `scenes`. Each point is timed by at most `repetitions` runs. `say` gets
+/// the name of what is being run.
 ///
 /// # Errors
-/// Where the reference cannot be computed, in words.
+/// Why the reference cannot be computed, in words.
 pub fn measure(
     scenes: &Scenes,
     run: Runner<'_>,

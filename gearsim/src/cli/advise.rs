@@ -1,4 +1,4 @@
-//! `gearsim advise`: which effects matter to a scene, and which may be left out.
+//! `gearsim advise`: which effects a scene needs, and which it can leave out.
 
 mod table;
 
@@ -22,10 +22,10 @@ use crate::scene::Scene;
 #[command(
     name = "advise",
     after_help = "\
-Tells the scene's dimensionless groups, then estimates how far what it records would move without
-each of its effects: from the settled motion in steady rotation, which needs no run, or from a
-short run where the numbers do not tell. Then runs the scene with and without each, and puts the
-truth beside the estimate, with the time that is saved.
+Prints the scene's dimensionless groups. Then estimates, for each of its effects, how far the
+recorded quantities would change without it: from the settled motion in steady rotation, which needs
+no run, or from a short run if that motion cannot be computed. Then runs the scene with and without
+each effect, and prints the true deviation, and the time saved, below the estimate.
 
 Examples:
   gearsim advise models/scenes/oh2005/spectrum_600rpm_exact.toml
@@ -34,37 +34,37 @@ Examples:
 pub(super) struct Advise {
     /// The scene: a TOML file
     scene: PathBuf,
-    /// Writes a value over one of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
+    /// Sets a value of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
 }
 
-/// What is said of a candidate.
+/// The result for a candidate.
 pub(super) struct Verdict {
     candidate: Candidate,
-    /// How far the numbers say that it is.
+    /// The estimated deviation from the scene.
     estimate: Estimate,
-    /// How far it is.
+    /// The deviation between the two full runs, or why the candidate cannot be run.
     truth: Result<Apart, String>,
-    /// Processor time of the run without it, over that of the scene.
+    /// Processor time of the run without the effect, over that of the scene.
     time: f64,
 }
 
-/// How far a candidate is from the scene, without a run of both.
+/// The estimated deviation of a candidate from the scene, without full runs of both.
 pub(super) enum Estimate {
-    /// By the settled motion.
+    /// From the settled motion.
     Settled(Apart),
-    /// By a short run.
+    /// From short runs.
     Short(Apart),
-    /// Steps will turn the motion back, which nothing but the full equations knows.
+    /// Steps will reflect the motion. Only the full equations describe that.
     TurnedBack,
-    /// Not at all: why.
+    /// There is no estimate, for this reason.
     None(String),
 }
 
 impl Verdict {
-    /// Whether an effect may be left out: by the estimate, and in truth.
-    fn may_go(&self) -> (Option<bool>, Option<bool>) {
+    /// Whether the effect is negligible: by the estimate, and by the full runs; `None` where that is unknown.
+    fn negligible(&self) -> (Option<bool>, Option<bool>) {
         let within = |apart: &Apart| apart.within(&LIMITS);
         let estimate = match &self.estimate {
             Estimate::Settled(apart) | Estimate::Short(apart) => Some(within(apart)),
@@ -83,16 +83,16 @@ impl Verb for Advise {
         let advice = of(&base)?;
         let width = terminal::width();
         let dropped = scene.effects != base.effects;
-        terminal::say(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
+        terminal::print_out(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
         Ok(())
     }
 }
 
-/// What is said of a scene.
+/// The results for a scene.
 pub(super) struct Advice {
-    /// Its groups, or why there are none.
+    /// Its dimensionless groups, or why there are none.
     groups: Result<Groups, String>,
-    /// Why the estimates are from short runs, if they are.
+    /// Why there is no settled motion, so that the estimates come from short runs.
     no_orbit: Option<String>,
     verdicts: Vec<Verdict>,
     /// Processor time of the scene [s].
@@ -106,13 +106,13 @@ pub(super) struct Advice {
 
 #[cfg(test)]
 impl Advice {
-    /// What is left out, and whether it may be: by the estimate, and in truth.
-    pub(super) fn told(&self) -> Vec<(&str, Option<bool>, Option<bool>)> {
-        let told = |v: &'_ Verdict| v.may_go();
-        self.verdicts.iter().map(|v| (v.candidate.without.as_str(), told(v).0, told(v).1)).collect()
+    /// What each candidate leaves out, and whether that is negligible: by the estimate, and by the full runs.
+    pub(super) fn negligible(&self) -> Vec<(&str, Option<bool>, Option<bool>)> {
+        let each = |v: &'_ Verdict| v.negligible();
+        self.verdicts.iter().map(|v| (v.candidate.without.as_str(), each(v).0, each(v).1)).collect()
     }
 
-    /// The deviation of the speed without candidate `i`, estimated by the settled motion and in truth.
+    /// The deviation of the speed of candidate `i`: by the settled motion, and by the full runs.
     pub(super) fn speeds(&self, i: usize) -> Option<(f64, f64)> {
         match (&self.verdicts[i].estimate, &self.verdicts[i].truth) {
             (Estimate::Settled(estimate), Ok(truth)) => Some((estimate.speed, truth.speed)),
@@ -126,12 +126,12 @@ impl Advice {
     }
 }
 
-/// The advice on a scene with nothing dropped.
+/// The advice on `base`, a scene without effects that drop terms.
 pub(super) fn of(base: &Scene) -> Result<Advice, Failure> {
     let candidates = advise::candidates(base);
     if candidates.is_empty() {
         let what = format!("scene {} has no effects: there is nothing to leave out", base.name);
-        return Err(Failure::Impossible { what, help: "name some in its `effects`".into() });
+        return Err(Failure::Impossible { what, help: "add effects to its list `effects`".into() });
     }
     let (outcome, seconds) = timed(base)?;
     let system = entry(base)?.system(base).map_err(|refusal| refusal.to_string());
@@ -169,7 +169,7 @@ pub(super) fn of(base: &Scene) -> Result<Advice, Failure> {
     })
 }
 
-/// What candidates are held against.
+/// The scene that candidates are compared with.
 struct Context<'a> {
     base: &'a Scene,
     here: Measures,
@@ -217,14 +217,15 @@ impl Context<'_> {
         }
     }
 
-    /// Units of the elastic coordinates.
+    /// SI units of the elastic coordinates.
     fn units(&self) -> Vec<&'static str> {
         let model = self.base.model;
         coordinates(model).0.into_iter().map(|i| model.coordinates[i].unit).collect()
     }
 }
 
-/// Whole mesh orders up to four times the lowest natural frequency and past the highest, as far as the samples go.
+/// Frequency bands of whole mesh orders. They end at four times the lowest natural frequency or above the highest one, whichever is
+/// more, but at most at 0.4 of the sampling rate.
 fn bands(base: &Scene, outcome: &Outcome, groups: Option<&Groups>) -> Bands {
     let limit = 0.4 * base.output.rate;
     let natural: Vec<f64> = groups.map_or(vec![], |g| g.modes.iter().map(|m| m.0).filter(|f| *f > 0.0).collect());
@@ -236,10 +237,10 @@ fn bands(base: &Scene, outcome: &Outcome, groups: Option<&Groups>) -> Bands {
     Bands::of(mesh, low, limit.min((4.0 * low).max(1.2 * high)))
 }
 
-/// Runs this short are timed again, and the least counts.
+/// Runs shorter than this [s] are timed three times, and the smallest time counts.
 const QUICK: f64 = 0.2;
 
-/// A run, and its processor time [s].
+/// Runs a scene; the outcome, and its processor time [s].
 fn timed(scene: &Scene) -> Result<(Outcome, f64), Failure> {
     let outcome = simulate(scene, true)?;
     let mut seconds = outcome.cpu_seconds;

@@ -1,4 +1,4 @@
-//! `gearsim compare`: one scene under the exact equations and the usual approximations to them.
+//! `gearsim compare`: one scene under the exact equations and under two common approximations.
 
 pub(super) mod equations;
 mod table;
@@ -13,7 +13,7 @@ use crate::output::{OutputError, OutputFolder, Summary};
 use crate::plot;
 use crate::run::Outcome;
 use crate::scene::Scene;
-use equations::Set;
+use equations::EquationSet;
 
 /// Run one scene under exact, rigid-kinematic and classical equations, and compare them
 #[derive(Parser)]
@@ -24,9 +24,9 @@ The three sets of equations:
   exact            stiffness steps with the jump terms that conserve energy
   rigid kinematic  without the jump terms: effect rigid_kinematics
   classical        steps at the times of a steady rotation: effect frozen_phase
-Which of them the scene itself names does not matter; its other effects hold for all three.
+It does not matter which of them the scene names. Its other effects hold for all three.
 
-Writes compare.json, trajectory_exact.parquet and so on, and the scene's plots, overlaid.
+Writes compare.json, trajectory_exact.parquet and so on, and the scene's plots with all runs.
 
 Examples:
   gearsim compare models/scenes/oh2005/energy_300rpm.toml
@@ -37,9 +37,9 @@ pub(super) struct Compare {
     source: Source,
 }
 
-/// A scene under one set of equations.
-pub(super) struct Member {
-    pub(super) set: &'static Set,
+/// The run of a scene under one set of equations.
+pub(super) struct ComparedRun {
+    pub(super) set: &'static EquationSet,
     pub(super) scene: Scene,
     pub(super) outcome: Outcome,
 }
@@ -49,17 +49,17 @@ pub(super) struct Member {
 struct Comparison {
     /// Name of the scene.
     scene: String,
-    /// The sets of equations, exact ones first.
+    /// One entry per set of equations, the exact ones first.
     runs: Vec<Entry>,
-    /// The plots written beside this file, all runs in each.
+    /// Names of the plots in the same folder; each shows all runs.
     plots: Vec<String>,
 }
 
 #[derive(Serialize)]
 struct Entry {
-    /// The set of equations.
+    /// Name of the set of equations.
     equations: &'static str,
-    /// What `summary.json` says of such a run.
+    /// The content of `summary.json` for this run.
     summary: Summary,
 }
 
@@ -71,33 +71,42 @@ impl Verb for Compare {
         let mut members = vec![];
         for (set, scene) in scenes {
             let outcome = simulate(&scene, false)?;
-            members.push(Member { set, scene, outcome });
+            members.push(ComparedRun { set, scene, outcome });
         }
         let mut folder = OutputFolder::create(path)?;
         let summaries = self.write(&mut folder, &scene, &members)?;
         let width = terminal::width();
         let written = report::files(folder.path(), folder.files(), width);
-        terminal::say(&format!("{}\n{}\n{written}", report::scene(&scene, width), table::render(&members, &summaries)));
-        let verdict = |m: &Member| Failure::of(&format!("the {} run", m.set.label), &m.outcome, folder.path());
+        terminal::print_out(&format!(
+            "{}\n{}\n{written}",
+            report::scene(&scene, width),
+            table::render(&members, &summaries)
+        ));
+        let verdict = |m: &ComparedRun| Failure::of(&format!("the {} run", m.set.label), &m.outcome, folder.path());
         members.iter().try_for_each(verdict)
     }
 }
 
 impl Compare {
-    /// Writes the files; the summaries of the runs.
-    fn write(&self, folder: &mut OutputFolder, scene: &Scene, members: &[Member]) -> Result<Vec<Summary>, Failure> {
+    /// Writes the files, and returns the summaries of the runs.
+    fn write(
+        &self,
+        folder: &mut OutputFolder,
+        scene: &Scene,
+        members: &[ComparedRun],
+    ) -> Result<Vec<Summary>, Failure> {
         let overrides = &self.source.overrides;
         let mut summaries = vec![];
-        for Member { set, scene, outcome } in members {
+        for ComparedRun { set, scene, outcome } in members {
             let before = folder.files().len();
             let name = format!("trajectory_{}", set.suffix);
             files::trajectory(folder, &name, scene.output.csv, (scene, overrides), outcome)?;
             summaries.push(files::summary(scene, overrides, outcome, folder.files()[before..].to_vec()));
         }
         let before = folder.files().len();
-        let runs: Vec<_> = members.iter().map(Member::to_draw).collect();
+        let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
         for warning in files::plots(folder, scene, &runs)? {
-            terminal::complain(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
+            terminal::print_err(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
         }
         let entries = members.iter().zip(&summaries);
         let comparison = Comparison {
@@ -111,7 +120,7 @@ impl Compare {
     }
 }
 
-impl Member {
+impl ComparedRun {
     fn to_draw(&self) -> plot::Run<'_> {
         plot::Run {
             label: self.set.label,

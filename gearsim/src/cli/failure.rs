@@ -1,4 +1,4 @@
-//! Why a command could not do what it was asked, and the exit code that says so.
+//! The errors of commands, and their exit codes.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -12,26 +12,26 @@ use crate::scene::SceneMistakes;
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
-    /// The command line makes no sense, or asks for help.
+    /// The command line is not valid, or asks for help.
     #[error(transparent)]
     Usage(clap::Error),
-    /// The scene makes no sense.
+    /// The scene is not valid.
     #[error(transparent)]
     Scene(Box<SceneMistakes>),
-    /// The scene's numbers make no system that can be simulated.
+    /// The scene is valid, but its numbers do not make a system that can be simulated.
     #[error("scene {scene} cannot be simulated: {refusal}")]
     Refused { scene: String, refusal: Refusal },
-    /// What is asked for is not there or not possible.
+    /// The request is not possible, or names something that does not exist.
     #[error("{what}\n  help: {help}")]
     Impossible { what: String, help: String },
     /// A result could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
     /// A run stopped before its end.
-    #[error("{run} stopped early: {stop}\n  what was computed until then is in {folder}", folder = folder.display())]
+    #[error("{run} stopped early: {stop}\n  the results until then are in {folder}", folder = folder.display())]
     Stopped { run: String, stop: Box<Stop>, folder: PathBuf },
-    /// A run came to its end, and its energy account does not close.
-    #[error("the result of {run} is wrong: {account}\n  what was computed is in {folder}", folder = folder.display())]
+    /// A run reached its end, but its energy account does not close.
+    #[error("the result of {run} is wrong: {account}\n  the results are in {folder}", folder = folder.display())]
     Refuted { run: String, account: Account, folder: PathBuf },
 }
 
@@ -46,7 +46,7 @@ impl From<crate::sweep::Error> for Failure {
 }
 
 impl Failure {
-    /// Whether a run whose results are in `folder` failed.
+    /// The error of a run whose results are in `folder`, if it stopped early or its energy account does not close.
     pub(super) fn of(run: &str, outcome: &Outcome, folder: &Path) -> Result<(), Failure> {
         let (run, folder) = (run.to_owned(), folder.to_owned());
         match (&outcome.stopped_by, outcome.refuted) {
@@ -66,13 +66,13 @@ impl Failure {
         }
     }
 
-    /// Says what is wrong, and gives the exit code.
+    /// Prints the message, and returns the exit code.
     pub(super) fn report(&self) -> ExitCode {
         match self {
-            // A reader that has gone away needs no help.
+            // If the help cannot be printed because the pipe is closed, that is no further error.
             Failure::Usage(error) => drop(error.print()),
-            Failure::Scene(errors) => terminal::complain(&errors.render(terminal::width(), terminal::colours())),
-            other => terminal::complain(&terminal::wrap(&format!("error: {other}"), terminal::width())),
+            Failure::Scene(errors) => terminal::print_err(&errors.render(terminal::width(), terminal::colours())),
+            other => terminal::print_err(&terminal::wrap(&format!("error: {other}"), terminal::width())),
         }
         ExitCode::from(self.code())
     }

@@ -8,7 +8,7 @@ use crate::scene::Scene;
 
 use super::provenance;
 
-/// Writes `<name>.parquet`, and `<name>.csv` if `as_csv`.
+/// Writes the trajectory as `<name>.parquet`, and also as `<name>.csv` if `as_csv`.
 pub(super) fn trajectory(
     folder: &mut OutputFolder,
     name: &str,
@@ -26,8 +26,8 @@ pub(super) fn trajectory(
     Ok(())
 }
 
-/// Writes the plots of `scene` as SVG and PNG. A plot that cannot be drawn costs no run its results: what is wrong
-/// with it is returned.
+/// Writes the plots of `scene` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a warning
+/// for each.
 pub(super) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
     let mut warnings = vec![];
     for name in &scene.output.plots {
@@ -42,7 +42,7 @@ pub(super) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) 
     Ok(warnings)
 }
 
-/// Writes a figure as SVG and PNG; one that cannot be drawn is told to `warn`, and costs nothing else.
+/// Writes a figure as SVG and PNG. If it cannot be drawn, it only calls `warn`.
 pub(super) fn figure(
     folder: &mut OutputFolder,
     name: &str,
@@ -66,7 +66,7 @@ fn draw(name: &str, runs: &[Run<'_>]) -> Result<(String, Vec<u8>), PlotError> {
     Ok((figure.svg()?, figure.png()?))
 }
 
-/// The summary of a run whose files are `files`.
+/// The summary of a run that wrote `files`.
 pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
     let none = Number(f64::NAN);

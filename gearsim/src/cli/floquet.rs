@@ -1,4 +1,4 @@
-//! `gearsim floquet`: stability of steady rotation.
+//! `gearsim floquet`: stability of steady rotation by Floquet multipliers.
 
 mod vary;
 
@@ -21,14 +21,14 @@ use vary::Vary;
 #[command(
     name = "floquet",
     after_help = "\
-Every mesh turns on at the speed that the scene starts it with, so that the stiffnesses are
-periodic in time, k(Omega0 t). The product of the exact propagators of a period's cells gives
-the multipliers by which a small disturbance grows. Rigid motions, which always have the
-multiplier 1, are left out.
+Every mesh turns at the constant speed with which the scene starts it, so that the stiffnesses are
+periodic in time, k(Omega0 t). The monodromy matrix is the product of the exact propagators of the
+cells of a period. Its eigenvalues, the Floquet multipliers, say by which factor a small disturbance
+grows per period. Rigid motions always have the multiplier 1 and are left out.
 
---vary goes along a range of one quantity of the scene; given twice, the first along x and the
-second along y of a chart. Writes floquet.json; with --vary also stability.csv and the plot of
-it.
+--vary varies a quantity of the scene over a range. Given twice, the first quantity is the x axis
+and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv
+and its plot.
 
 Examples:
   gearsim floquet models/scenes/oh2005/energy_300rpm.toml
@@ -36,18 +36,18 @@ Examples:
   gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000..14000 rpm\" \\
       --vary parameters.zeta=0..0.15 --points 400,60"
 )]
-pub(super) struct Floquets {
+pub(super) struct FloquetCommand {
     #[command(flatten)]
     source: Source,
-    /// Goes along a range of a quantity of the scene; once or twice
+    /// Varies a quantity of the scene over a range; may be given twice
     #[arg(long, value_name = "KEY=LOW..HIGH UNIT")]
     vary: Vec<Vary>,
-    /// Points along each range
+    /// Number of points along each range
     #[arg(long, value_name = "X,Y", value_delimiter = ',', default_values_t = [400, 60])]
     points: Vec<usize>,
 }
 
-/// The content of `floquet.json`: the scene as it is.
+/// The content of `floquet.json`: the results for the scene itself, without --vary.
 #[derive(Serialize)]
 struct Report<'a> {
     scene: &'a str,
@@ -58,18 +58,19 @@ struct Report<'a> {
     mesh_frequency: f64,
     /// Lowest natural frequency at the mean stiffness [Hz].
     natural_frequency: f64,
-    /// Real and imaginary parts, largest first, rigid motions left out.
+    /// Real and imaginary parts of the Floquet multipliers, the largest first, without those of rigid motions.
     multipliers: Vec<[f64; 2]>,
+    /// Number of rigid motions.
     rigid_motions: usize,
     verdict: &'static str,
-    /// Logarithm of the largest multiplier.
+    /// Natural logarithm of the largest absolute value of a multiplier.
     growth_per_period: f64,
-    /// Files written beside this one.
+    /// Names of the other files in the same folder.
     files: Vec<String>,
     provenance: Provenance,
 }
 
-impl Verb for Floquets {
+impl Verb for FloquetCommand {
     fn run(self) -> Result<(), Failure> {
         let scene = self.source.load()?;
         let floquet = self.of(&scene)?;
@@ -98,14 +99,14 @@ impl Verb for Floquets {
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         folder.write_bytes("floquet.json", (json + "\n").as_bytes())?;
         let width = terminal::width();
-        let told = tell(&floquet) + &chart.as_ref().map_or(String::new(), share);
+        let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
         let written = report::files(folder.path(), folder.files(), width);
-        terminal::say(&format!("{}\n{}\n{written}", report::scene(&scene, width), terminal::wrap(&told, width)));
+        terminal::print_out(&format!("{}\n{}\n{written}", report::scene(&scene, width), terminal::wrap(&text, width)));
         Ok(())
     }
 }
 
-impl Floquets {
+impl FloquetCommand {
     fn of(&self, scene: &Scene) -> Result<Floquet, Failure> {
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
         let system = entry(scene)?.system(scene).map_err(refused)?;
@@ -118,21 +119,21 @@ impl Floquets {
         })
     }
 
-    /// The chart that --vary asks for.
+    /// The stability chart over the ranges of --vary; `None` without --vary.
     fn chart(&self, scene: &Scene) -> Result<Option<Chart>, Failure> {
         let wrong = |what: &str, help: &str| Failure::Impossible { what: what.into(), help: help.into() };
         if self.vary.len() > 2 {
             return Err(wrong("--vary is given more than twice", "a chart has two axes"));
         }
         if self.points.len() > 2 || self.points.iter().any(|n| !(2..=5000).contains(n)) {
-            return Err(wrong("--points takes one or two numbers from 2 to 5000", "for example --points 400,60"));
+            return Err(wrong("--points must be one or two numbers from 2 to 5000", "for example --points 400,60"));
         }
         let Some(along) = self.vary.first() else { return Ok(None) };
         let points = |i: usize| self.points.get(i).copied().unwrap_or(60);
         let (x, y) = (along.values(points(0)), self.vary.get(1).map(|v| (v, v.values(points(1)))));
         let spot = |overrides: &[String]| -> Result<Option<Spot>, Failure> {
             let varied = self.source.load_with(overrides)?;
-            // What is refused at one place, a rigid pair at rest for one, leaves a gap in the chart.
+            // A point that has no multipliers, e.g. because nothing turns, is left blank in the chart.
             Ok(self.of(&varied).ok().map(|f| Spot::from(&f)))
         };
         let row = |fixed: Option<String>| -> Result<Vec<Option<Spot>>, Failure> {
@@ -156,7 +157,7 @@ impl Floquets {
     }
 }
 
-/// The chart as a table: one row a spot, in the units that --vary was given.
+/// The chart as a table: one row per point, in the units given to --vary.
 fn table(chart: &Chart) -> Result<Table, OutputError> {
     let mut table = Table::default();
     let ys: Vec<f64> = chart.y.as_ref().map_or(vec![0.0], |y| y.values.clone());
@@ -187,33 +188,34 @@ fn word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What the multipliers of the scene say.
-fn tell(f: &Floquet) -> String {
+/// The stability of the scene in words, with its multipliers.
+fn describe(f: &Floquet) -> String {
     let z = |z: &nalgebra::Complex<f64>| match z.im == 0.0 {
         true => short(z.re),
         false => format!("{} {} {}i", short(z.re), if z.im < 0.0 { "-" } else { "+" }, short(z.im.abs())),
     };
+    let factor = short(f.growth().exp());
     let verdict = match f.verdict {
-        Verdict::Stable => format!("stable: a disturbance falls to {} of itself a period", short(f.growth().exp())),
-        Verdict::Neutral => "neutral: undamped, a disturbance stays as it is".into(),
+        Verdict::Stable => format!("stable: a disturbance decays to {factor} times its size in a period"),
+        Verdict::Neutral => "neutral: there is no damping, and a disturbance keeps its size".into(),
         Verdict::Border => {
-            "on the border: two multipliers meet on the unit circle (for one vibration, trace = +-2), so that a disturbance \
-             stays or grows linearly"
+            "on the border of stability: two multipliers coincide on the unit circle (for a single vibration, trace = +-2), so \
+             that a disturbance keeps its size or grows linearly"
                 .into()
         }
-        Verdict::Growing => format!("unstable: a disturbance grows {}-fold a period", short(f.growth().exp())),
+        Verdict::Growing => format!("unstable: a disturbance grows by the factor {factor} in a period"),
         Verdict::Alternating => {
-            format!("unstable: a disturbance changes its sign and grows {}-fold a period", short(f.growth().exp()))
+            format!("unstable: a disturbance changes its sign and grows by the factor {factor} in a period")
         }
         Verdict::Combination => {
-            format!("unstable: two vibrations grow together, {}-fold a period", short(f.growth().exp()))
+            format!("unstable: two vibrations grow together, by the factor {factor} in a period (combination resonance)")
         }
     };
     let mut text = format!("{verdict}\n");
     text += &format!("period {} s, growth rate {} 1/s\n", short(f.period), short(f.growth() / f.period));
     let ratio = f.mesh / f.natural;
     text += &format!(
-        "mesh frequency {} Hz, {} of the lowest natural frequency {} Hz at the mean stiffness\n",
+        "mesh frequency {} Hz, {} times the lowest natural frequency {} Hz at the mean stiffness\n",
         short(f.mesh),
         short(ratio),
         short(f.natural)
@@ -224,14 +226,14 @@ fn tell(f: &Floquet) -> String {
     text + &format!("rigid motions left out: {}\n", f.rigid)
 }
 
-/// How much of a chart is unstable.
-fn share(chart: &Chart) -> String {
+/// The number of unstable points of a chart, and of those without a result.
+fn unstable_share(chart: &Chart) -> String {
     let spots: Vec<&Option<Spot>> = chart.rows.iter().flatten().collect();
     let unstable = spots.iter().filter(|s| s.is_some_and(|s| s.unstable)).count();
     let refused = spots.iter().filter(|s| s.is_none()).count();
     let mut text = format!("chart of {} points: {unstable} unstable", spots.len());
     if refused > 0 {
-        text += &format!(", {refused} refused and left blank");
+        text += &format!(", {refused} without multipliers and left blank");
     }
     text + "\n"
 }

@@ -1,4 +1,4 @@
-//! The command line: one file and one line of [`COMMANDS`] a command.
+//! The command line. Each command has one file and one entry in [`COMMANDS`].
 
 mod advise;
 mod compare;
@@ -34,20 +34,20 @@ const COMMANDS: &[Command] = &[
     Command::of::<sweep::SweepCommand>(),
     Command::of::<merge::Merge>(),
     Command::of::<modes::Modes>(),
-    Command::of::<floquet::Floquets>(),
+    Command::of::<floquet::FloquetCommand>(),
     Command::of::<work_precision::WorkPrecision>(),
     Command::of::<models::Models>(),
 ];
 
-/// A command as the program knows it.
+/// A command: its description for clap, and the function that runs it.
 struct Command {
     describe: fn() -> clap::Command,
     run: fn(&ArgMatches) -> Result<(), Failure>,
 }
 
-/// What a command's arguments can do. Its name, its help and its arguments come from the derive of clap.
+/// Implemented by the arguments of each command. The name, the help and the arguments come from clap's derive.
 trait Verb: Parser {
-    /// Does it.
+    /// Runs the command.
     fn run(self) -> Result<(), Failure>;
 }
 
@@ -62,10 +62,10 @@ impl Command {
 
 /// Simulates gear systems without creating or losing energy
 ///
-/// gearsim reads a scene, a small TOML file: which model of a gear system, which effects it has, its
-/// numbers, its start. Between two steps of the mesh stiffness the motion is solved exactly; every
-/// step is found for certain, and passed by a jump rule that conserves energy. Every run ends with
-/// the account of its energy.
+/// gearsim reads a scene: a small TOML file with the model of a gear system, its effects, its numbers
+/// and its start. Between two steps of the mesh stiffness the motion is solved exactly. No step is
+/// missed; the speeds after it follow from a jump rule that conserves energy. Every run ends with its
+/// energy account.
 #[derive(Parser)]
 #[command(name = "gearsim", version, subcommand_required = true, arg_required_else_help = true)]
 #[command(
@@ -75,15 +75,15 @@ Examples, from the root of the repository:
   cargo run --release -- run models/scenes/oh2005/energy_300rpm.toml
       run a scene; results and plots go to out/energy_300rpm
   cargo run --release -- compare models/scenes/oh2005/energy_300rpm.toml
-      the same under the exact equations and two usual approximations
+      the same scene under the exact equations and two common approximations
   cargo run --release -- models gear_pair
-      what a scene of this model can set
+      what a scene of this model can set, and its equations
 
 Exit codes:
   0  done
   1  results could not be written
-  2  refused: the command line, the scene or its numbers make no sense; nothing was run
-  3  a run stopped before its end; what it computed until then is written"
+  2  refused: the command line, the scene or its numbers are not valid; nothing was run
+  3  a run stopped before its end, or its energy account does not close; its results are written"
 )]
 struct Program;
 
@@ -93,7 +93,7 @@ fn program() -> clap::Command {
     COMMANDS.iter().fold(program, |program, command| program.subcommand((command.describe)()))
 }
 
-/// Runs the program on the arguments it was given.
+/// Runs the program with the arguments of the process, and returns its exit code.
 pub fn main() -> ExitCode {
     let result = program().try_get_matches().map_err(Failure::Usage).and_then(|matches| {
         let given = |command: &&Command| matches.subcommand_name() == Some((command.describe)().get_name());

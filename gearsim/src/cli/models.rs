@@ -1,4 +1,4 @@
-//! `gearsim models`: what can be simulated.
+//! `gearsim models`: lists and describes the models.
 
 pub(super) mod detail;
 
@@ -11,7 +11,7 @@ use crate::generated::MODELS;
 use crate::model::Model;
 use crate::scene::{did_you_mean, list};
 
-/// List the models, or tell everything about one
+/// List the models, or describe one in full
 #[derive(Parser)]
 #[command(
     name = "models",
@@ -22,9 +22,9 @@ Examples:
   gearsim models gear_pair --latex"
 )]
 pub(super) struct Models {
-    /// The model to tell about
+    /// The model to describe
     name: Option<String>,
-    /// Print its equations in LaTeX, and nothing else
+    /// Print only its equations, in LaTeX
     #[arg(long, requires = "name")]
     latex: bool,
 }
@@ -32,10 +32,10 @@ pub(super) struct Models {
 impl Verb for Models {
     fn run(self) -> Result<(), Failure> {
         match &self.name {
-            None => terminal::say(&all()),
+            None => terminal::print_out(&all()),
             Some(name) => {
                 let model = find(name)?;
-                terminal::say(&if self.latex {
+                terminal::print_out(&if self.latex {
                     format!("{}\n", model.latex.trim_end())
                 } else {
                     detail::of(model, terminal::width())
@@ -51,13 +51,13 @@ pub(super) fn find(name: &str) -> Result<&'static Model, Failure> {
     let names: Vec<_> = MODELS.iter().map(|entry| entry.model.name).collect();
     let unknown = || {
         let meant = did_you_mean(name, names.iter().copied()).map(|meant| format!("did you mean `{meant}`? "));
-        let help = format!("{}there is {}", meant.unwrap_or_default(), list(&names));
+        let help = format!("{}the models are {}", meant.unwrap_or_default(), list(&names));
         Failure::Impossible { what: format!("there is no model `{name}`"), help }
     };
     MODELS.iter().map(|entry| entry.model).find(|model| model.name == name).ok_or_else(unknown)
 }
 
-/// The models, in short.
+/// All models with their coordinates and effects.
 pub(super) fn all() -> String {
     let mut text = String::new();
     for model in MODELS.iter().map(|entry| entry.model) {
@@ -66,5 +66,5 @@ pub(super) fn all() -> String {
         text += &format!("  coordinates  {}\n", names(model.coordinates.iter().map(|c| c.name).collect()));
         text += &format!("  effects      {}\n\n", names(model.effects.iter().map(|e| e.name).collect()));
     }
-    text + "`gearsim models NAME` tells what a scene of a model can set, and its equations.\n"
+    text + "`gearsim models NAME` shows what a scene of a model can set, and its equations.\n"
 }

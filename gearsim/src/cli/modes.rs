@@ -1,4 +1,4 @@
-//! `gearsim modes`: natural frequencies, damping, shapes and energies of a scene's cells.
+//! `gearsim modes`: natural frequencies, damping, mode shapes and energies of a scene's cells.
 
 mod table;
 
@@ -21,12 +21,12 @@ use crate::scene::Scene;
 #[command(
     name = "modes",
     after_help = "\
-A cell is a combination of the levels of the scene's stiffnesses. Told in full is that of the
-mid stiffnesses, (max + min)/2 of each law, or the one chosen by --cell; the frequencies of all
-others in a table.
+A cell is a combination of the levels of the scene's stiffnesses. One cell is shown in full: that of
+the mid stiffnesses, (max + min)/2 of each law, or the one chosen by --cell. A table has the natural
+frequencies of all others.
 
-Writes modes.json with everything, the plot of the shapes, and, where meshes turn, the plot of
-natural frequencies and mesh harmonics over the speed (Campbell).
+Writes modes.json with all results, the plot of the mode shapes, and, if meshes turn, a Campbell
+diagram: natural frequencies and mesh harmonics over the speed.
 
 Examples:
   gearsim modes models/scenes/oh2005/energy_300rpm.toml
@@ -35,7 +35,7 @@ Examples:
 pub(super) struct Modes {
     #[command(flatten)]
     source: Source,
-    /// Which level of each law, counted from 0, e.g. 1 or 0,1; default: the mid stiffnesses
+    /// The level of each law, counted from 0, e.g. 1 or 0,1 [default: the mid stiffnesses]
     #[arg(long, value_name = "LEVEL,...", value_delimiter = ',')]
     cell: Option<Vec<usize>>,
 }
@@ -45,19 +45,19 @@ pub(super) struct Modes {
 struct Report<'a> {
     scene: &'a str,
     model: &'a str,
-    /// Names of the coordinates, in the order of every shape.
+    /// Names of the coordinates, in the order of `shape` and `kinetic_energy`.
     coordinates: Vec<&'a str>,
-    /// Names of the laws, in the order of all levels and strains.
+    /// Names of the laws, in the order of `levels` and `strain_energy`.
     laws: Vec<&'a str>,
-    /// Names of the parameters that are stiffnesses, in the order of all strains of springs.
+    /// Names of the parameters that are stiffnesses, in the order of `strain_energy_of_springs`.
     springs: Vec<&'a str>,
-    /// The cell told in full.
+    /// The cell chosen by --cell, or that of the mid stiffnesses.
     chosen: Cell,
-    /// Every combination of levels; empty where there are too many.
+    /// Every combination of levels; empty if there are too many.
     cells: Vec<Cell>,
-    /// Mesh frequency of each law at the scene's speed [Hz]; `null` where it does not step.
+    /// Mesh frequency of each law at the scene's speed [Hz]; `null` for a law that does not step.
     mesh_frequencies: Vec<Option<f64>>,
-    /// Harmonics of a mesh frequency near a damped frequency of the chosen cell.
+    /// Harmonics of a mesh frequency near a damped natural frequency of the chosen cell.
     meetings: Vec<Meeting<'a>>,
     provenance: Provenance,
 }
@@ -73,17 +73,17 @@ struct Cell {
 
 #[derive(Serialize)]
 struct Mode {
-    /// [Hz]; 0 for a rigid motion.
+    /// Undamped natural frequency [Hz]; 0 for a rigid motion.
     natural_frequency: f64,
-    /// [Hz]; 0 where it does not oscillate.
+    /// Damped natural frequency [Hz]; 0 if the mode does not oscillate.
     damped_frequency: f64,
-    /// `null` for a rigid motion.
+    /// Damping factor zeta; `null` for a rigid motion.
     damping_factor: Option<f64>,
-    /// Real and imaginary part for each coordinate.
+    /// Mode shape: real and imaginary part for each coordinate.
     shape: Vec<[f64; 2]>,
     /// Share of each law in the strain energy; empty for a rigid motion.
     strain_energy: Vec<f64>,
-    /// Share of each spring; empty for a rigid motion.
+    /// Share of each spring in the strain energy; empty for a rigid motion.
     strain_energy_of_springs: Vec<f64>,
     /// Share of each coordinate in the kinetic energy.
     kinetic_energy: Vec<f64>,
@@ -91,8 +91,11 @@ struct Mode {
 
 #[derive(Serialize)]
 struct Meeting<'a> {
+    /// Name of the law.
     law: &'a str,
+    /// Number of the harmonic, from 1.
     harmonic: usize,
+    /// Number of the mode in `chosen`, from 0.
     mode: usize,
     /// Frequency of the harmonic over that of the mode.
     ratio: f64,
@@ -120,26 +123,28 @@ impl Verb for Modes {
         let width = terminal::width();
         let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
         let written = report::files(folder.path(), folder.files(), width);
-        terminal::say(&format!("{}\n{text}\n{written}", report::scene(&scene, width)));
+        terminal::print_out(&format!("{}\n{text}\n{written}", report::scene(&scene, width)));
         Ok(())
     }
 }
 
 impl Modes {
-    /// The value of each law in the cell that is told in full.
+    /// The value of each law in the chosen cell.
     fn levels(&self, scene: &Scene, courses: &[Course]) -> Result<Vec<f64>, Failure> {
         let Some(cell) = &self.cell else { return Ok(scene.stiffnesses().map(|(_, law)| law.mid()).collect()) };
         let wrong = |what: String| Failure::Impossible {
             what,
-            help: "--cell takes one number a law, in the order of the model, e.g. --cell 0 or --cell 0,1".into(),
+            help: "give one number per law, in the order of the model, e.g. --cell 0 or --cell 0,1".into(),
         };
         if cell.len() != courses.len() {
-            return Err(wrong(format!("--cell has {} numbers, the model {} laws", cell.len(), courses.len())));
+            let what = format!("--cell has {} numbers, but the model has {} laws", cell.len(), courses.len());
+            return Err(wrong(what));
         }
         let level = |(&level, course): (&usize, &Course)| {
             let found = course.levels.get(level).map(|l| l.0);
             found.ok_or_else(|| {
-                wrong(format!("law `{}` has levels 0 to {}, no {level}", course.name, course.levels.len() - 1))
+                let last = course.levels.len() - 1;
+                wrong(format!("law `{}` has the levels 0 to {last}, but --cell asks for {level}", course.name))
             })
         };
         cell.iter().zip(courses).map(level).collect()

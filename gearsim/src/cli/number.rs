@@ -1,6 +1,6 @@
-//! Numbers for people: few digits, and a prefix where that helps.
+//! Numbers for the terminal, with few digits.
 
-/// `x` to four significant digits, in the shorter of the two usual forms.
+/// `x` with four significant digits: as a decimal number from 1e-3 to below 1e6, else with an exponent.
 pub(super) fn short(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
@@ -15,7 +15,7 @@ pub(super) fn short(x: f64) -> String {
     }
 }
 
-/// A time, in the unit that suits it.
+/// A time [s] in ns, µs, ms, s or min, with one or two digits.
 pub(super) fn time(seconds: f64) -> String {
     let (scale, unit) = match seconds {
         s if s < 1e-6 => (1e9, "ns"),
@@ -28,7 +28,7 @@ pub(super) fn time(seconds: f64) -> String {
     format!("{x:.*} {unit}", if x < 9.95 { 1 } else { 0 })
 }
 
-/// Without the zeros at the end of a fraction.
+/// `text` without trailing zeros after the decimal point.
 fn trim(text: &str) -> String {
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -37,7 +37,7 @@ fn trim(text: &str) -> String {
 }
 
 #[test]
-fn numbers_are_short() {
+fn numbers_and_times_have_few_digits() {
     let cases = [(0.0, "0"), (0.1, "0.1"), (1.0 / 3.0, "0.3333"), (125.66371, "125.7"), (123456.0, "123456")];
     for (x, text) in cases.into_iter().chain([(-2.5e-9, "-2.5e-9"), (0.00012, "1.2e-4"), (f64::NAN, "NaN")]) {
         assert_eq!(short(x), text);

@@ -1,18 +1,18 @@
-//! A progress bar for runs that take long, which costs short ones next to nothing.
+//! Progress bars for long runs. They cost short runs almost no time.
 
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Events between two looks at the clock, a power of two: some 0.1 ms.
+/// The clock is read once in this many events, a power of two: about every 0.1 ms.
 const EVENTS: u32 = 1 << 12;
-/// How long a run may take without a bar.
+/// A run that takes less time than this has no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Steps of a full bar.
+/// Number of steps of a full bar.
 const FULL: u64 = 1000;
 
-/// How far a run is.
+/// The progress of a run.
 pub(super) struct Progress {
     t_end: f64,
     events: u32,
@@ -22,13 +22,13 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Of a run that ends at `t_end` [s]; without a bar if `quiet`, or nobody is looking.
+    /// For a run that ends at `t_end` [s]. There is no bar if `quiet`, or if stderr is not a terminal.
     pub(super) fn new(t_end: f64, quiet: bool) -> Progress {
         let shown = !quiet && std::io::stderr().is_terminal();
         Progress { t_end, events: 0, shown, begin: Instant::now(), bar: None }
     }
 
-    /// The run has come to `t` [s].
+    /// Called at every event: the run has reached `t` [s].
     #[inline]
     pub(super) fn at(&mut self, t: f64) {
         self.events = self.events.wrapping_add(1);
@@ -52,21 +52,21 @@ impl Progress {
     }
 }
 
-/// How many points of a sweep are done, and the time that is left.
-pub(super) struct Points {
+/// The progress of a sweep: the number of finished points, and the time left.
+pub(super) struct PointsBar {
     bar: Option<ProgressBar>,
 }
 
-impl Points {
-    /// Of a sweep of `points`; without a bar if `quiet`, or nobody is looking.
-    pub(super) fn new(points: usize, quiet: bool) -> Points {
+impl PointsBar {
+    /// For a sweep of `points`. There is no bar if `quiet`, or if stderr is not a terminal.
+    pub(super) fn new(points: usize, quiet: bool) -> PointsBar {
         let shown = !quiet && points > 0 && std::io::stderr().is_terminal();
         let template = "{wide_bar} {percent:>3} %  {pos} of {len} points, {per_sec}, {eta} left";
         let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-        Points { bar: shown.then(|| ProgressBar::new(points as u64).with_style(style)) }
+        PointsBar { bar: shown.then(|| ProgressBar::new(points as u64).with_style(style)) }
     }
 
-    /// So many are done.
+    /// `count` points are finished.
     pub(super) fn at(&mut self, count: usize) {
         if let Some(bar) = &self.bar {
             bar.set_position(count as u64);
@@ -74,7 +74,7 @@ impl Points {
     }
 }
 
-impl Drop for Points {
+impl Drop for PointsBar {
     fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

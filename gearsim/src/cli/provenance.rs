@@ -1,13 +1,13 @@
-//! Where a result comes from, as every file says it.
+//! The provenance that every result file carries: program, commit, scene, solver and values set.
 
 use crate::output::summary::Provenance;
 use crate::run::Outcome;
 use crate::scene::{Precision, Scene, Solver};
 
-/// The commit that the program was built from, where known.
+/// The commit that the program was built from, if known.
 pub(super) const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
 
-/// Where the results of `scene`, read with `overrides` and had from `solver`, come from.
+/// The provenance of results of `scene`, loaded with `overrides` and computed by `solver`.
 pub(super) fn of(scene: &Scene, overrides: &[String], solver: String) -> Provenance {
     Provenance {
         program: "gearsim".into(),
@@ -19,7 +19,7 @@ pub(super) fn of(scene: &Scene, overrides: &[String], solver: String) -> Provena
     }
 }
 
-/// The same as pairs of name and value, with what was simulated.
+/// The provenance as pairs of name and value, with the scene, the model and its effects.
 pub(super) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> Vec<(&'static str, String)> {
     let provenance = of(scene, overrides, solver(scene, outcome));
     vec![
@@ -35,7 +35,7 @@ pub(super) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> V
     ]
 }
 
-/// What ran `scene` to `outcome`, in words.
+/// The solver that computed `outcome` from `scene`, in words.
 pub(super) fn solver(scene: &Scene, outcome: &Outcome) -> String {
     let Solver { tolerance, step, precision, .. } = scene.solver;
     match (outcome.solver.method, step) {
@@ -43,7 +43,7 @@ pub(super) fn solver(scene: &Scene, outcome: &Outcome) -> String {
             "exact cells, guaranteed first crossing, in twice the digits".into()
         }
         ("exact", _) => "exact cells, guaranteed first crossing".into(),
-        ("rk4_grid", Some(h)) => format!("rk4 in steps of {h} s, events taken after the step in which they fall"),
+        ("rk4_grid", Some(h)) => format!("rk4 in steps of {h} s, each event handled at the end of its step"),
         (method, Some(h)) => format!("{method} in steps of {h} s, first crossing of its dense output"),
         (method, None) => format!("{method} at {tolerance:e}, first crossing of its dense output"),
     }

@@ -1,4 +1,4 @@
-//! What a run came to, as text for the terminal.
+//! The outcome of a run as text for the terminal.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -7,10 +7,10 @@ use super::{number, terminal};
 use crate::output::summary::{Digits, Summary};
 use crate::scene::Scene;
 
-/// Columns before what a line says.
+/// Width of the names at the beginning of lines [columns].
 const INDENT: usize = 18;
 
-/// What was simulated.
+/// The scene: its name, description, model and effects.
 pub(super) fn scene(scene: &Scene, width: usize) -> String {
     let effects = match &scene.effects.names(scene.model)[..] {
         [] => "none".to_owned(),
@@ -24,7 +24,7 @@ pub(super) fn scene(scene: &Scene, width: usize) -> String {
     text + &line("effects", &effects, width)
 }
 
-/// What came of it, with `rows` recorded.
+/// The outcome of a run that recorded `rows` rows.
 pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -> String {
     let energy = &summary.energy;
     let reached = match summary.completed {
@@ -44,11 +44,11 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         ("unaccounted for", unaccounted(summary)),
         ("time taken", time(summary, rows)),
     ];
-    lines.iter().map(|(name, says)| line(name, says, width)).collect::<String>() + &rare(summary, width)
+    lines.iter().map(|(name, text)| line(name, text, width)).collect::<String>() + &rare_lines(summary, width)
 }
 
-/// What does not happen in most runs.
-fn rare(summary: &Summary, width: usize) -> String {
+/// Lines that most runs do not have.
+fn rare_lines(summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
     let mut text = String::new();
     for remark in &summary.remarks {
@@ -56,18 +56,20 @@ fn rare(summary: &Summary, width: usize) -> String {
     }
     if counts.holds > 0 {
         let ignored = number::short(counts.ignored.0);
-        text += &line("held at a step", &format!("{} times, with {ignored} J of bounces ignored", counts.holds), width);
+        let says = format!("{} times; the bounces that were ignored had {ignored} J", counts.holds);
+        text += &line("held at a step", &says, width);
     }
     if counts.impacts > 0 {
-        text += &line("flanks met", &format!("{} times across their play", counts.impacts), width);
+        text += &line("flanks met", &format!("{} times after crossing the play", counts.impacts), width);
     }
     if counts.grazes > 0 {
-        text += &line("steps touched", &format!("{} times without passing, to within rounding", counts.grazes), width);
+        let says = format!("{} times a phase touched a step without passing it, within rounding errors", counts.grazes);
+        text += &line("grazes", &says, width);
     }
     if counts.ambiguous > 0 {
         let says = format!(
-            "{} times two meshes met their steps together and the order matters: the result is one of several. Shift \
-             the start a little, either way, to see the others",
+            "{} times two meshes met steps at the same instant, and the result depends on their order: it is one of \
+             several. Shift the start slightly in both directions to see the others",
             counts.ambiguous
         );
         text += &line("not unique", &says, width);
@@ -88,22 +90,23 @@ fn state(scene: &Scene, summary: &Summary) -> String {
     entries.collect::<Vec<_>>().join(", ")
 }
 
-/// How far the end state is to be trusted.
+/// The number of digits left of the end state, or the time from which on none is left.
 fn digits(summary: &Summary) -> String {
     match summary.digits {
         None => "not estimated".into(),
         Some(Digits { none_from: Some(t), .. }) => format!(
-            "none from t = {} s on: a rounding, or the error of a step, has grown as large as the motion. The state, counts and \
-             extremes after that are one of many possible outcomes; the energy account still holds",
+            "none from t = {} s on: a rounding error, or the error of a time step, has grown as large as the motion. The \
+             state, counts and extremes after that time are one of many possible outcomes; the energy account still holds",
             number::short(t.0)
         ),
         Some(Digits { at_end, .. }) => {
-            format!("{:.0} of the end state, by a second run from a start a rounding away", at_end.0.floor())
+            let digits = at_end.0.floor();
+            format!("{digits:.0} of the end state, from a second run whose start differs by rounding errors")
         }
     }
 }
 
-/// Energy out of nowhere [J], and as a part of the largest part of the account.
+/// The energy residual [J], and its ratio to the largest part of the account.
 fn unaccounted(summary: &Summary) -> String {
     let (residual, largest) = (summary.energy.residual.0, summary.energy.largest.0);
     let mut text = format!("{} J", number::short(residual));
@@ -114,18 +117,18 @@ fn unaccounted(summary: &Summary) -> String {
     text
 }
 
-/// What the run cost.
+/// The processor time and the number of steps.
 fn time(summary: &Summary, rows: usize) -> String {
-    let each = per_event(summary).map_or(String::new(), |each| format!(", {each} an event"));
+    let each = per_event(summary).map_or(String::new(), |each| format!(", {each} per event"));
     let steps = match (summary.method.steps, summary.method.rejected) {
         (0, _) => String::new(),
         (steps, 0) => format!(", {steps} steps"),
-        (steps, rejected) => format!(", {steps} steps and {rejected} in vain"),
+        (steps, rejected) => format!(", {steps} steps and {rejected} rejected"),
     };
-    format!("{}{each}{steps} (with the recording of {rows} rows)", number::time(summary.cpu_seconds.0))
+    format!("{}{each}{steps} (including the recording of {rows} rows)", number::time(summary.cpu_seconds.0))
 }
 
-/// What an event cost, if there was one.
+/// The processor time per cell change or reflection; `None` if there was none.
 pub(super) fn per_event(summary: &Summary) -> Option<String> {
     let events = summary.cell_changes + summary.reflections;
     (events > 0).then(|| number::time(summary.cpu_seconds.0 / events as f64))
@@ -135,9 +138,9 @@ fn at_start(summary: &Summary) -> String {
     number::short(summary.energy.at_start.0)
 }
 
-/// A name and what it says, broken at blanks.
-pub(super) fn line(name: &str, says: &str, width: usize) -> String {
-    let broken = terminal::wrap(says, width.saturating_sub(INDENT).max(1));
+/// A name, and the text after it, broken at blanks.
+pub(super) fn line(name: &str, content: &str, width: usize) -> String {
+    let broken = terminal::wrap(content, width.saturating_sub(INDENT).max(1));
     let mut text = String::new();
     for (i, part) in broken.lines().enumerate() {
         let _ = writeln!(text, "{:INDENT$}{part}", if i == 0 { name } else { "" });

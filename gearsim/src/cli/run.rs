@@ -1,4 +1,4 @@
-//! `gearsim run`: one scene, its account and its plots.
+//! `gearsim run`: runs one scene and writes its results and plots.
 
 use clap::Parser;
 
@@ -26,10 +26,10 @@ Examples:
 pub(super) struct Run {
     #[command(flatten)]
     source: Source,
-    /// Write the trajectory as CSV too
+    /// Also write the trajectory as CSV
     #[arg(long)]
     csv: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing but warnings and errors
     #[arg(long, short)]
     quiet: bool,
 }
@@ -42,14 +42,14 @@ impl Verb for Run {
         let mut folder = OutputFolder::create(path)?;
         let text = self.write(&mut folder, &scene, &outcome)?;
         if !self.quiet {
-            terminal::say(&text);
+            terminal::print_out(&text);
         }
         Failure::of(&format!("scene {}", scene.name), &outcome, folder.path())
     }
 }
 
 impl Run {
-    /// Writes the files, and tells what the run came to.
+    /// Writes the files, and returns the text for the terminal.
     fn write(&self, folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome) -> Result<String, Failure> {
         let (overrides, csv) = (&self.source.overrides, self.csv || scene.output.csv);
         files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
@@ -57,7 +57,7 @@ impl Run {
         let none_from = outcome.digits.and_then(|digits| digits.none_from);
         let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name, none_from };
         for warning in files::plots(folder, scene, &[run])? {
-            terminal::complain(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
+            terminal::print_err(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
         }
         let summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
         folder.write_bytes("summary.json", summary.json()?.as_bytes())?;

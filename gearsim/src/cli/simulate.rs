@@ -1,4 +1,4 @@
-//! A scene, read and run as commands have it.
+//! Reads and runs a scene, as several commands do.
 
 use std::path::{Path, PathBuf};
 
@@ -12,34 +12,34 @@ use crate::output::OutputFolder;
 use crate::run::{Entry, Outcome};
 use crate::scene::Scene;
 
-/// What to simulate, and where to put it.
+/// The scene to simulate, and the folder for the results.
 #[derive(Args)]
 pub(super) struct Source {
     /// The scene: a TOML file
     scene: PathBuf,
-    /// Folder for the results; created where missing, older results in it are replaced
+    /// Folder for the results; created if missing, older results in it are replaced
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Writes a value over one of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
+    /// Sets a value of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) overrides: Vec<String>,
 }
 
 impl Source {
-    /// The scene, checked.
+    /// Loads and checks the scene.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
         self.load_with(&[])
     }
 
-    /// The same with further values written over it.
+    /// Loads and checks the scene with `further` values set.
     pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
         let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
         let overrides: Vec<String> = self.overrides.iter().chain(further).cloned().collect();
         Scene::load(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
     }
 
-    /// The folder for the results, `out/<scene><suffix>` if none is given. Nothing is created, but what would fail
-    /// does so now rather than after a long run.
+    /// The folder for the results, `out/<scene><suffix>` if none is given. It is not created yet, but a folder that cannot be written
+    /// to is an error now, not after a long run.
     pub(super) fn folder(&self, scene: &Scene, suffix: &str) -> Result<PathBuf, Failure> {
         let default = || Path::new("out").join(format!("{}{suffix}", scene.name));
         let folder = self.out.clone().unwrap_or_else(default);
@@ -48,16 +48,16 @@ impl Source {
     }
 }
 
-/// The model of a scene, as the program knows it.
+/// The entry of the scene's model in [`MODELS`].
 pub(super) fn entry(scene: &Scene) -> Result<&'static Entry, Failure> {
     let unknown = || Failure::Impossible {
-        what: format!("model `{}` is not part of this program", scene.model.name),
-        help: "`gearsim models` lists those that are".into(),
+        what: format!("this program does not have the model `{}`", scene.model.name),
+        help: "`gearsim models` lists the models that it has".into(),
     };
     MODELS.iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)
 }
 
-/// Runs a scene, and its companion, which tells how many digits are left; with a progress bar if it takes long and is not `quiet`.
+/// Runs a scene and its companion run, which gives the number of digits left. Shows a progress bar if the run takes long, unless `quiet`.
 pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
     let entry = entry(scene)?;
     let mut progress = Progress::new(scene.t_end, quiet);

@@ -1,6 +1,6 @@
 //! `gearsim sweep`: one scene at many points, on all cores.
 
-mod pictures;
+mod plots;
 mod report;
 
 use std::num::NonZeroUsize;
@@ -10,17 +10,17 @@ use std::time::Instant;
 use clap::Parser;
 
 use super::failure::Failure;
-use super::progress::Points;
+use super::progress::PointsBar;
 use super::{Verb, provenance, terminal};
 use crate::generated::MODELS;
 use crate::output::OutputFolder;
 use crate::sweep::folder::{self, Folder};
 use crate::sweep::record::GROUPS;
 use crate::sweep::{Manifest, Request, Shard, Sweep};
-pub(super) use pictures::Pictures;
-pub(super) use report::{Done, said};
+pub(super) use plots::PlotOptions;
+pub(super) use report::{Progress, summary_text};
 
-/// Run a scene at many points, and put one row each into a table
+/// Run a scene at many points, and write a table with one row per point
 #[derive(Parser)]
 #[command(name = "sweep", after_help = after_help())]
 pub(super) struct SweepCommand {
@@ -29,54 +29,54 @@ pub(super) struct SweepCommand {
     /// A key of the scene and its values, e.g. --vary parameters.T0="1 N*m:100 N*m:50"; may be repeated
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     vary: Vec<String>,
-    /// Folder for the results; created where missing, gone on with if it holds a part of this sweep
+    /// Folder for the results; created if missing, continued if it holds a part of this sweep
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Writes a value over one of the scene, at all points; may be repeated
+    /// Sets a value of the scene at all points; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Points of random axes, at every place of the grid of the others
+    /// Number of random points for every point of the grid of the other axes
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
     /// Seed of random axes
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// What to record
+    /// Groups of quantities to record
     #[arg(long, value_name = "GROUPS", value_delimiter = ',', default_value = "events,state,digits,energy,extremes")]
     record: Vec<String>,
-    /// Takes extremes and spectra from this time on, when what the start has shaken up has settled
+    /// Time from which on extremes and spectra are computed, e.g. after the initial transient
     #[arg(long, value_name = "TIME", default_value = "0 s")]
     from: String,
     #[command(flatten)]
-    pictures: Pictures,
-    /// Runs only share I of N of the points; `gearsim merge` joins them
+    plots: PlotOptions,
+    /// Runs only shard I of N of the points; `gearsim merge` joins the shards
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
     shard: Shard,
-    /// Threads [default: one for each core]
+    /// Number of threads [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Say nothing unless something is wrong
+    /// Print nothing but warnings and errors
     #[arg(long, short)]
     quiet: bool,
 }
 
-/// What stands below the options; the groups of quantities say themselves what they have.
+/// The help text below the options. The description of each group comes from the group.
 fn after_help() -> String {
     let groups = GROUPS.iter().map(|group| format!("  {:<10}{}\n", group.name, group.doc)).collect::<String>();
     format!(
         "\
 Values of an axis:
-  KEY=A:B:N              N values from A to B, evenly, both included
-  KEY=log:A:B:N          N values in equal ratios
-  KEY=V1,V2,V3           these
-  KEY=uniform:A:B        random ones, as many as --samples says; log-uniform:A:B likewise
-Numbers without a unit are in the SI unit of the key. Of several axes the last counts fastest.
+  KEY=A:B:N              N values from A to B in equal steps, both included
+  KEY=log:A:B:N          N values from A to B in equal ratios, both included
+  KEY=V1,V2,V3           a list of values
+  KEY=uniform:A:B        random values, as many as --samples says; also log-uniform:A:B
+Numbers without a unit are in the SI unit of the key. The last of several axes varies fastest.
 
-Writes sweep.parquet, one row a point in this order, sweep.json and plots. A point that cannot be
-simulated is a row with its reason. Interrupted, the same command goes on where it was. The bytes of
-the result depend neither on the number of threads nor on interruptions and shards.
+Writes sweep.parquet with one row per point in this order, sweep.json and plots. A point that cannot
+be simulated has a row with the reason. The same command continues an interrupted sweep. The bytes
+of the result depend neither on the number of threads nor on interruptions and shards.
 
-What can be recorded:
+Groups that can be recorded:
 {groups}extremes and peak need samples at output.rate, which take longer than the motion itself: a sweep
 without them is faster.
 
@@ -86,7 +86,7 @@ Examples:
       --vary parameters.T0=\"log:1 N*m:500 N*m:50\" --vary start.speed=\"100 rpm:6000 rpm:60\"
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --samples 1000 \\
       --vary start.speed=\"uniform:100 rpm:900 rpm\"
-  on the second of eight machines, and then, with all their folders, on one:
+  on the second of eight machines, and at the end on one machine that has all folders:
   gearsim sweep SCENE --vary KEY=A:B:N --shard 2/8 --out shard2
   gearsim merge shard1 shard2 shard3 shard4 shard5 shard6 shard7 shard8 --out whole"
     )
@@ -105,12 +105,12 @@ impl Verb for SweepCommand {
             seed: self.seed,
             from,
             record: self.record.clone(),
-            spectra: self.pictures.waterfall,
+            spectra: self.plots.waterfall,
         };
         let sweep = Sweep::load(&self.scene, MODELS, &request)?;
         let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);
         let layout = manifest.layout(MODELS)?;
-        self.pictures.check(&layout)?;
+        self.plots.check(&layout)?;
         let default = || Path::new("out").join(format!("{}_sweep", sweep.scene()));
         let path = self.out.clone().unwrap_or_else(default);
         OutputFolder::probe(&path)?;
@@ -123,18 +123,19 @@ impl Verb for SweepCommand {
         let before = there.len();
         drop(there);
         let threads = self.threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
-        let mut bar = Points::new(todo.len(), self.quiet);
+        let mut bar = PointsBar::new(todo.len(), self.quiet);
         sweep.run(&todo, threads, |rows| Ok(folder.keep(&rows)?), |count| bar.at(count))?;
         drop(bar);
         let rows = folder.finish()?;
 
         let mut files = vec![folder::ROWS.to_owned(), crate::sweep::manifest::FILE.to_owned()];
         if rows.len() == sweep.points {
-            files.extend(self.pictures.draw(&path, &manifest, &layout, &rows)?);
+            files.extend(self.plots.draw(&path, &manifest, &layout, &rows)?);
         }
         if !self.quiet {
-            let done = Done { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads: threads.get() };
-            terminal::say(&said(&path, &files, &manifest, &rows, Some(done)));
+            let done =
+                Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads: threads.get() };
+            terminal::print_out(&summary_text(&path, &files, &manifest, &rows, Some(done)));
         }
         Ok(())
     }

@@ -1,41 +1,41 @@
-//! The terminal: its width, its colours, and writing to it although nobody may be reading.
+//! The terminal: its width, its colours, and output to it. A closed pipe is not an error.
 
 use std::io::{IsTerminal, Write};
 
-/// Columns of text where the terminal does not say, and at most.
+/// Width of text [columns] if that of the terminal is unknown; also the maximum.
 const WIDTH: usize = 100;
-/// Columns below which nothing is legible anyway.
+/// Minimum width of text [columns].
 const NARROWEST: usize = 40;
 
-/// Columns of the terminal, whichever stream it is at.
+/// Width of the terminal [columns], whichever of the standard streams is connected to it.
 pub(super) fn width() -> usize {
     terminal_size::terminal_size().map_or(WIDTH, |(width, _)| usize::from(width.0).clamp(NARROWEST, WIDTH))
 }
 
-/// Whether stderr shows colours: a terminal does, unless asked not to (https://no-color.org).
+/// Whether to use colours on stderr: if it is a terminal, and `NO_COLOR` is not set (https://no-color.org).
 pub(super) fn colours() -> bool {
     let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
     std::io::stderr().is_terminal() && !refused && !dumb
 }
 
-/// Writes results. A reader that has gone away, as in `gearsim models | head -1`, is no failure.
-pub(super) fn say(text: &str) {
+/// Writes results to stdout. A closed pipe, as in `gearsim models | head -1`, is not an error.
+pub(super) fn print_out(text: &str) {
     let mut out = std::io::stdout().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
-/// Writes what is wrong to stderr, with a line end.
-pub(super) fn complain(text: &str) {
+/// Writes a message to stderr, with a line end.
+pub(super) fn print_err(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", text.trim_end());
 }
 
-/// Writes what is missing but does no harm to stderr.
+/// Writes a warning to stderr.
 pub(super) fn warn(text: &str) {
-    complain(&wrap(&format!("warning: {text}"), width()));
+    print_err(&wrap(&format!("warning: {text}"), width()));
 }
 
-/// `text` with its lines broken at blanks, `width` columns at most; what continues a line is indented as it is.
+/// `text` with its lines broken at blanks to at most `width` columns. Continuation lines have the indent of their line.
 pub(super) fn wrap(text: &str, width: usize) -> String {
     let mut wrapped = String::new();
     for line in text.lines() {

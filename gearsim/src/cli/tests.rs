@@ -1,4 +1,4 @@
-//! Tests of the command line, without a built program.
+//! Tests of the commands, called directly without a built program.
 
 mod advise;
 mod runs;
@@ -12,12 +12,12 @@ use clap::Parser;
 use super::Verb;
 use super::failure::Failure;
 
-/// The scene that the tests run.
+/// The scene that most tests run.
 fn scene() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml")
 }
 
-/// Runs command `V` on the scene into `out`, with further arguments.
+/// Runs the command `V` on the scene with `--out out` and further arguments.
 fn go<V: Verb + Parser>(out: &Path, arguments: &[&str]) -> Result<(), Failure> {
     let (scene, out) = (scene().display().to_string(), out.display().to_string());
     let all = ["gearsim", &scene, "--out", &out].into_iter().chain(arguments.iter().copied());

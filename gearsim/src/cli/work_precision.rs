@@ -1,4 +1,4 @@
-//! `gearsim work-precision`: what accuracy costs on a scene, by every method a user might pick.
+//! `gearsim work-precision`: error against processor time on a scene, for every method that a user might choose.
 
 use std::path::{Path, PathBuf};
 
@@ -20,13 +20,14 @@ use crate::scene::Scene;
 #[command(
     name = "work-precision",
     after_help = "\
-Runs exact cells, where the scene has them; adaptive methods (explicit of order 5 and 8, implicit)
-at tolerances from 1e-3 to 1e-13; rk4 in steps of one length, with events located and with events
-ignored; ramps in place of steps; and the cheaper equations. Each is compared with one reference:
-exact cells in twice the digits, or the best that the scene allows. What fails is shown as failed.
+Runs exact cells, if the scene has linear ones; adaptive methods (explicit of order 5 and 8,
+implicit) at tolerances from 1e-3 to 1e-13; rk4 with fixed steps, with events located and with
+events ignored; ramps in place of steps; and the approximate equations. Each is compared with one
+reference: exact cells in twice the digits, or the most accurate method that the scene allows.
+Settings that fail are shown as failed.
 
-Writes work_precision.svg, .png, .md and .csv, a folder a scene. The scene should be short: it runs
-some hundred times, and what takes one method a millisecond may take another seconds.
+Writes work_precision.svg, .png, .md and .csv, one folder per scene. The scene should be short: it
+runs some hundred times, and some methods take a thousand times as long as others.
 
 Examples:
   gearsim work-precision models/scenes/oh2005/spectrum_4500rpm_exact.toml --set run.t_end=\"0.05 s\"
@@ -36,13 +37,13 @@ pub(super) struct WorkPrecision {
     /// The scenes: TOML files
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// Folder for the results, with one in it for each of several scenes
+    /// Folder for the results; with several scenes, each has its own folder in it
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Writes a value over one of every scene, e.g. --set run.t_end="0.05 s"; may be repeated
+    /// Sets a value of every scene, e.g. --set run.t_end="0.05 s"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Runs a point, of which the fastest and the median are kept
+    /// Number of runs per point; the fastest and the median are kept
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
 }
@@ -72,7 +73,7 @@ impl WorkPrecision {
 
     /// Measures one scene.
     fn one(&self, scene: &Scene, folder: PathBuf) -> Result<(), Failure> {
-        // A scene without stepping stiffness has no cheaper equations, and some effects exclude them.
+        // The approximate equations need a stiffness that steps, and some effects exclude them.
         let cheaper = equations::all(scene).unwrap_or_default().into_iter().skip(1);
         let cheaper = cheaper.filter(|(_, scene)| scene.effects.contradictions(scene.model).is_empty());
         let cheaper = cheaper.map(|(set, scene)| (set.equations, scene)).collect();
@@ -82,10 +83,10 @@ impl WorkPrecision {
             Err(_) => Err(Refusal::Effects { which: scene.effects.contradictions(scene.model) }),
         };
         let scenes = Scenes { exact: scene.clone(), cheaper };
-        let mut say = |what: &str| terminal::complain(&format!("{}: {what}", scene.name));
+        let mut say = |what: &str| terminal::print_err(&format!("{}: {what}", scene.name));
         let impossible = |why: String| Failure::Impossible {
             what: format!("no reference for scene {}: {why}", scene.name),
-            help: "choose a scene that runs to its end, perhaps a shorter one: --set run.t_end=\"0.1 s\"".into(),
+            help: "choose a scene that runs to its end, e.g. a shorter one: --set run.t_end=\"0.1 s\"".into(),
         };
         let measured = work_precision::measure(&scenes, &run, self.repetitions.into(), &mut say).map_err(impossible)?;
         let drawn = draw(&measured);
@@ -97,7 +98,7 @@ impl WorkPrecision {
         folder.write_bytes("work_precision.csv", table::csv(&measured).as_bytes())?;
         let width = terminal::width();
         let files = report::files(folder.path(), folder.files(), width);
-        terminal::say(&format!(
+        terminal::print_out(&format!(
             "{}\n\n{}\n{files}",
             terminal::wrap(&table::words(&measured), width),
             table::prices(&measured)

@@ -1,6 +1,6 @@
-//! A table as CSV: one header line with the names, numbers in the shortest form that reads back bit for bit.
+//! A table as CSV: one header line with the names; numbers in the shortest form that reads back bit for bit.
 //!
-//! Non-finite numbers are written `inf`, `-inf`, `NaN`. Units stand in the Parquet file and in `summary.json`.
+//! Numbers that are not finite are written as `inf`, `-inf`, `NaN`. CSV has no units; the Parquet file has them.
 
 use std::io::Write;
 
@@ -17,7 +17,7 @@ pub fn write(table: &Table, sink: impl Write) -> Result<(), OutputError> {
             match &column.values {
                 Values::Number(v) => {
                     cell.clear();
-                    // Debug, unlike Display, turns to an exponent for very small and very large numbers.
+                    // Unlike Display, Debug uses an exponent for very small and very large numbers.
                     let _ = std::fmt::Write::write_fmt(&mut cell, format_args!("{:?}", v[row]));
                     csv.write_field(&cell).map_err(failed)?;
                 }
@@ -29,7 +29,7 @@ pub fn write(table: &Table, sink: impl Write) -> Result<(), OutputError> {
     Ok(csv.flush()?)
 }
 
-/// A full disk must be reported as such, not as bad CSV.
+/// Input and output errors, e.g. a full disk, stay as they are; all others are errors of the format.
 fn failed(error: csv::Error) -> OutputError {
     match error.into_kind() {
         csv::ErrorKind::Io(e) => OutputError::Sink(e),

@@ -1,4 +1,4 @@
-//! What can go wrong when results are written, in words that say what to do.
+//! The errors of writing and reading results. The messages say what to do.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,13 +11,13 @@ pub enum OutputError {
     CreateFolder {
         /// The folder.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         source: io::Error,
     },
-    /// Something that is not a folder stands where the folder should be.
+    /// The path of the folder is that of a file.
     #[error("cannot use {path} as an output folder: it is a file; choose another with --out")]
     NotAFolder {
-        /// The path in question.
+        /// The path.
         path: PathBuf,
     },
     /// A file could not be written.
@@ -25,7 +25,7 @@ pub enum OutputError {
     Write {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         source: io::Error,
     },
     /// A file could not be read.
@@ -36,7 +36,7 @@ pub enum OutputError {
         /// Why.
         why: String,
     },
-    /// A file name would leave the output folder.
+    /// A file name that is empty or leads out of the output folder.
     #[error("`{name}` is not a file name inside the output folder")]
     BadName {
         /// The name.
@@ -47,12 +47,12 @@ pub enum OutputError {
     Ragged {
         /// The column that differs.
         column: String,
-        /// Its rows.
+        /// Its number of rows.
         rows: usize,
-        /// The rows of the columns before it.
+        /// The number of rows of the columns before it.
         expected: usize,
     },
-    /// The data could not be brought into the file format.
+    /// The data cannot be written in the file format.
     #[error("cannot write {format}: {why}")]
     Format {
         /// The format, e.g. `Parquet`.
@@ -60,7 +60,7 @@ pub enum OutputError {
         /// Why.
         why: String,
     },
-    /// The sink given to a writer failed.
+    /// Writing to a sink failed, before the path of the file is known.
     #[error(transparent)]
     Sink(#[from] io::Error),
 }
@@ -71,7 +71,7 @@ impl OutputError {
         OutputError::Format { format, why: why.to_string() }
     }
 
-    /// Names `path` in an error of a sink; leaves other errors as they are.
+    /// Adds `path` to an error of a sink; other errors are returned unchanged.
     pub(crate) fn at(self, path: &Path) -> Self {
         match self {
             OutputError::Sink(source) => OutputError::Write { path: path.to_owned(), source },
@@ -80,7 +80,7 @@ impl OutputError {
     }
 }
 
-/// The system's reason, and what the reader can do about it.
+/// The reason given by the operating system, and what to do.
 fn reason(error: &io::Error) -> String {
     use io::ErrorKind::*;
     match error.kind() {

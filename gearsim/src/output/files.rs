@@ -1,4 +1,4 @@
-//! The folder a run writes to: every file whole, or not there at all.
+//! The output folder of a run. Every file in it is complete, or absent.
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Component, Path, PathBuf};
@@ -7,7 +7,7 @@ use tempfile::{Builder, NamedTempFile};
 
 use super::OutputError;
 
-/// What a file is written to: buffered, and on its way to its final name.
+/// The buffered writer that a file is written to; it gets its final name later.
 pub type Sink<'a> = &'a mut (dyn Write + Send);
 
 /// An output folder and the files written to it so far.
@@ -18,7 +18,7 @@ pub struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// Opens the folder at `path`, creating it and its parents where missing.
+    /// Opens the folder at `path`; creates it and its parents if missing.
     ///
     /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`].
     pub fn create(path: impl Into<PathBuf>) -> Result<Self, OutputError> {
@@ -30,7 +30,7 @@ impl OutputFolder {
         Ok(OutputFolder { path, files: vec![] })
     }
 
-    /// Whether [`OutputFolder::create`] would succeed and the folder could be written to; leaves no trace.
+    /// Checks that [`OutputFolder::create`] would succeed and the folder could be written to. Creates nothing that stays.
     ///
     /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`], [`OutputError::Write`].
     pub fn probe(path: &Path) -> Result<(), OutputError> {
@@ -41,14 +41,14 @@ impl OutputFolder {
         if path.exists() {
             return Err(OutputError::NotAFolder { path: path.to_owned() });
         }
-        // What will be created is created in the nearest folder above that is there.
+        // The new folder will be created in its nearest existing ancestor.
         let above = path.ancestors().skip(1).find(|above| above.exists());
         let above = above.filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let cannot = |source| OutputError::CreateFolder { path: path.to_owned(), source };
         tempfile::tempfile_in(above).map(drop).map_err(cannot)
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -58,10 +58,10 @@ impl OutputFolder {
         &self.files
     }
 
-    /// Writes the file `name` (it may name a subfolder: `plots/energy.svg`) with `fill`.
+    /// Writes the file `name` with `fill`; the name may contain a subfolder: `plots/energy.svg`.
     ///
-    /// `fill` writes to a temporary file in the same folder, which takes the final name only once it is complete
-    /// and on the disk. If anything fails, an older file of that name stays as it was.
+    /// `fill` writes to a temporary file in the same folder. It gets the final name only when it is complete and on the disk. If
+    /// anything fails, an older file of that name is unchanged.
     ///
     /// Errors: those of `fill`; [`OutputError::BadName`], [`OutputError::CreateFolder`], [`OutputError::Write`].
     pub fn write(
@@ -77,7 +77,7 @@ impl OutputFolder {
         let mut sink = BufWriter::new(temporary_in(folder).map_err(failed)?);
         fill(&mut sink).map_err(|e| e.at(&path))?;
         let file = sink.into_inner().map_err(|e| failed(e.into_error()))?;
-        // Without this a crash of the machine may leave the final name on an empty file.
+        // Without this, a crash of the machine may leave an empty file under the final name.
         file.as_file().sync_all().map_err(failed)?;
         file.persist(&path).map_err(|e| failed(e.error))?;
 
@@ -106,7 +106,7 @@ fn create_folder(path: &Path) -> Result<(), OutputError> {
     std::fs::create_dir_all(path).map_err(|source| OutputError::CreateFolder { path: path.to_owned(), source })
 }
 
-/// A temporary file that others may read once it has its final name, as far as the umask allows.
+/// A temporary file whose permissions are those of an ordinary new file (0666 less the umask), since it becomes the final file.
 fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(".gearsim-");
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn files_are_written_and_listed() {
+    fn files_are_written_and_listed_once() {
         let root = tempfile::tempdir().unwrap();
         let mut folder = OutputFolder::create(root.path().join("a/b")).unwrap();
         folder.write_bytes("plots/energy.svg", b"<svg/>").unwrap();
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failing_writer_leaves_nothing_behind() {
+    fn a_failing_writer_leaves_no_file_and_keeps_an_older_one() {
         let root = tempfile::tempdir().unwrap();
         let mut folder = OutputFolder::create(root.path()).unwrap();
         let fail = |sink: Sink<'_>| {
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn names_stay_inside() {
+    fn names_outside_the_folder_are_refused() {
         let root = tempfile::tempdir().unwrap();
         let mut folder = OutputFolder::create(root.path()).unwrap();
         for name in ["", "../x", "/etc/x", "a/../../x"] {
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_to_do() {
+    fn errors_of_folders_suggest_another_one() {
         let root = tempfile::tempdir().unwrap();
         let file = root.path().join("file");
         std::fs::write(&file, "").unwrap();

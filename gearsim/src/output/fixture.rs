@@ -1,9 +1,9 @@
-//! A recording for tests: an oscillator phi whose stiffness steps, paid for by the rotation theta.
+//! A trajectory for tests: an oscillator phi whose stiffness steps. The rotation theta supplies the energy of each step.
 
 use crate::model::{Coordinate, Model, Start, Torque};
 use crate::trajectory::{Moment, Trajectory};
 
-/// A model with the coordinates and torques of a gear pair, and nothing else.
+/// A model that has only the coordinates and torques of a gear pair.
 pub(crate) static MODEL: Model = Model {
     name: "oscillator",
     title: "An oscillator with a stepped stiffness",
@@ -38,7 +38,7 @@ const DAMPING: f64 = 2.0 * 0.05 * REFERENCE * MASS;
 const INERTIA: f64 = 4.3e-4;
 const SPEED: f64 = 754.0;
 
-/// `n` samples at [`RATE`], with both limits of every step of the stiffness (two a period of 8.33 ms).
+/// `n` samples at [`RATE`], with the rows before and after every step of the stiffness (two steps per period of 8.33 ms).
 ///
 /// T = (INERTIA theta'^2 + MASS phi'^2)/2, V = k phi^2/2, W = FORCE (phi - phi_0), D = DAMPING phi'^2/2.
 pub(crate) fn oscillator(n: usize) -> Trajectory {
@@ -86,7 +86,7 @@ pub(crate) fn oscillator(n: usize) -> Trajectory {
     run
 }
 
-/// Runge-Kutta steps of order 4 over `duration`, short enough for the residual to be rounding error.
+/// Runge-Kutta steps of order 4 over `duration`, so short that only rounding errors remain in the residual.
 fn advance(x: &mut [f64; 5], k: f64, duration: f64) {
     let rate = |x: &[f64; 5]| {
         let force = FORCE - DAMPING * x[3] - k * x[2];

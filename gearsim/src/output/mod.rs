@@ -1,7 +1,7 @@
-//! What a run leaves behind: a folder with its trajectory, its summary and its plots.
+//! The files that a run writes: a folder with its trajectory, its summary and its plots.
 //!
-//! [`table::Table`] is the trajectory as columns with units; [`parquet`] and [`csv`] write it, [`summary`] is
-//! `summary.json`, and [`files::OutputFolder`] puts each file in place whole or not at all.
+//! [`table::Table`] is a table of columns with units, e.g. of a trajectory. [`parquet`] and [`csv`] write it, [`summary`] defines
+//! `summary.json`, and [`files::OutputFolder`] writes every file completely or not at all.
 
 pub mod csv;
 mod error;

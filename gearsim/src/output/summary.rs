@@ -1,7 +1,7 @@
-//! `summary.json`: what a run was, where it ended, and what it cost.
+//! `summary.json`: the scene and method of a run, its end state, its energy account and its processor time.
 //!
-//! All numbers are SI, in the shortest form that reads back bit for bit. JSON has no number for what is not
-//! finite, so those are the strings `"inf"`, `"-inf"` and `"nan"`, never `null`: see [`Number`].
+//! All numbers are in SI units, in the shortest form that reads back bit for bit. JSON has no infinite numbers and no NaN: they are
+//! the strings `"inf"`, `"-inf"` and `"nan"`, never `null`, see [`Number`].
 
 use std::fmt;
 
@@ -20,37 +20,37 @@ pub struct Summary {
     pub scene: String,
     /// Name of the model.
     pub model: String,
-    /// Names of the effects the scene has.
+    /// Names of the scene's effects.
     pub effects: Vec<String>,
-    /// End of the run [s]: where it stopped, if it did not get as far as the scene asks.
+    /// Time reached [s]; less than the scene's `t_end` if the run stopped early.
     pub t_end: Number,
     /// Coordinates and speeds at the end, unwrapped [SI]: `theta`, `theta_dot`, ... in the order of the model.
     pub state: Named,
-    /// Cell changes.
+    /// Number of cell changes.
     pub cell_changes: u64,
-    /// Reflections.
+    /// Number of reflections.
     pub reflections: u64,
     /// Energies at the end [J].
     pub energy: Energy,
-    /// How it was solved.
+    /// The method that solved it.
     pub method: Method,
-    /// What the solver did.
+    /// Counts of the solver.
     pub counts: Counts,
-    /// How many digits of the state are left; `null` where that was not estimated.
+    /// Number of digits left of the state; `null` if it was not estimated.
     pub digits: Option<Digits>,
-    /// What a reader has to know beside the numbers, a sentence each.
+    /// Notes that a reader of the numbers needs, one sentence each.
     pub remarks: Vec<String>,
-    /// Processor time that the simulation took, with its recording [s].
+    /// Processor time of the simulation, including the recording [s].
     pub cpu_seconds: Number,
-    /// Whether the run got as far as the scene asks.
+    /// Whether the run reached the scene's `t_end`.
     pub completed: bool,
-    /// Why not, if not.
+    /// Why it stopped early; `null` if it did not.
     pub stopped_by: Option<String>,
     /// Parameter values [SI], in the order of the model.
     pub parameters: Named,
-    /// Files written beside this one.
+    /// Names of the other files of the run in the same folder.
     pub files: Vec<String>,
-    /// Where the result comes from.
+    /// Program, scene and solver that made the result.
     pub provenance: Provenance,
 }
 
@@ -66,59 +66,59 @@ pub struct Energy {
     pub work: Number,
     /// Energy lost to damping.
     pub dissipated: Number,
-    /// T + V - W + dissipated, less `at_start`.
+    /// T + V - W + dissipated - `at_start`.
     pub residual: Number,
     /// T + V - W at the start.
     pub at_start: Number,
-    /// The largest part of the account at any row, by which the residual is to be measured.
+    /// The largest part of the account in any row; the scale to judge the residual by.
     pub largest: Number,
 }
 
-/// How many digits of the state are left.
+/// The number of digits left of the state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Digits {
-    /// At the end, of its worst coordinate or speed: 0 to 16.
+    /// Digits left at the end, of the worst coordinate or speed: 0 to 16.
     pub at_end: Number,
-    /// Time from which on none are left [s]; `null` where some are. From there on the state is one of many.
+    /// Time from which on no digits are left [s]; `null` if some are left to the end. After this time the state is one of many.
     pub none_from: Option<Number>,
 }
 
-/// How a run was solved.
+/// The method that solved a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Method {
-    /// The method, by its name in scenes.
+    /// Its name, as in scenes.
     pub name: String,
-    /// Why it was this one.
+    /// Why this method was chosen.
     pub why: String,
-    /// Steps of a numerical method; 0 for the exact one, which has none.
+    /// Number of time steps; 0 for the exact method, which has none.
     pub steps: u64,
-    /// Steps that it tried in vain.
+    /// Number of rejected time steps.
     pub rejected: u64,
 }
 
-/// What the solver did.
+/// Counts of the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Counts {
-    /// Evaluations of the solution or of the right-hand side.
+    /// Number of evaluations of the solution, or of the right-hand side.
     pub function_evaluations: u64,
-    /// Steps of the root finder.
+    /// Number of iterations of the root finder.
     pub root_steps: u64,
-    /// Grazing contacts with a switching angle.
+    /// Number of grazes: a phase touched a step without passing it.
     pub grazes: u64,
-    /// Times that a phase was held at a step it could not climb.
+    /// Number of times that a phase was held at a step that it had not the energy to pass.
     pub holds: u64,
-    /// Times that flanks met across their play.
+    /// Number of times that flanks met after crossing their play.
     pub impacts: u64,
-    /// Energy of its bounces that were not followed to their end [J]; the residual counts it as lost.
+    /// Energy of the bounces that were ignored when phases were held [J]; the residual counts it as lost.
     pub ignored: Number,
-    /// Steps of two phases met together whose order matters: the result is one of several.
+    /// Number of times that two phases met steps at the same instant and the order changed the result, which is then one of several.
     pub ambiguous: u64,
 }
 
-/// Where a result comes from.
+/// The program, the scene and the solver that made a result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Provenance {
@@ -126,13 +126,13 @@ pub struct Provenance {
     pub program: String,
     /// Its version.
     pub version: String,
-    /// The commit it was built from, where known.
+    /// The commit it was built from, if known.
     pub commit: Option<String>,
     /// SHA-256 of the scene's text and overrides.
     pub scene_sha256: String,
-    /// The solver that ran.
+    /// The solver, in words.
     pub solver: String,
-    /// Overrides given on the command line, e.g. `T0=20 N*m`.
+    /// Values set on the command line, e.g. `parameters.T0=20 N*m`.
     pub overrides: Vec<String>,
 }
 
@@ -145,7 +145,7 @@ impl Summary {
 }
 
 impl Energy {
-    /// The account in the last row of `run`; `None` if it has none.
+    /// The account in the last row of `run`; `None` if it has no rows.
     pub fn at_end(run: &Trajectory) -> Option<Self> {
         let start = run.kinetic.first()? + run.strain.first()? - run.work.first()?;
         Some(Energy {
@@ -160,7 +160,7 @@ impl Energy {
     }
 }
 
-/// A number of any kind: finite ones as JSON numbers, others as `"inf"`, `"-inf"`, `"nan"`.
+/// A number that may be infinite or NaN. In JSON, finite numbers are numbers, others the strings `"inf"`, `"-inf"`, `"nan"`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number(pub f64);
 
@@ -201,12 +201,12 @@ impl<'de> Deserialize<'de> for Number {
     }
 }
 
-/// Numbers by name, in an order that is kept: an object in JSON.
+/// Named numbers in a fixed order: an object in JSON.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Named(pub Vec<(String, Number)>);
 
 impl Named {
-    /// The state in the last row of `run`; empty if it has none.
+    /// The state in the last row of `run`; empty if it has no rows.
     pub fn state(run: &Trajectory) -> Self {
         let mut state = vec![];
         for ((coordinate, q), q_dot) in run.model.coordinates.iter().zip(&run.q).zip(&run.q_dot) {
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn it_reads_back_as_written_and_in_order() {
+    fn a_summary_reads_back_as_written_and_in_order() {
         let written = summary();
         let text = written.json().unwrap();
         assert_eq!(serde_json::from_str::<Summary>(&text).unwrap(), written);
@@ -315,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_a_word() {
+    fn infinite_numbers_and_nan_are_strings() {
         let mut odd = summary();
         odd.cpu_seconds = Number(f64::NEG_INFINITY);
         odd.parameters = [("cap", f64::INFINITY), ("x", f64::NAN)].into_iter().collect();

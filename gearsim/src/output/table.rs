@@ -1,4 +1,4 @@
-//! A table: named columns with units, the form in which a trajectory leaves the program.
+//! A table of named columns with units; all results with rows are written as such tables.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ pub struct Column {
     pub name: String,
     /// SI unit, e.g. `rad/s`; empty for text.
     pub unit: String,
-    /// One value a row.
+    /// One value per row.
     pub values: Values,
 }
 
@@ -27,7 +27,7 @@ pub struct Column {
 pub enum Values {
     /// Numbers.
     Number(Vec<f64>),
-    /// Words.
+    /// Texts.
     Text(Vec<Cow<'static, str>>),
 }
 
@@ -57,7 +57,7 @@ impl Table {
         self.columns.first().map_or(0, |c| c.values.len())
     }
 
-    /// The numbers of the column `name`; `None` if there are none.
+    /// The numbers of the column `name`; `None` if there is no such column of numbers.
     pub fn numbers(&self, name: &str) -> Option<&[f64]> {
         match &self.columns.iter().find(|c| c.name == name)?.values {
             Values::Number(values) => Some(values),
@@ -65,7 +65,7 @@ impl Table {
         }
     }
 
-    /// The words of the column `name`; `None` if there are none.
+    /// The texts of the column `name`; `None` if there is no such column of texts.
     pub fn words(&self, name: &str) -> Option<&[Cow<'static, str>]> {
         match &self.columns.iter().find(|c| c.name == name)?.values {
             Values::Text(values) => Some(values),
@@ -83,9 +83,9 @@ impl Table {
         Ok(())
     }
 
-    /// The recorded rows: `t`, `moment`, each coordinate and its speed, then the energy account.
+    /// The table of a trajectory: `t`, `moment`, each coordinate and its speed, then the energy account.
     ///
-    /// Errors: [`OutputError::Ragged`] if the recording is not one entry a row in every column.
+    /// Errors: [`OutputError::Ragged`] if a column has not exactly one entry per row.
     pub fn of_trajectory(run: &Trajectory) -> Result<Self, OutputError> {
         let number = |v: &Vec<f64>| Values::Number(v.clone());
         let moment = run.moment.iter().map(|m| Cow::Borrowed(m.name())).collect();

@@ -1,17 +1,17 @@
-//! Campbell's diagram: natural frequencies, and harmonics of the mesh frequencies, over the speed.
+//! Campbell diagram: natural frequencies and harmonics of the mesh frequencies against the speed, given as a mesh frequency.
 
 use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
 use crate::analysis::modes::CellModes;
 use crate::analysis::steady::Course;
 use crate::scene::Scene;
 
-/// Harmonics drawn.
+/// Number of harmonics drawn of each mesh frequency.
 const HARMONICS: usize = 5;
 
-/// The diagram of a scene whose meshes turn.
+/// The Campbell diagram of a scene. `cell` has its natural frequencies, `courses` the periodic laws of its meshes.
 ///
 /// # Errors
-/// Where nothing vibrates, or no mesh steps.
+/// [`PlotError::Nothing`] if no mode vibrates, or if no mesh both turns and has a stiffness that steps.
 pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figure, PlotError> {
     let nothing = |why: &str| PlotError::Nothing { plot: "campbell", why: why.into() };
     let moving: Vec<&Course> = courses.iter().filter(|c| c.turns()).collect();
@@ -20,12 +20,13 @@ pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figur
     let (Some(lowest), Some(highest)) = (frequencies.first(), frequencies.last()) else {
         return Err(nothing("nothing vibrates"));
     };
-    // Mesh frequency of the first law on the abscissa, as far as its first harmonic meets the highest mode, or the tenth.
+    // The abscissa is the mesh frequency of the first law. Both axes end above the highest natural frequency, or above ten times
+    // the lowest if that is less; the abscissa at least includes the mesh frequency of the scene.
     let top = 1.2 * highest.min(10.0 * lowest);
     let longest = top.max(1.1 * first.frequency());
     let mut series = vec![];
     for (i, f) in frequencies.iter().filter(|f| **f <= top).enumerate() {
-        let label = if i == 0 { "natural frequencies, damped" } else { "" };
+        let label = if i == 0 { "damped natural frequencies" } else { "" };
         let style = Style { width: 1.7, ..Style::PLAIN };
         series.push(Series { style, ..Series::new(0, label, vec![0.0, longest], vec![*f, *f]) });
     }

@@ -1,10 +1,10 @@
-//! Reduction of a curve to what can be seen: in each column of pixels its ends, its extremes and its largest jump.
+//! Reduction of a curve to the points that matter on screen: per pixel column its ends, its extremes and its largest jump.
 
 /// The points to draw of a curve given in pixels, x not decreasing.
 ///
-/// In a column of one pixel no more than six points are kept, in their order and at their own places: the first, the
-/// lowest, the highest, the last, and both limits of the largest jump (two points in a row with equal x), so that
-/// extremes survive and jumps stay upright.
+/// At most six points are kept per pixel column, in their order and at their exact positions: the first, the lowest, the highest,
+/// the last, and both ends of the largest jump (two points in a row with equal x). The extremes are therefore drawn exactly, and
+/// jumps stay vertical.
 pub fn decimate(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept = Vec::with_capacity(points.len().min(8192));
     for column in points.chunk_by(|a, b| a.0.floor() == b.0.floor()) {
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn extremes_and_ends_survive_in_every_column() {
+    fn the_extremes_and_ends_of_every_pixel_column_are_kept() {
         let points: Vec<_> = (0..100_000).map(|i| i as f64 * 0.004).map(|x| (x, (x * 7.0).sin() * x)).collect();
         let kept = decimate(&points);
         assert!(kept.len() <= 6 * 401);
@@ -59,13 +59,13 @@ mod tests {
     }
 
     #[test]
-    fn few_points_and_jumps_are_kept_as_they_are() {
+    fn a_curve_of_few_points_is_unchanged() {
         let points = [(0.0, 0.0), (10.5, 1.0), (10.5, 5.0), (20.0, 5.0)];
         assert_eq!(decimate(&points), points);
     }
 
     #[test]
-    fn a_jump_among_many_points_stays_upright() {
+    fn a_jump_among_many_points_stays_vertical() {
         let step = |i: usize| {
             let x = i as f64 * 0.01;
             if i <= 50 { (x, 1.0) } else { (x - 0.01, 0.0) }

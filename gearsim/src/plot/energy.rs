@@ -1,12 +1,12 @@
-//! The energy U = T + V - W, which only damping may change, and what makes it up.
+//! The energy U = T + V - W, which only damping may change, its parts, and the residual of the energy balance.
 //!
-//! In the form of Oh, Grosh and Barber (2005), Fig. 3. A step of the curve is energy from nowhere; a level or falling
-//! one keeps the books. With one run U is drawn over what damping has left of U(0): the curves coincide where the
-//! residual is zero, which a panel of its own shows on its own scale.
+//! In the form of Oh, Grosh and Barber (2005), Fig. 3. Where energy is conserved, U is constant or falls by the dissipated energy;
+//! a step up is energy that the equations created. For a single run, U is drawn together with U(0) minus the dissipated energy. The
+//! two curves coincide where the residual is zero. A panel with its own scale shows the residual.
 
-use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first, scenes, time};
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first_run, scene_names, time_axis};
 
-/// Its entry in the registry.
+/// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
     name: "energy",
     doc: "total energy U = T + V - W against time, its parts, and the residual of the energy balance",
@@ -14,13 +14,13 @@ pub const PLOT: Plot = Plot {
 };
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
-    let run = first(PLOT.name, runs)?;
-    let panels = if runs.len() == 1 { alone(run) } else { overlaid(runs) };
-    Ok(Figure { title: "Energy".into(), subtitle: Some(scenes(runs)), x: time(runs), panels })
+    let run = first_run(PLOT.name, runs)?;
+    let panels = if runs.len() == 1 { single(run) } else { overlaid(runs) };
+    Ok(Figure { title: "Energy".into(), subtitle: Some(scene_names(runs)), x: time_axis(runs), panels })
 }
 
-/// One run: U over U(0) less what damping took; the parts; the residual.
-fn alone(run: &Run<'_>) -> Vec<Panel> {
+/// The panels of one run: U together with U(0) minus the dissipated energy; the changes of T, V and W; the residual.
+fn single(run: &Run<'_>) -> Vec<Panel> {
     let recorded = run.trajectory;
     let series = |index, label: &str, value: &dyn Fn(usize) -> f64| {
         let y = (0..recorded.len()).map(value).collect();
@@ -51,7 +51,7 @@ fn alone(run: &Run<'_>) -> Vec<Panel> {
     ]
 }
 
-/// Several runs: U and the residual of each.
+/// The panels of several runs: U of each; the residual of each.
 fn overlaid(runs: &[Run<'_>]) -> Vec<Panel> {
     let panel = |label: &str, value: &dyn Fn(&Run<'_>, usize) -> f64| Panel {
         y: Axis::linear(label, "J"),
@@ -63,7 +63,7 @@ fn overlaid(runs: &[Run<'_>]) -> Vec<Panel> {
             .collect(),
     };
     let mut residual = panel("residual", &|run, i| run.trajectory.residual[i]);
-    // The legend above holds for both.
+    // The legend of the panel above holds for both.
     residual.unnamed();
     vec![panel("energy U = T + V − W", &|run, i| run.trajectory.energy(i)), residual]
 }

@@ -1,6 +1,6 @@
 //! A figure: stacked panels of curves over a common x axis, as SVG or PNG.
 //!
-//! This is all that plots know of drawing. `canvas` lays it out; only this file knows the rasteriser.
+//! Plots build a [`Figure`] and use nothing else for drawing. `canvas` writes the SVG. Only this file calls the rasteriser, resvg.
 
 use std::sync::{Arc, LazyLock};
 
@@ -34,7 +34,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Takes the names off the curves, where another panel has them.
+    /// Removes the legend of this panel; for panels whose curves are named in another panel.
     pub fn unnamed(&mut self) {
         self.series.iter_mut().for_each(|series| series.label.clear());
     }
@@ -43,22 +43,22 @@ impl Panel {
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What it measures, e.g. `energy U`.
+    /// The quantity, e.g. `energy U`.
     pub label: String,
-    /// The unit, e.g. `J`; empty for a plain number. A power of ten is put before it where that saves digits.
+    /// The unit, e.g. `J`; empty for a plain number. A power of ten is put before it where this shortens the tick numbers.
     pub unit: String,
     /// Linear or logarithmic.
     pub scale: Scale,
-    /// Ends of the axis in data units; `None`: wherever the data end.
+    /// Limits of the axis in data units; `None`: the limits of the data.
     pub range: Option<(f64, f64)>,
-    /// Names at 0, 1, 2, ... instead of numbers; empty: numbers.
+    /// Names shown at 0, 1, 2, ... instead of numbers; empty: numbers.
     pub names: Vec<String>,
-    /// Where the axis is x: from where on panels are shaded, as the state there is not determined.
+    /// For an x axis: the value from which on panels are shaded, because no digits of the state are left there.
     pub shaded_from: Option<f64>,
 }
 
 impl Axis {
-    /// A linear axis as long as its data.
+    /// A linear axis with the limits of its data.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Axis {
             label: label.into(),
@@ -70,7 +70,7 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis as long as its data. Values that have no logarithm leave gaps.
+    /// A logarithmic axis with the limits of its data. Values that are not positive leave gaps.
     pub fn log10(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Axis { scale: Scale::Log10, ..Axis::linear(label, unit) }
     }
@@ -80,7 +80,7 @@ impl Axis {
         Axis { names, ..self }
     }
 
-    /// The same axis, with panels shaded from there on.
+    /// The same axis, with panels shaded from the value `shaded_from` on.
     pub fn shaded(self, shaded_from: Option<f64>) -> Self {
         Axis { shaded_from, ..self }
     }
@@ -91,19 +91,19 @@ impl Axis {
     }
 }
 
-/// How values become lengths.
+/// How values are mapped to positions on an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// In proportion to the value.
     Linear,
-    /// By their decimal logarithm.
+    /// In proportion to its decimal logarithm.
     Log10,
 }
 
-/// A curve. Where x or y is not finite it has a gap; equal x in a row are a jump, drawn upright.
+/// A curve. It has a gap where x or y is not finite. Two points in a row with equal x are a jump, drawn as a vertical line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Name in the legend; empty: not named.
+    /// Name in the legend; empty: not in the legend.
     pub label: String,
     /// Abscissae, not decreasing (n).
     pub x: Vec<f64>,
@@ -114,13 +114,13 @@ pub struct Series {
 }
 
 impl Series {
-    /// A curve in the `index`-th style.
+    /// A curve in the style [`Style::nth`] of `index`.
     pub fn new(index: usize, label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
         Series { label: label.into(), x, y, style: Style::nth(index) }
     }
 }
 
-/// What stands at each point of a curve.
+/// The symbol drawn at each point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Marker {
@@ -133,22 +133,22 @@ pub enum Marker {
 }
 
 impl Marker {
-    /// The `index`-th of a series of markers that differ.
+    /// The `index`-th of four different markers, repeated after the fourth.
     pub fn nth(index: usize) -> Self {
         [Marker::Dot, Marker::Square, Marker::Diamond, Marker::Triangle][index % 4]
     }
 }
 
-/// Colour, dashes and width of a line.
+/// Colour, dashes and width of a line, and the markers at its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Style {
     /// CSS colour.
     pub colour: &'static str,
-    /// Lengths of dashes and gaps; empty: solid.
+    /// Lengths of dashes and gaps in turn [SVG units]; empty: a solid line.
     pub dashes: &'static [f64],
-    /// Line width; 0: no line.
+    /// Line width [SVG units]; 0: no line.
     pub width: f64,
-    /// What stands at its points.
+    /// The symbol at each point.
     pub marker: Marker,
 }
 
@@ -156,16 +156,16 @@ impl Style {
     /// A thin solid black line, for a curve on its own.
     pub const PLAIN: Style = Style { colour: "#000000", dashes: &[], width: 1.3, marker: Marker::None };
 
-    /// The `index`-th of a series of styles that differ in colour, to the colour-blind too, and in their dashes.
+    /// The `index`-th of a series of line styles that differ in colour and in dashes. Colour-blind readers can distinguish the colours.
     ///
-    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), dark ones first, yellow left out.
+    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), the dark ones first, without yellow.
     pub fn nth(index: usize) -> Self {
         const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
         const DASHES: [&[f64]; 5] = [&[], &[7.0, 3.0], &[1.8, 4.0], &[8.0, 2.5, 1.8, 2.5], &[12.0, 4.0]];
         Style {
             colour: COLOURS[index % COLOURS.len()],
             dashes: DASHES[index % DASHES.len()],
-            // The first is seen where others lie over it.
+            // The first line is wider, so that it is visible where another covers it.
             width: if index == 0 { 1.7 } else { 1.3 },
             marker: Marker::None,
         }
@@ -173,7 +173,7 @@ impl Style {
 }
 
 impl Figure {
-    /// The figure as SVG, self-contained but for the font. Errors: [`PlotError::Ragged`].
+    /// The figure as SVG. The file refers to a font by name and to nothing else outside it. Errors: [`PlotError::Ragged`].
     pub fn svg(&self) -> Result<String, PlotError> {
         for series in self.panels.iter().flat_map(|p| &p.series) {
             let (x, y) = (series.x.len(), series.y.len());
@@ -184,7 +184,7 @@ impl Figure {
         Ok(canvas::draw(self))
     }
 
-    /// The figure as PNG at twice the resolution of the SVG, its font included.
+    /// The figure as PNG: two pixels per SVG unit, drawn in the program's own font.
     ///
     /// Errors: [`PlotError::Ragged`], [`PlotError::Render`].
     pub fn png(&self) -> Result<Vec<u8>, PlotError> {
@@ -192,7 +192,7 @@ impl Figure {
     }
 }
 
-/// An SVG in the fonts of the program as PNG, at twice its resolution; `title` names it in errors.
+/// Renders an SVG as PNG: two pixels per SVG unit, in the program's own fonts. `title` names the figure in errors.
 ///
 /// Errors: [`PlotError::Render`].
 pub fn png(svg: &str, title: &str) -> Result<Vec<u8>, PlotError> {
@@ -208,7 +208,7 @@ pub fn png(svg: &str, title: &str) -> Result<Vec<u8>, PlotError> {
     pixels.encode_png().map_err(|e| failed(e.to_string()))
 }
 
-/// Fonts of the program itself: what the system has installed must not change a picture.
+/// Fonts embedded in the program. System fonts are not used, so that a picture is the same on every machine.
 static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());

@@ -1,22 +1,22 @@
-//! Stability of steady rotation: growth a period over one varied quantity, or a map of it over two.
+//! Stability of steady rotation: growth per period as a curve over one varied quantity, or as a map over two.
 
 use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
 use crate::analysis::floquet::{Chart, Spot};
 
-/// Height of a frame in SVG units, which the rows of a map share.
+/// Height of the frame [SVG units], divided among the rows of a map.
 const FRAME: f64 = 400.0;
-/// Classes of growth a period, ln|mu|, and their colours, weak ones first: light to dark of one hue.
+/// Classes of growth per period ln|mu|: lower limit, upper limit, legend, colour. One hue, from light (weak) to dark (strong).
 const CLASSES: [(f64, f64, &str, &str); 4] = [
-    (0.0, 0.05, "unstable: ln|μ| a period below 0.05", "#a6cee3"),
+    (0.0, 0.05, "unstable: ln|μ| per period below 0.05", "#a6cee3"),
     (0.05, 0.2, "0.05 to 0.2", "#4f9bcb"),
     (0.2, 0.5, "0.2 to 0.5", "#0072b2"),
     (0.5, f64::INFINITY, "above 0.5", "#003f6b"),
 ];
 
-/// The figure of a chart.
+/// The figure of a stability chart.
 ///
 /// # Errors
-/// Where it is empty.
+/// [`PlotError::Nothing`] if it has fewer than two points.
 pub fn draw(chart: &Chart) -> Result<Figure, PlotError> {
     if chart.x.values.len() < 2 {
         return Err(PlotError::Nothing { plot: "stability", why: "fewer than two points".into() });
@@ -40,8 +40,8 @@ fn curve(chart: &Chart) -> Panel {
     let zero = Style { colour: "#777777", dashes: &[], width: 1.0, marker: Marker::None };
     let ends = vec![chart.x.low(), chart.x.high()];
     let line = Series { style: zero, ..Series::new(0, "", ends, vec![0.0, 0.0]) };
-    let grows = Series::new(0, "above 0 a disturbance grows", chart.x.values.clone(), growth);
-    Panel { y: Axis::linear("growth a period ln|μ|", ""), series: vec![line, grows] }
+    let grows = Series::new(0, "above 0: a disturbance grows", chart.x.values.clone(), growth);
+    Panel { y: Axis::linear("growth per period ln|μ|", ""), series: vec![line, grows] }
 }
 
 fn map(chart: &Chart) -> Panel {

@@ -1,6 +1,6 @@
-//! A map in colours: a value at every place of a plane, with a bar that says which colour is which value.
+//! A heat map: a value at every point of a plane, shown as a colour, with a colour bar.
 //!
-//! Colours: viridis by N. Smith and S. van der Walt (2015, CC0), even in lightness, to the colour-blind too.
+//! Colours: viridis by N. Smith and S. van der Walt (2015, CC0). Its lightness rises evenly, for colour-blind readers too.
 
 use std::fmt::Write;
 
@@ -8,37 +8,39 @@ use super::canvas::{FONTS, LEFT, SMALL, TEXT, WIDTH, escape, path, text};
 use super::figure::{Axis, Scale, extremes};
 use super::ticks::Ruler;
 
-/// Width and height of the frame, and where the bar is.
+/// Width and height of the frame [SVG units].
 const FRAME: (f64, f64) = (588.0, 430.0);
+/// Left edge and width of the colour bar [SVG units].
 const BAR: (f64, f64) = (LEFT + FRAME.0 + 22.0, 18.0);
-/// Colours that are told apart.
+/// Number of distinct colours.
 const LEVELS: usize = 192;
-/// What has no value.
+/// Colour of points without a value.
 const NONE: &str = "#d4d4d4";
-/// Half the side of a dot.
+/// Half the side of a dot [SVG units].
 const DOT: f64 = 3.5;
 
-/// A map.
-pub(super) struct Heat {
+/// A heat map.
+pub(super) struct HeatMap {
     pub title: String,
     pub subtitle: String,
     pub x: Axis,
     pub y: Axis,
-    /// The value that the colours show.
+    /// The quantity that the colours show.
     pub colour: Axis,
     pub marks: Marks,
 }
 
-/// What is coloured.
+/// The coloured areas.
 pub(super) enum Marks {
-    /// Cells between edges in ascending order, the values row by row from the lowest.
+    /// A grid of cells. `x` (n + 1) and `y` (m + 1) are the edges of the cells in ascending order; `values` (n m) go row by row, from
+    /// the lowest y up.
     Cells { x: Vec<f64>, y: Vec<f64>, values: Vec<f64> },
-    /// Places and their values.
+    /// Points and their values (n).
     Dots { x: Vec<f64>, y: Vec<f64>, values: Vec<f64> },
 }
 
-impl Heat {
-    /// The map as SVG.
+impl HeatMap {
+    /// The heat map as SVG.
     pub(super) fn svg(&self) -> String {
         let top = 28.0 + 19.0 + 16.0;
         let mut body = String::new();
@@ -60,7 +62,7 @@ impl Heat {
         };
         let place = |px: f64, py: f64| (LEFT + x_ruler.place(px) * FRAME.0, top + (1.0 - y_ruler.place(py)) * FRAME.1);
 
-        // One path a colour; the last is of what has no value.
+        // One path per colour. The last path is for points without a value.
         let mut paths = vec![String::new(); LEVELS + 1];
         match &self.marks {
             Marks::Cells { x, y, values } => {
@@ -97,7 +99,7 @@ impl Heat {
         )
     }
 
-    /// The frame, its ticks outside, where they cover nothing, and its labels.
+    /// The frame with its labels and ticks. The ticks are outside the frame, where they cover no cells.
     fn frame(&self, out: &mut String, x: &Ruler, y: &Ruler, top: f64) {
         let (right, bottom) = (LEFT + FRAME.0, top + FRAME.1);
         let mut marks = format!("M{LEFT} {top:.1}H{right}V{bottom:.1}H{LEFT}Z");
@@ -119,10 +121,10 @@ impl Heat {
         }
         path(out, &marks, "stroke=\"#222\" stroke-width=\"1\"");
         text(out, (LEFT + FRAME.0 / 2.0, bottom + 42.0), "middle", TEXT, "", &x.label(&self.x));
-        upright(out, 20.0, top + FRAME.1 / 2.0, &y.label(&self.y));
+        vertical_text(out, 20.0, top + FRAME.1 / 2.0, &y.label(&self.y));
     }
 
-    /// The bar of colours, and below it the one of no value if there are such.
+    /// The colour bar; below it, if there are `gaps`, the colour of points without a value.
     fn bar(&self, out: &mut String, ruler: &Ruler, top: f64, gaps: bool) {
         let height = if gaps { FRAME.1 - 34.0 } else { FRAME.1 };
         let (left, right, bottom) = (BAR.0, BAR.0 + BAR.1, top + height);
@@ -147,11 +149,11 @@ impl Heat {
             text(out, (right + 9.0, bottom + 29.3), "start", SMALL, "", "none");
         }
         path(out, &marks, "stroke=\"#222\" stroke-width=\"1\"");
-        upright(out, WIDTH - 14.0, top + height / 2.0, &ruler.label(&self.colour));
+        vertical_text(out, WIDTH - 14.0, top + height / 2.0, &ruler.label(&self.colour));
     }
 }
 
-/// Edges of cells around ascending `centres`: half-way between them, on the axis as it is drawn.
+/// Edges of the cells around ascending `centres` (n): n + 1 values, half-way between neighbours on the axis as drawn.
 pub(super) fn edges(centres: &[f64], scale: Scale) -> Vec<f64> {
     let logarithmic = scale == Scale::Log10;
     let c: Vec<f64> = centres.iter().map(|&x| if logarithmic { x.ln() } else { x }).collect();
@@ -163,7 +165,7 @@ pub(super) fn edges(centres: &[f64], scale: Scale) -> Vec<f64> {
     all.map(|x| if logarithmic { x.exp() } else { x }).collect()
 }
 
-/// Places of the small ticks: on a logarithmic axis 2 to 9 in every decade.
+/// Positions of the minor ticks: on a logarithmic axis at 2 to 9 in every decade.
 fn minor(ruler: &Ruler, scale: Scale) -> Vec<f64> {
     match scale {
         Scale::Linear => ruler.minor(),
@@ -184,11 +186,11 @@ fn rectangle(d: &mut String, (left, top, right, bottom): (f64, f64, f64, f64)) {
     }
 }
 
-fn upright(out: &mut String, x: f64, y: f64, words: &str) {
+fn vertical_text(out: &mut String, x: f64, y: f64, words: &str) {
     text(out, (x, y), "middle", TEXT, &format!("transform=\"rotate(-90 {x} {y:.1})\""), words);
 }
 
-/// The colour at a `place` between 0 and 1.
+/// The colour at `place`, 0 to 1 from low to high values.
 fn colour(place: f64) -> String {
     const VIRIDIS: [[f64; 3]; 9] = [
         [68.0, 1.0, 84.0],
@@ -208,10 +210,10 @@ fn colour(place: f64) -> String {
 }
 
 #[test]
-fn cells_lie_about_their_values() {
+fn cell_edges_lie_half_way_between_centres() {
     assert_eq!(edges(&[1.0, 2.0, 4.0], Scale::Linear), [0.5, 1.5, 3.0, 5.0]);
     let logarithmic = edges(&[1.0, 100.0], Scale::Log10);
-    // Rounding of a logarithm and its inverse.
+    // The tolerance allows for the rounding of a logarithm and its inverse.
     for (x, expected) in logarithmic.iter().zip([0.1, 10.0, 1000.0]) {
         assert!((x / expected - 1.0).abs() < 1e-14, "{logarithmic:?}");
     }

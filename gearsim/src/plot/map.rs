@@ -1,32 +1,32 @@
-//! A recorded quantity over the one or two that were varied: a curve, or a map in colours.
+//! A recorded quantity over the varied ones: a curve over one, a heat map over two.
 
 use super::figure::{Axis, Figure, Panel, Scale, Series, Style, extremes};
-use super::heat::{Heat, Marks, edges};
-use super::{PlotError, Study, SweepPlot, symbol};
+use super::heat::{HeatMap, Marks, edges};
+use super::{PlotError, SweepPlot, SweepResults, symbol};
 use crate::model::Model;
 use crate::sweep::axis;
 
-/// Its entry in the registry.
+/// The entry in [`super::SWEEP_PLOTS`].
 pub const PLOT: SweepPlot =
-    SweepPlot { name: "map", doc: "a recorded quantity over the one or two that were varied", draw };
+    SweepPlot { name: "map", doc: "a recorded quantity over the one or two varied quantities", draw };
 
-/// Greatest over least value from which colours show logarithms, if all values are positive.
+/// The colour scale is logarithmic if all values are positive and the largest exceeds the smallest by this factor.
 const DECADES: f64 = 1e3;
 
-fn draw(study: &Study<'_>) -> Result<String, PlotError> {
+fn draw(results: &SweepResults<'_>) -> Result<String, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
-    let layout = study.layout;
-    let column = layout.columns.iter().position(|(name, _)| name == study.quantity);
-    let column = column.ok_or_else(|| nothing(format!("no `{}` was recorded", study.quantity)))?;
+    let layout = results.layout;
+    let column = layout.columns.iter().position(|(name, _)| name == results.quantity);
+    let column = column.ok_or_else(|| nothing(format!("no `{}` was recorded", results.quantity)))?;
     let unit = &layout.columns[column].1;
-    let values: Vec<f64> = study.rows.values().map(|row| row.numbers[column]).collect();
+    let values: Vec<f64> = results.rows.values().map(|row| row.numbers[column]).collect();
     if !values.iter().any(|v| v.is_finite()) {
-        return Err(nothing(format!("no point has a `{}`", study.quantity)));
+        return Err(nothing(format!("no point has a `{}`", results.quantity)));
     }
-    let label = label(study.quantity, layout.model);
+    let label = label(results.quantity, layout.model);
     let title = first_upper(&label);
-    let subtitle = subtitle(study);
-    let along: Vec<Vec<f64>> = (0..layout.plan.axes.len()).map(|i| places(study, i)).collect();
+    let subtitle = subtitle(results);
+    let along: Vec<Vec<f64>> = (0..layout.plan.axes.len()).map(|i| places(results, i)).collect();
     match &along[..] {
         [x] => {
             let mut points: Vec<(f64, f64)> = x.iter().copied().zip(values).collect();
@@ -34,11 +34,11 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
             let (x, y) = points.into_iter().unzip();
             let series = Series { style: Style::PLAIN, ..Series::new(0, "", x, y) };
             let panel = Panel { y: Axis::linear(label, unit), series: vec![series] };
-            let figure = Figure { title, subtitle: Some(subtitle), x: varied(study, 0), panels: vec![panel] };
+            let figure = Figure { title, subtitle: Some(subtitle), x: varied(results, 0), panels: vec![panel] };
             figure.svg()
         }
         [x, y] => {
-            let (x_axis, y_axis) = (varied(study, 0), varied(study, 1));
+            let (x_axis, y_axis) = (varied(results, 0), varied(results, 1));
             let (least, greatest) = extremes(values.iter().copied());
             let colour = match least > 0.0 && greatest > DECADES * least {
                 true => Axis::log10(label, unit),
@@ -48,13 +48,13 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
                 false => cells(x, y, &values, (x_axis.scale, y_axis.scale)),
                 true => Marks::Dots { x: x.clone(), y: y.clone(), values },
             };
-            Ok(Heat { title, subtitle, x: x_axis, y: y_axis, colour, marks }.svg())
+            Ok(HeatMap { title, subtitle, x: x_axis, y: y_axis, colour, marks }.svg())
         }
-        _ => Err(nothing(format!("{} quantities were varied; it is over one or two", along.len()))),
+        _ => Err(nothing(format!("{} quantities were varied; a map needs one or two", along.len()))),
     }
 }
 
-/// The values of a grid whose points lie at `x` and `y`, in ascending order of both.
+/// The cells of a grid. Its points are at (`x`, `y`) with `values`, in any order; `along` and `up` are the scales of the two axes.
 fn cells(x: &[f64], y: &[f64], values: &[f64], (along, up): (Scale, Scale)) -> Marks {
     let distinct = |v: &[f64]| {
         let mut v = v.to_vec();
@@ -72,9 +72,9 @@ fn cells(x: &[f64], y: &[f64], values: &[f64], (along, up): (Scale, Scale)) -> M
 }
 
 /// The axis of the varied quantity `i`, in the unit in which it was varied.
-pub(super) fn varied(study: &Study<'_>, i: usize) -> Axis {
-    let axis = &study.layout.plan.axes[i];
-    let (low, high) = extremes(places(study, i).into_iter());
+pub(super) fn varied(results: &SweepResults<'_>, i: usize) -> Axis {
+    let axis = &results.layout.plan.axes[i];
+    let (low, high) = extremes(places(results, i).into_iter());
     let name = axis.key.rsplit('.').next().unwrap_or(&axis.key);
     let label = match axis.key.split_once('.') {
         Some(("parameters", name)) => symbol(name),
@@ -82,29 +82,29 @@ pub(super) fn varied(study: &Study<'_>, i: usize) -> Axis {
         _ if name.parse::<f64>().is_err() && axis.key.matches('.').count() < 2 => name.replace('_', " "),
         _ => axis.key.clone(),
     };
-    let unit = if axis.unit.is_empty() { &study.layout.units[i] } else { &axis.unit };
-    // Within a decade there are no numbers to put on a logarithmic axis.
+    let unit = if axis.unit.is_empty() { &results.layout.units[i] } else { &axis.unit };
+    // Ticks of a logarithmic axis are whole decades: an axis of one decade or less would have too few.
     match axis.is_logarithmic() && high > 10.0 * low {
         true => Axis::log10(label, unit),
         false => Axis::linear(label, unit),
     }
 }
 
-/// The varied quantity `i` at each row, in the unit in which it was varied.
-pub(super) fn places(study: &Study<'_>, i: usize) -> Vec<f64> {
-    let plan = &study.layout.plan;
+/// The value of the varied quantity `i` in each row, in the unit in which it was varied.
+pub(super) fn places(results: &SweepResults<'_>, i: usize) -> Vec<f64> {
+    let plan = &results.layout.plan;
     let listed = plan.axes[i].unit.is_empty();
-    // A list may have a unit each; SI holds for all.
+    // Values of a list may have different units: convert them to SI.
     let read = if listed { axis::si } else { axis::number };
-    study.rows.keys().map(|&point| read(&plan.values(point)[i])).collect()
+    results.rows.keys().map(|&point| read(&plan.values(point)[i])).collect()
 }
 
-/// What stands below the title.
-pub(super) fn subtitle(study: &Study<'_>) -> String {
-    format!("{}: {} points", study.scene, study.rows.len())
+/// The line below the title.
+pub(super) fn subtitle(results: &SweepResults<'_>) -> String {
+    format!("{}: {} points", results.scene, results.rows.len())
 }
 
-/// A recorded column in words.
+/// The name of a recorded column in words.
 fn label(column: &str, model: &Model) -> String {
     for coordinate in model.coordinates {
         let Some(rest) = column.strip_prefix(coordinate.name) else { continue };
@@ -133,7 +133,7 @@ fn label(column: &str, model: &Model) -> String {
     }
 }
 
-/// With a capital letter, unless it begins with a formula.
+/// `words` with a capital first letter, unless they begin with a formula (a word with `/`).
 fn first_upper(words: &str) -> String {
     let mut letters = words.chars();
     if words.split(' ').next().is_some_and(|first| first.contains('/')) {

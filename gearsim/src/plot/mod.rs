@@ -1,4 +1,4 @@
-//! Plots of recordings: one file and one line of [`PLOTS`] each.
+//! Plots of recorded runs and of sweeps. Each plot has one file and one entry in [`PLOTS`] or [`SWEEP_PLOTS`].
 
 pub mod campbell;
 mod canvas;
@@ -31,24 +31,24 @@ pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];
 /// A plot of the results of a sweep.
 #[derive(Debug, Clone, Copy)]
 pub struct SweepPlot {
-    /// Name, with which its file begins.
+    /// Name; also the first part of the file name.
     pub name: &'static str,
     /// One line saying what it shows.
     pub doc: &'static str,
-    /// Draws it, as SVG.
-    pub draw: fn(&Study<'_>) -> Result<String, PlotError>,
+    /// Draws the plot and returns the SVG text.
+    pub draw: fn(&SweepResults<'_>) -> Result<String, PlotError>,
 }
 
-/// The results of a sweep, to draw a quantity of.
+/// The results of a sweep, and the quantity to draw.
 #[derive(Clone, Copy)]
-pub struct Study<'a> {
+pub struct SweepResults<'a> {
     /// Name of the scene, for the title.
     pub scene: &'a str,
-    /// What was varied, and what recorded.
+    /// The varied quantities and the recorded columns.
     pub layout: &'a Layout,
-    /// What came of it.
+    /// The results, one row per point.
     pub rows: &'a Rows,
-    /// The recorded column to draw, or the coordinate whose spectra.
+    /// What to draw: the name of a recorded column for a map, the name of a coordinate for a waterfall.
     pub quantity: &'a str,
 }
 
@@ -59,40 +59,40 @@ pub struct Plot {
     pub name: &'static str,
     /// One line saying what it shows.
     pub doc: &'static str,
-    /// Draws it; several runs are overlaid.
+    /// Draws the plot. The curves of several runs are drawn over each other.
     pub draw: fn(&[Run<'_>]) -> Result<Figure, PlotError>,
 }
 
 /// A run to draw.
 #[derive(Debug, Clone, Copy)]
 pub struct Run<'a> {
-    /// What the legend calls it where several are overlaid, e.g. `exact`.
+    /// Name in the legend of a plot with several runs, e.g. `exact`.
     pub label: &'a str,
-    /// What it recorded.
+    /// The recorded rows.
     pub trajectory: &'a Trajectory,
     /// Damped natural angular frequency of the elastic mode at the mean stiffness, wd [rad/s].
     pub reference_frequency: Option<f64>,
     /// Name of the scene, for the title.
     pub scene: &'a str,
-    /// Time from which on no digit of its state is left \[s\].
+    /// Time from which on no digit of the state is left \[s\]; `None` if some are left to the end.
     pub none_from: Option<f64>,
 }
 
-/// The time axis of `runs`, shaded from where on the state of one of them is not determined.
-fn time(runs: &[Run<'_>]) -> Axis {
+/// The time axis of `runs`. Panels are shaded from the earliest time at which one of the runs has no digits left.
+fn time_axis(runs: &[Run<'_>]) -> Axis {
     Axis::linear("time t", "s").shaded(runs.iter().filter_map(|run| run.none_from).reduce(f64::min))
 }
 
 /// Why a plot could not be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
-    /// There is no such plot.
+    /// There is no plot of that name.
     #[error("there is no plot `{name}`; there are {}", names())]
     Unknown {
         /// The name asked for.
         name: String,
     },
-    /// Nothing to draw: no run, no rows, or no coordinate that the plot is about.
+    /// There is nothing to draw: no run, no rows, or none of the coordinates that the plot shows.
     #[error("plot `{plot}` has nothing to show: {why}")]
     Nothing {
         /// The plot.
@@ -100,14 +100,14 @@ pub enum PlotError {
         /// What is missing.
         why: String,
     },
-    /// There is no spectrum to draw.
+    /// A spectrum could not be computed.
     #[error("no spectrum of `{coordinate}` in run `{run}`: {source}")]
     Spectrum {
         /// The coordinate.
         coordinate: &'static str,
         /// The run's label.
         run: String,
-        /// Why not.
+        /// The cause.
         source: SpectrumError,
     },
     /// A series whose x and y have different lengths.
@@ -120,12 +120,12 @@ pub enum PlotError {
         /// Number of ordinates.
         y: usize,
     },
-    /// The picture could not be turned into pixels.
+    /// The SVG could not be rendered as PNG.
     #[error("cannot draw the figure `{title}`: {why}")]
     Render {
         /// The figure's title.
         title: String,
-        /// Why not.
+        /// The cause.
         why: String,
     },
 }
@@ -140,22 +140,23 @@ fn names() -> String {
     PLOTS.iter().map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ")
 }
 
-/// The first of `runs`, all of which recorded something; else why plot `plot` has nothing to show.
-fn first<'a, 'r>(plot: &'static str, runs: &'r [Run<'a>]) -> Result<&'r Run<'a>, PlotError> {
+/// The first of `runs`. Errors: [`PlotError::Nothing`] for `plot` if there is no run, or if a run has no rows or columns of
+/// different lengths.
+fn first_run<'a, 'r>(plot: &'static str, runs: &'r [Run<'a>]) -> Result<&'r Run<'a>, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot, why };
     for run in runs {
         if run.trajectory.is_empty() {
             return Err(nothing(format!("run `{}` recorded nothing", run.label)));
         }
-        if !whole(run.trajectory) {
+        if !has_full_columns(run.trajectory) {
             return Err(nothing(format!("the columns of run `{}` differ in length", run.label)));
         }
     }
     runs.first().ok_or_else(|| nothing("there is no run".into()))
 }
 
-/// Whether every column has one entry a row.
-fn whole(run: &Trajectory) -> bool {
+/// Whether every column has exactly one entry per row.
+fn has_full_columns(run: &Trajectory) -> bool {
     let single = [&run.kinetic, &run.strain, &run.work, &run.dissipated, &run.residual];
     let columns = single.into_iter().chain(&run.q).chain(&run.q_dot).chain(&run.torque_work);
     let coordinates = run.model.coordinates.len();
@@ -165,29 +166,29 @@ fn whole(run: &Trajectory) -> bool {
         && columns.into_iter().all(|column| column.len() == run.len())
 }
 
-/// The scenes of `runs`, each named once: what a subtitle says.
-fn scenes(runs: &[Run<'_>]) -> String {
+/// The names of the scenes of `runs` for the subtitle; runs of the same scene in a row name it once.
+fn scene_names(runs: &[Run<'_>]) -> String {
     let mut scenes: Vec<&str> = runs.iter().map(|run| run.scene).collect();
     scenes.dedup();
     scenes.join(", ")
 }
 
-/// Which coordinate of `run` is called `name`.
-fn column(run: &Trajectory, name: &str) -> Option<usize> {
+/// Index of the coordinate `name` of `run`.
+fn coordinate_index(run: &Trajectory, name: &str) -> Option<usize> {
     run.model.coordinates.iter().position(|c| c.name == name)
 }
 
-/// Whether the coordinate `name` of `run` rolls on, so that its speed says more than its value: it moves over more
-/// than 2 pi (one tooth pitch, or one turn; the same number in other units).
-fn rolls(run: &Trajectory, name: &str) -> bool {
-    let Some(i) = column(run, name) else {
+/// Whether the coordinate `name` of `run` rotates continuously, so that its speed says more than its value. The criterion: its
+/// range in the run exceeds 2 pi, one tooth pitch or one turn. A coordinate in other units is compared with the same number.
+fn rotates(run: &Trajectory, name: &str) -> bool {
+    let Some(i) = coordinate_index(run, name) else {
         return false;
     };
     let (low, high) = figure::extremes(run.q[i].iter().copied());
     high - low > std::f64::consts::TAU
 }
 
-/// The name of a coordinate as it stands in formulas: `phi` is φ, `theta_1` is θ with the index 1.
+/// The symbol of a coordinate as in formulas: `phi` gives φ, `theta_1` gives θ with the subscript 1.
 fn symbol(name: &str) -> String {
     let (stem, index) = name.split_once('_').unwrap_or((name, ""));
     let greek = match stem {

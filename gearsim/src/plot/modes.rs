@@ -1,18 +1,18 @@
-//! Mode shapes: a panel for each mode that vibrates, a stem for each coordinate.
+//! Mode shapes: one panel per vibrating mode, one stem per coordinate.
 
 use super::{Axis, Figure, Panel, PlotError, Series, Style, symbol};
 use crate::analysis::modes::CellModes;
 use crate::scene::Scene;
 
-/// Panels, at most: the lowest modes.
+/// Maximum number of panels; the lowest modes are shown.
 const MOST: usize = 6;
-/// Width of a stem.
+/// Width of a stem [SVG units].
 const STEM: f64 = 7.0;
 
-/// The shapes of a cell of `scene`.
+/// The mode shapes of a cell of `scene`.
 ///
 /// # Errors
-/// Where nothing vibrates.
+/// [`PlotError::Nothing`] if no mode vibrates.
 pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
     let coordinates = scene.model.coordinates;
     let vibrating: Vec<_> = cell.modes.iter().enumerate().filter(|(_, mode)| mode.natural > 0.0).collect();
@@ -37,9 +37,10 @@ pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
             style: Style { colour: "#777777", ..Style::PLAIN },
             ..Series::new(0, "", vec![-0.6, coordinates.len() as f64 - 0.4], vec![0.0, 0.0])
         }];
+        // q = Re(z e^(i w t)) = Re(z) cos(w t) + Im(z) cos(w t + pi/2): the imaginary part leads.
         if complex {
             series.push(part(0, -0.06, &|i| mode.shape[i].re, &format!("{head}, in phase")));
-            series.push(part(1, 0.06, &|i| mode.shape[i].im, "a quarter of a period behind"));
+            series.push(part(1, 0.06, &|i| mode.shape[i].im, "a quarter of a period ahead"));
         } else {
             series.push(part(0, 0.0, &|i| mode.shape[i].re, &head));
         }
@@ -64,7 +65,7 @@ pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
     })
 }
 
-/// Five significant digits.
+/// `x` rounded to five significant digits.
 fn significant(x: f64) -> f64 {
     format!("{x:.4e}").parse().unwrap_or(x)
 }

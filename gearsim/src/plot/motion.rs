@@ -1,22 +1,25 @@
-//! The motion: every coordinate against time, with its speed; of one that rolls on, its speed only.
+//! The motion: every coordinate and its speed against time. Only the speed of a coordinate that rotates continuously.
 
-use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol, time};
+use super::{
+    Axis, Figure, Panel, Plot, PlotError, Run, Series, coordinate_index, first_run, rotates, scene_names, symbol,
+    time_axis,
+};
 use crate::model::Coordinate;
 use crate::trajectory::Trajectory;
 
-/// Its entry in the registry.
+/// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
     name: "motion",
-    doc: "every coordinate and speed against time; of coordinates that roll on, the speed only",
+    doc: "every coordinate and its speed against time; only the speed of coordinates that rotate continuously",
     draw,
 };
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
-    let model = first(PLOT.name, runs)?.trajectory.model;
+    let model = first_run(PLOT.name, runs)?.trajectory.model;
     let mut panels = vec![];
     for coordinate in model.coordinates {
         let (name, unit) = (coordinate.name, coordinate.unit);
-        if !runs.iter().any(|run| rolls(run.trajectory, name)) {
+        if !runs.iter().any(|run| rotates(run.trajectory, name)) {
             let y = Axis::linear(symbol(name), unit);
             panels.push(panel(runs, coordinate, coordinate.doc, y, |run, i| &run.q[i]));
         }
@@ -25,14 +28,14 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let words = format!("speed: {}", coordinate.doc);
         panels.push(panel(runs, coordinate, &words, y, |run, i| &run.q_dot[i]));
     }
-    // The names of the runs hold for all panels.
+    // The legend of the first panel holds for all.
     if runs.len() > 1 {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
     }
-    Ok(Figure { title: "Motion".into(), subtitle: Some(scenes(runs)), x: time(runs), panels })
+    Ok(Figure { title: "Motion".into(), subtitle: Some(scene_names(runs)), x: time_axis(runs), panels })
 }
 
-/// The curves of one quantity in all runs that have it: named by run, or by `words` if there is one run only.
+/// A panel with one quantity in all runs that have it. The legend names the runs, or shows `words` if there is only one run.
 fn panel(
     runs: &[Run<'_>],
     coordinate: &Coordinate,
@@ -43,7 +46,7 @@ fn panel(
     let mut series = vec![];
     for (n, run) in runs.iter().enumerate() {
         let recorded = run.trajectory;
-        let Some(i) = column(recorded, coordinate.name) else {
+        let Some(i) = coordinate_index(recorded, coordinate.name) else {
             continue;
         };
         let label = if runs.len() > 1 { run.label } else { words };

@@ -1,26 +1,28 @@
-//! Power spectral density of the coordinates that do not roll on, as in Oh, Grosh and Barber (2005), Fig. 4.
+//! Power spectral density of the coordinates that do not rotate continuously, as in Oh, Grosh and Barber (2005), Fig. 4.
 //!
-//! Frequencies are in units of the damped natural frequency wd where every run gives it, up to five of them; else in
-//! Hz. The densities stay per Hz, over 12 decades at most.
+//! If every run has a damped natural frequency wd, the frequency axis is in units of wd and ends at 5 wd; else it is in Hz. The
+//! density is always per Hz. Its axis spans at most 12 decades.
 
 use std::f64::consts::TAU;
 
 use super::figure::extremes;
-use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, column, first, rolls, scenes, symbol};
+use super::{
+    Axis, Figure, Panel, Plot, PlotError, Run, Series, coordinate_index, first_run, rotates, scene_names, symbol,
+};
 use crate::analysis::spectrum::{Spectrum, segment_length, uniform_samples, welch};
 
-/// Its entry in the registry.
+/// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
     name: "spectrum",
     doc: "power spectral density of the elastic coordinates against frequency, in units of wd where known",
     draw,
 };
 
-/// Length of the frequency axis in units of wd, as in OGB Fig. 4.
+/// End of the frequency axis in units of wd, as in Oh, Grosh and Barber (2005), Fig. 4.
 const LONGEST: f64 = 5.0;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
-    let model = first(PLOT.name, runs)?.trajectory.model;
+    let model = first_run(PLOT.name, runs)?.trajectory.model;
     let references: Option<Vec<f64>> =
         runs.iter().map(|run| run.reference_frequency.filter(|wd| *wd > 0.0 && wd.is_finite())).collect();
     let mut panels = vec![];
@@ -28,12 +30,12 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let mut segments = 0;
     for coordinate in model.coordinates {
         let name = coordinate.name;
-        if runs.iter().any(|run| rolls(run.trajectory, name)) {
+        if runs.iter().any(|run| rotates(run.trajectory, name)) {
             continue;
         }
         let mut series = vec![];
         for (n, run) in runs.iter().enumerate() {
-            let Some(i) = column(run.trajectory, name) else {
+            let Some(i) = coordinate_index(run.trajectory, name) else {
                 continue;
             };
             let spectrum = density(run, i).map_err(|source| PlotError::Spectrum {
@@ -50,11 +52,11 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         }
         let label = format!("PSD of {}", symbol(name));
         let unit = format!("{}^2/Hz", coordinate.unit);
-        let y = legible(Axis::log10(label, unit), &series, references.is_some());
+        let y = limited(Axis::log10(label, unit), &series, references.is_some());
         panels.push(Panel { y, series });
     }
     if panels.is_empty() {
-        let why = "every coordinate rolls on".into();
+        let why = "every coordinate rotates continuously".into();
         return Err(PlotError::Nothing { plot: PLOT.name, why });
     }
     if runs.len() > 1 {
@@ -65,19 +67,19 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         None => Axis::linear("frequency f", "Hz").between(0.0, longest),
     };
     let averaged = if segments == 1 { "one segment".into() } else { format!("mean of {segments} segments") };
-    let subtitle = format!("{}; Welch, Hann window, {averaged}", scenes(runs));
+    let subtitle = format!("{}; Welch, Hann window, {averaged}", scene_names(runs));
     Ok(Figure { title: "Power spectral density".into(), subtitle: Some(subtitle), x, panels })
 }
 
-/// Ends the axis 12 decades below the highest peak, where there is nothing but rounding and leakage.
-fn legible(axis: Axis, series: &[Series], in_units_of_wd: bool) -> Axis {
+/// Limits the axis to 12 decades below the highest peak: below that, densities are only rounding errors and leakage.
+fn limited(axis: Axis, series: &[Series], in_units_of_wd: bool) -> Axis {
     let end = if in_units_of_wd { LONGEST } else { f64::INFINITY };
     let shown = series.iter().flat_map(|s| s.x.iter().zip(&s.y)).filter(|&(&x, _)| x <= end);
     let (lowest, peak) = extremes(shown.map(|(_, &y)| y).filter(|&y| y > 0.0));
     if lowest < 1e-12 * peak { axis.between(1e-12 * peak, 3.0 * peak) } else { axis }
 }
 
-/// Spectrum of coordinate `i` of `run`, from its evenly spaced samples.
+/// Power spectral density of coordinate `i` of `run`, from its evenly spaced samples.
 fn density(run: &Run<'_>, i: usize) -> Result<Spectrum, crate::analysis::spectrum::SpectrumError> {
     let (rows, rate) = uniform_samples(run.trajectory)?;
     let x: Vec<f64> = rows.iter().map(|&row| run.trajectory.q[i][row]).collect();

@@ -1,9 +1,9 @@
-//! Plots of a recording with jumps: what must stand in them, and that bad data end in errors.
+//! Tests of the plots: the texts in them, their size, and errors on bad data.
 
 use super::*;
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
 use crate::sweep::row::{Row, Status};
-use crate::sweep::spectra::Line;
+use crate::sweep::spectra::NamedSpectrum;
 use crate::sweep::{Manifest, Request, Sweep};
 
 fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
@@ -11,7 +11,7 @@ fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
 }
 
 #[test]
-fn every_plot_names_what_it_shows() {
+fn every_plot_has_its_labels_units_and_scene_name() {
     let recorded = oscillator(4000);
     let expected: [(&str, &[&str]); 3] = [
         ("energy", &["U = T + V − W", "dissipated", "residual [", "time t [s]"]),
@@ -32,7 +32,7 @@ fn every_plot_names_what_it_shows() {
 }
 
 #[test]
-fn overlaid_runs_are_named_once() {
+fn the_legend_names_overlaid_runs_once() {
     let (a, b) = (oscillator(4000), oscillator(3000));
     for plot in PLOTS {
         let svg = (plot.draw)(&[run("exact", &a), run("classical", &b)]).unwrap().svg().unwrap();
@@ -41,7 +41,7 @@ fn overlaid_runs_are_named_once() {
 }
 
 #[test]
-fn a_long_run_stays_a_small_picture() {
+fn the_svg_of_a_long_run_is_small() {
     let recorded = oscillator(300_000);
     for plot in PLOTS {
         let svg = (plot.draw)(&[run("exact", &recorded)]).unwrap().svg().unwrap();
@@ -50,7 +50,7 @@ fn a_long_run_stays_a_small_picture() {
 }
 
 #[test]
-fn values_that_are_not_finite_leave_gaps() {
+fn a_plot_with_values_that_are_not_finite_has_no_nan_and_no_inf_in_its_svg() {
     let mut recorded = oscillator(1000);
     recorded.kinetic[300] = f64::NAN;
     recorded.residual[500] = f64::INFINITY;
@@ -59,7 +59,7 @@ fn values_that_are_not_finite_leave_gaps() {
 }
 
 #[test]
-fn there_is_an_error_for_what_cannot_be_drawn() {
+fn drawing_empty_or_inconsistent_data_is_an_error() {
     let empty = Trajectory::new(&MODEL);
     for plot in PLOTS {
         assert!((plot.draw)(&[]).is_err());
@@ -81,7 +81,7 @@ fn there_is_an_error_for_what_cannot_be_drawn() {
     assert!(matches!(figure.svg(), Err(PlotError::Ragged { .. })));
 }
 
-/// Draws all plots into the folder `GEARSIM_LOOK`, to be looked at.
+/// Draws all plots into the folder `GEARSIM_LOOK`, for inspection by eye.
 #[test]
 #[ignore = "writes pictures to look at: GEARSIM_LOOK=folder cargo test -p gearsim look -- --ignored"]
 fn look() {
@@ -112,17 +112,17 @@ fn look() {
     }
 }
 
-/// Maps and waterfalls of a small sweep: their axes, with the units in which they were varied, and gaps.
+/// Maps and waterfalls of a small sweep: axes in the units in which they were varied, and gaps where a value is NaN.
 #[test]
-fn plots_of_sweeps_name_what_they_show() {
-    let study = |vary: &[&str], samples, quantity: &str, plot: &SweepPlot| {
+fn plots_of_sweeps_have_their_labels_and_units() {
+    let drawn = |vary: &[&str], samples, quantity: &str, plot: &SweepPlot| {
         let manifest = sweep_of(vary, samples);
         let layout = manifest.layout(crate::generated::MODELS).unwrap();
         let numbers = |point: usize| {
             let gap = |i: usize| if point == 1 { f64::NAN } else { 10f64.powi(point as i32 % 7) * (i + 1) as f64 };
             (0..layout.columns.len()).map(gap).collect()
         };
-        let line = |point: usize| Line {
+        let spectrum = |point: usize| NamedSpectrum {
             coordinate: "phi".into(),
             frequency: vec![0.0, 10.0, 20.0, 30.0],
             density: vec![1e-3, 1e-6 * (point + 1) as f64, 1e-9, 1e-30],
@@ -132,14 +132,14 @@ fn plots_of_sweeps_name_what_they_show() {
             status: Status::Done,
             reason: String::new(),
             numbers: numbers(point),
-            spectra: vec![line(point)],
+            spectra: vec![spectrum(point)],
         };
         let rows: Rows = (0..manifest.points).map(|point| (point, row(point))).collect();
-        let svg = (plot.draw)(&Study { scene: "case", layout: &layout, rows: &rows, quantity });
+        let svg = (plot.draw)(&SweepResults { scene: "case", layout: &layout, rows: &rows, quantity });
         svg.inspect(|svg| assert!(!svg.contains("NaN") && !svg.contains("inf")))
     };
     let (torque, speed) = ("parameters.T0=log:1:1000:4", "start.speed=100 rpm:300 rpm:3");
-    /// What is varied, samples, what is drawn, and the words that must stand there.
+    /// The varied keys, number of samples, quantity drawn, plot, and the texts that must occur in the SVG.
     type Case<'a> = (&'a [&'a str], Option<usize>, &'a str, &'a SweepPlot, &'a [&'a str]);
     let cases: [Case<'_>; 5] = [
         (
@@ -161,14 +161,14 @@ fn plots_of_sweeps_name_what_they_show() {
         (&["parameters.zeta=0.1,0.2,0.4"], None, "residual", &map::PLOT, &["zeta", "Energy unaccounted for"]),
     ];
     for (vary, samples, quantity, plot, words) in cases {
-        let svg = study(vary, samples, quantity, plot).unwrap();
+        let svg = drawn(vary, samples, quantity, plot).unwrap();
         for word in words {
             assert!(svg.contains(word), "{vary:?} {quantity}: no `{word}`");
         }
         assert_eq!(&figure::png(&svg, "test").unwrap()[1..4], b"PNG");
     }
     for (vary, quantity, plot) in [(&[torque, speed], "phi", &waterfall::PLOT), (&[torque, speed], "chi", &map::PLOT)] {
-        assert!(matches!(study(vary, None, quantity, plot), Err(PlotError::Nothing { .. })), "{quantity}");
+        assert!(matches!(drawn(vary, None, quantity, plot), Err(PlotError::Nothing { .. })), "{quantity}");
     }
 }
 

@@ -1,37 +1,37 @@
-//! Axes in detail: from data to a length between 0 and 1, and the ticks with what stands beside them.
+//! Layout of one axis: it maps data to positions between 0 and 1, and chooses the ticks and their numbers.
 
 use super::figure::{Axis, Scale};
 
-/// An axis that knows its ends.
+/// An axis with its limits and ticks chosen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ruler {
     scale: Scale,
-    /// Ends, in data units or decades.
+    /// Limits: in data units on a linear axis, log10 of the data on a logarithmic one.
     low: f64,
     high: f64,
-    /// Distance of the ticks.
+    /// Distance between ticks, in the same unit as the limits.
     step: f64,
-    /// Subtracted from the numbers at the ticks, then these are divided by 10^exponent.
+    /// The number shown at a tick is (value - offset) / 10^exponent.
     offset: f64,
     exponent: i32,
     /// Decimals of the numbers at the ticks.
     decimals: usize,
-    /// Names at 0, 1, 2, ... instead of numbers.
+    /// Names shown at 0, 1, 2, ... instead of numbers; empty: numbers.
     names: Vec<String>,
 }
 
 impl Ruler {
-    /// A ruler for `axis` over data between `extremes`, with about `count` ticks; `margin` is the part of its length
-    /// left free at both ends where the axis does not say where it ends.
+    /// A ruler for `axis` over data between `extremes`, with about `count` ticks. If the axis has no range of its own,
+    /// `margin`, a fraction of its length, is left free at both ends.
     pub fn new(axis: &Axis, extremes: (f64, f64), count: usize, margin: f64) -> Self {
         let scale = axis.scale;
         let ends = axis.range.unwrap_or(extremes);
-        let (mut low, mut high) = (length(scale, ends.0), length(scale, ends.1));
+        let (mut low, mut high) = (scaled(scale, ends.0), scaled(scale, ends.1));
         if !(low.is_finite() && high.is_finite()) {
             (low, high) = (0.0, 1.0);
         }
         let size = low.abs().max(high.abs());
-        // Narrower than rounding, or a single value: show it in the middle.
+        // A single value, or a range as narrow as rounding errors: show it in the middle.
         if high - low <= 1e-14 * size || high <= low {
             let half = if size > 0.0 { 0.05 * size } else { 1.0 };
             (low, high) = (low - half, high + half);
@@ -52,7 +52,7 @@ impl Ruler {
         ruler
     }
 
-    /// Chooses offset, exponent and decimals so that the numbers at the ticks have few digits.
+    /// Chooses offset, exponent and decimals so that the tick numbers have few digits.
     fn shorten(&mut self) {
         let mut size = self.low.abs().max(self.high.abs());
         if size > 1e4 * self.step {
@@ -73,12 +73,12 @@ impl Ruler {
             .unwrap_or(9) as usize;
     }
 
-    /// Where `x` is: 0 at the low end, 1 at the high end; NaN if it has no place.
+    /// Position of `x` on the axis: 0 at the low end, 1 at the high end. NaN where `x` has no logarithm.
     pub fn place(&self, x: f64) -> f64 {
-        (length(self.scale, x) - self.low) / (self.high - self.low)
+        self.fraction(scaled(self.scale, x))
     }
 
-    /// Places of the ticks between 0 and 1, and the numbers beside them.
+    /// Positions of the ticks between 0 and 1, and the texts at them.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         if !self.names.is_empty() {
             return self.names.iter().enumerate().map(|(i, name)| (self.fraction(i as f64), name.clone())).collect();
@@ -86,7 +86,7 @@ impl Ruler {
         self.multiples(self.step).map(|x| (self.fraction(x), self.number(x))).collect()
     }
 
-    /// Places of the small ticks between them: the whole decades of a logarithmic axis, fifths of a linear one.
+    /// Positions of the minor ticks: whole decades on a logarithmic axis, a fifth of the tick distance on a linear one.
     pub fn minor(&self) -> Vec<f64> {
         if !self.names.is_empty() {
             return vec![];
@@ -98,7 +98,7 @@ impl Ruler {
         self.multiples(step).map(|x| self.fraction(x)).collect()
     }
 
-    /// The label of the axis with offset, power of ten and unit: `energy U - 24 J [10⁻³ J]`.
+    /// The axis label with offset, power of ten and unit: `energy U − 24 J [10⁻³ J]`.
     pub fn label(&self, axis: &Axis) -> String {
         let mut label = axis.label.clone();
         let unit = pretty_unit(&axis.unit);
@@ -114,7 +114,7 @@ impl Ruler {
         }
     }
 
-    /// Length of a decade of a logarithmic axis, 1 being that of the whole.
+    /// Length of one decade of a logarithmic axis, as a fraction of the axis.
     pub fn decade(&self) -> f64 {
         1.0 / (self.high - self.low)
     }
@@ -122,11 +122,12 @@ impl Ruler {
     fn multiples(&self, step: f64) -> impl Iterator<Item = f64> {
         let slack = 1e-9 * (self.high - self.low) / step;
         let (first, last) = ((self.low / step - slack).ceil(), (self.high / step + slack).floor());
-        // A step that does not change the value would never end.
+        // At most 1000 ticks, even where the step is too small to change the value.
         let count = (last - first + 1.0).clamp(0.0, 1000.0) as usize;
         (0..count).map(move |i| (first + i as f64) * step)
     }
 
+    /// Position of an already scaled value `x` on the axis, 0 to 1.
     fn fraction(&self, x: f64) -> f64 {
         (x - self.low) / (self.high - self.low)
     }
@@ -145,7 +146,8 @@ impl Ruler {
     }
 }
 
-fn length(scale: Scale, x: f64) -> f64 {
+/// `x` on a linear scale, log10(x) on a logarithmic one; NaN where there is no logarithm.
+fn scaled(scale: Scale, x: f64) -> f64 {
     match scale {
         Scale::Linear => x,
         Scale::Log10 if x > 0.0 => x.log10(),
@@ -153,14 +155,14 @@ fn length(scale: Scale, x: f64) -> f64 {
     }
 }
 
-/// The nearest of 1, 2, 2.5, 5, 10 times a power of ten that is no smaller than `x`.
+/// The smallest of 1, 2, 2.5, 5, 10 times a power of ten that is at least `x`.
 fn nice(x: f64) -> f64 {
     let power = 10f64.powi(x.log10().floor() as i32);
     let factor = [1.0, 2.0, 2.5, 5.0].into_iter().find(|f| f * power >= x * (1.0 - 1e-9));
     factor.unwrap_or(10.0) * power
 }
 
-/// The multiple of `unit` below `x`, without the digits that rounding errors put behind it.
+/// The largest multiple of `unit` that is at most `x`, without trailing digits from rounding errors.
 fn round_to(x: f64, unit: f64) -> f64 {
     let multiple = (x / unit).floor() * unit;
     let decimals = (1.0 - unit.log10().floor()).clamp(0.0, 300.0) as usize;
@@ -180,7 +182,7 @@ fn power_of_ten(exponent: i32) -> String {
     format!("10{raised}")
 }
 
-/// `kg*m^2` as people write it: `kg m²`.
+/// A unit as printed: `kg*m^2` becomes `kg m²`.
 fn pretty_unit(unit: &str) -> String {
     if unit == "1" {
         return String::new();
@@ -205,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn small_numbers_take_a_power_of_ten_and_nearly_equal_ones_an_offset() {
+    fn small_numbers_get_a_power_of_ten_and_nearly_equal_numbers_get_an_offset() {
         let u = Axis::linear("U", "J");
         let (ticks, label) = numbers(&u, (-2e-14, 1e-14));
         assert_eq!(label, "U [10⁻¹⁴ J]");
@@ -216,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn logarithmic_axes_have_whole_decades() {
+    fn ticks_of_logarithmic_axes_are_whole_decades() {
         let p = Axis::log10("PSD", "rad^2/Hz");
         let (ticks, label) = numbers(&p, (1e-20, 1e-5));
         assert_eq!(ticks, ["10⁻²⁰", "10⁻¹⁵", "10⁻¹⁰", "10⁻⁵"]);
@@ -225,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn hopeless_data_still_give_an_axis() {
+    fn an_axis_has_ticks_for_equal_infinite_and_huge_limits() {
         let u = Axis::linear("U", "J");
         for extremes in [(0.0, 0.0), (7.0, 7.0), (f64::INFINITY, f64::NEG_INFINITY), (1e300, 1e300)] {
             let ruler = Ruler::new(&u, extremes, 5, 0.05);

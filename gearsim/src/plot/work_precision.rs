@@ -1,14 +1,15 @@
-//! Error against processor time: one curve a method, one point a setting; along the path, and in energy.
+//! Work-precision diagram: error against processor time, one curve per method, one point per setting. One panel shows the error of
+//! the motion, the other the energy residual.
 
 use super::figure::{Axis, Figure, Marker, Panel, Series};
 use crate::analysis::work_precision::{Errors, Point, WorkPrecision};
 
-/// A failed setting is drawn so far above the largest error.
-const FAILED: f64 = 10.0;
-/// Errors above this are all the same: lost.
+/// A relative error above this says nothing more.
 const LOST: f64 = 10.0;
+/// Settings without a measured error are drawn at LOST * FAILED; larger errors are capped there.
+const FAILED: f64 = 10.0;
 
-/// Draws a measured scene.
+/// Draws the measurements of a scene.
 pub fn draw(measured: &WorkPrecision) -> Figure {
     let times = || measured.curves.iter().flat_map(|c| &c.points).map(|p| p.seconds.0).filter(|t| t.is_finite());
     let (low, high) = super::figure::extremes(times());
@@ -21,9 +22,9 @@ pub fn draw(measured: &WorkPrecision) -> Figure {
     let mut energy = panel(measured, "energy unaccounted for", |errors| errors.energy.max(1e-17));
     energy.unnamed();
     Figure {
-        title: "What accuracy costs".into(),
+        title: "Error against processor time".into(),
         subtitle: Some(format!(
-            "{}: {} events; each mark is a setting, crosses are failures: stopped early, or other events",
+            "{}: {} events; one mark per setting; crosses: failed (stopped early, or met other events)",
             measured.scene, measured.events
         )),
         x: Axis::log10("processor time", "s").between(low, high),
@@ -31,7 +32,7 @@ pub fn draw(measured: &WorkPrecision) -> Figure {
     }
 }
 
-/// A panel of what `of` takes from the errors.
+/// A panel that shows the error chosen by `of`.
 fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> Panel {
     let mut series = vec![];
     for (i, curve) in measured.curves.iter().enumerate() {

@@ -1,15 +1,15 @@
 //! A varied quantity: a key of the scene and its values, `parameters.T0=1:100:50`.
 //!
-//! | values | are |
+//! | text | values |
 //! | --- | --- |
-//! | `a:b:n` | n from a to b, evenly, both included |
-//! | `log:a:b:n` | n from a to b in equal ratios |
-//! | `v1,v2,v3` | these, in this order |
-//! | `uniform:a:b` | random between a and b |
-//! | `log-uniform:a:b` | random, with an evenly distributed logarithm |
+//! | `a:b:n` | n values from a to b in equal steps, both included |
+//! | `log:a:b:n` | n values from a to b in equal ratios, both included |
+//! | `v1,v2,v3` | these values, in this order |
+//! | `uniform:a:b` | random values, uniformly distributed between a and b |
+//! | `log-uniform:a:b` | random values whose logarithm is uniformly distributed |
 //!
-//! Values between the ends are rounded to 15 digits, as one would type them, in the unit of the ends: any point of a
-//! sweep can be run on its own with `--set`, to the same last bit.
+//! Values between the ends are rounded to 15 decimal digits, in the unit of the ends. They can therefore be typed exactly: a point of
+//! a sweep run on its own with `--set` gives bit-identical results.
 
 use crate::scene::quantity::{self, Quantity};
 
@@ -20,7 +20,7 @@ use super::random;
 pub struct Axis {
     /// Key in the scene, e.g. `parameters.T0`.
     pub key: String,
-    /// Unit of its values as they are written, e.g. `rpm`; empty for plain numbers, and for a list.
+    /// Unit in which its values are written, e.g. `rpm`; empty for plain numbers and for a list.
     pub unit: String,
     /// Its values.
     pub values: Values,
@@ -29,22 +29,22 @@ pub struct Axis {
 /// The values of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// These, as they would stand in a scene.
+    /// A list of values, each as in a scene file.
     List(Vec<String>),
-    /// From `low` to `high` [unit of the axis].
+    /// Values from `low` to `high` [unit of the axis].
     Range {
         /// First value.
         low: f64,
         /// Last value.
         high: f64,
-        /// How those between are spaced.
+        /// How the values between them are spaced.
         spacing: Spacing,
-        /// How many; `None`: random ones, as many as there are points.
+        /// Number of values; `None`: a random value for every point.
         count: Option<usize>,
     },
 }
 
-/// How values lie between two ends.
+/// How values are spaced between two ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
     /// In equal steps.
@@ -62,13 +62,13 @@ impl Axis {
         }
     }
 
-    /// Value `i` of a list or a range, or that of the random number `i` of `seed`, as it would stand in a scene.
+    /// Value `i` of a list or a range, or the random value made from number `i` of `seed`; written as in a scene file.
     pub fn value(&self, i: usize, seed: u64) -> String {
         match self.values {
             Values::List(ref values) => values[i].clone(),
             Values::Range { low, high, spacing, count: Some(n) } => {
-                let part = i as f64 / (n - 1) as f64;
-                self.written(spacing.between(low, high, part))
+                let fraction = i as f64 / (n - 1) as f64;
+                self.written(spacing.between(low, high, fraction))
             }
             Values::Range { low, high, spacing, count: None } => {
                 self.written(spacing.between(low, high, random::fraction(seed, i as u64)))
@@ -76,8 +76,8 @@ impl Axis {
         }
     }
 
-    /// The values that stand for all when they are checked: all of a list, and both ends of a range, since what a
-    /// scene admits of a number is an interval.
+    /// The values to check instead of all: every value of a list, and both ends of a range. The ends are enough, because the valid
+    /// values of a number form an interval.
     pub fn samples(&self) -> Vec<String> {
         match self.values {
             Values::List(ref values) => values.clone(),
@@ -85,7 +85,7 @@ impl Axis {
         }
     }
 
-    /// Whether all values are quantities; else they are words.
+    /// Whether all values are quantities; else they are texts.
     pub fn is_numeric(&self) -> bool {
         match &self.values {
             Values::List(values) => values.iter().all(|value| Quantity::parse(value).is_ok()),
@@ -98,6 +98,7 @@ impl Axis {
         matches!(self.values, Values::Range { spacing: Spacing::Logarithmic, .. })
     }
 
+    /// `x` with the unit of the axis, as in a scene file.
     fn written(&self, x: f64) -> String {
         let text = format!("{x:?}");
         let text = text.strip_suffix(".0").unwrap_or(&text);
@@ -106,25 +107,25 @@ impl Axis {
 }
 
 impl Spacing {
-    /// What lies at a `part` between 0 and 1 of the way.
-    fn between(self, low: f64, high: f64, part: f64) -> f64 {
-        let x = match (self, part) {
+    /// The value at `fraction`, 0 to 1, of the way from `low` to `high`.
+    fn between(self, low: f64, high: f64, fraction: f64) -> f64 {
+        let x = match (self, fraction) {
             (_, 0.0) => return low,
             (_, 1.0) => return high,
-            (Spacing::Linear, part) => low + (high - low) * part,
-            (Spacing::Logarithmic, part) => (low.ln() + (high.ln() - low.ln()) * part).exp(),
+            (Spacing::Linear, fraction) => low + (high - low) * fraction,
+            (Spacing::Logarithmic, fraction) => (low.ln() + (high.ln() - low.ln()) * fraction).exp(),
         };
-        // Formatting cannot give what does not parse.
+        // Parsing a formatted number cannot fail.
         format!("{x:.14e}").parse().unwrap_or(x)
     }
 }
 
-/// The number in `value` as it is written: `300` of `300 rpm`; NaN if there is none.
+/// The number in `value` without its unit: 300 of `300 rpm`; NaN if `value` is not a quantity.
 pub fn number(value: &str) -> f64 {
     quantity::split(value).map_or(f64::NAN, |(number, _)| number)
 }
 
-/// `value` in SI; NaN if it is no quantity.
+/// `value` in SI units; NaN if it is not a quantity.
 pub fn si(value: &str) -> f64 {
     Quantity::parse(value).map_or(f64::NAN, |quantity| quantity.value)
 }

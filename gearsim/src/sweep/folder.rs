@@ -1,7 +1,7 @@
-//! The folder of a sweep: `sweep.json`, which says what it is; `parts/`, rows as they come in, each file whole or not
-//! there; in the end `sweep.parquet`, all rows in the order of their points, and no parts.
+//! The folder of a sweep. `sweep.json` is the manifest. While the sweep runs, `parts/` holds the rows finished so far; a file is
+//! complete or absent. At the end, `sweep.parquet` holds all rows in the order of their points, and `parts/` is removed.
 //!
-//! A part holds any points. What is there need not run again, whatever was interrupted or removed.
+//! A part may hold any points. After an interruption only the points that are in no file run again.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -12,33 +12,33 @@ use super::row::{self, Row};
 use super::{Error, impossible, spectra};
 use crate::output::{OutputError, OutputFolder, Table, parquet};
 
-/// The rows, in the order of their points.
+/// File of the rows, in the order of their points.
 pub const ROWS: &str = "sweep.parquet";
-/// The spectra, if they are kept, in the same order.
+/// File of the spectra, if they are stored, in the same order.
 pub const SPECTRA: &str = "spectra.parquet";
-/// Where rows are until all are there.
+/// Subfolder of the rows of a sweep that is not finished.
 const PARTS: &str = "parts";
-/// Name under which the manifest stands in every file.
+/// Metadata key of the manifest in every Parquet file.
 const PROVENANCE: &str = "sweep";
 
-/// Rows by the number of their point.
+/// Rows by point number.
 pub type Rows = BTreeMap<usize, Row>;
 
-/// The folder of a sweep, while it is filled.
+/// The folder of a running sweep.
 pub struct Folder<'a> {
     path: PathBuf,
     parts: OutputFolder,
     manifest: &'a Manifest,
     layout: &'a Layout,
-    /// Held as long as this process fills the folder.
+    /// File lock, held while this process writes to the folder.
     _lock: File,
 }
 
 impl<'a> Folder<'a> {
-    /// Opens the folder at `path` for the sweep of `manifest`: a new one, or one that this sweep was begun in.
+    /// Opens the folder at `path` for the sweep of `manifest`. The folder is new, or holds finished points of the same sweep.
     ///
     /// # Errors
-    /// Where the folder holds another sweep, another process fills it, or it cannot be written to.
+    /// If the folder holds another sweep, if another process writes to it, or if it cannot be written to.
     pub fn open(path: &Path, manifest: &'a Manifest, layout: &'a Layout) -> Result<Self, Error> {
         refuse_another(path, manifest)?;
         let mut folder = OutputFolder::create(path)?;
@@ -49,17 +49,17 @@ impl<'a> Folder<'a> {
         match file.try_lock() {
             Ok(()) => {}
             Err(std::fs::TryLockError::WouldBlock) => {
-                let what = format!("another gearsim is at work in {}", path.display());
-                return impossible(what, "let it end, or choose another folder with --out: one for each shard");
+                let what = format!("another gearsim process writes to {}", path.display());
+                return impossible(what, "wait until it ends, or choose another folder with --out: one per shard");
             }
-            // A file system that knows no locks is no reason not to run.
+            // The file system does not support locks: run without one.
             Err(std::fs::TryLockError::Error(_)) => {}
         }
         folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
         Ok(Folder { path: path.to_owned(), parts, manifest, layout, _lock: file })
     }
 
-    /// The rows that are there.
+    /// The rows finished so far.
     ///
     /// # Errors
     /// [`OutputError::Read`].
@@ -67,22 +67,22 @@ impl<'a> Folder<'a> {
         rows(&self.path, self.manifest, self.layout)
     }
 
-    /// Puts rows into a part of their own.
+    /// Writes rows to a new part.
     ///
     /// # Errors
-    /// Those of writing.
+    /// Those of writing the files.
     pub fn keep(&mut self, rows: &[Row]) -> Result<(), OutputError> {
         let rows: Rows = rows.iter().map(|row| (row.point, row.clone())).collect();
         let Some(first) = rows.keys().next() else { return Ok(()) };
-        // No other part has this point, so none has this name.
+        // No other part has this point, so the name is free.
         let name = format!("{first:08}.parquet");
         write(&mut self.parts, (&format!("rows-{name}"), &format!("spectra-{name}")), self.manifest, self.layout, &rows)
     }
 
-    /// Joins the parts to one file.
+    /// Joins the parts to one file and removes them.
     ///
     /// # Errors
-    /// Those of reading and writing; the parts are still there then.
+    /// Those of reading and writing the files. The parts are kept then.
     pub fn finish(self) -> Result<Rows, OutputError> {
         let rows = self.rows()?;
         let mut folder = OutputFolder::create(&self.path)?;
@@ -93,10 +93,10 @@ impl<'a> Folder<'a> {
     }
 }
 
-/// Refuses a folder that holds another sweep than that of `manifest`.
+/// Checks that the folder at `path` does not hold another sweep than that of `manifest`.
 ///
 /// # Errors
-/// [`Error::Impossible`], and where its manifest cannot be read.
+/// [`Error::Impossible`] if it does, and [`OutputError::Read`] if its manifest cannot be read.
 pub fn refuse_another(path: &Path, manifest: &Manifest) -> Result<(), Error> {
     let Some(other) = Manifest::read(path)? else { return Ok(()) };
     let differences = manifest.differences(&other);
@@ -104,10 +104,10 @@ pub fn refuse_another(path: &Path, manifest: &Manifest) -> Result<(), Error> {
         return Ok(());
     }
     let what = format!("{} holds another sweep\n  {}", path.display(), differences.join("\n  "));
-    impossible(what, "choose another folder with --out, or remove that one")
+    impossible(what, "choose another folder with --out, or remove this one")
 }
 
-/// The rows in the folder at `path` that belong to the sweep of `manifest`, those of its parts included.
+/// The rows of the sweep of `manifest` in the folder at `path`, with those in `parts/`.
 ///
 /// # Errors
 /// [`OutputError::Read`].
@@ -130,12 +130,12 @@ pub fn rows(path: &Path, manifest: &Manifest, layout: &Layout) -> Result<Rows, O
     }
     for file in of("spectra-", SPECTRA) {
         if let Some(table) = read(&file, manifest)? {
-            for (point, line) in spectra::read(&table).ok_or_else(|| broken(&file))? {
-                // A line may stand in a part and in the whole.
+            for (point, spectrum) in spectra::read(&table).ok_or_else(|| broken(&file))? {
+                // The same spectrum may be both in a part and in the joined file.
                 if let Some(row) = all.get_mut(&point)
-                    && row.spectra.iter().all(|other| other.coordinate != line.coordinate)
+                    && row.spectra.iter().all(|other| other.coordinate != spectrum.coordinate)
                 {
-                    row.spectra.push(line);
+                    row.spectra.push(spectrum);
                 }
             }
         }
@@ -156,7 +156,8 @@ fn read(file: &Path, manifest: &Manifest) -> Result<Option<Table>, OutputError> 
     Ok(ours.then_some(table))
 }
 
-/// Writes rows, and before them their spectra: rows that are there are there with all that belongs to them.
+/// Writes rows to the file `rows_name`, and their spectra, if the manifest asks for them, to `spectra_name`. The spectra are written
+/// first, so that a row on disk always has its spectra.
 pub(super) fn write(
     folder: &mut OutputFolder,
     (rows_name, spectra_name): (&str, &str),
@@ -182,7 +183,7 @@ pub(super) fn write(
     folder.write(rows_name, |sink| parquet::write(&table, provenance, sink))
 }
 
-/// The names of the files in a folder, sorted; none if it is not there.
+/// The names of the files in a folder, sorted; empty if the folder does not exist.
 fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<_> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();

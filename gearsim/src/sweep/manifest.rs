@@ -1,4 +1,4 @@
-//! What a sweep is, as `sweep.json` in its folder says it: results that have the same manifest belong together.
+//! The definition of a sweep, stored as `sweep.json` in its folder. Results with equal manifests belong to the same sweep.
 
 use std::path::Path;
 
@@ -12,10 +12,10 @@ use crate::output::summary::Number;
 use crate::run::Entry;
 use crate::scene::Template;
 
-/// Its name in a folder.
+/// File name of the manifest.
 pub const FILE: &str = "sweep.json";
 
-/// What a sweep is.
+/// The definition of a sweep, and the program that ran it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
@@ -23,7 +23,7 @@ pub struct Manifest {
     pub program: String,
     /// Its version.
     pub version: String,
-    /// The commit it was built from, where known.
+    /// The commit it was built from, if known.
     pub commit: Option<String>,
     /// Name of the scene.
     pub scene: String,
@@ -31,26 +31,26 @@ pub struct Manifest {
     pub scene_sha256: String,
     /// Name of the model.
     pub model: String,
-    /// Overrides at all points.
+    /// Values set at all points.
     pub overrides: Vec<String>,
-    /// The axes, as they were written.
+    /// The axes as text.
     pub vary: Vec<String>,
-    /// Points at every place of the grid, if there are random axes.
+    /// Number of random points per grid point, if an axis is random.
     pub samples: Option<usize>,
     /// Seed of random axes.
     pub seed: u64,
     /// Number of points.
     pub points: usize,
-    /// Time from which extremes and spectra are taken [s].
+    /// Start of the time span over which extremes and spectra are computed [s].
     pub from: Number,
-    /// The groups of quantities that are recorded.
+    /// Names of the groups of quantities that are recorded.
     pub record: Vec<String>,
-    /// Whether the spectra are kept.
+    /// Whether the spectra are stored.
     pub spectra: bool,
 }
 
 impl Manifest {
-    /// Of a sweep that was asked for by `request`, run by the program built from `commit`.
+    /// The manifest of `sweep`, defined by `request`, run by the program built from `commit`.
     pub fn new(sweep: &Sweep, request: &Request, commit: Option<&str>) -> Manifest {
         Manifest {
             program: "gearsim".into(),
@@ -70,7 +70,7 @@ impl Manifest {
         }
     }
 
-    /// The manifest in a folder; `None` if it has none. Errors: [`OutputError::Read`].
+    /// Reads the manifest in a folder; `None` if there is none. Errors: [`OutputError::Read`].
     pub fn read(folder: &Path) -> Result<Option<Manifest>, OutputError> {
         let path = folder.join(FILE);
         let failed = |why: String| OutputError::Read { path: path.clone(), why };
@@ -86,14 +86,14 @@ impl Manifest {
         Ok(serde_json::to_string_pretty(self).map_err(|e| OutputError::format("JSON", e))? + "\n")
     }
 
-    /// Its points, and the columns of their rows.
+    /// The points of the sweep, and the columns of their rows.
     ///
     /// # Errors
-    /// Where this program does not know the model or cannot read the axes.
+    /// If this program does not have the model, cannot parse the axes, or finds another number of points.
     pub fn layout(&self, entries: &[Entry]) -> Result<Layout, Error> {
         let Some(entry) = entries.iter().find(|entry| entry.model.name == self.model) else {
-            let help = "use the program that ran the sweep";
-            return impossible(format!("model `{}` of the sweep is not part of this program", self.model), help);
+            let help = "use the version of gearsim that ran the sweep";
+            return impossible(format!("this gearsim does not have the model `{}` of the sweep", self.model), help);
         };
         let template = Template::parse(&self.scene, super::manifest::FILE, "", &[])?;
         let request = Request {
@@ -108,8 +108,8 @@ impl Manifest {
         let plan = super::plan(&template, *entry, &request)?;
         if plan.points() != Some(self.points) || self.points > MOST_POINTS {
             return impossible(
-                format!("{FILE} says {} points, which its axes do not make", self.points),
-                "run it again",
+                format!("the number of points in {FILE}, {}, does not agree with its axes", self.points),
+                "run the sweep again",
             );
         }
         let groups: Vec<_> = GROUPS.iter().filter(|group| self.record.iter().any(|name| name == group.name)).collect();
@@ -118,7 +118,7 @@ impl Manifest {
         Ok(Layout { model: entry.model, plan, columns, units })
     }
 
-    /// In what it differs from `other`, in words; empty if in nothing.
+    /// The differences to `other`, one text each; empty if the two are equal.
     pub fn differences(&self, other: &Manifest) -> Vec<String> {
         let mut found = vec![];
         let mut compare = |what: &str, here: String, there: String| {
@@ -146,7 +146,7 @@ impl Manifest {
     }
 }
 
-/// The shape of the results of a sweep.
+/// The points of a sweep and the columns of its results.
 pub struct Layout {
     /// The model.
     pub model: &'static Model,

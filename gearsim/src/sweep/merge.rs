@@ -1,4 +1,4 @@
-//! Joins what many machines did of one sweep: the same bytes as if one had done it all.
+//! Joins the results of a sweep from many machines. The bytes are the same as if one machine had run all points.
 
 use std::path::{Path, PathBuf};
 
@@ -8,20 +8,20 @@ use super::{Error, impossible};
 use crate::output::OutputFolder;
 use crate::run::Entry;
 
-/// Ranges of points that are listed before they are only counted.
+/// Maximum number of ranges of points that a message lists; the points of the others are only counted.
 const LISTED: usize = 8;
 
-/// The results in the folders `from`, all points of one sweep.
+/// Reads the results in the folders `from`, which together hold all points of one sweep.
 ///
 /// # Errors
-/// Where they are of different sweeps, or a point is missing or there twice.
+/// If the folders hold different sweeps, or if a point is missing or present twice.
 pub fn gather(from: &[PathBuf], entries: &[Entry]) -> Result<(Manifest, Layout, Rows), Error> {
     let (mut whole, mut all): (Option<(Manifest, Layout, &PathBuf)>, Rows) = (None, Rows::new());
     let (mut twice, mut where_twice) = (vec![], None);
     for path in from {
         let Some(manifest) = Manifest::read(path)? else {
             let what = format!("{} holds no sweep: it has no {}", path.display(), manifest::FILE);
-            return impossible(what, "give folders that `gearsim sweep` has filled");
+            return impossible(what, "give folders written by `gearsim sweep`");
         };
         let (first, layout, first_path) = match &mut whole {
             Some(whole) => whole,
@@ -54,15 +54,15 @@ pub fn gather(from: &[PathBuf], entries: &[Entry]) -> Result<(Manifest, Layout, 
     if !missing.is_empty() {
         let (n, points) = (missing.len(), manifest.points);
         let what = format!("{n} of {points} points are missing: {}", ranges(&missing));
-        return impossible(what, "run the shards that have them, or those that were interrupted again: they go on");
+        return impossible(what, "run the missing or interrupted shards; a shard that is run again continues");
     }
     Ok((manifest, layout, all))
 }
 
-/// Writes them to the folder `out`.
+/// Writes the results of [`gather`] to the folder `out`.
 ///
 /// # Errors
-/// Where it holds another sweep, or cannot be written to.
+/// If the folder holds another sweep, or cannot be written to.
 pub fn write(out: &Path, manifest: &Manifest, layout: &Layout, rows: &Rows) -> Result<(), Error> {
     folder::refuse_another(out, manifest)?;
     let mut folder = OutputFolder::create(out)?;
@@ -70,7 +70,7 @@ pub fn write(out: &Path, manifest: &Manifest, layout: &Layout, rows: &Rows) -> R
     Ok(folder::write(&mut folder, (ROWS, SPECTRA), manifest, layout, rows)?)
 }
 
-/// Ascending numbers in short: `3, 7-9`.
+/// Ascending numbers as ranges: `3, 7-9`.
 fn ranges(points: &[usize]) -> String {
     let runs: Vec<&[usize]> = points.chunk_by(|a, b| a + 1 == *b).collect();
     let short = |run: &&[usize]| match run {
@@ -86,7 +86,7 @@ fn ranges(points: &[usize]) -> String {
 }
 
 #[test]
-fn numbers_in_short() {
+fn ascending_numbers_are_shown_as_ranges() {
     assert_eq!(ranges(&[3, 7, 8, 9, 11]), "3, 7-9, 11");
     assert_eq!(ranges(&(0..20).map(|i| 2 * i).collect::<Vec<_>>()), "0, 2, 4, 6, 8, 10, 12, 14 and 12 more");
 }

@@ -1,9 +1,9 @@
-//! Sweeps: a scene run at many points, each with other values written over it, on all cores and on many machines.
+//! Sweeps: a scene is run at many points, each with its own values in place of those of the scene, on all cores and on many machines.
 //!
-//! [`axis`] and [`plan`] say which points there are and in which order, [`record`] what is kept of each, [`run`] runs
-//! them, [`row`] makes tables of them, [`manifest`] names the sweep, [`folder`] keeps what is done, so that a sweep
-//! goes on where it was interrupted, and [`merge`] joins what many machines did. The result is a function of the
-//! manifest alone: the same bytes whatever the number of threads, interruptions and shards.
+//! [`axis`] and [`plan`] define the points and their order. [`record`] defines which results of a point are kept. [`run`] runs the
+//! points, [`row`] converts results to tables, and [`manifest`] describes the sweep. [`folder`] stores finished points, so that an
+//! interrupted sweep can be resumed. [`merge`] joins the results of several machines. The result depends on the manifest alone: the
+//! bytes are the same for any number of threads, interruptions and shards.
 
 pub mod axis;
 pub mod folder;
@@ -31,53 +31,53 @@ use crate::run::Entry;
 use crate::scene::{Scene, SceneMistakes, Template};
 use record::{Column, Group};
 
-/// What is asked of a sweep.
+/// The definition of a sweep, as the user wrote it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// Axes, as they are written: `parameters.T0=1:100:50`.
+    /// The axes as text, e.g. `parameters.T0=1:100:50`.
     pub vary: Vec<String>,
-    /// Values written over the scene at all points.
+    /// Values that replace those of the scene at all points, e.g. `run.t_end=1 s`.
     pub overrides: Vec<String>,
-    /// Points at every place of the grid, if there are random axes.
+    /// Number of random points per grid point; needed if an axis is random.
     pub samples: Option<usize>,
     /// Seed of random axes.
     pub seed: u64,
-    /// Time from which extremes and spectra are taken [s].
+    /// Start of the time span over which extremes and spectra are computed [s].
     pub from: f64,
     /// Names of the groups of quantities to record.
     pub record: Vec<String>,
-    /// Whether the spectra are kept.
+    /// Whether the spectra are stored.
     pub spectra: bool,
 }
 
 /// A sweep, checked and ready to run.
 pub struct Sweep {
-    /// The scene, as far as it is the same at all points.
+    /// The scene without the values of a point.
     template: Template,
     /// Its model.
     pub entry: Entry,
     /// Its points.
     pub plan: Plan,
-    /// What is recorded.
+    /// The groups of quantities to record.
     pub groups: Vec<&'static Group>,
-    /// Time from which extremes and spectra are taken [s].
+    /// Start of the time span over which extremes and spectra are computed [s].
     pub from: f64,
-    /// Whether the spectra are kept.
+    /// Whether the spectra are stored.
     pub spectra: bool,
     /// Number of points.
     pub points: usize,
 }
 
-/// Why there is no sweep.
+/// Why a sweep cannot be run or read.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The scene or an axis makes no sense.
+    /// The scene or an axis is not valid.
     #[error(transparent)]
     Scene(Box<SceneMistakes>),
     /// A file could not be written or read.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// What is asked for does not go together.
+    /// The request contradicts itself, or does not fit the files that are there.
     #[error("{what}\n  help: {help}")]
     Impossible {
         /// What is wrong.
@@ -99,17 +99,17 @@ fn impossible<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, 
 }
 
 impl Sweep {
-    /// Reads the scene in `path`, one of the models in `entries`, and checks it at the values of every axis.
+    /// Reads the scene at `path`, whose model is one of `entries`, and checks it with the values of every axis.
     ///
     /// # Errors
-    /// Whatever is wrong; nothing has run then.
+    /// All mistakes in the scene, the axes and the request. No point has run then.
     pub fn load(path: &Path, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
         let template = Template::load(path, &request.overrides)?;
         let models: Vec<_> = entries.iter().map(|entry| entry.model).collect();
         let model = template.model(&models);
         let Some(&entry) = entries.iter().find(|entry| model.is_some_and(|model| model.name == entry.model.name))
         else {
-            // Whatever else is wrong with it, it has no model.
+            // Without a model the scene has at least one error, which names it.
             return match template.scene(&[], &models) {
                 Err(errors) => Err(errors.into()),
                 Ok(scene) => impossible(format!("scene {} has no model", scene.name), "give it one"),
@@ -133,7 +133,7 @@ impl Sweep {
         self.template.name()
     }
 
-    /// SHA-256 of the scene with its overrides, those of the axes left out.
+    /// SHA-256 of the scene with its overrides, without the values of a point.
     pub fn hash(&self) -> String {
         self.template.hash()
     }
@@ -143,14 +143,12 @@ impl Sweep {
         record::columns(&self.groups, self.entry.model)
     }
 
+    /// Checks the scene at every value of every axis once ([`Plan::trials`]).
     fn check(&self) -> Result<(), Error> {
         for trial in self.plan.trials() {
             let scene: Scene = self.template.scene(&trial, &[self.entry.model])?;
             if self.from >= scene.t_end {
-                let what = format!(
-                    "the results are to be taken from {} s on, but the run ends at {} s",
-                    self.from, scene.t_end
-                );
+                let what = format!("--from is {} s, but the run ends at {} s", self.from, scene.t_end);
                 return impossible(what, "choose an earlier --from, or a later run.t_end");
             }
         }
@@ -158,7 +156,7 @@ impl Sweep {
     }
 }
 
-/// The points that are asked for.
+/// The points that `request` defines.
 fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Error> {
     let mut report = template.report();
     let axes = parse::axes(&request.vary, entry.model, &mut report);
@@ -166,19 +164,19 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
         return Err(report.into_mistakes(template.name()).into());
     }
     if axes.is_empty() {
-        return impossible("nothing is varied", "say what: --vary parameters.T0=\"1 N*m:100 N*m:50\"");
+        return impossible("nothing is varied", "give an axis: --vary parameters.T0=\"1 N*m:100 N*m:50\"");
     }
     let set = |key: &str| request.overrides.iter().any(|text| text.split('=').next().is_some_and(|k| k.trim() == key));
     if let Some(axis) = axes.iter().find(|axis| set(&axis.key)) {
-        return impossible(format!("`{}` is set and varied", axis.key), "leave out its --set, or its --vary");
+        return impossible(format!("`{}` is both set and varied", axis.key), "remove its --set or its --vary");
     }
     let plan = Plan { axes, samples: request.samples.unwrap_or(1), seed: request.seed };
     match (plan.is_random(), request.samples) {
-        (true, None) => impossible("random axes without a number of samples", "say how many: --samples 1000"),
-        (_, Some(0)) => impossible("no samples are asked for", "take at least one: --samples 1000"),
+        (true, None) => impossible("random axes without a number of samples", "give a number: --samples 1000"),
+        (_, Some(0)) => impossible("the number of samples is 0", "take at least one: --samples 1000"),
         (false, Some(_)) => impossible(
-            "samples are asked for, but no axis is random",
-            "leave out --samples, or draw values: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
+            "--samples is given, but no axis is random",
+            "remove --samples, or vary at random: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
         ),
         _ => Ok(plan),
     }
@@ -189,8 +187,8 @@ fn groups(names: &[String]) -> Result<Vec<&'static Group>, Error> {
     if let Some(unknown) = names.iter().find(|name| !record::GROUPS.iter().any(|group| group.name == **name)) {
         let known: Vec<_> = record::GROUPS.iter().map(|group| group.name).collect();
         return impossible(
-            format!("nothing to record is called `{unknown}`"),
-            format!("there are {}", known.join(", ")),
+            format!("no group of quantities is called `{unknown}`"),
+            format!("the groups are {}", known.join(", ")),
         );
     }
     Ok(record::GROUPS.iter().filter(|group| names.iter().any(|name| name == group.name)).collect())

@@ -1,4 +1,4 @@
-//! Reading axes: `start.speed=100 rpm:6000 rpm:200`. Every mistake is reported with its place in the option.
+//! Parses axes such as `start.speed=100 rpm:6000 rpm:200`. Every mistake is reported with its position in the option.
 
 use std::ops::Range;
 
@@ -10,15 +10,15 @@ use crate::scene::unit_of;
 use super::axis::{Axis, Spacing, Values};
 use crate::scene::document::Origin;
 
-/// Shown before an axis where it is quoted.
+/// Text put before an axis when a message quotes it.
 const OPTION: &str = "--vary ";
-/// More values of one axis than this are refused.
+/// Maximum number of values of one axis.
 const MOST: usize = 10_000_000;
-/// What to write.
+/// Help text: the forms of an axis.
 const FORMS: &str = "write KEY=A:B:N or KEY=log:A:B:N for N values from A to B, KEY=V1,V2,V3 for a list, \
                      KEY=uniform:A:B or KEY=log-uniform:A:B for random ones";
 
-/// Reads the options `--vary` of a sweep of a scene of `model`.
+/// Parses the values `texts` of the options `--vary`, for a scene of `model`. Mistakes go to `report`.
 pub(super) fn axes(texts: &[String], model: &Model, report: &mut Report) -> Vec<Axis> {
     let mut axes: Vec<Axis> = vec![];
     for text in texts {
@@ -35,7 +35,7 @@ pub(super) fn axes(texts: &[String], model: &Model, report: &mut Report) -> Vec<
     axes
 }
 
-/// Reads one axis.
+/// The parser of one axis.
 struct Reader<'a> {
     text: &'a str,
     origin: Origin,
@@ -46,13 +46,13 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn axis(&mut self) -> Option<Axis> {
         let Some(equals) = self.text.find('=') else {
-            self.add(0..self.text.len(), "an axis without values", "no `=`", FORMS);
+            self.add(0..self.text.len(), "an axis without values", "no `=` here", FORMS);
             return None;
         };
         let key = self.text[..equals].trim().to_owned();
         if key.is_empty() || key == "model" {
-            let help = "write the key of a value as in the file, its tables before it: parameters.T0, start.speed";
-            self.add(0..equals.max(1), "an axis of no possible key", "cannot be varied", help);
+            let help = "write the key of a value as in the scene file, with its tables: parameters.T0, start.speed";
+            self.add(0..equals.max(1), "an axis without a valid key", "cannot be varied", help);
             return None;
         }
         let unit = unit_of(&key, self.model).filter(|unit| unit != "1").unwrap_or_default();
@@ -63,12 +63,12 @@ impl Reader<'_> {
             return self.range(key, unit, &fields);
         }
         let values = split(self.text, all, ',').into_iter().map(|item| self.item(item, &unit));
-        // All of them, so that every mistake is reported.
+        // Parse all items before the first failure is returned, so that every mistake is reported.
         let values: Vec<_> = values.collect();
         Some(Axis { key, unit: String::new(), values: Values::List(values.into_iter().collect::<Option<_>>()?) })
     }
 
-    /// One value of a list; a number without a unit is in that of the key.
+    /// One value of a list. A number without a unit gets the unit of the key.
     fn item(&mut self, at: Range<usize>, unit: &str) -> Option<String> {
         let text = &self.text[at.clone()];
         if text.is_empty() {
@@ -89,7 +89,8 @@ impl Reader<'_> {
         };
         if ends.len() != if random { 2 } else { 3 } {
             let whole = fields[0].start..fields[fields.len() - 1].end;
-            self.add(whole, format!("not the values of an axis: {} fields", fields.len()), "not understood", FORMS);
+            let message = format!("not a range of values: {} fields between colons", fields.len());
+            self.add(whole, message, "not understood", FORMS);
             return None;
         }
         let (low, high) = (self.end(&ends[0]), self.end(&ends[1]));
@@ -101,7 +102,7 @@ impl Reader<'_> {
         let whole = ends[0].start..ends[1].end;
         let (low, high, unit) = self.in_one_unit(low, high, unit, whole.clone())?;
         if spacing == Spacing::Logarithmic && !(low > 0.0 && high > 0.0) {
-            let help = "both ends must be positive, in ratios there is no way to 0 or past it";
+            let help = "both ends must be positive: equal ratios never reach 0";
             self.add(whole, "a logarithmic axis with an end that is not positive", "no logarithm", help);
             return None;
         }
@@ -129,14 +130,14 @@ impl Reader<'_> {
     fn count(&mut self, at: &Range<usize>) -> Option<usize> {
         let found = self.text[at.clone()].parse::<usize>().ok().filter(|n| (2..=MOST).contains(n));
         if found.is_none() {
-            let message = format!("`{}` is no number of values", &self.text[at.clone()]);
-            let help = format!("write a whole number from 2 to {MOST}; a single value is a list: KEY=VALUE");
+            let message = format!("`{}` is not a valid number of values", &self.text[at.clone()]);
+            let help = format!("write a whole number from 2 to {MOST}; for a single value, write KEY=VALUE");
             self.add(at.clone(), message, "how many?", help);
         }
         found
     }
 
-    /// The ends in one unit: their own, if it is the same; SI, if they differ; that of the key, if they have none.
+    /// The ends in one common unit: their own unit if both have the same, SI if the units differ, the unit of the key if neither has one.
     fn in_one_unit(
         &mut self,
         low: (f64, String),
@@ -147,7 +148,7 @@ impl Reader<'_> {
         if low.1 == high.1 {
             return Some((low.0, high.0, if low.1.is_empty() { unit } else { low.1 }));
         }
-        // Zero is the same in all units.
+        // A zero needs no unit: it takes that of the other end.
         match (&low, &high) {
             ((x, none), (_, unit)) | ((_, unit), (x, none)) if *x == 0.0 && none.is_empty() => {
                 return Some((low.0, high.0, unit.clone()));
@@ -163,7 +164,7 @@ impl Reader<'_> {
             true => ("one end of the axis has a unit, the other has none", "write the unit of both".to_owned()),
             false => {
                 let both = [low.1.as_str(), high.1.as_str()];
-                ("the ends of the axis do not measure the same", format!("{} do not go together", list(&both)))
+                ("the ends of the axis have different dimensions", format!("{} have different dimensions", list(&both)))
             }
         };
         self.add(at, message, "different units", help);
@@ -175,7 +176,7 @@ impl Reader<'_> {
     }
 }
 
-/// The pieces of `text[within]` between `separator`s that are not in brackets or quotes, without blanks around them.
+/// Splits `text[within]` at every `separator` outside brackets and quotes. Returns the pieces without surrounding blanks.
 fn split(text: &str, within: Range<usize>, separator: char) -> Vec<Range<usize>> {
     let (mut pieces, mut begin, mut depth, mut quote) = (vec![], within.start, 0_usize, None);
     let trimmed = |begin: usize, end: usize| {

@@ -1,5 +1,5 @@
-//! Which points a sweep has, and in which order: a grid of all values of its axes, the last axis counting fastest;
-//! with random axes so many samples at every place of the grid, counting faster still.
+//! The points of a sweep and their order: a grid of all values of the axes that are not random, in which the last axis varies
+//! fastest. With random axes, every grid point is a number of samples in a row.
 
 use super::axis::Axis;
 
@@ -8,13 +8,13 @@ use super::axis::Axis;
 pub struct Plan {
     /// What is varied.
     pub axes: Vec<Axis>,
-    /// Points at every place of the grid; 1 without random axes.
+    /// Number of points per grid point; 1 without random axes.
     pub samples: usize,
     /// Seed of the random axes.
     pub seed: u64,
 }
 
-/// More points than this are refused: their rows would not fit in memory.
+/// Maximum number of points. The rows of more would not fit in memory.
 pub const MOST_POINTS: usize = 10_000_000;
 
 impl Plan {
@@ -29,16 +29,16 @@ impl Plan {
         self.axes.iter().any(|axis| axis.count().is_none())
     }
 
-    /// The value of each axis at a point, as it would stand in a scene.
+    /// The value of each axis at a point, written as in a scene file.
     pub fn values(&self, point: usize) -> Vec<String> {
         let random = self.axes.iter().filter(|axis| axis.count().is_none()).count();
-        let mut place = point / self.samples;
+        let mut grid_point = point / self.samples;
         let (mut values, mut drawn) = (vec![], random);
         for axis in self.axes.iter().rev() {
             values.push(match axis.count() {
                 Some(n) => {
-                    let i = place % n;
-                    place /= n;
+                    let i = grid_point % n;
+                    grid_point /= n;
                     axis.value(i, self.seed)
                 }
                 None => {
@@ -56,8 +56,8 @@ impl Plan {
         self.assign(self.values(point))
     }
 
-    /// Points that stand for all when values are checked: every listed value and every end of a range once, the others
-    /// at their first.
+    /// The points to check instead of all, as overrides: every listed value and every end of a range occurs once, with the other
+    /// axes at their first values.
     pub fn trials(&self) -> Vec<Vec<String>> {
         let samples: Vec<Vec<String>> = self.axes.iter().map(Axis::samples).collect();
         let first: Vec<String> = samples.iter().filter_map(|values| values.first().cloned()).collect();

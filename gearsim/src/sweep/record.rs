@@ -1,4 +1,4 @@
-//! What is kept of a point: groups of quantities, one file and one line of [`GROUPS`] each.
+//! The quantities recorded of a point, in groups. Each group has one file and one entry in [`GROUPS`].
 
 mod digits;
 mod energy;
@@ -14,50 +14,52 @@ use crate::trajectory::Trajectory;
 /// All groups, in the order of their columns.
 pub const GROUPS: &[Group] = &[events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP];
 
-/// Quantities that are kept together.
+/// Quantities that are recorded together.
 #[derive(Clone, Copy)]
 pub struct Group {
     /// Name on the command line.
     pub name: &'static str,
-    /// One line saying what it has.
+    /// One line saying which quantities it has.
     pub doc: &'static str,
-    /// Whether it is worked out from samples of the motion, which cost more time than the motion itself.
+    /// Whether it needs samples at the recording rate. They take more time than the motion itself.
     pub samples: bool,
-    /// Whether it is worked out from the limits at events.
+    /// Whether it needs the rows before and after events.
     pub limits: bool,
-    /// Whether it asks how many digits are left, which takes a second run of each point.
+    /// Whether it needs the number of digits left, for which each point runs a second time.
     pub digits: bool,
-    /// Names of its columns and their units, for a model.
+    /// The columns for a model.
     pub columns: fn(&Model) -> Vec<Column>,
-    /// Their values for a run, of the time from [s] on where that matters. What there is not is NaN.
+    /// The values of the columns for a run, NaN where a value does not exist. The second argument is the time [s] from which on
+    /// rows count; groups that use only the end ignore it.
     pub values: fn(&Outcome, f64) -> Vec<f64>,
 }
 
 /// A column: its name and its SI unit.
 pub type Column = (String, String);
 
-/// The columns of `groups`, for a model.
+/// The columns of `groups` for a model.
 pub fn columns(groups: &[&Group], model: &Model) -> Vec<Column> {
     groups.iter().flat_map(|group| (group.columns)(model)).collect()
 }
 
-/// A column.
+/// Makes a column.
 fn column(name: impl Into<String>, unit: impl Into<String>) -> Column {
     (name.into(), unit.into())
 }
 
-/// The coordinates of `model`, and whether each only rolls on: then its speed says more than its value.
-fn rolling(model: &Model) -> impl Iterator<Item = (&Coordinate, bool)> {
-    let rolls = |c: &Coordinate| model.laws.iter().any(|law| law.rolling && law.phase == c.name);
-    model.coordinates.iter().map(move |c| (c, rolls(c)))
+/// The coordinates of `model`, each with whether it rotates continuously. It does if it is the phase of a rolling law. Only the speed
+/// of such a coordinate is recorded.
+fn with_rotation(model: &Model) -> impl Iterator<Item = (&Coordinate, bool)> {
+    let rotates = |c: &Coordinate| model.laws.iter().any(|law| law.rolling && law.phase == c.name);
+    model.coordinates.iter().map(move |c| (c, rotates(c)))
 }
 
-/// Indices of the coordinates that do not roll on.
+/// Indices of the coordinates that do not rotate continuously.
 pub fn elastic(model: &Model) -> Vec<usize> {
-    rolling(model).enumerate().filter(|(_, (_, rolls))| !rolls).map(|(i, _)| i).collect()
+    with_rotation(model).enumerate().filter(|(_, (_, rotates))| !rotates).map(|(i, _)| i).collect()
 }
 
-/// The last entry of a column of a recording.
+/// The last entry of a recorded column; NaN if it is empty.
 fn last(column: &[f64]) -> f64 {
     column.last().copied().unwrap_or(f64::NAN)
 }

@@ -1,34 +1,34 @@
-//! A point's results, and many of them as a table.
+//! The results of a point, and the table of many points.
 //!
-//! Columns: `point`; the varied keys, in SI; `status` and `reason`; what was recorded. A number that there is not, as of
-//! a point that was refused, is NaN.
+//! Columns: `point`; the varied keys, in SI units; `status` and `reason`; the recorded quantities. A number that does not exist, e.g.
+//! of a refused point, is NaN.
 
 use std::borrow::Cow;
 
 use super::axis;
 use super::plan::Plan;
 use super::record::Column;
-use super::spectra::Line;
+use super::spectra::NamedSpectrum;
 use crate::output::{OutputError, Table, table::Values};
 use crate::scene::unit_of;
 
-/// What came of a point.
+/// How the run of a point ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// It ran to its end.
     Done,
-    /// It stopped before its end; what was recorded until then is there.
+    /// It stopped before its end. The quantities recorded until then are given.
     Stopped,
-    /// It ran to its end, and its energy account does not close: the numbers are wrong.
+    /// It ran to its end, but its energy account does not close: the numbers are wrong.
     Refuted,
-    /// It made no system that can be simulated.
+    /// It did not run: its values do not make a system that can be simulated.
     Refused,
 }
 
 impl Status {
     const ALL: [Status; 4] = [Status::Done, Status::Stopped, Status::Refuted, Status::Refused];
 
-    /// The word that stands for it in files.
+    /// Its name in files.
     pub fn name(self) -> &'static str {
         match self {
             Status::Done => "done",
@@ -44,17 +44,18 @@ impl Status {
 pub struct Row {
     /// Number of the point.
     pub point: usize,
-    /// What came of it.
+    /// How the run ended.
     pub status: Status,
-    /// Why it is not done; else empty.
+    /// Why the status is not [`Status::Done`]; else empty.
     pub reason: String,
     /// The recorded quantities, in the order of their columns.
     pub numbers: Vec<f64>,
-    /// Its spectra, if asked for.
-    pub spectra: Vec<Line>,
+    /// Its spectra, if they are stored.
+    pub spectra: Vec<NamedSpectrum>,
 }
 
-/// `rows` as a table. Errors: [`OutputError::Ragged`] if a row has too few numbers.
+/// The table of `rows`. `columns` are the recorded ones, `units` the SI units of the varied keys. Errors: [`OutputError::Ragged`] if a
+/// row has too few numbers.
 pub fn table(plan: &Plan, columns: &[Column], units: &[String], rows: &[&Row]) -> Result<Table, OutputError> {
     let mut table = Table::default();
     table.push("point", "1", Values::Number(rows.iter().map(|row| row.point as f64).collect()))?;
@@ -84,7 +85,7 @@ pub fn units(plan: &Plan, model: &crate::model::Model) -> Vec<String> {
     plan.axes.iter().map(|axis| unit_of(&axis.key, model).unwrap_or_default()).collect()
 }
 
-/// The rows of such a table, without spectra; `None` if it lacks a column.
+/// The rows of a table made by [`table`], without spectra; `None` if a column is missing.
 pub fn read(table: &Table, columns: &[Column]) -> Option<Vec<Row>> {
     let points = table.numbers("point")?;
     let (status, reason) = (table.words("status")?, table.words("reason")?);

@@ -1,5 +1,5 @@
-//! Runs the points of a sweep on all cores. Each is a function of its number alone, so that neither threads nor the
-//! order in which they finish show in the results.
+//! Runs the points of a sweep on all cores. The result of a point depends on its number alone, not on the number of threads or on the
+//! order in which points finish.
 
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -16,22 +16,22 @@ use crate::engine::Refusal;
 use crate::run::Outcome;
 use crate::scene::Scene;
 
-/// Results are kept this often [s]: at first, and at most; in between, as often as a fiftieth of the time that the
-/// sweep has taken. What lies between is lost if it is interrupted.
+/// Shortest and longest interval between two writes of results [s]. In between, the interval is 1/50 of the time since the start of the
+/// sweep. Rows that are not yet written are lost if the sweep is interrupted.
 const KEEP_EVERY: (f64, f64) = (2.0, 60.0);
-/// Rows that are kept before their time.
+/// This many rows are written at once, before the interval is over.
 const KEEP_ROWS: usize = 1 << 14;
-/// Points that a thread takes at once, where it runs them side by side: a few for each lane.
+/// Number of points that a thread takes at once if it runs them side by side: a few per SIMD lane.
 const SIDE_BY_SIDE: usize = 32;
-/// How often rows are taken from the workers; to be woken for each would cost as much as a short run.
+/// Interval at which rows are taken from the workers. To be woken for every row would cost as much as a short run.
 const LOOK_EVERY: Duration = Duration::from_millis(2);
 
 impl Sweep {
-    /// Runs `points` on `threads` threads, in any order. `keep` is given the rows from time to time, `watch` how many
-    /// are there.
+    /// Runs `points` on `threads` threads, in any order. From time to time it calls `keep` with the new rows, and `watch` with the
+    /// number of points finished.
     ///
     /// # Errors
-    /// Those of `keep`, which end the sweep, and where there are no threads to be had.
+    /// An error of `keep`, which ends the sweep; and if the threads cannot be started.
     pub fn run(
         &self,
         points: &[usize],
@@ -49,13 +49,13 @@ impl Sweep {
         std::thread::scope(|scope| {
             let over = &over;
             let worker = scope.spawn(move || {
-                // Few at once: points differ in what they cost by orders of magnitude.
+                // Only a few points at once, because their run times differ by orders of magnitude.
                 let few = if self.needs_only_ends() { SIDE_BY_SIDE } else { 1 };
                 let each = points.par_chunks(few).with_max_len(1);
                 pool.install(|| {
                     each.for_each_with(send, |send, points| {
                         if !over.load(Ordering::Relaxed) {
-                            // The receiver is gone only when it is over.
+                            // Sending fails only after the sweep is over, when the row is not needed.
                             self.points(points).into_iter().for_each(|row| drop(send.send(row)));
                         }
                     });
@@ -64,7 +64,7 @@ impl Sweep {
             let mut gather = || {
                 let (begin, mut kept, mut rows, mut count) = (Instant::now(), Instant::now(), vec![], 0);
                 loop {
-                    // Asked before the rows are taken: if it is, they are the last.
+                    // Ask before the rows are taken: if the worker has ended by now, these rows are the last ones.
                     let ended = worker.is_finished();
                     let before = rows.len();
                     rows.extend(receive.try_iter());
@@ -89,16 +89,16 @@ impl Sweep {
         })
     }
 
-    /// Runs one point. Whatever is wrong with it is in its row.
+    /// Runs one point. An error at the point is noted in its row.
     pub fn point(&self, point: usize) -> Row {
         self.points(&[point]).remove(0)
     }
 
-    /// Runs points, side by side where only their ends are wanted. Each has the row that it has alone, to the last bit.
+    /// Runs points, side by side if only their end states are recorded. Each row is bit-identical to that of the point run alone.
     fn points(&self, points: &[usize]) -> Vec<Row> {
-        // A mistake of ours at one point must not cost the others.
+        // A panic (a bug in gearsim) at one point must not lose the results of the others: then run each point alone.
         let run = |points: &[usize]| catch_unwind(AssertUnwindSafe(|| self.attempt(points))).ok();
-        let failed = |point| self.refused(point, "gearsim failed at this point, which is a mistake in it".into());
+        let failed = |point| self.refused(point, "gearsim failed at this point: this is a bug in gearsim".into());
         let alone = |&point: &usize| run(&[point]).and_then(|mut rows| rows.pop()).unwrap_or_else(|| failed(point));
         run(points).unwrap_or_else(|| points.iter().map(alone).collect())
     }
@@ -134,7 +134,7 @@ impl Sweep {
         rows
     }
 
-    /// How many digits each run has left at its end, by companions of which only the ends are wanted.
+    /// Sets the number of digits left at the end of each run, from companion runs of which only the end states are computed.
     fn note_digits(&self, scenes: &[Scene], outcomes: &mut [Result<Outcome, Refusal>]) {
         let both =
             || scenes.iter().zip(&*outcomes).filter_map(|(scene, outcome)| Some((scene, outcome.as_ref().ok()?)));
@@ -145,12 +145,12 @@ impl Sweep {
         outcomes.iter_mut().flatten().zip(noted).for_each(|(outcome, noted)| outcome.digits = noted);
     }
 
-    /// Whether nothing is made of what happens between the start of a run and its end.
+    /// Whether the recorded quantities need only the start and the end of a run.
     fn needs_only_ends(&self) -> bool {
         !self.spectra && !self.groups.iter().any(|group| group.samples || group.limits)
     }
 
-    /// Samples take longer than the motion: none are taken if nothing is made of them.
+    /// Switches off samples and event rows that no recorded quantity needs. Samples take longer than the motion itself.
     fn record_only_what_is_needed(&self, scene: &mut Scene) {
         if !self.spectra && !self.groups.iter().any(|group| group.samples) {
             scene.output.rate = 0.5 / scene.t_end;
@@ -160,10 +160,10 @@ impl Sweep {
 
     fn row(&self, point: usize, outcome: &Outcome) -> Row {
         let run = &outcome.trajectory;
-        let line = |i: usize| {
+        let named = |i: usize| {
             let spectrum = spectra::of(run, i, self.from)?;
             let coordinate = run.model.coordinates[i].name.into();
-            Some(spectra::Line { coordinate, frequency: spectrum.frequency, density: spectrum.density })
+            Some(spectra::NamedSpectrum { coordinate, frequency: spectrum.frequency, density: spectrum.density })
         };
         let (status, reason) = match (&outcome.stopped_by, &outcome.refuted) {
             (Some(stop), _) => (Status::Stopped, stop.to_string()),
@@ -176,7 +176,7 @@ impl Sweep {
             reason,
             numbers: self.groups.iter().flat_map(|group| (group.values)(outcome, self.from)).collect(),
             spectra: match self.spectra {
-                true => record::elastic(run.model).into_iter().filter_map(line).collect(),
+                true => record::elastic(run.model).into_iter().filter_map(named).collect(),
                 false => vec![],
             },
         }

@@ -1,9 +1,9 @@
-//! A share of a sweep: shard i of n has every n-th point, from the i-th on.
+//! A part of a sweep for one machine: shard i of n has every n-th point, from the i-th on.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Share `i` of `n`, from 1.
+/// Shard `i` of `n`, 1 <= i <= n.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     i: usize,
@@ -11,10 +11,10 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// The whole.
+    /// The whole sweep.
     pub const WHOLE: Shard = Shard { i: 1, n: 1 };
 
-    /// Whether a point is in it. Neighbours, which take about the same time, are in different ones.
+    /// Whether a point is in this shard. Neighbouring points take about the same time, so they are in different shards.
     pub fn has(self, point: usize) -> bool {
         point % self.n == self.i - 1
     }

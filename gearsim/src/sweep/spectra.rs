@@ -1,4 +1,4 @@
-//! The spectra of a point, for a waterfall: power spectral densities of the coordinates that do not roll on.
+//! The spectra of a point, for waterfall plots: power spectral densities of the coordinates that do not rotate continuously.
 
 use std::borrow::Cow;
 
@@ -6,18 +6,18 @@ use crate::analysis::spectrum::{Spectrum, segment_length, uniform_samples, welch
 use crate::output::{OutputError, Table, table::Values};
 use crate::trajectory::Trajectory;
 
-/// The spectrum of a coordinate.
+/// The power spectral density of a coordinate, both columns of equal length.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line {
+pub struct NamedSpectrum {
     /// Name of the coordinate.
     pub coordinate: Cow<'static, str>,
     /// Frequencies [Hz].
     pub frequency: Vec<f64>,
-    /// Density [unit^2/Hz].
+    /// Power spectral density [(unit of the coordinate)^2/Hz].
     pub density: Vec<f64>,
 }
 
-/// Spectrum of coordinate `i` of a run from the time `from` [s] on; `None` if there are too few samples.
+/// Spectrum of coordinate `i` of a run, from its samples at times >= `from` [s]; `None` if there are too few.
 pub fn of(run: &Trajectory, i: usize, from: f64) -> Option<Spectrum> {
     let (mut rows, rate) = uniform_samples(run).ok()?;
     rows.retain(|&row| run.t[row] >= from);
@@ -25,15 +25,15 @@ pub fn of(run: &Trajectory, i: usize, from: f64) -> Option<Spectrum> {
     welch(&x, rate, segment_length(x.len())).ok()
 }
 
-/// Rows `point`, `coordinate`, `frequency`, `density` of the lines of some points.
-pub(super) fn table<'a>(points: impl Iterator<Item = (usize, &'a [Line])>) -> Result<Table, OutputError> {
+/// A table with the columns `point`, `coordinate`, `frequency` and `density`, one row per frequency, of the spectra of some points.
+pub(super) fn table<'a>(points: impl Iterator<Item = (usize, &'a [NamedSpectrum])>) -> Result<Table, OutputError> {
     let (mut point, mut coordinate, mut frequency, mut density) = (vec![], vec![], vec![], vec![]);
-    for (i, lines) in points {
-        for line in lines {
-            point.resize(point.len() + line.frequency.len(), i as f64);
-            coordinate.resize(coordinate.len() + line.frequency.len(), line.coordinate.clone());
-            frequency.extend(&line.frequency);
-            density.extend(&line.density);
+    for (i, spectra) in points {
+        for spectrum in spectra {
+            point.resize(point.len() + spectrum.frequency.len(), i as f64);
+            coordinate.resize(coordinate.len() + spectrum.frequency.len(), spectrum.coordinate.clone());
+            frequency.extend(&spectrum.frequency);
+            density.extend(&spectrum.density);
         }
     }
     let mut table = Table::default();
@@ -44,20 +44,20 @@ pub(super) fn table<'a>(points: impl Iterator<Item = (usize, &'a [Line])>) -> Re
     Ok(table)
 }
 
-/// The lines in such a table, by point.
-pub(super) fn read(table: &Table) -> Option<Vec<(usize, Line)>> {
+/// The spectra in a table made by [`table`], each with its point; `None` if a column is missing.
+pub(super) fn read(table: &Table) -> Option<Vec<(usize, NamedSpectrum)>> {
     let (point, coordinate) = (table.numbers("point")?, table.words("coordinate")?);
     let (frequency, density) = (table.numbers("frequency")?, table.numbers("density")?);
-    let mut lines: Vec<(usize, Line)> = vec![];
+    let mut spectra: Vec<(usize, NamedSpectrum)> = vec![];
     for i in 0..table.rows() {
         let at = point[i] as usize;
-        if lines.last().is_none_or(|(last, line)| *last != at || line.coordinate != coordinate[i]) {
-            lines.push((at, Line { coordinate: coordinate[i].clone(), frequency: vec![], density: vec![] }));
+        if spectra.last().is_none_or(|(last, spectrum)| *last != at || spectrum.coordinate != coordinate[i]) {
+            spectra.push((at, NamedSpectrum { coordinate: coordinate[i].clone(), frequency: vec![], density: vec![] }));
         }
-        if let Some((_, line)) = lines.last_mut() {
-            line.frequency.push(frequency[i]);
-            line.density.push(density[i]);
+        if let Some((_, spectrum)) = spectra.last_mut() {
+            spectrum.frequency.push(frequency[i]);
+            spectrum.density.push(density[i]);
         }
     }
-    Some(lines)
+    Some(spectra)
 }

@@ -1,42 +1,42 @@
-//! What could be left out of a scene.
+//! The effects and terms that could be left out of a scene.
 
 use crate::scene::{Effects, Scene};
 
-/// Effects that drop terms rather than add them.
+/// Effects that drop terms; all others add terms.
 const DROPPING: [&str; 2] = ["rigid_kinematics", "frozen_phase"];
 
-/// A scene without something.
+/// A scene without one of its effects, or without some terms.
 #[derive(Debug, Clone)]
 pub struct Candidate {
-    /// What is left out.
+    /// The effects or terms left out.
     pub without: String,
-    /// What to write into the scene's effects.
+    /// How to change the scene's list of effects.
     pub how: String,
-    /// The scene without it.
+    /// The scene without them.
     pub scene: Scene,
-    /// How its deviation can be told from numbers.
+    /// How its deviation is estimated.
     pub way: Way,
 }
 
-/// From what a deviation is estimated.
+/// How a deviation is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
-    /// The settled motion without the impulses of the steps.
+    /// From the settled motion without the impulses of the steps.
     WithoutJumps,
-    /// No motion but the mean.
+    /// From the mean alone: there is no vibration.
     WithoutSteps,
-    /// A short run: the numbers alone do not tell.
+    /// From a short run, because no settled motion can be computed without the effect.
     Run,
 }
 
-/// The scene with nothing dropped: without the effects that drop terms.
+/// The scene without the effects that drop terms.
 pub fn base(scene: &Scene) -> Scene {
     let mut names = scene.effects.names(scene.model);
     names.retain(|name| !DROPPING.contains(name));
     with(scene, &names)
 }
 
-/// What can be left out of `base`, which has nothing dropped.
+/// The candidates of `base`, a scene without effects that drop terms.
 pub fn candidates(base: &Scene) -> Vec<Candidate> {
     let model = base.model;
     let present = base.effects.names(model);
@@ -56,7 +56,7 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
         }
     }
     for name in &present {
-        // What needs it goes with it.
+        // Effects that require this one are left out with it.
         let needs = |other: &&str| model.effects.iter().any(|e| e.name == *other && e.requires.contains(name));
         let mut gone: Vec<&str> = vec![name];
         gone.extend(present.iter().copied().filter(|other| needs(other)));

@@ -1,34 +1,34 @@
-//! What a run is expected to record, without running it; or from a short run, where the numbers do not tell.
+//! The results that a run is expected to record: from settled motions without a run; or extrapolated from a short run.
 
 use super::candidates::Way;
 use super::measures::{Apart, Bands, Measures, coordinates};
 use super::orbit::{Orbit, Steady, Unknown};
 use crate::scene::Scene;
 
-/// Speeds at which the settled motion is looked at, on the way down.
+/// Number of speeds at which the settled motion is computed while the rotation slows down.
 const SPEEDS: usize = 8;
-/// Part of a run that is short.
+/// Duration of a short run, as a fraction of the run.
 const SHORT: f64 = 0.1;
-/// Pitches that a short run has, at least, and the part of the run that it has at most.
+/// Minimum duration of a short run [pitches], and its maximum as a fraction of the run.
 const PITCHES: f64 = 20.0;
 const AT_MOST: f64 = 0.5;
 
-/// What is expected of a scene.
+/// The expected results of a scene.
 #[derive(Debug, Clone)]
 pub struct Expected {
-    /// As a run would record it.
+    /// The quantities that a run would record.
     pub measures: Measures,
-    /// Whether a step is expected to turn the motion back, which ends what this can tell.
+    /// Whether a step is expected to reflect the motion. Then `measures` are not valid.
     pub turned_back: bool,
 }
 
-/// What a scene is expected to record, with what the way leaves out; `None` is the scene itself.
+/// The expected results of a scene without the terms that `without` leaves out; `None`: of the scene itself.
 ///
-/// With the jump terms, what damping takes a pitch is taken from the rotation: dT/dt = -loss a period/period. The motion is settled
-/// at every speed on the way.
+/// With the jump terms, the energy that damping dissipates comes from the rotation: dT/dt = -(loss per period)/period. The motion is
+/// assumed to be settled at every speed.
 ///
 /// # Errors
-/// Where a cell has no modes.
+/// [`Unknown`] if a cell has no modes or a settled motion does not exist.
 pub fn expected(scene: &Scene, steady: &Steady<'_>, bands: &Bands, without: Option<Way>) -> Result<Expected, Unknown> {
     let (elastic, rolling) = coordinates(scene.model);
     let mut measures = Measures {
@@ -50,7 +50,7 @@ pub fn expected(scene: &Scene, steady: &Steady<'_>, bands: &Bands, without: Opti
     measures.peak.fill(0.0);
     let mut rate = 0.0;
     for _ in 0..SPEEDS {
-        // In the middle of this part of the run.
+        // The speed, over that at the start, in the middle of this part of the run.
         let factor = (left - 0.5 * rate * part).max(f64::MIN_POSITIVE).sqrt();
         let orbit = steady.orbit(factor, jumps)?;
         add(&mut measures, &orbit, &elastic, bands);
@@ -88,14 +88,15 @@ fn add(measures: &mut Measures, orbit: &Orbit, elastic: &[usize], bands: &Bands)
     }
 }
 
-/// A scene that is run shortly: its time [s].
+/// Duration of a short run of a scene [s]; `mesh` is its lowest mesh frequency [Hz], 0 if it has none.
 pub fn short_run(scene: &Scene, mesh: f64) -> f64 {
     let least = if mesh > 0.0 { PITCHES / mesh } else { 0.0 };
     (SHORT * scene.t_end).max(least).min(AT_MOST * scene.t_end)
 }
 
 impl Apart {
-    /// What a deviation over a time `short` [s] becomes over `long`: what adds up does so, the rest stays.
+    /// The deviation over a duration `long` [s], extrapolated from that over `short` [s]: those of speed and energy grow in proportion,
+    /// the others stay the same.
     pub fn over(self, short: f64, long: f64) -> Apart {
         let more = long / short;
         Apart { speed: self.speed * more, energy: self.energy * more, ..self }

@@ -1,4 +1,4 @@
-//! The dimensionless groups of a scene, by which effects are judged.
+//! The dimensionless groups of a scene that indicate which effects matter.
 
 use crate::analysis::modes::{self, Meeting};
 use crate::analysis::steady::{self, Course};
@@ -6,38 +6,38 @@ use crate::engine::Refusal;
 use crate::engine::system::System;
 use crate::scene::Scene;
 
-/// The groups.
+/// The dimensionless groups of a scene.
 #[derive(Debug, Clone)]
 pub struct Groups {
-    /// Of every law that steps.
+    /// The groups of every law that steps.
     pub meshes: Vec<Mesh>,
-    /// Damped frequency [Hz] and damping factor of each mode at the mid stiffness, rising.
+    /// Damped natural frequency [Hz] and damping factor of each mode at the mid stiffness, by ascending frequency.
     pub modes: Vec<(f64, f64)>,
-    /// Harmonics of a mesh frequency near a natural one, nearest first, each with its law.
+    /// Harmonics of a mesh frequency near a natural frequency, the nearest first, each with the name of its law.
     pub meetings: Vec<(&'static str, Meeting)>,
-    /// Parameters of effects that are lengths or angles, over the static deflection of a coordinate in that unit.
+    /// Parameters of effects over the largest static deflection of a coordinate in the same unit, e.g. the backlash.
     pub gaps: Vec<(&'static str, f64)>,
 }
 
 /// The groups of a mesh.
 #[derive(Debug, Clone)]
 pub struct Mesh {
-    /// Its law.
+    /// Name of its law.
     pub law: &'static str,
-    /// J = 2 G dV/v², dV the energy of the greatest step at the static deflection of the softest cell: the energy of the step
-    /// over what the rotation has for it. For a gear pair M2 dk (T0/k)²/theta'².
+    /// Jump strength J = 2 G dV/v²: the energy of a step over the kinetic energy of the phase. dV is the energy of the largest step, at
+    /// the static deflection of the softest cell. For a gear pair J = M2 dk (T0/k)²/theta'².
     pub strength: f64,
     /// Mesh frequency [Hz].
     pub frequency: f64,
-    /// Greatest stiffness over least.
+    /// Largest stiffness over smallest.
     pub ratio: f64,
 }
 
 impl Groups {
-    /// Those of a scene.
+    /// The groups of a scene.
     ///
     /// # Errors
-    /// Where it has no modes.
+    /// [`Refusal`] if the scene has no modes.
     pub fn of(scene: &Scene, system: &System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;
@@ -78,14 +78,14 @@ impl Groups {
         self.meshes.iter().fold(0.0, |m, mesh| m.max(mesh.strength))
     }
 
-    /// The lowest mesh frequency [Hz], 0 if nothing steps.
+    /// The lowest mesh frequency [Hz]; 0 if no law steps.
     pub fn mesh(&self) -> f64 {
         let lowest = self.meshes.iter().map(|m| m.frequency).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
         if lowest.is_finite() { lowest } else { 0.0 }
     }
 }
 
-/// J of the step of a law between its extremes, at the static deflection of its lower level.
+/// Jump strength J of the step of a law from its lowest to its highest level, at the static deflection of the lowest.
 fn strength(
     system: &System,
     mids: &[f64],
@@ -103,7 +103,7 @@ fn strength(
     Ok(2.0 * soft.mobility[(phase, phase)] * dv / (course.speed * course.speed))
 }
 
-/// Deflections in the cell with law values `k`, without its rigid motions (n).
+/// Static deflections in the cell with law values `k`, without its rigid motions (n) [SI].
 fn statics(system: &System, k: &[f64]) -> Result<Vec<f64>, Refusal> {
     let modal = crate::engine::modal::Modal::of(&system.matrices(k)?)?;
     let amplitude = |i: usize| if modal.modes[i].omega2 > 0.0 { modal.load[i] / modal.modes[i].omega2 } else { 0.0 };

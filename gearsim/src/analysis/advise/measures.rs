@@ -1,84 +1,86 @@
-//! What a run recorded, in few numbers, and how far two runs are apart in them.
+//! The results of a run in a few numbers, and the deviation of two runs in them.
 
 use crate::analysis::spectrum::{segment_length, uniform_samples, welch};
 use crate::model::Model;
 use crate::run::Outcome;
 use crate::trajectory::{Moment, Trajectory};
 
-/// Frequency bands, each as wide as whole mesh orders.
+/// Frequency bands, each a whole number of mesh orders wide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bands {
-    /// Lower end of the first [Hz].
+    /// Lower end of the first band [Hz].
     pub from: f64,
-    /// Width of each [Hz].
+    /// Width of each band [Hz].
     pub width: f64,
-    /// How many there are.
+    /// Number of bands.
     pub count: usize,
 }
 
-/// A run in few numbers.
+/// The results of a run in a few numbers. Elastic coordinates are those that do not rotate continuously.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measures {
-    /// Root mean square of each elastic coordinate about its mean.
+    /// Root mean square of each elastic coordinate about its mean [SI].
     pub rms: Vec<f64>,
-    /// Greatest amount of each elastic coordinate.
+    /// Largest absolute value of each elastic coordinate [SI].
     pub peak: Vec<f64>,
-    /// Power of each elastic coordinate in each band.
+    /// Power of each elastic coordinate in each band [SI²].
     pub bands: Vec<Vec<f64>>,
-    /// Mean speed of each coordinate that rolls on, over the last tenth of the run.
+    /// Mean speed of each continuously rotating coordinate, over the last tenth of the samples; in an expected result its ratio to the
+    /// speed at the start.
     pub speed: Vec<f64>,
     /// U = T + V - W at the end [J].
     pub energy: f64,
     /// T + V at the start [J].
     pub at_start: f64,
-    /// Steps met.
+    /// Number of steps met.
     pub events: f64,
-    /// Of them, those that turned the motion back.
+    /// Number of reflections among them.
     pub reflections: u64,
 }
 
-/// How far apart two runs are.
+/// The deviations of two runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apart {
-    /// Of the root mean squares, relative: the worst coordinate.
+    /// Relative deviation of the root mean square, of the worst coordinate.
     pub rms: f64,
-    /// Of the peaks, relative: the worst coordinate.
+    /// Relative deviation of the peak, of the worst coordinate.
     pub peak: f64,
-    /// Of the power in a band \[dB\]: the worst band of the worst coordinate.
+    /// Deviation of the power in a band \[dB\], of the worst band of the worst coordinate.
     pub bands: f64,
-    /// Of the speed at the end, relative.
+    /// Relative deviation of the speed at the end, of the worst coordinate.
     pub speed: f64,
-    /// Of the energy at the end, over that at the start.
+    /// Deviation of the energy at the end, over the energy at the start.
     pub energy: f64,
-    /// Of the number of events, relative.
+    /// Relative deviation of the number of events.
     pub events: f64,
 }
 
-/// Power of a coordinate in a band, over that in all, below which the band says nothing.
+/// A band with less than this fraction of the coordinate's power is not compared.
 const FAINT: f64 = 1e-6;
-/// Motion of a coordinate, over the largest of its unit, that is rounding.
+/// The motion of a coordinate counts as rounding error if it is below this fraction of the largest one with the same unit.
 const ROUNDING: f64 = 1e-9;
-/// Events that the ends of a run may cut off.
+/// A difference of up to this number of events is not counted: it depends on where the ends of the run cut the motion.
 const COUNTED: f64 = 2.0;
-/// A difference that has no end, such as a band that is empty [dB].
+/// Maximum deviation of a band [dB], e.g. if the band is empty in one run.
 const SILENT: f64 = 200.0;
 
 impl Bands {
-    /// Whole orders of the mesh frequency `mesh`, 0.4 of the natural frequency `natural` at least, up to `end` [Hz].
+    /// Bands from half the mesh frequency `mesh` up to `end` [Hz]. Their width is a whole number of mesh orders, and at least 0.4 of
+    /// the natural frequency `natural` [Hz].
     pub fn of(mesh: f64, natural: f64, end: f64) -> Bands {
         let width = (0.4 * natural / mesh).ceil().max(1.0) * mesh;
         let from = 0.5 * mesh;
         Bands { from, width, count: ((end - from) / width).floor().clamp(1.0, 1000.0) as usize }
     }
 
-    /// The band of a frequency [Hz].
+    /// Index of the band that contains a frequency [Hz].
     pub fn index(&self, frequency: f64) -> Option<usize> {
         let at = ((frequency - self.from) / self.width).floor();
         (at >= 0.0 && at < self.count as f64).then_some(at as usize)
     }
 }
 
-/// The coordinates that do not roll on, and those that do.
+/// Indices of the coordinates that do not rotate continuously, and of those that do.
 pub fn coordinates(model: &Model) -> (Vec<usize>, Vec<usize>) {
     let rolls = |i: &usize| model.laws.iter().any(|law| law.rolling && law.phase == model.coordinates[*i].name);
     let (rolling, elastic) = (0..model.coordinates.len()).partition(rolls);
@@ -86,7 +88,7 @@ pub fn coordinates(model: &Model) -> (Vec<usize>, Vec<usize>) {
 }
 
 impl Measures {
-    /// Those of a run.
+    /// The measures of a run.
     pub fn of(outcome: &Outcome, bands: &Bands) -> Measures {
         let run = &outcome.trajectory;
         let (elastic, rolling) = coordinates(run.model);
@@ -120,7 +122,7 @@ impl Measures {
         }
     }
 
-    /// How far `other` is from this one, whose numbers are the measure.
+    /// The deviation of `other` from this run, relative to this run. `units` are those of the elastic coordinates.
     pub fn apart(&self, other: &Measures, units: &[&str]) -> Apart {
         let worst = |mine: &[f64], theirs: &[f64]| {
             let each = (0..mine.len()).map(|i| {
@@ -169,8 +171,8 @@ impl Apart {
     }
 }
 
-/// Instants at which something happens; `None` where events are not recorded. Steps that meshes of one phase meet together are one
-/// event to the motion, and several where each steps by the time alone: counts of events do not compare, instants do.
+/// Number of distinct times with an event; `None` if no events are recorded. Distinct times are counted instead of events: steps that
+/// several meshes of one phase meet together are one event in the exact equations, but several events if the phase is frozen.
 fn instants(run: &Trajectory) -> Option<u64> {
     let end = run.t.last().copied().unwrap_or(0.0);
     let mut last = f64::NEG_INFINITY;

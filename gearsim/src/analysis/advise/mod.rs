@@ -1,13 +1,14 @@
-//! Which effects matter to a scene: estimated from its numbers, then checked by runs with and without each.
+//! Which effects a scene needs: the deviation without each effect is estimated without a full run, then measured by runs with and
+//! without it.
 //!
-//! - [`groups`]: the dimensionless groups of the scene (Oh, Grosh & Barber 2005, and mechanics: jump strength, mesh frequency
-//!   over natural frequency, damping factor, stiffness ratio);
-//! - [`candidates`]: what could be left out;
-//! - [`orbit`]: the settled motion in steady rotation, as a fixed point of the exact propagators over one period, with the
-//!   impulses of the steps or without; no run in time;
-//! - [`expect`]: what a run is expected to record, from orbits at the speeds that it goes through;
-//! - [`measures`]: what a run did record, and how far two of either are apart;
-//! - [`LIMITS`]: how far apart is the same.
+//! - [`groups`]: the dimensionless groups of the scene: jump strength (Oh, Grosh & Barber 2005), mesh frequency over natural
+//!   frequency, damping factor, stiffness ratio;
+//! - [`candidates`]: the effects and terms that could be left out;
+//! - [`orbit`]: the settled motion in steady rotation, a fixed point of the exact propagators over one period, with or without the
+//!   impulses of the steps, computed without time integration;
+//! - [`expect`]: the results that a run is expected to record, from orbits at the speeds that it goes through;
+//! - [`measures`]: the results that a run did record, and the deviation of two such results;
+//! - [`LIMITS`]: the deviations up to which an effect is negligible.
 
 pub mod candidates;
 pub mod expect;
@@ -19,11 +20,11 @@ pub use candidates::{Candidate, Way, base, candidates};
 pub use expect::{expected, short_run};
 pub use measures::{Apart, Bands, Measures};
 
-/// Deviations up to which an effect may be left out.
+/// Deviations up to which an effect may be left out; relative, those of bands in dB.
 ///
-/// Bands: 1 dB, the mark by which the scenes of Oh, Grosh & Barber are told apart (`models/scenes/oh2005/README.md`): at 4500 rpm
-/// and 10 N m the classical equations are within 0.03 dB, at 600 rpm beyond it. The other marks were set on the same scenes: at
-/// 4500 rpm every deviation is below a fifth of its mark, at 600 rpm speed and energy pass theirs too.
+/// Bands: 1 dB, the limit used for the scenes of Oh, Grosh & Barber (`models/scenes/oh2005/README.md`). At 4500 rpm and 10 N m the
+/// classical equations deviate by less than 0.03 dB, at 600 rpm by more than 1 dB. The other limits were chosen on the same scenes:
+/// at 4500 rpm every deviation is below a fifth of its limit; at 600 rpm speed and energy exceed theirs too.
 pub const LIMITS: Apart = Apart { rms: 0.05, peak: 0.05, bands: 1.0, speed: 0.01, energy: 0.01, events: 0.01 };
 
 #[cfg(test)]

@@ -1,16 +1,17 @@
 //! The settled motion in steady rotation: the fixed point of the exact propagators over one common period of the meshes.
 //!
-//! Every mesh phase moves on at a constant speed, so that stiffnesses and transmission errors are functions of t. In the
-//! coordinates z of what is not rigid, q = B z with the shapes B of the mean stiffness, L = BᵀM, a stretch without steps takes
-//! y = (z, z') by its propagator P,
+//! Every mesh phase has a constant speed, so that stiffnesses and transmission errors are functions of t. Rigid motions are removed:
+//! q = B z with the mode shapes B of the mean stiffness, L = BᵀM. A stretch without steps maps the state y = (z, z') by its
+//! propagator P,
 //!
 //! ```text
 //! y -> y_s + P (y - y_s),     (BᵀK B) z_s = Bᵀf
 //! ```
 //!
-//! so that a period is affine, y -> A y + a, and the settled motion begins with (1 - A) y = a. The impulses of the steps
-//! enter at the ends of stretches: dz' = L M⁻¹n (v+ - v)/G from the jump rule, at the motion found before, until it stays the
-//! same. The rolling speed is kept; what the motion takes from it, the loss to damping a period, is told.
+//! The map of a period is therefore affine, y -> A y + a, and the settled motion starts at the solution of (1 - A) y = a. The impulses
+//! of the steps act at the ends of stretches: dz' = L M⁻¹n (v+ - v)/G from the jump rule. They are computed from the motion of the
+//! previous iteration, a fixed number of times. The speed of rotation is kept constant; the energy dissipated per period, which comes
+//! from the rotation, is part of the result.
 
 mod leg;
 mod look;
@@ -28,7 +29,7 @@ use crate::engine::modal::Modal;
 use crate::engine::system::System;
 use crate::scene::Scene;
 
-/// Why numbers do not tell how a scene moves.
+/// Why the settled motion of a scene cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the messages are the documentation
 pub enum Unknown {
@@ -36,51 +37,53 @@ pub enum Unknown {
     Refused(#[from] Refusal),
     #[error("{0}")]
     Aperiodic(#[from] Aperiodic),
-    #[error("a common period of the meshes has {0} cells")]
+    #[error("the common period of the meshes has too many cells: {0}")]
     Long(usize),
-    #[error("a period of the meshes has {0:.0} of the fastest vibration")]
+    #[error("the common period of the meshes has too many periods of the fastest vibration: {0:.0}")]
     Slow(f64),
     #[error("nothing vibrates")]
     Rigid,
-    #[error("the vibration of the start does not die away within the run")]
+    #[error("the initial vibration does not decay within the run")]
     Unsettled,
-    #[error("torques that do not balance change the speed")]
+    #[error("the torques are not in balance and change the speed")]
     Unbalanced,
-    #[error("stiffness or transmission error follow curves between their steps")]
+    #[error("a stiffness or a transmission error is a curve, not constant between steps")]
     Curved,
 }
 
-/// Cells of a period, at most.
+/// Maximum number of stretches in a period.
 const MOST_STRETCHES: usize = 240;
-/// Instants at which the motion is looked at: of a period, and of the fastest vibration, at least; of a period, at most.
+/// Number of instants at which the motion is evaluated: minimum per period, minimum per period of the fastest vibration, and maximum
+/// per period.
 const INSTANTS: f64 = 480.0;
 const OF_A_CYCLE: f64 = 40.0;
 const MOST_INSTANTS: f64 = 50_000.0;
-/// Times that impulses are worked out from the motion that they make.
+/// Number of iterations of impulses and motion.
 const ROUNDS: usize = 12;
-/// What may be left at the end of the run of the vibration of its start.
+/// Maximum fraction of the initial vibration that may be left at the end of the run.
 const SETTLED: f64 = 0.2;
-/// Change of the speed by torques over the run, relative, that is none.
+/// The speed counts as constant if the torques change it by less than this fraction over the run.
 const BALANCED: f64 = 1e-3;
 
-/// What a scene is in steady rotation.
+/// A scene in steady rotation.
 pub struct Steady<'a> {
     system: &'a System,
     /// The laws.
     pub courses: Vec<Course>,
-    /// Coordinate that is the phase of each law.
+    /// Index of the coordinate that is the phase of each law.
     phases: Vec<usize>,
-    /// Common period at the scene's speed [s], and its stretches.
+    /// Common period at the scene's speed [s].
     pub period: f64,
+    /// The stretches of the period.
     stretches: Vec<Stretch>,
-    /// B and L.
+    /// B (n x m) and L (m x n), m the number of elastic modes.
     shapes: DMatrix<f64>,
     onto: DMatrix<f64>,
     /// Kinetic energy of the rotation [J].
     pub rolling: f64,
     /// Lowest and highest natural frequency at the mean stiffness [Hz].
     pub natural: (f64, f64),
-    /// Static deflections at the mid stiffness (n).
+    /// Static deflections at the mid stiffness (n) [SI].
     pub statics: DVector<f64>,
 }
 
@@ -89,27 +92,27 @@ pub struct Steady<'a> {
 pub struct Orbit {
     /// The period [s].
     pub period: f64,
-    /// Mean of each coordinate.
+    /// Mean of each coordinate (n) [SI].
     pub mean: Vec<f64>,
-    /// Mean square of each coordinate about its mean.
+    /// Mean square of each coordinate about its mean (n) [SI²].
     pub square: Vec<f64>,
-    /// Greatest amount of each coordinate.
+    /// Largest absolute value of each coordinate (n) [SI].
     pub peak: Vec<f64>,
-    /// Power of each coordinate at each multiple of 1/period, from 1 on.
+    /// Power of each coordinate in each spectral line, at multiples of 1/period from 1 on (n x number of lines) [SI²].
     pub lines: Vec<Vec<f64>>,
-    /// Energy lost to damping [J].
+    /// Energy dissipated by damping per period [J].
     pub lost: f64,
-    /// Steps met.
+    /// Number of steps per period.
     pub steps: usize,
-    /// Largest 2 G dV/v² of a step: beyond 1, it turns the motion back.
+    /// Largest jump strength 2 G dV/v² of a step. A step of strength 1 or more reflects the motion.
     pub strength: f64,
 }
 
 impl<'a> Steady<'a> {
-    /// That of a scene.
+    /// The steady rotation of a scene.
     ///
     /// # Errors
-    /// Where its numbers do not make a settled motion that this finds.
+    /// [`Unknown`] if the settled motion cannot be computed.
     pub fn of(scene: &Scene, system: &'a System) -> Result<Steady<'a>, Unknown> {
         if scene.present().any(|(_, law)| !law.steps_only()) {
             return Err(Unknown::Curved);
@@ -159,10 +162,10 @@ impl<'a> Steady<'a> {
         Ok(steady)
     }
 
-    /// The settled motion at `factor` times the scene's speed; with the impulses of the steps if `jumps`.
+    /// The settled motion at `factor` times the scene's speed, with the impulses of the steps if `jumps`.
     ///
     /// # Errors
-    /// Where a cell has no modes.
+    /// [`Unknown`] if a cell has no modes, or if 1 - A is singular.
     pub fn orbit(&self, factor: f64, jumps: bool) -> Result<Orbit, Unknown> {
         let legs = self.legs(factor)?;
         let size = 2 * self.shapes.ncols();
@@ -182,7 +185,7 @@ impl<'a> Steady<'a> {
                 y = leg.cross(&y);
                 let (impulse, here) = self.impulse(leg, &y)?;
                 strength = strength.max(here);
-                // The mean with the one before: where they are strong, they would overshoot each other.
+                // Average with the previous iteration: strong impulses would otherwise overshoot.
                 *kick = (&*kick + impulse) * 0.5;
                 y += &*kick;
             }
@@ -199,7 +202,7 @@ impl<'a> Steady<'a> {
         let leg = |i: usize| -> Result<Leg, Unknown> {
             let (here, next) = (&self.stretches[i], &self.stretches[(i + 1) % count]);
             let time = here.time / factor;
-            // Slower rotation has more cycles of the vibration in a period.
+            // At a lower speed a period contains more cycles of the vibration.
             let cycles = self.natural.1 * self.period / factor;
             let share = here.time / self.period * (OF_A_CYCLE * cycles).clamp(INSTANTS, MOST_INSTANTS);
             let substeps = (share.ceil() as usize).max(2);
@@ -222,14 +225,14 @@ impl<'a> Steady<'a> {
         (0..count).map(leg).collect()
     }
 
-    /// z_s of a cell.
+    /// The static deflection z_s of a cell.
     fn rest(&self, levels: &[f64]) -> Result<DVector<f64>, Unknown> {
         let matrices = self.system.matrices(levels)?;
         let k = self.shapes.transpose() * &matrices.stiffness * &self.shapes;
         k.lu().solve(&(self.shapes.transpose() * &matrices.load)).ok_or(Unknown::Rigid)
     }
 
-    /// A propagator of (q, q') as one of (z, z').
+    /// A propagator of (q, q'), reduced to (z, z').
     fn reduced(&self, propagator: &DMatrix<f64>) -> DMatrix<f64> {
         let (n, m) = self.shapes.shape();
         let mut reduced = DMatrix::zeros(2 * m, 2 * m);
@@ -240,13 +243,13 @@ impl<'a> Steady<'a> {
         reduced
     }
 
-    /// What a disturbance grows by in a period, at most.
+    /// Largest factor by which a disturbance grows in a period: the largest absolute value of an eigenvalue of A.
     fn growth(&self) -> Result<f64, Unknown> {
         let a = leg::period(&self.legs(1.0)?);
         Ok(a.complex_eigenvalues().iter().fold(0.0f64, |m, z| m.max(z.norm())))
     }
 
-    /// The impulse at the end of a leg, as a change of (z, z'), and the largest 2 G dV/v².
+    /// The impulse at the end of a leg, as a change of (z, z'), and the largest jump strength 2 G dV/v².
     fn impulse(&self, leg: &Leg, y: &DVector<f64>) -> Result<(DVector<f64>, f64), Unknown> {
         let m = self.shapes.ncols();
         let mut change = DVector::zeros(2 * m);

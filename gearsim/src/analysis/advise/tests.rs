@@ -1,4 +1,4 @@
-//! What numbers tell of the paper's gear pair, against runs.
+//! Tests of the estimates for the paper's gear pair against runs.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -32,14 +32,14 @@ fn steady_of<T>(scene: &Scene, f: impl FnOnce(&Steady<'_>) -> T) -> Result<T, Un
     Steady::of(scene, &system).map(|steady| f(&steady))
 }
 
-/// The settled motion is that into which a run under the classical equations settles: its mean square, its peak and its lines.
+/// A run under the classical equations settles into the settled motion: same mean, mean square and peak; the spectral lines add up.
 #[test]
 fn the_orbit_is_where_a_run_settles() {
     let errors = "laws.e={pitch_errors=[\"0 rad\", \"1e-3 rad\"], phase=\"0.4 rad\"}";
     for (rpm, error) in [(600.0, false), (1500.0, false), (4500.0, false), (600.0, true), (4500.0, true)] {
-        // An error repeats itself every two teeth.
+        // The pitch errors have a period of two teeth.
         let pitch = if error { 2.0 } else { 1.0 } * 60.0 / (24.0 * rpm);
-        // 60 pitches, of which the last 20 are looked at: by then e^(-zeta w t) is below 1e-9.
+        // The run has 60 pitches, and the last 20 are evaluated: by then e^(-zeta w t) is below 1e-9.
         let t_end = format!("run.t_end={:?} s", 60.0 * pitch);
         let rate = format!("output.rate={:?} Hz", 1000.0 / pitch);
         let set = [&t_end[..], &rate, "parameters.zeta=0.1"];
@@ -57,14 +57,15 @@ fn the_orbit_is_where_a_run_settles() {
         assert!((orbit.mean[1] / mean - 1.0).abs() < 1e-3, "{rpm}: mean {} {mean}", orbit.mean[1]);
         assert!((orbit.square[1] / square - 1.0).abs() < 2e-3, "{rpm}: square {} {square}", orbit.square[1]);
         assert!((orbit.peak[1] / peak - 1.0).abs() < 1e-3, "{rpm}: peak {} {peak}", orbit.peak[1]);
-        // Parseval: the lines add up to the mean square.
+        // Parseval's theorem: the sum of the lines is the mean square.
         let lines: f64 = orbit.lines[1].iter().sum();
         assert!((lines / orbit.square[1] - 1.0).abs() < 1e-3, "{rpm}: lines {lines}");
     }
 }
 
-/// In slow rotation every step settles before the next, and a pitch costs T0² (1/k1 - 1/k2)² (k1 + k2), the strain energy that
-/// is left over at both steps; with the impulses as without, for they only carry it over.
+/// In slow rotation the vibration after every step decays before the next step. A pitch then dissipates
+/// T0² (1/k1 - 1/k2)² (k1 + k2), the strain energy left over at both steps. This holds with and without the impulses, which only
+/// transfer this energy.
 #[test]
 fn a_slow_pitch_costs_its_steps() {
     let set = ["parameters.zeta=0.1", "parameters.T0=10 N*m"];
@@ -74,7 +75,7 @@ fn a_slow_pitch_costs_its_steps() {
     assert!((orbit.lost / cost - 1.0).abs() < 0.02, "{} {cost}", orbit.lost);
 }
 
-/// The jump strength of the scene is that of Oh, Grosh & Barber, M2 dk (T0/k1)²/theta'².
+/// The jump strength of the gear pair is that of Oh, Grosh & Barber (2005), M2 dk (T0/k1)²/theta'².
 #[test]
 fn the_jump_strength_is_the_papers() {
     let scene = scene(600.0, ALL, &["parameters.T0=10 N*m"]);
@@ -98,7 +99,7 @@ fn what_numbers_do_not_tell_is_said() {
     assert!(matches!(steady_of(&still, |_| ()).unwrap_err(), Unknown::Aperiodic(_)));
 }
 
-/// Every effect of the scene can go, with what needs it, and each approximation can come.
+/// Every effect of the scene is a candidate, left out with the effects that require it, and so is each approximation.
 #[test]
 fn candidates_are_the_effects() {
     let scene = scene(600.0, FROZEN, &[]);
@@ -132,7 +133,7 @@ fn deviations_are_of_the_worst() {
     assert!(a.apart(&a, &["m", "m"]).each().iter().all(|x| *x == 0.0));
     let mut b = a.clone();
     (b.rms[1], b.peak[0], b.bands[1][1], b.speed[0], b.energy, b.events) = (2.2, 2.7, 5.0, 99.0, 12.0, 150.0);
-    // A faint band says nothing.
+    // A band with too little power is not compared.
     b.bands[0][1] = 1e-7;
     let apart = a.apart(&b, &["m", "m"]).each();
     for (x, want) in apart.into_iter().zip([0.1, 0.1, 10.0, 0.01, 0.1, 0.25]) {

@@ -1,20 +1,20 @@
-//! Stability over one or two varied quantities.
+//! Stability charts over one or two varied quantities.
 
 use super::Floquet;
 
 /// A quantity that is varied.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Varied {
-    /// Its key in the scene, e.g. `start.speed`; or what it is shown as.
+    /// Its key in the scene, e.g. `start.speed`; or a name to show.
     pub name: String,
     /// Unit of the values.
     pub unit: String,
-    /// Its values, rising.
+    /// Its values, ascending.
     pub values: Vec<f64>,
 }
 
 impl Varied {
-    /// Its name without the table of the scene that it is in.
+    /// Its name without that of its table in the scene: `speed` of `start.speed`.
     pub fn label(&self) -> &str {
         self.name.split_once('.').map_or(&self.name, |(_, name)| name)
     }
@@ -24,20 +24,20 @@ impl Varied {
         self.values.first().copied().unwrap_or(0.0)
     }
 
-    /// The largest.
+    /// The largest value.
     pub fn high(&self) -> f64 {
         self.values.last().copied().unwrap_or(1.0)
     }
 }
 
-/// What is known at one place.
+/// The result at one point of a chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spot {
-    /// ln of the largest multiplier.
+    /// Growth per period: ln of the largest absolute value of a multiplier.
     pub growth: f64,
     /// Whether a disturbance grows exponentially.
     pub unstable: bool,
-    /// Frequency of the mesh over the lowest natural frequency at the mean stiffness.
+    /// Mesh frequency over the lowest natural frequency at the mean stiffness.
     pub ratio: f64,
 }
 
@@ -47,22 +47,22 @@ impl From<&Floquet> for Spot {
     }
 }
 
-/// A chart: a row of spots for each value of y, or one row.
+/// A stability chart: a row of points for each value of y; a single row without y.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     /// Name of the scene.
     pub scene: String,
-    /// What changes along a row.
+    /// The quantity that varies along a row.
     pub x: Varied,
-    /// What changes from row to row.
+    /// The quantity that varies from row to row.
     pub y: Option<Varied>,
-    /// The rows; `None` where a spot is refused.
+    /// The rows; `None` for a point that has no multipliers.
     pub rows: Vec<Vec<Option<Spot>>>,
 }
 
 impl Chart {
-    /// The same over the ratio of the mesh frequency to the natural frequency, where that changes along x and is the same in
-    /// every row: what says more than a speed.
+    /// The same chart with the ratio of mesh frequency to natural frequency as x, which says more than a speed. The chart is unchanged
+    /// if that ratio does not rise along x, or differs between rows.
     pub fn by_ratio(mut self) -> Chart {
         let ratios = |row: &Vec<Option<Spot>>| row.iter().map(|s| s.map(|s| s.ratio)).collect::<Option<Vec<f64>>>();
         let all: Option<Vec<Vec<f64>>> = self.rows.iter().map(ratios).collect();

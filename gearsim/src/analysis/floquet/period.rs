@@ -1,19 +1,19 @@
-//! One period of all stiffnesses: the common multiple of their pitches, cut where any of them steps.
+//! The common period of all stiffnesses, divided into stretches in which none of them steps.
 
 use crate::analysis::steady::Course;
 
-/// Why there is no period.
+/// Why the laws have no common period.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)]
 pub enum Aperiodic {
     #[error(
-        "no stiffness of the scene steps, so nothing is periodic: name the effect `stiffness_step`, and give a law two levels"
+        "no stiffness of the scene steps, so nothing is periodic: add the effect `stiffness_step`, and give a law two levels"
     )]
     Constant,
-    #[error("the phase of `{law}` stands still: give the scene a speed in [start]")]
+    #[error("the phase of `{law}` does not move: give the scene a speed in [start]")]
     Still { law: &'static str },
     #[error(
-        "the meshes `{first}` and `{second}` have no common period: their frequencies are as {ratio}, not as whole numbers up to {most}"
+        "the meshes `{first}` and `{second}` have no common period: the ratio of their frequencies, {ratio}, is not one of whole numbers up to {most}"
     )]
     Incommensurate { first: &'static str, second: &'static str, ratio: f64, most: u64 },
     #[error("a common period of all meshes has more than {most} steps")]
@@ -23,30 +23,30 @@ pub enum Aperiodic {
 /// A part of the period in which no stiffness steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
-    /// The value of each law.
+    /// The value of each law [SI].
     pub levels: Vec<f64>,
-    /// How long it lasts [s].
+    /// Its duration [s].
     pub time: f64,
 }
 
-/// Largest number of pitches of one mesh for which another has a whole number too: tooth numbers are smaller.
+/// Maximum number of pitches of one mesh in a common period with another: numbers of teeth are smaller.
 const MOST_PITCHES: u64 = 1000;
-/// How well the ratio of two mesh frequencies is known.
+/// Relative tolerance for the ratio of two mesh frequencies to be one of whole numbers.
 const WHOLE: f64 = 1e-9;
-/// Steps in a period, at most.
+/// Maximum number of steps in a period.
 const MOST_STEPS: usize = 100_000;
 
-/// The period [s] and its stretches.
+/// The common period [s] of the laws, and its stretches in their order.
 ///
 /// # Errors
-/// Where there is none.
+/// [`Aperiodic`] if there is none.
 pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
     let stepping: Vec<&Course> = courses.iter().filter(|c| c.steps).collect();
     let first = *stepping.first().ok_or(Aperiodic::Constant)?;
     if let Some(still) = stepping.iter().find(|c| c.speed == 0.0 || !c.frequency().is_normal()) {
         return Err(Aperiodic::Still { law: still.name });
     }
-    // Pitches of the first mesh in the period.
+    // Number of pitches of the first mesh in the period.
     let mut pitches = 1u64;
     for course in &stepping {
         let ratio = course.frequency() / first.frequency();
@@ -79,11 +79,11 @@ pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
     Ok((period, cuts.windows(2).map(stretch).collect()))
 }
 
-/// The times at which a stiffness steps, within the period.
+/// The times within the period at which a law steps [s].
 fn steps(course: &Course, period: f64) -> Vec<f64> {
     let pitches = (course.frequency() * period).round() as u64;
     let one = course.period / course.speed.abs();
-    // How far on its way each step lies.
+    // Time until the phase first reaches the end of a level.
     let way = |end: f64| {
         let forward = if course.speed > 0.0 { end - course.start } else { course.start - end };
         forward.rem_euclid(course.period) / course.speed.abs()
@@ -91,6 +91,7 @@ fn steps(course: &Course, period: f64) -> Vec<f64> {
     (0..pitches).flat_map(|p| course.levels.iter().map(move |&(_, end)| way(end) + p as f64 * one)).collect()
 }
 
+/// The value of a law at the time `t` [s].
 fn level(course: &Course, t: f64) -> f64 {
     let phase = (course.start + course.speed * t).rem_euclid(course.period);
     let here = course.levels.iter().find(|(_, end)| phase < *end);

@@ -1,7 +1,7 @@
-//! The springs of a scene beside its meshes: parameters in which the stiffness matrix is linear, and the masses have no part.
+//! The springs of a scene other than its meshes: parameters in which K is linear and on which M does not depend.
 //!
-//! Found by their numbers, so that no model has to say which of its parameters are stiffnesses: K at once, twice and three
-//! times the parameter, every law at zero.
+//! They are found numerically, so that a model need not say which of its parameters are stiffnesses: K is evaluated at 1, 2 and 3
+//! times the parameter, with every law at zero.
 
 use nalgebra::DMatrix;
 
@@ -9,22 +9,22 @@ use crate::engine::Refusal;
 use crate::run::Entry;
 use crate::scene::Scene;
 
-/// A spring, or all those of one parameter.
+/// A spring, or all springs with the same parameter.
 #[derive(Debug, Clone)]
 pub struct Spring {
     /// Name of the parameter.
     pub name: &'static str,
-    /// Its part of K.
+    /// Its part of K (n x n).
     pub stiffness: DMatrix<f64>,
 }
 
-/// Deviation from a straight line that is rounding, in parts of the spring's stiffness.
+/// Deviation from linearity, relative to the spring's stiffness, that counts as rounding error.
 const STRAIGHT: f64 = 1e-9;
 
 /// The springs of `scene`, in the order of the parameters.
 ///
 /// # Errors
-/// Those of the scene's matrices.
+/// Those of the matrices of the scene.
 pub fn of(scene: &Scene, entry: &Entry) -> Result<Vec<Spring>, Refusal> {
     let matrices = |parameter: usize, times: f64| {
         let mut scene = scene.clone();
@@ -39,7 +39,7 @@ pub fn of(scene: &Scene, entry: &Entry) -> Result<Vec<Spring>, Refusal> {
             continue;
         }
         let once = matrices(i, 1.0)?;
-        // A multiple that makes no system is not that of a stiffness.
+        // If a multiple of the parameter gives no valid system, the parameter is not a stiffness.
         let (Ok(twice), Ok(thrice)) = (matrices(i, 2.0), matrices(i, 3.0)) else { continue };
         let stiffness = &twice.stiffness - &once.stiffness;
         let bend = (&thrice.stiffness - &twice.stiffness - &stiffness).amax();

@@ -1,4 +1,4 @@
-//! Welch's method against signals whose spectrum is known.
+//! Tests of Welch's method with signals whose spectrum is known.
 
 use super::*;
 use crate::output::fixture::{MODEL, RATE, oscillator};
@@ -17,7 +17,7 @@ fn white(n: usize) -> Vec<f64> {
 #[test]
 fn a_sine_has_half_its_amplitude_squared() {
     let (amplitude, rate) = (3.0, 1000.0);
-    // Between two frequencies of the grid, with an offset that the mean takes away.
+    // A frequency between two of the grid, and an offset, which the subtraction of the mean removes.
     let x: Vec<f64> =
         (0..8192).map(|i| 5.0 + amplitude * (2.0 * std::f64::consts::PI * 123.456 * i as f64 / rate).sin()).collect();
     let spectrum = welch(&x, rate, segment_length(x.len())).unwrap();

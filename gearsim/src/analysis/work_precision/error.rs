@@ -1,32 +1,32 @@
-//! How far a run is from a reference, apart: at the end, along the path, in the times and number of events, in energy.
+//! The errors of a run against a reference, separately: at the end, along the path, in the times and number of events, and in energy.
 //!
-//! States are compared coordinate by coordinate and speed by speed, each in units of its own size in the reference; of a
-//! coordinate that rolls on, one pitch is the unit. Never across a jump: a sample between an event and its counterpart
-//! says how late one is, not how wrong the speed, and is left to the error in times.
+//! Every coordinate and every speed is compared in units of its own size in the reference. The unit of a coordinate that rotates
+//! continuously is one pitch. Samples between an event and its counterpart in the other run are not compared: their difference shows
+//! the delay of the event, which the error in times measures, not an error of the speed.
 //!
-//! Events are those at which speeds or strain energy jump. Flanks that meet or part change neither; which of their moments are noted
-//! is a matter of the method.
+//! Only events at which speeds or strain energy jump are compared. Flanks that meet or part change neither, and methods record
+//! different ones of these events.
 
 use crate::run::Outcome;
 use crate::trajectory::{Moment, Trajectory};
 
-/// How far off a run is.
+/// The errors of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// Largest of the state at the end.
+    /// Largest error of the state at the end; NaN if the end was not reached.
     pub end: f64,
-    /// Largest of the state at any sample, and of the limits at events where their number is right.
+    /// Largest error of the state at any sample, and before and after events if their number is right.
     pub path: f64,
-    /// Largest in the time of an event \[s\]; `None` where their number is not right, or there are none.
+    /// Largest error in the time of an event \[s\]; `None` if their number is not right, or there are none.
     pub times: Option<f64>,
-    /// Events too many, or too few.
+    /// Number of events less that of the reference.
     pub events: i64,
-    /// Largest energy unaccounted for, of T + V at the start.
+    /// Largest energy residual, over T + V at the start.
     pub energy: f64,
 }
 
-/// The errors of `run`. Where ramps of width `blur` \[unit of the phase\] stand for steps, samples that may lie in one are not
-/// compared: there a ramp is not a step by its nature.
+/// The errors of `run`. If ramps of width `blur` \[unit of the phase\] replace steps, samples that may lie on a ramp are not compared:
+/// there a ramp differs from a step in any case.
 pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     let (a, b) = (&run.trajectory, &reference.trajectory);
     let sizes = sizes(b);
@@ -37,9 +37,9 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     let matched = events == 0 && !mine.is_empty();
     let times = matched.then(|| mine.iter().zip(&theirs).fold(0.0f64, |m, (&i, &j)| m.max((a.t[i] - b.t[j]).abs())));
 
-    // Row j of the reference, and i of the run at the same time: is an event of one, and not of the other, between them?
-    // A ramp's events have no times: they are as far off as the phases are apart, and the ramp is wide; where only one has
-    // turned back so far, they have an event between them.
+    // For row j of the reference and row i of the run at the same time: can an event have happened in one and not yet in the other?
+    // The events of ramps have no times. Their delay is at most the distance of the two phases plus the width of the ramp, over the
+    // speed. If the phases move in opposite directions, there is an event between the two rows.
     let phase = b.model.laws.first().and_then(|law| b.model.coordinates.iter().position(|c| c.name == law.phase));
     let near = |i: usize, j: usize| {
         let ramp = phase.filter(|_| blur > 0.0).map_or(0.0, |phase| {
@@ -59,7 +59,7 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
         }
     }
     if matched {
-        // The limits at an event, each with its counterpart.
+        // Compare the rows before and after each event with those of its counterpart.
         for (&i, &j) in mine.iter().zip(&theirs) {
             path = path.max(difference(i, j)).max(difference(i + 1, j + 1));
         }
@@ -72,14 +72,14 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     Errors { end, path, times, events, energy }
 }
 
-/// Roundings, of the largest value, that are no jump.
+/// A change of up to this fraction of the largest value counts as rounding error, not as a jump.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
 fn largest(column: &[f64]) -> f64 {
     column.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()))
 }
 
-/// Rows of left limits at which something jumps; each has its right limit in the next row.
+/// The rows before an event at which a speed or the strain energy jumps; the row after the event is the next one.
 fn jumps(t: &Trajectory) -> Vec<usize> {
     let columns = || t.q_dot.iter().chain([&t.strain]);
     let roundings: Vec<f64> = columns().map(|column| ROUNDINGS * largest(column)).collect();
@@ -87,8 +87,8 @@ fn jumps(t: &Trajectory) -> Vec<usize> {
     (0..t.len().saturating_sub(1)).filter(|&i| t.moment[i] == Moment::Before).filter(jumps).collect()
 }
 
-/// The largest difference of a coordinate or speed in a row of one run and a row of another, in units of their `sizes`; NaN if one of
-/// them is.
+/// The largest difference of a coordinate or speed between row `i` of run `a` and row `j` of run `b`, in units of their `sizes`; NaN if
+/// a difference is NaN.
 pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), sizes: &(Vec<f64>, Vec<f64>)) -> f64 {
     let of = |x: &[Vec<f64>], y: &[Vec<f64>], sizes: &[f64]| {
         let each = x.iter().zip(y).zip(sizes).map(|((x, y), size)| (x[i] - y[j]).abs() / size);
@@ -97,7 +97,7 @@ pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), si
     of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
 }
 
-/// The sizes of the coordinates and of the speeds of a run.
+/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate.
 pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
     let q = run.model.coordinates.iter().zip(&run.q).map(|(coordinate, column)| {
         let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);

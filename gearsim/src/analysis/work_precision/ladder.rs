@@ -1,4 +1,4 @@
-//! What is run: each method or approximation in steps from coarse to fine. One more is one entry here.
+//! The runs of a work-precision diagram: each method or approximation with settings from coarse to fine. A new one is one entry here.
 
 use std::f64::consts::TAU;
 
@@ -8,53 +8,53 @@ use crate::scene::solver::{Method, Precision, Solver};
 
 use super::reference::{By, Reference, recorded};
 
-/// The scene, and the same under cheaper equations, with what these are called.
+/// The scene, and the same scene under approximate equations.
 #[derive(Debug, Clone)]
 pub struct Scenes {
     /// The scene itself.
     pub exact: Scene,
-    /// What others compute in its place.
+    /// The scene under equations that are cheaper to solve but not exact, each with their name.
     pub cheaper: Vec<(&'static str, Scene)>,
 }
 
-/// What a family's error comes from.
+/// The origin of a family's error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Of the numbers: it falls as they get finer.
+    /// The numerical method: the error falls with finer settings.
     Method,
-    /// Of the equations: it stays.
+    /// The equations: the error stays.
     Equations,
 }
 
-/// A method or approximation, from coarse to fine.
+/// A method or approximation with its settings.
 #[derive(Debug, Clone)]
 pub struct Family {
     /// Its name in legends and tables.
     pub label: &'static str,
-    /// What its error comes from.
+    /// The origin of its error.
     pub kind: Kind,
-    /// Its settings.
+    /// Its settings, from coarse to fine.
     pub rungs: Vec<Rung>,
 }
 
 /// One setting of a family.
 #[derive(Debug, Clone)]
 pub struct Rung {
-    /// What it is, e.g. `1e-9`.
+    /// The setting as text, e.g. `1e-9`.
     pub setting: String,
-    /// What is run.
+    /// The scene to run.
     pub scene: Scene,
-    /// Width of the ramp in place of steps \[unit of the phase\]; 0 where steps are steps.
+    /// Width of the ramps that replace steps \[unit of the phase\]; 0 if they do not.
     pub blur: f64,
 }
 
-/// Tolerances of adaptive methods: 1e-3 to 1e-13.
+/// Tolerances of adaptive methods: 10 to the power of -3 to -13.
 const TOLERANCES: std::ops::RangeInclusive<i32> = 3..=13;
-/// Steps of fixed length: the period of the elastic mode over 2 to these powers.
+/// Fixed time steps: the period of the elastic mode over 2 to these powers.
 const HALVINGS: std::ops::RangeInclusive<i32> = 3..=13;
-/// Events of a run for one of the reference before it is given up.
+/// Number of time steps allowed for events, per event of the reference.
 const MOST_EVENTS: u64 = 100;
-/// Widths of ramps: a pitch over 10 to these powers; and the tolerance, so far below, at which they are integrated.
+/// Widths of ramps: a pitch over 10 to these powers.
 const RAMPS: std::ops::RangeInclusive<i32> = 2..=7;
 
 /// All families for `scenes`.
@@ -75,7 +75,7 @@ pub fn families(scenes: &Scenes, reference: &Reference) -> Vec<Family> {
         let at = |k: i32| period / 2f64.powi(k);
         let rungs = HALVINGS.map(|k| {
             let h = at(k);
-            // Where it is unstable the motion grows, and meets ever more events: it has failed long before it ends.
+            // If the method is unstable, the motion grows and meets more and more events: stop such a run long before its end.
             let most_steps = (2.0 * scene.t_end / h) as u64 + MOST_EVENTS * (reference.events() + 1);
             rung(format!("h = {h:.2e} s"), with(Solver { step: Some(h), most_steps, ..by(name) }))
         });
@@ -83,7 +83,7 @@ pub fn families(scenes: &Scenes, reference: &Reference) -> Vec<Family> {
     };
     let compensated = Solver { precision: Precision::Compensated, ..by(Method::Exact) };
     let mut families = vec![];
-    // What a scene does not allow is no failure.
+    // A method that the scene does not allow is left out, not shown as failed.
     if !matches!(reference.by, By::Steps(_)) {
         families.push(method("exact cells", vec![rung("f64".into(), with(by(Method::Exact)))]));
     }
@@ -108,13 +108,14 @@ pub fn families(scenes: &Scenes, reference: &Reference) -> Vec<Family> {
     families
 }
 
-/// The scene with ramps of `part` of a pitch for its steps; `None` if it has no room for them, or no steps.
+/// The scene with ramps of the width `part` of a pitch instead of steps; `None` if the levels are too short for them, or there are no
+/// steps.
 fn ramp(scene: &Scene, reference: &Reference, part: f64) -> Option<Rung> {
     let start = &reference.outcome.trajectory;
     let column = |name: &str| scene.model.coordinates.iter().position(|c| c.name == name);
     let widths: Vec<f64> = scene.model.laws.iter().map(|law| part * law.period).collect();
     let ramped = scene.model.laws.iter().zip(&scene.laws).zip(&widths).map(|((law, stiffness), width)| {
-        // A scene that starts on a step has it behind itself, and so must the ramp be.
+        // A scene that starts at a step has already passed it: the ramp must lie behind the start, too.
         let behind = column(law.phase).is_none_or(|i| start.q_dot[i][0] >= 0.0);
         stiffness.ramped(*width, if behind { 1.0 } else { 0.0 })
     });
@@ -125,7 +126,7 @@ fn ramp(scene: &Scene, reference: &Reference, part: f64) -> Option<Rung> {
     let mut scene = Scene { laws, ..scene.clone() };
     scene.start.q = start.q.iter().map(|q| Start::At(q[0])).collect();
     scene.start.q_dot = start.q_dot.iter().map(|v| Some(v[0])).collect();
-    // Far below what the ramps themselves cost in accuracy.
+    // A tolerance far below the error caused by the ramps themselves.
     scene.solver = Solver { method: Some(Method::Dop853), tolerance: (1e-2 * part).max(1e-12), ..Solver::default() };
     let blur = widths.iter().fold(0.0f64, |m, w| m.max(*w));
     Some(Rung { setting: format!("eps = {blur:.1e}"), scene, blur })

@@ -1,4 +1,4 @@
-//! What one run costs, and how far off it is.
+//! Measures the processor time and the errors of one setting.
 
 use std::time::{Duration, Instant};
 
@@ -11,7 +11,7 @@ use super::{Reference, Runner};
 pub struct Curve {
     /// Its name.
     pub label: &'static str,
-    /// What its error comes from.
+    /// The origin of its error.
     pub kind: Kind,
     /// Its settings, from coarse to fine.
     pub points: Vec<Point>,
@@ -20,27 +20,27 @@ pub struct Curve {
 /// One setting, measured.
 #[derive(Debug, Clone)]
 pub struct Point {
-    /// Which.
+    /// The setting as text.
     pub setting: String,
-    /// Processor time of a run without recording, the least and the median of several \[s\].
+    /// Processor time of a run without recording, minimum and median of several \[s\].
     pub seconds: (f64, f64),
-    /// Evaluations of the right-hand side, or of the motion.
+    /// Number of evaluations of the right-hand side, or of the motion.
     pub evaluations: u64,
-    /// Steps of a method, in vain ones included.
+    /// Number of time steps, including rejected ones.
     pub steps: u64,
-    /// Events.
+    /// Number of events.
     pub events: u64,
-    /// How far off it is; where it failed, why.
+    /// Its errors; or why it failed.
     pub errors: Result<Errors, String>,
-    /// Whether it has the events of the reference, as far as it has events.
+    /// Whether it has as many events as the reference; always true for ramps and for other equations.
     pub right_events: bool,
-    /// Whether it was run at all.
+    /// Whether it was run.
     pub tried: bool,
 }
 
-/// No point is measured for longer than this, once it has been measured.
+/// After this time a point is not timed again; it is timed at least once.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// Settings finer than one that takes this long are not tried.
+/// If a setting takes longer than this, finer ones are not run.
 const MOST: Duration = Duration::from_secs(5);
 
 impl Point {
@@ -49,18 +49,18 @@ impl Point {
         self.tried && (self.errors.is_err() || !self.right_events)
     }
 
-    /// Its error along the path, where it ran to its end.
+    /// Its error along the path; `None` if it did not run to its end.
     pub fn error(&self) -> Option<f64> {
         self.errors.as_ref().ok().map(|errors| errors.path).filter(|error| error.is_finite())
     }
 }
 
-/// The point of a rung that is not run, since one before it took so long \[s\].
+/// The point of a rung that is not run, because a coarser one took `seconds` \[s\].
 pub fn not_tried(rung: &Rung, seconds: f64) -> Point {
     Point { tried: false, ..failed(rung, format!("not tried: a coarser setting took {seconds:.0} s")) }
 }
 
-/// Whether the next rung, which is finer, would take too long.
+/// Whether a point took so long that finer settings are not run.
 pub fn is_slow(point: &Point) -> bool {
     point.seconds.0 > MOST.as_secs_f64()
 }
@@ -78,7 +78,7 @@ fn failed(rung: &Rung, why: String) -> Point {
     }
 }
 
-/// Measures a rung: once with everything recorded, then `repetitions` times with nothing.
+/// Measures a rung: one run with everything recorded for the errors, then up to `repetitions` runs without recording for the time.
 pub fn point(family: &Family, rung: &Rung, reference: &Reference, run: Runner<'_>, repetitions: usize) -> Point {
     let outcome = match run(&rung.scene) {
         Ok(outcome) => outcome,
@@ -108,7 +108,7 @@ pub fn point(family: &Family, rung: &Rung, reference: &Reference, run: Runner<'_
         steps: outcome.solver.steps + outcome.solver.rejected,
         events: counts.events(),
         errors,
-        // A ramp has no events, and other equations have their own.
+        // Ramps have no events, and other equations have other events.
         right_events: right || rung.blur > 0.0 || family.kind == Kind::Equations,
         tried: true,
     }

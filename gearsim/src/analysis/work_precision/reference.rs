@@ -1,4 +1,4 @@
-//! The motion that others are compared with, and how far it is to be trusted itself.
+//! The reference motion that runs are compared with, and an estimate of its own error.
 
 use crate::engine::Refusal;
 use crate::run::Outcome;
@@ -8,50 +8,50 @@ use crate::scene::solver::{Method, Precision, Solver};
 use super::Runner;
 use super::error::{self, Errors};
 
-/// A reference.
+/// A reference motion.
 #[derive(Debug, Clone)]
 pub struct Reference {
-    /// How it was found.
+    /// How it was computed.
     pub by: By,
-    /// What it came to, with samples and the limits at events.
+    /// The run, with samples and the rows before and after events.
     pub outcome: Outcome,
-    /// Its error along the path, as it is estimated.
+    /// Estimate of its error along the path.
     pub error: f64,
 }
 
-/// How a reference is found: in the best way that a scene allows.
+/// How a reference is computed: the most accurate way that the scene allows.
 #[derive(Debug, Clone, PartialEq)]
 pub enum By {
     /// Exact cells in twice the digits.
     Compensated,
     /// Exact cells in plain numbers.
     Plain,
-    /// Two methods by steps, at the tightest tolerance; and why there are no exact cells, in words.
+    /// Two numerical methods at the tightest tolerance. The text says why there are no exact cells.
     Steps(String),
 }
 
 impl Reference {
-    /// Its events.
+    /// Number of its events.
     pub fn events(&self) -> u64 {
         self.outcome.counts.events()
     }
 }
 
-/// Samples along the path: enough to see every oscillation of a short scene, few enough to keep.
+/// Number of samples along the path: enough to resolve every oscillation of a short scene, few enough to keep in memory.
 pub const SAMPLES: f64 = 2000.0;
-/// Roundings by which the start is moved to see what becomes of one.
+/// Relative change of start and parameters that shows how the motion amplifies rounding errors [eps].
 const MOVED: f64 = 4.0;
-/// Tolerance of references by steps: below it rounding takes over.
+/// Tolerance of references by numerical methods. Below it rounding errors dominate.
 const TIGHTEST: f64 = 1e-13;
-/// Roundings in a sample of a compensated run, which is taken by a plain flight from the last event.
+/// Error of a sample of a compensated run [eps]: it is computed in plain numbers from the last event.
 const RECORDED: f64 = 16.0;
 
-/// The reference for `scene`: the exact engine's run in twice the digits, whose error is the rounding of what it records.
-/// (`tests/suite/engine.rs` holds it to another engine, in 50 digits.) Where a scene cannot have that, the plain run; where
-/// it has no exact cells, two methods of different kinds.
+/// The reference for `scene`: the run of the exact engine in twice the digits, whose error is the rounding of the recorded values
+/// (`tests/suite/engine.rs` compares it with another engine in 50 digits). If the scene does not allow this, the plain run; if it has
+/// no exact cells, two numerical methods of different kinds.
 ///
 /// # Errors
-/// Where none of them runs to its end, in words.
+/// Why no reference runs to its end, in words.
 pub fn of(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
     let mut scene = recorded(scene);
     scene.solver = Solver { method: Some(Method::Exact), precision: Precision::Compensated, ..Solver::default() };
@@ -67,9 +67,9 @@ pub fn of(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
     }
 }
 
-/// The plain run. Its error is roundings, one an event or so, each carried on by the motion: the scene is run again from
-/// speeds that are a few roundings higher, and what becomes of these is scaled to as many as add up at random over the
-/// events.
+/// The plain run. Its error consists of about one rounding error per event, each amplified by the motion. To estimate it, the scene
+/// is run again with speeds and parameters that are a few roundings larger. The resulting difference is scaled to one rounding, and
+/// multiplied by the square root of the number of events, since errors of random sign add up so.
 fn plain(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
     let mut scene = scene.clone();
     scene.solver.precision = Precision::Plain;
@@ -87,8 +87,7 @@ fn plain(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
     Ok(Reference { by: By::Plain, outcome, error: carried.max(f64::EPSILON) })
 }
 
-/// The run by the explicit method of high order. Its error is how far an implicit one, with which it has no formula in
-/// common, comes out from it.
+/// The run by the explicit method of high order. Its error is the difference to an implicit method, which shares no formula with it.
 fn by_steps(scene: &Scene, why: String, run: Runner<'_>) -> Result<Reference, String> {
     let by = |method| {
         let mut scene = scene.clone();
@@ -109,7 +108,7 @@ fn complete(outcome: Result<Outcome, Refusal>) -> Result<Outcome, String> {
     Ok(outcome)
 }
 
-/// The scene, recorded as errors need it.
+/// The scene with the samples and events recorded that errors are computed from.
 pub fn recorded(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.output.rate = SAMPLES / scene.t_end;

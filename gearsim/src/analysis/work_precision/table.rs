@@ -1,32 +1,32 @@
-//! What a measured scene shows: time at equal error, as a table, and in words.
+//! The measurements of a scene as tables and in words: time at equal error, and all points.
 
 use super::WorkPrecision;
 use super::ladder::Kind;
 use super::measure::Curve;
 use super::reference::By;
 
-/// Errors at which times are compared.
+/// The errors at which times are compared.
 pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
-/// Error of a reference beyond which the motion is not determined by its numbers.
+/// If the error of the reference exceeds this, the motion is chaotic: errors of the state mean nothing.
 const CHAOS: f64 = 1e-2;
 
-/// What an error costs by a method.
+/// The time that a method needs for a given error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Price {
-    /// So much processor time \[s\].
+    /// Processor time \[s\].
     Seconds(f64),
-    /// None of its settings is so accurate.
+    /// No setting is accurate enough.
     Never,
-    /// None of those tried, of which the slowest took so long \[s\].
+    /// No setting that was run is accurate enough, and finer ones were not run. The slowest took this long \[s\].
     Over(f64),
-    /// The reference is not so accurate that it could tell.
+    /// The error is below that of the reference, so it cannot be measured.
     Unknown,
 }
 
 impl Curve {
-    /// Processor time at an error along the path of `target`, interpolated between settings (logarithms of both);
-    /// `floor` is the error of the reference. Settings that failed, or lost events, do not count.
+    /// Processor time for an error `target` along the path, interpolated between settings in the logarithms of error and time.
+    /// `floor` is the error of the reference. Settings that failed or have other events than the reference are not used.
     pub fn price(&self, target: f64, floor: f64) -> Price {
         if target < floor {
             return Price::Unknown;
@@ -34,7 +34,7 @@ impl Curve {
         let usable = self.points.iter().filter(|point| point.right_events);
         let usable: Vec<(f64, f64)> =
             usable.filter_map(|point| Some((point.error()?.max(floor), point.seconds.0))).collect();
-        // The cheapest setting that is good enough, or a point between one that is not and the next.
+        // The cheapest setting that is accurate enough, or an interpolated one between a setting that is not and the next.
         let good = |&&(error, _): &&(f64, f64)| error <= target;
         let at = usable.iter().filter(good).map(|p| p.1);
         let between = usable.windows(2).filter_map(|pair| {
@@ -50,13 +50,13 @@ impl Curve {
         }
     }
 
-    /// Settings that failed: they stopped early, or have other events than the reference.
+    /// Number of settings that failed: they stopped early, or have other events than the reference.
     pub fn failures(&self) -> usize {
         self.points.iter().filter(|point| point.failed()).count()
     }
 }
 
-/// What the diagram shows, in words.
+/// The main results in words.
 pub fn words(measured: &WorkPrecision) -> String {
     let floor = measured.floor;
     let mut said = vec![];
@@ -66,8 +66,8 @@ pub fn words(measured: &WorkPrecision) -> String {
         said.push("Cells are not linear here: there is no exact solution.".into());
     }
     if floor > CHAOS {
-        let grown = "Until the end one rounding grows to the size of the motion itself, and errors there mean nothing:";
-        said.push(format!("{grown} see a shorter run, with --set run.t_end, or the errors in energy."));
+        let grown = "Before the end a rounding error grows to the size of the motion itself; then errors mean nothing:";
+        said.push(format!("{grown} use a shorter run, with --set run.t_end, or the errors in energy."));
         return said.join(" ");
     }
     if let Some(point) = methods().find(single).and_then(|curve| curve.points.first()) {
@@ -102,7 +102,7 @@ pub fn words(measured: &WorkPrecision) -> String {
     said.join(" ")
 }
 
-/// Time at equal error, a line a method, in Markdown.
+/// The table of times at equal error in Markdown, one line per method.
 pub fn prices(measured: &WorkPrecision) -> String {
     let width = measured.curves.iter().map(|curve| curve.label.len()).max().unwrap_or(0);
     let line = |label: &str, entries: [String; 4], failures: &str| {
@@ -123,32 +123,34 @@ pub fn prices(measured: &WorkPrecision) -> String {
     text
 }
 
-/// The whole table in Markdown: a line a method, then a line a point.
+/// The report in Markdown: the results in words, a table with one line per method, and a table with one line per point.
 pub fn markdown(measured: &WorkPrecision) -> String {
     let mut text = format!(
-        "# What accuracy costs: {}\n\n![Error against processor time](work_precision.png)\n\n{}\n\n",
+        "# Error against processor time: {}\n\n![Error against processor time](work_precision.png)\n\n{}\n\n",
         measured.scene,
         words(measured)
     );
     let reference = match &measured.reference {
         By::Compensated => "exact cells in twice the digits".to_string(),
-        By::Plain => "exact cells in plain numbers, and its error what the motion makes of their roundings".into(),
-        By::Steps(why) => format!("dop853, and its error how far radau is from it, as cells are not linear: {why}"),
+        By::Plain => {
+            "exact cells in plain numbers; its error is that of their roundings, amplified by the motion".into()
+        }
+        By::Steps(why) => format!("dop853, since cells are not linear ({why}); its error is its distance from radau"),
     };
     text += &format!(
-        "Errors are the largest along the path, each coordinate and speed in units of its size, a rolling one of a pitch; \
-         {} events. The reference is {reference}. It is itself known to {:.0e}, and errors are not told from that. Times \
-         are processor times of one core without recording, the least of several.\n\n",
+        "Errors are the largest along the path. The unit of each coordinate and speed is its size, that of a rotating coordinate is \
+         one pitch. The run has {} events. The reference is {reference}. Its own error is {:.0e}; errors below this are not \
+         resolved. Times are processor times of one core without recording, the minimum of several.\n\n",
         measured.events, measured.floor
     );
     let by_steps = matches!(measured.reference, By::Steps(_));
     if let Some((label, setting, error)) = nearest(measured).filter(|_| !by_steps) {
         text += &format!(
-            "Nearest to it comes {label} at {setting}, which shares no formula with it: within {error:.0e}.\n\n"
+            "The nearest to it is {label} at {setting}, which shares no formula with it: its error is {error:.0e}.\n\n"
         );
     }
     text += &prices(measured);
-    text += "\nThe reference cannot tell where a ? stands.\n\n";
+    text += "\nA ? stands for errors below that of the reference.\n\n";
     text += "| method | setting | time, least | median | evaluations | steps | events | error at the end | along the path | \
              in event times \\[s\\] | energy unaccounted for | remarks |\n";
     text += &format!("|{}\n", " --- |".repeat(12));
@@ -183,7 +185,7 @@ pub fn markdown(measured: &WorkPrecision) -> String {
     text
 }
 
-/// The setting of a method by steps that comes nearest to the reference, and how near.
+/// The method and setting with time steps that is nearest to the reference, and its error.
 fn nearest(measured: &WorkPrecision) -> Option<(&'static str, &str, f64)> {
     let ladders = measured.curves.iter().filter(|curve| curve.kind == Kind::Method && curve.points.len() > 1);
     let points = ladders.flat_map(|curve| curve.points.iter().map(move |point| (curve.label, point)));
@@ -191,7 +193,7 @@ fn nearest(measured: &WorkPrecision) -> Option<(&'static str, &str, f64)> {
     errors.min_by(|a, b| a.2.total_cmp(&b.2))
 }
 
-/// The points as CSV, times and errors in full.
+/// All points as CSV, with all digits of times and errors.
 pub fn csv(measured: &WorkPrecision) -> String {
     let mut text = String::from(
         "method,setting,cpu_min_s,cpu_median_s,evaluations,steps,events,error_end,error_path,error_times_s,event_count_error,energy_error,failure\n",
@@ -224,7 +226,7 @@ pub fn csv(measured: &WorkPrecision) -> String {
     text
 }
 
-/// A time, in the unit that suits it.
+/// A time [s] in µs, ms or s.
 fn time(seconds: f64) -> String {
     let (scale, unit) = match seconds {
         s if s < 1e-3 => (1e6, "µs"),

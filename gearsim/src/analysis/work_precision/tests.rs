@@ -1,4 +1,4 @@
-//! Prices and words, from curves made by hand; and a scene, measured.
+//! Tests of tables and words with curves made by hand, and of the measurements of scenes.
 
 use std::path::Path;
 
@@ -27,7 +27,7 @@ fn curve(label: &'static str, kind: Kind, points: &[(f64, f64, bool)]) -> Curve 
     Curve { label, kind, points: points.iter().map(|&(e, t, right)| point(e, t, right)).collect() }
 }
 
-/// Between 1e-4 at 1 ms and 1e-8 at 100 ms, 1e-6 costs 10 ms.
+/// Between an error of 1e-4 at 1 ms and 1e-8 at 100 ms, an error of 1e-6 takes 10 ms.
 #[test]
 fn prices_are_interpolated_in_logarithms() {
     let c = curve("m", Kind::Method, &[(1e-4, 1e-3, true), (1e-8, 0.1, true)]);
@@ -36,7 +36,7 @@ fn prices_are_interpolated_in_logarithms() {
     assert_eq!(c.price(1e-3, 1e-13), Price::Seconds(1e-3));
     assert_eq!(c.price(1e-9, 1e-13), Price::Never);
     assert_eq!(c.price(1e-14, 1e-13), Price::Unknown);
-    // A setting that lost events is no bargain.
+    // A setting with other events than the reference is not used.
     let c = curve("m", Kind::Method, &[(1e-4, 1e-5, false), (1e-8, 0.1, true)]);
     assert_eq!((c.price(1e-3, 0.0), c.failures()), (Price::Seconds(0.1), 1));
 }
@@ -71,14 +71,14 @@ fn measured(scene: &str, overrides: &[&str]) -> WorkPrecision {
     super::measure(&Scenes { exact, cheaper: vec![] }, &run, 1, &mut |_| {}).unwrap()
 }
 
-/// Flanks that part and meet are no events to compare: methods note them differently. Steps of the stiffness are.
+/// Only steps of the stiffness are compared as events. Flanks that part or meet are not, because methods record them differently.
 #[test]
 fn errors_of_a_scene_with_play() {
     let measured = measured("backlash", &["run.t_end=6 ms"]);
     assert_eq!(measured.reference, By::Plain);
     assert!(measured.events > 20 && measured.floor < 1e-10, "{} {}", measured.events, measured.floor);
     for curve in measured.curves.iter().filter(|curve| curve.label.contains("order")) {
-        // At 1e-3 a step may be passed before a flank that is met after it.
+        // At a tolerance of 1e-3 or 1e-4, a step and a flank may be met in the wrong order.
         let failed: Vec<_> = curve.points[2..].iter().filter(|point| point.failed()).collect();
         assert!(failed.is_empty(), "{}: {failed:?}", curve.label);
         let last = curve.points.last().unwrap();
@@ -86,7 +86,7 @@ fn errors_of_a_scene_with_play() {
     }
 }
 
-/// Where there are no exact cells two methods by steps say what the motion is.
+/// Without exact cells, two numerical methods give the reference.
 #[test]
 fn errors_of_a_scene_without_exact_cells() {
     let measured = measured("drives/fan_run_up", &["run.t_end=0.03 s"]);
@@ -100,8 +100,8 @@ fn errors_of_a_scene_without_exact_cells() {
     );
 }
 
-/// The paper's gear pair over four steps: errors fall as the methods say, ramps' as their width, and the cheaper equations'
-/// not at all.
+/// The paper's gear pair over at least four steps: the errors of methods fall with finer settings, those of ramps in proportion to
+/// their width; those of the approximate equations do not fall.
 #[test]
 fn errors_of_a_scene() {
     let scene = |effects: &str| {
@@ -131,13 +131,13 @@ fn errors_of_a_scene() {
         let errors = of(name);
         assert!(errors.len() >= 8 && errors.iter().any(|e| *e < reached), "{name}: {errors:?}");
     }
-    // A decade of width is a decade of error; the widest are beyond first order.
+    // The error of ramps falls in proportion to their width, except for the widest, for which higher orders matter.
     let ramps = of("ramps");
     assert!(ramps[2..5].windows(2).all(|e| (8.0..12.5).contains(&(e[0] / e[1]))), "{ramps:?}");
     let (grid, rigid) = (of("ignored"), of("rigid"));
     assert!(grid[10] < 0.1 * grid[0] && grid[10] > 1e-6, "{grid:?}");
     assert!(rigid[0] > 1e-3, "{rigid:?}");
-    // What is drawn and written of it can be.
+    // The diagram and the CSV file can be made from the measurements.
     assert!(crate::plot::work_precision::draw(&measured).svg().unwrap().contains("exact cells"));
     assert!(table::csv(&measured).lines().count() > 60);
 }

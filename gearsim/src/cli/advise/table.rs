@@ -9,15 +9,16 @@ use crate::cli::{number, report};
 
 const HEAD: [&str; 6] = ["rms", "peak", "bands", "speed", "energy", "events"];
 
-/// All of it.
+/// The whole text. `dropped`: whether the scene itself has effects that drop terms.
 pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
     let mut text = String::new();
     if dropped {
-        text += &report::line("taken up", "the terms that its effects drop: they are among the candidates", width);
+        let says = "the terms that the scene's effects drop; leaving them out is among the candidates";
+        text += &report::line("added", says, width);
     }
     match &advice.groups {
         Ok(groups) => text += &numbers(groups, width),
-        Err(why) => text += &report::line("no numbers", why, width),
+        Err(why) => text += &report::line("no groups", why, width),
     }
     if let Some(why) = &advice.no_orbit {
         let says = format!("from short runs, not from the settled motion: {why}");
@@ -30,13 +31,13 @@ pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
     }
     text += &row("", "limits", cells(&LIMITS), "", "");
     text.push('\n');
-    for line in words(advice) {
+    for line in conclusions(advice) {
         text += &report::line(line.0, &line.1, width);
     }
     text
 }
 
-/// The groups, one a line.
+/// The dimensionless groups, one per line.
 fn numbers(groups: &Groups, width: usize) -> String {
     let lowest = groups.modes.iter().map(|mode| mode.0).find(|f| *f > 0.0);
     let mut text = String::new();
@@ -69,7 +70,7 @@ fn numbers(groups: &Groups, width: usize) -> String {
     }
     if let Some((law, meeting)) = groups.meetings.first() {
         let says = format!(
-            "harmonic {} of {law} is at {} of mode {}: what is dropped near a resonance counts most",
+            "harmonic {} of {law} is at {} times the frequency of mode {}: near a resonance, dropped terms matter most",
             meeting.harmonic,
             number::short(meeting.ratio),
             meeting.mode + 1
@@ -82,18 +83,19 @@ fn numbers(groups: &Groups, width: usize) -> String {
     text
 }
 
+/// The meaning of a jump strength J = 2 G dV/v².
 fn strength(j: f64) -> &'static str {
     match j {
-        j if j >= 1.0 => "a step turns the motion back",
-        j if j >= 1e-3 => "of account over many pitches",
+        j if j >= 1.0 => "a step reflects the motion",
+        j if j >= 1e-3 => "adds up over many pitches",
         _ => "small",
     }
 }
 
-/// The estimate of a candidate and the truth, below one another.
+/// Two rows of a candidate: the estimate, and below it the deviation of the full runs.
 fn both(verdict: &Verdict) -> String {
-    let (estimated, true_) = verdict.may_go();
-    let says = |goes: Option<bool>| goes.map_or("", |goes| if goes { "may go" } else { "needed" });
+    let (estimated, true_) = verdict.negligible();
+    let says = |small: Option<bool>| small.map_or("", |small| if small { "negligible" } else { "needed" });
     let time = match verdict.time {
         x if x.is_finite() => format!("{:+.0} %", 100.0 * (x - 1.0)),
         _ => "-".into(),
@@ -103,23 +105,24 @@ fn both(verdict: &Verdict) -> String {
     let first = match &verdict.estimate {
         Estimate::Settled(apart) => estimate("estimate", apart),
         Estimate::Short(apart) => estimate("short run", apart),
-        Estimate::TurnedBack => format!("{}estimate  {:<62}  needed\n", label(name), "  steps turn the motion back"),
+        Estimate::TurnedBack => format!("{}estimate  {:<62}  needed\n", label(name), "  steps reflect the motion"),
         Estimate::None(why) => format!("{}no estimate: {why}\n", label(name)),
     };
     let second = match &verdict.truth {
         Ok(apart) => row(&format!("  {}", verdict.candidate.how), "truth", cells(apart), &time, says(true_)),
-        Err(why) => format!("  {}: not to be run, {why}\n", verdict.candidate.how),
+        Err(why) => format!("  {}: cannot be run, {why}\n", verdict.candidate.how),
     };
     first + &second
 }
 
 fn cells(apart: &Apart) -> [String; 6] {
     let mut cells = apart.each().map(percent);
-    cells[2] = number_of_decibels(apart.bands);
+    cells[2] = decibels(apart.bands);
     cells
 }
 
-fn number_of_decibels(x: f64) -> String {
+/// A deviation in dB. At the cap of [`Apart::bands`], 200 dB, a band is empty in one of the two runs.
+fn decibels(x: f64) -> String {
     if x >= 199.0 { "all".into() } else { format!("{x:.2} dB") }
 }
 
@@ -133,7 +136,7 @@ fn percent(x: f64) -> String {
     }
 }
 
-/// What leads a row; a long one has a line of its own.
+/// The label of a row, padded. A label that is too long gets a line of its own.
 fn label(name: &str) -> String {
     const WIDTH: usize = 30;
     match name.chars().count() {
@@ -151,33 +154,34 @@ fn row(name: &str, what: &str, cells: [String; 6], time: &str, says: &str) -> St
     format!("{}\n", line.trim_end())
 }
 
-/// What it comes to, in words.
-fn words(advice: &Advice) -> Vec<(&'static str, String)> {
+/// The conclusions, each a name and a text.
+fn conclusions(advice: &Advice) -> Vec<(&'static str, String)> {
     let mut lines = vec![];
-    let quoted = |goes: bool| {
-        let names = advice.verdicts.iter().filter(|v| v.may_go().1 == Some(goes)).map(|v| v.candidate.without.clone());
+    let named = |small: bool| {
+        let verdicts = advice.verdicts.iter().filter(|v| v.negligible().1 == Some(small));
+        let names = verdicts.map(|v| v.candidate.without.clone());
         names.collect::<Vec<_>>().join("; ")
     };
     let none = |text: String| if text.is_empty() { "nothing".to_owned() } else { text };
-    lines.push(("may go", none(quoted(true))));
-    lines.push(("needed", none(quoted(false))));
-    let misled = advice.verdicts.iter().filter(|v| matches!(v.may_go(), (Some(a), Some(b)) if a != b));
-    let misled: Vec<_> = misled.map(|v| v.candidate.without.clone()).collect();
-    if !misled.is_empty() {
-        let says = format!("{}: the estimate and the run do not agree; believe the run", misled.join("; "));
-        lines.push(("misjudged", says));
+    lines.push(("negligible", none(named(true))));
+    lines.push(("needed", none(named(false))));
+    let wrong = advice.verdicts.iter().filter(|v| matches!(v.negligible(), (Some(a), Some(b)) if a != b));
+    let wrong: Vec<_> = wrong.map(|v| v.candidate.without.clone()).collect();
+    if !wrong.is_empty() {
+        let says = format!("{}: estimate and run do not agree; the run is right", wrong.join("; "));
+        lines.push(("wrong estimate", says));
     }
     if advice.reflections > 0 {
         let says =
-            format!("steps turned the motion back {} times: only the full equations know that", advice.reflections);
+            format!("steps reflected the motion {} times, which only the full equations predict", advice.reflections);
         lines.push(("reflections", says));
     }
     if let Some(why) = &advice.stopped {
         lines.push(("stopped early", why.clone()));
     }
     let says = format!(
-        "the scene takes {}; rms, peak and bands of the worst elastic coordinate, {} bands of {} Hz; speed, energy and \
-         events at the end of {} s",
+        "the scene takes {}; rms, peak and bands are those of the worst elastic coordinate, in {} bands of {} Hz; speed, \
+         energy and events are those at the end, t = {} s",
         number::time(advice.seconds),
         advice.bands.count,
         number::short(advice.bands.width),

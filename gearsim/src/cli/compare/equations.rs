@@ -1,38 +1,43 @@
-//! The sets of equations that a scene is compared under: Oh, Grosh & Barber (2005), Eqs. (2)-(6).
+//! The sets of equations that `gearsim compare` runs a scene with: Oh, Grosh & Barber (2005), Eqs. (2)-(6).
 
 use crate::cli::failure::Failure;
 use crate::scene::{Effects, Scene, list};
 
-/// A set of equations: what the scene says, with at most one effect that drops terms.
-pub(in crate::cli) struct Set {
+/// A set of equations: those of the scene, with at most one effect that drops terms.
+pub(in crate::cli) struct EquationSet {
     /// Name in tables and legends.
     pub(in crate::cli) label: &'static str,
-    /// The same with "equations", for sentences.
+    /// Name with the word "equations", for sentences.
     pub(in crate::cli) equations: &'static str,
     /// Name in file names.
     pub(in crate::cli) suffix: &'static str,
-    /// The effect that drops terms; none drops nothing.
+    /// The effect that drops terms; `None`: nothing is dropped.
     modifier: Option<&'static str>,
 }
 
-/// All of them.
-pub(in crate::cli) const SETS: &[Set] = &[
-    Set { label: "exact", equations: "exact equations", suffix: "exact", modifier: None },
-    Set {
+/// All sets of equations, the exact ones first.
+pub(in crate::cli) const SETS: &[EquationSet] = &[
+    EquationSet { label: "exact", equations: "exact equations", suffix: "exact", modifier: None },
+    EquationSet {
         label: "rigid kinematic",
         equations: "rigid kinematic equations",
         suffix: "rigid_kinematic",
         modifier: Some("rigid_kinematics"),
     },
-    Set { label: "classical", equations: "classical equations", suffix: "classical", modifier: Some("frozen_phase") },
+    EquationSet {
+        label: "classical",
+        equations: "classical equations",
+        suffix: "classical",
+        modifier: Some("frozen_phase"),
+    },
 ];
 
-/// `scene` under every set of equations.
-pub(in crate::cli) fn all(scene: &Scene) -> Result<Vec<(&'static Set, Scene)>, Failure> {
+/// `scene` with every set of equations. Errors: [`Failure::Impossible`] if the model has no such effects, or if the sets are the same.
+pub(in crate::cli) fn all(scene: &Scene) -> Result<Vec<(&'static EquationSet, Scene)>, Failure> {
     SETS.iter().map(|set| Ok((set, under(scene, set)?))).collect()
 }
 
-fn under(scene: &Scene, set: &'static Set) -> Result<Scene, Failure> {
+fn under(scene: &Scene, set: &'static EquationSet) -> Result<Scene, Failure> {
     let model = scene.model;
     let modifies = |name: &str| SETS.iter().any(|set| set.modifier == Some(name));
     let mut names = scene.effects.names(model);
@@ -44,7 +49,7 @@ fn under(scene: &Scene, set: &'static Set) -> Result<Scene, Failure> {
                     "model `{}` has no effect `{modifier}`, so there are no {} equations",
                     model.name, set.label
                 ),
-                help: "`gearsim run` simulates the scene as it is".into(),
+                help: "use `gearsim run`: it simulates the scene as it is".into(),
             })?;
         let lacking: Vec<_> = effect.requires.iter().copied().filter(|other| !names.contains(other)).collect();
         if !lacking.is_empty() {

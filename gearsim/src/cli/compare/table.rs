@@ -1,11 +1,11 @@
 //! The comparison as a table for the terminal.
 
-use super::Member;
+use super::ComparedRun;
 use crate::cli::{number, report};
 use crate::output::Summary;
 
-/// One column a set of equations, one line a quantity.
-pub(in crate::cli) fn render(members: &[Member], summaries: &[Summary]) -> String {
+/// The table: one column per set of equations, one line per quantity.
+pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> String {
     let mut lines = vec![line("", "", members.iter().map(|m| m.set.label.to_owned()).collect())];
     let mut add = |name: &str, unit: &str, value: &dyn Fn(&Summary) -> String| {
         lines.push(line(name, unit, summaries.iter().map(value).collect()));
@@ -16,7 +16,7 @@ pub(in crate::cli) fn render(members: &[Member], summaries: &[Summary]) -> Strin
     add("energy at start", "J", &|s| number::short(s.energy.at_start.0));
     add("lost to damping", "J", &|s| number::short(s.energy.dissipated.0));
     add("unaccounted for", "J", &|s| number::short(s.energy.residual.0));
-    add("  of the start", "", &|s| number::short((s.energy.residual.0 / s.energy.at_start.0).abs()));
+    add("  over that at start", "", &|s| number::short((s.energy.residual.0 / s.energy.at_start.0).abs()));
     for coordinate in members.first().map_or(&[][..], |m| m.scene.model.coordinates) {
         let speed = format!("{}_dot", coordinate.name);
         let at_end = |name: &str, s: &Summary| s.state.get(name).map_or("-".into(), number::short);
@@ -24,7 +24,7 @@ pub(in crate::cli) fn render(members: &[Member], summaries: &[Summary]) -> Strin
         add(&format!("{speed} at end"), &format!("{}/s", coordinate.unit), &|s| at_end(&speed, s));
     }
     add("time taken", "", &|s| number::time(s.cpu_seconds.0));
-    add("  an event", "", &|s| report::per_event(s).unwrap_or("-".into()));
+    add("  per event", "", &|s| report::per_event(s).unwrap_or("-".into()));
     lines.concat()
 }
 

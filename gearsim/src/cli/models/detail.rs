@@ -1,15 +1,15 @@
-//! Everything about one model, as text.
+//! The full description of a model as text.
 
 use crate::cli::terminal;
 use crate::model::{Model, Parameter, Start};
 
-/// A line of a list: what stands in its columns, and what it means.
+/// A row of a list: its cells, and the description after them.
 type Row = (Vec<String>, String);
 
-/// Columns that words have at least, however narrow the terminal.
+/// Minimum width of descriptions [columns], even on a narrow terminal.
 const NARROWEST: usize = 30;
 
-/// `model` in detail, `width` columns wide where that is possible.
+/// The description of `model`, `width` columns wide if possible.
 pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     let mut text = format!("{}  {}\nsource: {}\n", model.name, model.title, model.source);
     let mut add = |title: &str, rows: Vec<Row>| {
@@ -89,7 +89,7 @@ fn unit(unit: &str) -> String {
     if unit == "1" { "-".into() } else { unit.into() }
 }
 
-/// Columns below one another, and the words after them; more lines of words are put below the first.
+/// Rows with aligned cells, followed by their descriptions, which are wrapped and indented.
 fn table(rows: &[Row], width: usize) -> String {
     let columns = rows.iter().map(|(cells, _)| cells.len()).max().unwrap_or(0);
     let length = |text: &String| text.chars().count();

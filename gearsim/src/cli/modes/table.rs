@@ -9,12 +9,12 @@ use crate::cli::number::short;
 use crate::cli::terminal;
 use crate::scene::Scene;
 
-/// Shares below this are not told.
+/// Shares of energy below this are not printed.
 const LEAST: f64 = 0.005;
-/// Parts of a shape that are told, at most, largest first.
+/// Maximum number of components of a mode shape that are printed, the largest ones.
 const PARTS: usize = 6;
 
-/// Everything.
+/// The whole text.
 pub(super) fn render(
     scene: &Scene,
     courses: &[Course],
@@ -25,7 +25,7 @@ pub(super) fn render(
 ) -> String {
     let mut text = format!("modes at {}\n\n", levels(scene, &chosen.levels));
     if chosen.coupled {
-        text += "Damping couples the modes: shapes are complex, their parts told by size and phase.\n\n";
+        text += "Damping couples the modes: shapes are complex; each component has an amplitude and a phase.\n\n";
     }
     for (i, mode) in chosen.modes.iter().enumerate() {
         text += &one(scene, springs, i, mode, width);
@@ -79,23 +79,23 @@ fn one(scene: &Scene, springs: &[Spring], i: usize, mode: &Vibration, width: usi
     text
 }
 
-/// Shares in percent, largest first.
+/// Shares of energy in percent, the largest first.
 fn shares<'a>(of: impl Iterator<Item = (&'a str, f64)>) -> String {
-    let mut told: Vec<(&str, f64)> = of.filter(|(_, share)| share.abs() >= LEAST).collect();
-    told.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    told.truncate(PARTS);
-    told.iter().map(|(name, share)| format!("{name} {:.0} %", 100.0 * share)).collect::<Vec<_>>().join(", ")
+    let mut largest: Vec<(&str, f64)> = of.filter(|(_, share)| share.abs() >= LEAST).collect();
+    largest.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    largest.truncate(PARTS);
+    largest.iter().map(|(name, share)| format!("{name} {:.0} %", 100.0 * share)).collect::<Vec<_>>().join(", ")
 }
 
 /// Natural frequencies of every cell.
 fn all(scene: &Scene, cells: &[CellModes]) -> String {
     if cells.is_empty() {
-        return format!("The levels make more than {MOST_CELLS} cells: choose one by --cell.\n\n");
+        return format!("There are more than {MOST_CELLS} cells, which are not listed: choose one with --cell.\n\n");
     }
     if cells.len() == 1 {
         return String::new();
     }
-    let mut text = String::from("natural frequencies in Hz of every cell, rigid motions left out\n\n");
+    let mut text = String::from("natural frequencies of every cell in Hz, without rigid motions\n\n");
     for cell in cells {
         let frequencies = cell.modes.iter().filter(|m| m.natural > 0.0).map(|m| format!("{:>9}", short(m.natural)));
         let frequencies: Vec<String> = frequencies.take(8).collect();
@@ -105,11 +105,11 @@ fn all(scene: &Scene, cells: &[CellModes]) -> String {
     text + "\n"
 }
 
-/// Where mesh harmonics meet natural frequencies.
+/// The mesh frequencies, and their harmonics near natural frequencies.
 fn harmonics(courses: &[Course], chosen: &CellModes) -> String {
     let moving: Vec<&Course> = courses.iter().filter(|c| c.turns()).collect();
     if moving.is_empty() {
-        return "The scene has no speed, or nothing steps: no mesh frequencies.\n".into();
+        return "There are no mesh frequencies: the scene has no speed, or no stiffness steps.\n".into();
     }
     let mut text = String::new();
     for course in moving {

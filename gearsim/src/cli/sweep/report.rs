@@ -1,4 +1,4 @@
-//! What a sweep came to, as text for the terminal.
+//! The outcome of a sweep as text for the terminal.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,28 +9,28 @@ use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::row::Status;
 
-/// Reasons that are listed before they are only counted.
+/// Maximum number of reasons of failure that are listed.
 const LISTED: usize = 3;
 
-/// What was done in this run.
-pub(in crate::cli) struct Done {
-    /// Points that were there before.
+/// What this command added to the sweep.
+pub(in crate::cli) struct Progress {
+    /// Number of points that were finished before.
     pub(in crate::cli) before: usize,
-    /// Points that ran.
+    /// Number of points that ran.
     pub(in crate::cli) ran: usize,
-    /// Time that it took [s].
+    /// Elapsed time [s].
     pub(in crate::cli) seconds: f64,
-    /// Threads that it had.
+    /// Number of threads.
     pub(in crate::cli) threads: usize,
 }
 
-/// What a sweep came to.
-pub(in crate::cli) fn said(
+/// The outcome of a sweep: its points, the time taken, the failures and the files. `done` is `None` for a merged sweep.
+pub(in crate::cli) fn summary_text(
     path: &Path,
     files: &[String],
     manifest: &Manifest,
     rows: &Rows,
-    done: Option<Done>,
+    done: Option<Progress>,
 ) -> String {
     let width = terminal::width();
     let mut text = line("scene", &manifest.scene, width);
@@ -43,34 +43,32 @@ pub(in crate::cli) fn said(
     if let Some(done) = done {
         text += &line("time taken", &time(&done), width);
     }
-    for (status, what) in [
-        (Status::Stopped, "stopped early"),
-        (Status::Refuted, "refuted by their energy account"),
-        (Status::Refused, "refused"),
-    ] {
+    for (status, what) in
+        [(Status::Stopped, "stopped early"), (Status::Refuted, "energy not closed"), (Status::Refused, "refused")]
+    {
         let reasons = rows.values().filter(|row| row.status == status).map(|row| row.reason.as_str());
         text += &failed(what, reasons, width);
     }
     text + "\n" + &written(path, files, width)
 }
 
-fn time(done: &Done) -> String {
+fn time(done: &Progress) -> String {
     let took = number::time(done.seconds);
     let before = match done.before {
         0 => String::new(),
-        n => format!("; {n} were there already"),
+        n => format!("; {n} points were finished before"),
     };
     match done.ran {
-        0 => format!("{took}, nothing was left to run{before}"),
+        0 => format!("{took}, no points were left to run{before}"),
         ran => {
             let rate = number::short(ran as f64 / done.seconds);
             let threads = if done.threads == 1 { "1 thread".into() } else { format!("{} threads", done.threads) };
-            format!("{took} for {ran} on {threads}: {rate} a second{before}")
+            format!("{took} for {ran} points on {threads}: {rate} per second{before}")
         }
     }
 }
 
-/// How many points failed in a way, and the most frequent reasons.
+/// The number of points that failed in one way, and the most frequent reasons.
 fn failed<'a>(what: &str, reasons: impl Iterator<Item = &'a str>, width: usize) -> String {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     reasons.for_each(|reason| *counts.entry(reason).or_default() += 1);
@@ -80,12 +78,12 @@ fn failed<'a>(what: &str, reasons: impl Iterator<Item = &'a str>, width: usize) 
     }
     let mut counts: Vec<_> = counts.into_iter().collect();
     counts.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
-    let mut says = format!("{all}:");
+    let mut text = format!("{all}:");
     for (reason, n) in counts.iter().take(LISTED) {
-        says += &format!("\n{n} x {reason}");
+        text += &format!("\n{n} x {reason}");
     }
     if counts.len() > LISTED {
-        says += "\nand others; the column `reason` has them";
+        text += "\nand others; the column `reason` has all";
     }
-    line(what, &says, width)
+    line(what, &text, width)
 }

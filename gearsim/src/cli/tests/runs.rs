@@ -1,11 +1,11 @@
-//! What the commands write, and when they refuse to.
+//! Tests of the files that commands write, and of their refusals.
 
 use std::path::Path;
 
 use super::go;
 use crate::cli::compare::Compare;
 use crate::cli::failure::Failure;
-use crate::cli::floquet::Floquets;
+use crate::cli::floquet::FloquetCommand;
 use crate::cli::modes::Modes;
 use crate::cli::run::Run;
 use crate::engine::Stop;
@@ -19,7 +19,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn a_run_writes_its_files_and_says_where_they_come_from() {
+fn a_run_writes_its_files_with_their_provenance() {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("a/b");
     go::<Run>(&out, &["--csv", "-q", "--set", "output.plots=[\"energy\"]"]).unwrap();
@@ -37,16 +37,16 @@ fn a_run_writes_its_files_and_says_where_they_come_from() {
 }
 
 #[test]
-fn a_plot_that_cannot_be_drawn_costs_no_run_its_results() {
+fn a_plot_that_cannot_be_drawn_does_not_fail_the_run() {
     let root = tempfile::tempdir().unwrap();
     go::<Run>(root.path(), &["-q", "--set", "output.rate=20 Hz"]).unwrap();
     assert!(names(root.path()).contains(&"energy.png".into()));
     assert!(!names(root.path()).contains(&"spectrum.png".into()));
 }
 
-/// Steps too long for the vibration invent energy. The run is written, and fails.
+/// Time steps too long for the vibration create energy. The results are written, and the command fails.
 #[test]
-fn a_result_that_its_energy_account_refutes_is_a_failure() {
+fn a_run_whose_energy_account_does_not_close_is_a_failure() {
     let root = tempfile::tempdir().unwrap();
     let coarse = ["run.method=rk4", "run.step=0.2 ms", "run.t_end=20 ms"].map(|set| ["--set", set]);
     let failure = go::<Run>(root.path(), &[&["-q"], &coarse.concat()[..]].concat()).unwrap_err();
@@ -56,9 +56,9 @@ fn a_result_that_its_energy_account_refutes_is_a_failure() {
     assert!(names(root.path()).contains(&"summary.json".into()));
 }
 
-/// As many rows as the scene allows are kept; then the run stops, and says what to do.
+/// The rows recorded until the limit are written, and the message says what to do.
 #[test]
-fn a_run_stops_when_it_has_recorded_as_many_rows_as_it_may() {
+fn a_run_stops_when_the_row_limit_is_reached() {
     let root = tempfile::tempdir().unwrap();
     let sets = ["output.most_rows=50", "output.rate=200 Hz"].map(|set| ["--set", set]);
     let failure = go::<Run>(root.path(), &[&["-q"], &sets.concat()[..]].concat()).unwrap_err();
@@ -69,7 +69,7 @@ fn a_run_stops_when_it_has_recorded_as_many_rows_as_it_may() {
 }
 
 #[test]
-fn what_is_refused_writes_nothing() {
+fn a_refused_command_writes_nothing() {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("out");
     for wrong in ["parameters.T1=3", "parameters.I1=1e-300", "effects=[\"frozen_phase\"]", "t_end"] {
@@ -83,7 +83,7 @@ fn what_is_refused_writes_nothing() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_found_before_the_run() {
+fn a_folder_that_cannot_be_written_is_an_error_before_the_run() {
     let file = tempfile::NamedTempFile::new().unwrap();
     for out in [file.path().to_owned(), file.path().join("below")] {
         let failure = go::<Run>(&out, &["-q"]).unwrap_err();
@@ -106,7 +106,7 @@ fn a_comparison_writes_three_runs_and_their_plots() {
 }
 
 #[test]
-fn a_run_that_stopped_has_an_exit_code_of_its_own() {
+fn a_run_that_stopped_early_has_exit_code_3() {
     let stop = Box::new(Stop::Search { t: 0.1, steps: 7, state: "q = [0]".into(), cell: 1 });
     let failure = Failure::Stopped { run: "scene x".into(), stop, folder: "out/x".into() };
     assert_eq!(failure.code(), 3);
@@ -115,7 +115,7 @@ fn a_run_that_stopped_has_an_exit_code_of_its_own() {
 }
 
 #[test]
-fn modes_and_multipliers_are_written_with_their_plots() {
+fn modes_and_floquet_write_their_results_and_plots() {
     let root = tempfile::tempdir().unwrap();
     let json = |file: &str| -> serde_json::Value {
         serde_json::from_slice(&std::fs::read(root.path().join(file)).unwrap()).unwrap()
@@ -128,7 +128,7 @@ fn modes_and_multipliers_are_written_with_their_plots() {
     let expected = (m2 * 2780.0).sqrt() / std::f64::consts::TAU;
     let found = modes["chosen"]["modes"][1]["natural_frequency"].as_f64().unwrap();
     assert!((found / expected - 1.0).abs() < 1e-14, "{found}, not {expected}");
-    go::<Floquets>(root.path(), &["--vary", "start.speed=4000..14000 rpm", "--points", "9"]).unwrap();
+    go::<FloquetCommand>(root.path(), &["--vary", "start.speed=4000..14000 rpm", "--points", "9"]).unwrap();
     assert_eq!(json("floquet.json")["verdict"], "stable");
     let expected = "campbell.png campbell.svg floquet.json modes.json shapes.png shapes.svg stability.csv stability.png \
                     stability.svg";
@@ -137,6 +137,6 @@ fn modes_and_multipliers_are_written_with_their_plots() {
         assert_eq!(go::<Modes>(root.path(), &wrong).unwrap_err().code(), 2);
     }
     for wrong in [["--vary", "start.speed=3"], ["--vary", "start.sped=1..2 rpm"], ["--points", "1"]] {
-        assert_eq!(go::<Floquets>(root.path(), &wrong).unwrap_err().code(), 2, "{wrong:?}");
+        assert_eq!(go::<FloquetCommand>(root.path(), &wrong).unwrap_err().code(), 2, "{wrong:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Sweeps from the command line: the same bytes by any way, and what is refused.
+//! Tests of `gearsim sweep` and `gearsim merge`: results that do not depend on threads, shards and interruptions, and refusals.
 
 use std::num::NonZeroUsize;
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::output::parquet;
 use crate::sweep::folder::Folder;
 use crate::sweep::{Manifest, Request, Sweep};
 
-/// Points that differ in what they cost, one of which is refused.
+/// Points whose run times differ; those with the second value of I1 are refused.
 const VARY: [&str; 2] = ["start.speed=100 rpm:900 rpm:5", "parameters.I1=2890 kg*mm^2,1e-300 kg*m^2,3000 kg*mm^2"];
 const SET: [&str; 2] = ["run.t_end=0.02 s", "output.rate=20 kHz"];
 
@@ -37,7 +37,7 @@ fn merge(from: &[&Path], out: &Path) -> Result<(), Failure> {
     Merge::try_parse_from(all).map_err(Failure::Usage).and_then(Merge::run)
 }
 
-/// Every file in a folder and its bytes.
+/// The names and bytes of all files in a folder.
 fn content(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
     let mut files: Vec<_> =
@@ -55,7 +55,7 @@ fn assert_same(a: &Path, b: &Path) {
 }
 
 #[test]
-fn threads_and_shards_do_not_show_in_the_results() {
+fn results_do_not_depend_on_threads_and_shards() {
     let root = tempfile::tempdir().unwrap();
     let at = |name: &str| root.path().join(name);
     sweep(&at("one"), &["--threads", "1"]).unwrap();
@@ -70,7 +70,7 @@ fn threads_and_shards_do_not_show_in_the_results() {
     merge(&[&at("s2"), &at("s3"), &at("s1")], &at("merged")).unwrap();
     assert_same(&at("one"), &at("merged"));
 
-    // Shards into one folder, one after the other, come to the same.
+    // Shards written into one folder, one after the other, give the same files.
     for shard in ["2/2", "1/2"] {
         sweep(&at("together"), &["--shard", shard]).unwrap();
     }
@@ -78,14 +78,14 @@ fn threads_and_shards_do_not_show_in_the_results() {
 }
 
 #[test]
-fn a_table_has_a_row_a_point_in_their_order() {
+fn the_table_has_one_row_per_point_in_order() {
     let root = tempfile::tempdir().unwrap();
     sweep(root.path(), &[]).unwrap();
     let (table, provenance) = parquet::read(&root.path().join("sweep.parquet")).unwrap();
     let points: Vec<f64> = (0..15).map(f64::from).collect();
     assert_eq!(table.numbers("point").unwrap(), points);
     let speed = table.numbers("start.speed").unwrap();
-    // In rad/s, to the rounding of a product and a quotient.
+    // In rad/s; the tolerance allows for the rounding of a product and a quotient.
     for (i, rpm) in [(0, 100.0), (14, 900.0)] {
         assert!((speed[i] / (rpm * std::f64::consts::PI / 30.0) - 1.0).abs() < 1e-15, "{}", speed[i]);
     }
@@ -99,7 +99,7 @@ fn a_table_has_a_row_a_point_in_their_order() {
 }
 
 #[test]
-fn an_interrupted_sweep_goes_on_and_equals_the_whole() {
+fn an_interrupted_sweep_that_is_continued_equals_an_uninterrupted_one() {
     let root = tempfile::tempdir().unwrap();
     let (whole, cut) = (root.path().join("whole"), root.path().join("cut"));
     sweep(&whole, &[]).unwrap();
@@ -121,24 +121,24 @@ fn an_interrupted_sweep_goes_on_and_equals_the_whole() {
             sweep.run(points, NonZeroUsize::MIN, |rows| Ok(folder.keep(&rows)?), |_| {}).unwrap();
         }
         assert_eq!(folder.rows().unwrap().len(), 7);
-        // While it is open nobody else may fill it.
+        // While the folder is open, another process is refused.
         let failure = super::sweeps::sweep(&cut, &[]).unwrap_err();
-        assert!(failure.to_string().contains("another gearsim is at work"), "{failure}");
+        assert!(failure.to_string().contains("another gearsim process writes to"), "{failure}");
     }
     let parts: Vec<_> = content(&cut.join("parts")).into_iter().map(|(name, _)| name).collect();
     assert_eq!(parts, ["lock", "rows-00000001.parquet", "rows-00000007.parquet", "rows-00000014.parquet"]);
     std::fs::remove_file(cut.join("parts/rows-00000007.parquet")).unwrap();
-    // What a crash may leave of a file that was being written.
+    // A temporary file that a crash may leave behind.
     std::fs::write(cut.join("parts/.gearsim-x"), "half").unwrap();
     sweep(&cut, &[]).unwrap();
     assert_same(&whole, &cut);
-    // Once more: nothing is left to run, and nothing changes.
+    // Run again: no points are left to run, and no file changes.
     sweep(&cut, &[]).unwrap();
     assert_same(&whole, &cut);
 }
 
 #[test]
-fn spectra_are_kept_and_merged_too() {
+fn spectra_are_stored_and_merged() {
     let root = tempfile::tempdir().unwrap();
     let at = |name: &str| root.path().join(name);
     let run = |out: &Path, more: &[&str]| {
@@ -171,7 +171,7 @@ fn spectra_are_kept_and_merged_too() {
 }
 
 #[test]
-fn what_does_not_belong_together_is_refused_by_name() {
+fn a_folder_of_another_sweep_and_shards_that_do_not_match_are_refused_with_the_difference() {
     let root = tempfile::tempdir().unwrap();
     let at = |name: &str| root.path().join(name);
     for shard in ["1/3", "2/3"] {
@@ -204,13 +204,13 @@ fn what_does_not_belong_together_is_refused_by_name() {
 }
 
 #[test]
-fn a_sweep_that_makes_no_sense_writes_nothing() {
+fn a_refused_sweep_writes_nothing() {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("out");
     let cases: [(&[&str], &str); 7] = [
         (&["--vary", "parameters.T0=1:x:3"], "a mistake"),
         (&["--map", "phi_maxx"], "did you mean `phi_max`?"),
-        (&["--waterfall"], "over one varied number"),
+        (&["--waterfall"], "exactly one --vary"),
         (&["--from", "3 m"], "a time is required"),
         (&["--from", "1 s"], "the run ends at 0.02 s"),
         (&["--shard", "4/3"], "I/N"),

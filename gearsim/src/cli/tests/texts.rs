@@ -1,4 +1,4 @@
-//! What the program says.
+//! Tests of the texts that the program prints.
 
 use insta::assert_snapshot;
 
@@ -8,7 +8,7 @@ use crate::generated::MODELS;
 use crate::output::summary::Number;
 use crate::scene::Scene;
 
-/// Columns of the texts.
+/// Width of the texts [columns].
 const WIDTH: usize = 100;
 
 fn help(command: &str) -> String {
@@ -23,7 +23,7 @@ fn load() -> Scene {
 }
 
 #[test]
-fn help_is_for_newcomers() {
+fn help_texts_equal_their_snapshots() {
     assert_snapshot!("help", program().term_width(WIDTH).render_long_help());
     for command in ["run", "compare", "advise", "sweep", "merge", "modes", "floquet", "models"] {
         assert_snapshot!(format!("help_{command}"), help(command));
@@ -31,26 +31,26 @@ fn help_is_for_newcomers() {
 }
 
 #[test]
-fn models_are_listed_and_told_about() {
+fn the_list_and_the_description_of_models_equal_their_snapshots() {
     assert_snapshot!("models", models::all());
     assert_snapshot!("models_gear_pair", models::detail::of(models::find("gear_pair").unwrap(), WIDTH));
 }
 
 #[test]
-fn a_misspelt_model_is_recognised() {
+fn a_misspelt_model_name_gets_a_suggestion() {
     let failure = models::find("gear-pair").unwrap_err();
     assert_eq!(failure.code(), 2);
     assert!(failure.to_string().contains("did you mean `gear_pair`?"), "{failure}");
 }
 
 #[test]
-fn a_run_ends_with_its_account() {
+fn the_report_of_a_run_equals_its_snapshot() {
     let scene = load();
     let outcome = simulate::simulate(&scene, true).unwrap();
     let mut summary = files::summary(&scene, &[], &outcome, vec![]);
     let residual = summary.energy.residual.0.abs();
     assert!(residual < 1e-12, "{residual} J");
-    // Times differ from run to run, and the last digits from machine to machine.
+    // Times differ between runs, and the last digits between machines.
     (summary.cpu_seconds, summary.energy.residual) = (Number(23e-6), Number(1e-15));
     for entry in &mut summary.state.0 {
         entry.1 = Number((entry.1.0 * 1e6).round() / 1e6);
@@ -64,7 +64,7 @@ fn a_run_ends_with_its_account() {
 }
 
 #[test]
-fn comparison_needs_the_effects_it_varies() {
+fn a_comparison_needs_the_effects_that_drop_terms() {
     let scene = load();
     let sets = compare::equations::all(&scene).unwrap();
     let names: Vec<_> = sets.iter().map(|(_, scene)| scene.effects.names(scene.model).join(" ")).collect();
@@ -82,6 +82,6 @@ fn comparison_needs_the_effects_it_varies() {
 }
 
 #[test]
-fn long_lines_are_broken_where_they_may() {
+fn long_lines_are_broken_at_blanks() {
     assert_eq!(terminal::wrap("  help: a bc def\nx", 10), "  help: a\n  bc def\nx\n");
 }

@@ -1,4 +1,4 @@
-//! How many digits of the state at the end are left, by a second run of the point from a start a rounding away.
+//! The number of digits left of the end state. A second run of the point, the companion, starts a few roundings away.
 
 use super::{Column, Group, column};
 use crate::model::Model;
@@ -6,7 +6,7 @@ use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "digits",
-    doc: "how many are left of the end state, 0 in chaos; a second run of each point",
+    doc: "digits left of the end state, 0 in chaos; runs each point twice",
     samples: false,
     limits: false,
     digits: true,

@@ -1,4 +1,4 @@
-//! The energy account at the end of the run, as in `summary.json`.
+//! The energy account at the end of the run; the same numbers as in `summary.json`.
 
 use super::{Column, Group, column};
 use crate::model::Model;

@@ -1,4 +1,4 @@
-//! How far the run came, and what happened in it.
+//! The time reached, and the numbers of events.
 
 use super::{Column, Group, column, last};
 use crate::model::Model;
@@ -33,7 +33,7 @@ fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
     values
 }
 
-/// When a phase first turned back at a step [s]; NaN if none did.
+/// Time of the first reflection, where a phase speed changes its sign at an event [s]; NaN if there is none.
 fn first_reflection(outcome: &Outcome) -> f64 {
     let run = &outcome.trajectory;
     let phases: Vec<&Vec<f64>> = (run.model.coordinates.iter().zip(&run.q_dot))

@@ -1,7 +1,7 @@
-//! How far coordinates and speeds swing: extremes, of samples and limits at events; mean and root mean square about it,
-//! of the evenly spaced samples. Of coordinates that roll on, their speeds only.
+//! Range of coordinates and speeds: minimum and maximum over samples and both sides of events; mean, and root mean square about the
+//! mean, over the evenly spaced samples. Only the speeds of coordinates that rotate continuously.
 
-use super::{Column, Group, column, rolling, row_from};
+use super::{Column, Group, column, row_from, with_rotation};
 use crate::model::Model;
 use crate::run::Outcome;
 use crate::trajectory::Moment;
@@ -21,8 +21,8 @@ fn columns(model: &Model) -> Vec<Column> {
         ["min", "max", "mean", "rms"].map(|what| column(format!("{name}_{what}"), unit.clone()))
     };
     let mut columns = vec![];
-    for (c, rolls) in rolling(model) {
-        if !rolls {
+    for (c, rotates) in with_rotation(model) {
+        if !rotates {
             columns.extend(four(c.name.to_owned(), c.unit.to_owned()));
         }
         columns.extend(four(format!("{}_dot", c.name), format!("{}/s", c.unit)));
@@ -34,17 +34,17 @@ fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
     let run = &outcome.trajectory;
     let begin = row_from(run, from);
     let mut values = vec![];
-    for ((_, rolls), (q, v)) in rolling(run.model).zip(run.q.iter().zip(&run.q_dot)) {
-        if !rolls {
-            values.extend(swing(&q[begin..], &run.moment[begin..]));
+    for ((_, rotates), (q, v)) in with_rotation(run.model).zip(run.q.iter().zip(&run.q_dot)) {
+        if !rotates {
+            values.extend(statistics(&q[begin..], &run.moment[begin..]));
         }
-        values.extend(swing(&v[begin..], &run.moment[begin..]));
+        values.extend(statistics(&v[begin..], &run.moment[begin..]));
     }
     values
 }
 
-/// Least, greatest, mean, and rms about the mean.
-fn swing(x: &[f64], moments: &[Moment]) -> [f64; 4] {
+/// Minimum, maximum, mean, and root mean square about the mean.
+fn statistics(x: &[f64], moments: &[Moment]) -> [f64; 4] {
     let samples = || x.iter().zip(moments).filter(|(_, m)| **m == Moment::Sample).map(|(x, _)| x);
     let n = samples().count() as f64;
     if n == 0.0 {
@@ -58,11 +58,11 @@ fn swing(x: &[f64], moments: &[Moment]) -> [f64; 4] {
 }
 
 #[test]
-fn a_sine_swings_by_its_amplitude_and_has_the_rms_of_one() {
+fn the_statistics_of_an_offset_sine_are_exact() {
     let n = 1000;
     let x: Vec<f64> = (0..n).map(|i| 3.0 + 2.0 * (std::f64::consts::TAU * i as f64 / n as f64).sin()).collect();
-    let [least, greatest, mean, rms] = swing(&x, &vec![Moment::Sample; n]);
-    // Rounding of a sum of a thousand.
+    let [least, greatest, mean, rms] = statistics(&x, &vec![Moment::Sample; n]);
+    // The tolerance allows for the rounding of a sum of 1000 terms.
     let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
     assert!(near(least, 1.0) && near(greatest, 5.0) && near(mean, 3.0) && near(rms, 2.0_f64.sqrt()));
 }

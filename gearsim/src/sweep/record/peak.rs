@@ -1,4 +1,4 @@
-//! The highest line of the spectrum of each coordinate that does not roll on: its frequency and its density.
+//! The highest spectral line of each coordinate that does not rotate continuously: its frequency and its density.
 
 use super::{Column, Group, column, elastic};
 use crate::model::Model;
@@ -7,7 +7,7 @@ use crate::sweep::spectra;
 
 pub(super) const GROUP: Group = Group {
     name: "peak",
-    doc: "of each spectrum after --from: phi_peak_frequency, phi_peak_density",
+    doc: "highest line of each spectrum after --from: phi_peak_frequency, phi_peak_density",
     samples: true,
     limits: false,
     digits: false,
@@ -29,7 +29,7 @@ fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
         .into_iter()
         .flat_map(|i| {
             let Some(spectrum) = spectra::of(run, i, from) else { return [f64::NAN; 2] };
-            // The line at 0 is what is left of the mean.
+            // Skip the line at zero frequency: it is the remainder of the mean.
             let lines = spectrum.frequency.iter().zip(&spectrum.density).skip(1);
             lines.max_by(|a, b| a.1.total_cmp(b.1)).map_or([f64::NAN; 2], |(f, p)| [*f, *p])
         })

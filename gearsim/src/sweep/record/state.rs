@@ -1,4 +1,4 @@
-//! Where the run ended: every coordinate, unwrapped, and its speed.
+//! The state at the end of the run: every coordinate, unwrapped, and its speed.
 
 use super::{Column, Group, column, last};
 use crate::model::Model;

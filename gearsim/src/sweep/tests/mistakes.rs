@@ -1,9 +1,9 @@
-//! What is said of sweeps that make no sense.
+//! Error messages on sweeps that are not valid.
 
 use super::{load, request};
 use crate::sweep::Error;
 
-fn said(error: Error) -> String {
+fn message(error: Error) -> String {
     match error {
         Error::Scene(errors) => errors.render(200, false),
         other => other.to_string(),
@@ -11,28 +11,28 @@ fn said(error: Error) -> String {
 }
 
 #[test]
-fn every_mistake_of_an_axis_is_named() {
+fn every_mistake_in_an_axis_has_its_message() {
     let cases = [
         ("parameters.T0", "an axis without values"),
-        ("=1:2:3", "no possible key"),
+        ("=1:2:3", "without a valid key"),
         ("model=gear_pair", "cannot be varied"),
         ("parameters.T0=", "a value of a list is missing"),
         ("parameters.T0=1,,2", "a value of a list is missing"),
-        ("parameters.T0=1:2", "not the values of an axis"),
-        ("parameters.T0=1:2:3:4", "not the values of an axis"),
-        ("parameters.T0=uniform:1:2:3", "not the values of an axis"),
-        ("parameters.T0=lin:1:2:3", "not the values of an axis"),
+        ("parameters.T0=1:2", "not a range of values"),
+        ("parameters.T0=1:2:3:4", "not a range of values"),
+        ("parameters.T0=uniform:1:2:3", "not a range of values"),
+        ("parameters.T0=lin:1:2:3", "not a range of values"),
         ("parameters.T0=1:b:3", "cannot be read"),
         ("parameters.T0=1:1e999:3", "not a finite number"),
         ("parameters.T0=1 N*m:2 Nq:3", "unknown unit"),
-        ("parameters.T0=1:2:1", "`1` is no number of values"),
-        ("parameters.T0=1:2:2.5", "`2.5` is no number of values"),
+        ("parameters.T0=1:2:1", "`1` is not a valid number of values"),
+        ("parameters.T0=1:2:2.5", "`2.5` is not a valid number of values"),
         ("parameters.T0=1:2:99999999", "from 2 to 10000000"),
         ("parameters.T0=log:0:2:3", "not positive"),
         ("parameters.T0=log:-1 N*m:2 N*m:3", "not positive"),
         ("parameters.T0=1:2 N*m:3", "one end of the axis has a unit"),
-        ("parameters.T0=1 N*m:2 rad:3", "do not measure the same"),
-        // Of the values, what a scene says of them.
+        ("parameters.T0=1 N*m:2 rad:3", "different dimensions"),
+        // Values that the scene does not admit.
         ("parameters.T0=1 rpm:2 rpm:3", "`parameters.T0` is a torque or energy"),
         ("parameters.zeta=-0.1:0.1:5", "`parameters.zeta` must not be negative, but is -0.1"),
         ("parameters.zeta=0.1:-0.1:5", "`parameters.zeta` must not be negative, but is -0.1"),
@@ -44,42 +44,43 @@ fn every_mistake_of_an_axis_is_named() {
         ("laws.k.steps.0.value=-1:1:3", "must not be negative, but is -1 N*m"),
     ];
     for (text, expected) in cases {
-        let shown = said(load(&request(&[text])).err().expect(text));
+        let shown = message(load(&request(&[text])).err().expect(text));
         assert!(shown.contains(expected), "{text}: {shown}");
     }
 }
 
 #[test]
 fn mistakes_of_all_axes_are_shown_at_once() {
-    let shown = said(load(&request(&["parameters.T0=1:x:3", "parameters.zeta", "start.speed=1:2:0"])).err().unwrap());
+    let shown =
+        message(load(&request(&["parameters.T0=1:x:3", "parameters.zeta", "start.speed=1:2:0"])).err().unwrap());
     assert!(shown.contains("3 mistakes"), "{shown}");
 }
 
 #[test]
-fn what_does_not_go_together_is_refused() {
+fn requests_that_contradict_themselves_are_refused() {
     let base = request(&["parameters.T0=1:2:3"]);
     let random = request(&["parameters.T0=uniform:1:2"]);
     let two = |a: &str, b: &str| request(&[a, b]);
     let cases = [
         (request(&[]), "nothing is varied"),
         (two("parameters.T0=1:2:3", "parameters.T0=4,5"), "varied twice"),
-        (random.clone(), "how many: --samples"),
+        (random.clone(), "without a number of samples"),
         (crate::sweep::Request { samples: Some(0), ..random }, "at least one"),
         (crate::sweep::Request { samples: Some(5), ..base.clone() }, "no axis is random"),
         (crate::sweep::Request { record: vec!["energie".into()], ..base.clone() }, "called `energie`"),
         (crate::sweep::Request { from: 0.02, ..base.clone() }, "the run ends at 0.02 s"),
         (two("parameters.T0=1:2:9999999", "parameters.zeta=0:1:9999999"), "more than 10000000 points"),
-        (crate::sweep::Request { overrides: vec!["parameters.T0 = 9 N*m".into()], ..base }, "is set and varied"),
+        (crate::sweep::Request { overrides: vec!["parameters.T0 = 9 N*m".into()], ..base }, "is both set and varied"),
     ];
     for (request, expected) in cases {
-        let shown = said(load(&request).err().unwrap());
+        let shown = message(load(&request).err().unwrap());
         assert!(shown.contains(expected), "{request:?}: {shown}");
     }
 }
 
-/// Whatever is cut off or put in, the answer is a sweep or errors that can be shown.
+/// An axis with text cut off or inserted anywhere gives a sweep or an error message.
 #[test]
-fn no_text_panics() {
+fn no_axis_text_causes_a_panic() {
     let texts = [
         " start.speed =uniform:0:3 rev/s",
         "parameters.T0=log:1 N*m:5 kN*m:7",
@@ -92,7 +93,7 @@ fn no_text_panics() {
                 for rest in ["", &text[cut..]] {
                     let request = request(&[&format!("{}{put}{rest}", &text[..cut])]);
                     if let Err(error) = load(&request) {
-                        assert!(!said(error).is_empty());
+                        assert!(!message(error).is_empty());
                     }
                 }
             }

@@ -1,4 +1,4 @@
-//! Tests of sweeps, without a command line.
+//! Tests of sweeps without the command line.
 
 mod mistakes;
 mod points;

@@ -1,4 +1,4 @@
-//! Which points a sweep has, and that each is the run that it says it is.
+//! Tests of the points of a sweep: their values, their order, and that the row of a point equals a single run with its values.
 
 use super::{load, request};
 use crate::generated::MODELS;
@@ -16,7 +16,7 @@ fn points(plan: &Plan) -> Vec<String> {
 }
 
 #[test]
-fn the_last_axis_counts_fastest() {
+fn the_last_axis_varies_fastest() {
     let grid = plan(&["parameters.T0=1:3:3", "start.speed=100 rpm,200 rpm"], None);
     let expected = [
         "1 N*m | 100 rpm",
@@ -30,7 +30,7 @@ fn the_last_axis_counts_fastest() {
 }
 
 #[test]
-fn values_are_those_that_one_would_type() {
+fn values_are_written_as_in_a_scene_file() {
     let cases: [(&str, &str); 9] = [
         ("parameters.zeta=0.1:0.5:5", "0.1 0.2 0.3 0.4 0.5"),
         ("parameters.T0=3:1:3", "3 N*m 2 N*m 1 N*m"),
@@ -48,12 +48,12 @@ fn values_are_those_that_one_would_type() {
 }
 
 #[test]
-fn random_points_are_a_function_of_seed_and_number_alone() {
+fn random_points_depend_on_seed_and_number_alone() {
     let axes = ["start.speed=uniform:100 rpm:300 rpm", "parameters.zeta=0.1,0.2", "parameters.T0=log-uniform:1:100"];
     let few = plan(&axes, Some(50));
     assert_eq!(few.points(), Some(100));
     let values: Vec<Vec<String>> = (0..100).map(|i| few.values(i)).collect();
-    // The grid counts slower than the samples.
+    // The grid varies more slowly than the samples.
     assert!(values[..50].iter().all(|v| v[1] == "0.1") && values[50..].iter().all(|v| v[1] == "0.2"));
     for v in &values {
         let (speed, torque) = (crate::sweep::axis::number(&v[0]), crate::sweep::axis::number(&v[2]));
@@ -64,15 +64,15 @@ fn random_points_are_a_function_of_seed_and_number_alone() {
     distinct.dedup();
     assert_eq!(distinct.len(), 100);
     let below_ten = values.iter().filter(|v| crate::sweep::axis::number(&v[2]) < 10.0).count();
-    // Half of them by their logarithms; five standard deviations of 100 tosses.
+    // Half of the values on a logarithmic scale; the bounds are five standard deviations of 100 coin tosses.
     assert!((25..=75).contains(&below_ten), "{below_ten}");
     assert_eq!(plan(&axes, Some(200)).values(20), few.values(20));
     assert_ne!(Plan { seed: 4, ..few.clone() }.values(20), few.values(20));
 }
 
-/// The same point by `--set`: the whole account to the last bit.
+/// The row of a point is bit-identical to a single run with the same values set by `--set`.
 #[test]
-fn a_point_is_the_run_that_its_values_make() {
+fn a_point_equals_a_single_run_with_its_values() {
     let request = request(&["parameters.T0=1:9:7", "start.speed=log:100 rpm:500 rpm:5"]);
     let sweep = load(&request).unwrap();
     for point in [0, 17, 34] {
@@ -94,25 +94,25 @@ fn a_point_is_the_run_that_its_values_make() {
     }
 }
 
-/// What the pages of the paper's scenes say (models/scenes/oh2005, "Loss of speed"), worked out by other code.
+/// The times of the first reflection in models/scenes/oh2005/README.md, "Loss of speed", which other code computed.
 #[test]
-fn the_first_reflection_is_when_the_paper_s_pages_have_it() {
+fn the_first_reflection_is_at_the_time_given_in_the_readme_of_the_paper_scenes() {
     let path = super::scene().with_file_name("spectrum_600rpm_exact.toml");
     let all = request(&["parameters.T0=30,50"]);
     let request = Request { overrides: vec!["run.t_end=1.6 s".into()], record: vec!["events".into()], ..all };
     let sweep = crate::sweep::Sweep::load(&path, MODELS, &request).unwrap();
     let column = sweep.columns().iter().position(|(name, _)| name == "first_reflection").unwrap();
-    // Three digits are printed there.
+    // The README gives three digits.
     for (point, t, half_digit) in [(0, 1.50, 0.005), (1, 0.469, 0.0005)] {
         let found = sweep.point(point).numbers[column];
         assert!((found - t).abs() <= half_digit, "{found} s");
     }
 }
 
-/// Without samples points are run side by side, to the same events and to states that differ by roundings, which these motions
-/// carry on by a factor of 1e4 or so.
+/// If no samples are recorded, points run side by side. They have the same events, and states that differ by rounding errors, which
+/// these motions amplify by a factor of about 1e4.
 #[test]
-fn what_is_recorded_does_not_change_the_motion() {
+fn the_recorded_groups_do_not_change_the_motion() {
     let all = request(&["parameters.T0=1:50:4"]);
     let few = Request { record: vec!["state".into(), "energy".into()], ..all.clone() };
     let (all, few) = (load(&all).unwrap(), load(&few).unwrap());
@@ -124,13 +124,13 @@ fn what_is_recorded_does_not_change_the_motion() {
     }
 }
 
-/// Each way in which a point can fail is a row with its reason.
+/// A point can fail in several ways; each gives a row with the reason.
 #[test]
 fn a_failing_point_is_a_row_with_its_reason() {
     let cases = [
-        // The numbers make no system.
+        // The mass matrix is singular.
         ("parameters.I1=2890 kg*mm^2,1e-300 kg*m^2", Status::Refused, "mass matrix"),
-        // Admissible by themselves, but these lead beyond all numbers, and against a step without end.
+        // Valid values, but the state overflows, or events follow one another without end.
         ("start.phi_dot=1 rad/s,1e307 rad/s", Status::Stopped, "no longer finite"),
         ("parameters.T0=10,1e160", Status::Stopped, "followed one another"),
     ];
@@ -142,7 +142,7 @@ fn a_failing_point_is_a_row_with_its_reason() {
         assert!(bad.reason.contains(reason), "{axis}: {}", bad.reason);
         assert_eq!(bad.numbers.len(), good.numbers.len());
     }
-    // Widths that fill the pitch only together: their combination is refused where it does not.
+    // Each width is valid alone, but together the widths must leave a part of the pitch: the last combination does not.
     let widths =
         ["laws.k.steps=[{value=\"1 kN*m\",width=\"1 rad\"},{value=\"2 kN*m\",width=\"2 rad\"},{value=\"1 kN*m\"}]"];
     let mut two = request(&["laws.k.steps.0.width=1 rad:4 rad:2", "laws.k.steps.1.width=2 rad:4 rad:2"]);

@@ -1,40 +1,42 @@
-//! A stretch of the period in which nothing steps, ready to be walked.
+//! A leg: a stretch of the period without steps, with its propagators.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Laws that step on one phase at the end of a leg.
+/// The laws of one phase that step at the end of a leg.
 pub(super) struct Step {
-    /// Coordinate that is the phase.
+    /// Index of the coordinate that is the phase.
     pub phase: usize,
-    /// Its speed.
+    /// Its speed [unit of the phase/s].
     pub speed: f64,
-    /// The value of each law beyond.
+    /// The value of each law after the step [SI].
     pub beyond: Vec<f64>,
 }
 
+/// A stretch of the period without steps.
 pub(super) struct Leg {
-    /// The value of each law.
+    /// The value of each law [SI].
     pub levels: Vec<f64>,
-    /// Propagator of all of it.
+    /// Propagator of the whole leg (2m x 2m).
     pub whole: DMatrix<f64>,
-    /// Propagator of one substep.
+    /// Propagator of one substep (2m x 2m).
     pub part: DMatrix<f64>,
+    /// Number of substeps.
     pub substeps: usize,
-    /// Time of a substep [s].
+    /// Duration of a substep [s].
     pub step: f64,
-    /// z_s.
+    /// Static deflection z_s (m).
     pub rest: DVector<f64>,
-    /// What steps at its end, by phases.
+    /// The steps at its end, one entry per phase.
     pub steps: Vec<Step>,
 }
 
 impl Leg {
-    /// From its start to its end.
+    /// The state at the end of the leg, from the state `y` at its start.
     pub fn cross(&self, y: &DVector<f64>) -> DVector<f64> {
         self.moved(&self.whole, y)
     }
 
-    /// On by one substep.
+    /// The state one substep after the state `y`.
     pub fn walk(&self, y: &DVector<f64>) -> DVector<f64> {
         self.moved(&self.part, y)
     }
@@ -52,7 +54,7 @@ impl Leg {
     }
 }
 
-/// A of y -> A y + a over a period; the impulses enter a alone.
+/// The matrix A of the map y -> A y + a of a period. The impulses change only a.
 pub(super) fn period(legs: &[Leg]) -> DMatrix<f64> {
     let size = 2 * legs[0].rest.len();
     legs.iter().fold(DMatrix::identity(size, size), |a, leg| &leg.whole * a)

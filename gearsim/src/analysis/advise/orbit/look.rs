@@ -1,4 +1,4 @@
-//! What there is to see of a settled motion.
+//! The quantities of a settled motion: means, peaks, spectral lines and the dissipated energy.
 
 use std::f64::consts::TAU;
 
@@ -7,11 +7,11 @@ use nalgebra::{Complex, DVector};
 use super::leg::Leg;
 use super::{Orbit, Steady, Unknown};
 
-/// Lines of the spectrum, at most.
+/// Number of spectral lines.
 const LINES: usize = 200;
 
 impl Steady<'_> {
-    /// Walks the period and notes what there is to see.
+    /// Evaluates the motion over a period of length `period` [s] from the state `start`, with the impulses `kicks` at the ends of `legs`.
     pub(super) fn look(
         &self,
         legs: &[Leg],
@@ -32,7 +32,7 @@ impl Steady<'_> {
             for _ in 0..leg.substeps {
                 let next = leg.walk(&y);
                 lost += 0.5 * leg.step * (power(&y) + power(&next));
-                // The trapezoid rule, piece by piece.
+                // Both ends of the substep, with the weights of the trapezoidal rule.
                 points.push((t, leg.step / 2.0, &self.shapes * y.rows(0, m)));
                 t += leg.step;
                 points.push((t, leg.step / 2.0, &self.shapes * next.rows(0, m)));

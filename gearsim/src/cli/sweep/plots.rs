@@ -7,27 +7,27 @@ use clap::Args;
 use crate::cli::failure::Failure;
 use crate::cli::terminal;
 use crate::output::{OutputError, OutputFolder};
-use crate::plot::{self, PlotError, Study};
+use crate::plot::{self, PlotError, SweepResults};
 use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
 use crate::sweep::plan::Plan;
 use crate::sweep::record;
 
-/// Which plots to draw.
+/// The options that choose plots.
 #[derive(Args)]
-pub(in crate::cli) struct Pictures {
+pub(in crate::cli) struct PlotOptions {
     /// Draws a recorded quantity over the varied ones: a map over two, a curve over one; may be repeated
-    /// [default: the maximum of the first coordinate that does not roll on, where it is recorded]
+    /// [default: the maximum of the first coordinate that does not rotate continuously, if it is recorded]
     #[arg(long, value_name = "QUANTITY")]
     map: Vec<String>,
-    /// Keeps the spectra at all points, and draws them over the one quantity that is varied
+    /// Stores the spectra of all points, and draws them over the one varied quantity
     #[arg(long)]
     pub(super) waterfall: bool,
 }
 
-impl Pictures {
-    /// Whether they can be drawn, as far as is known before anything runs.
+impl PlotOptions {
+    /// Checks, before anything runs, that the plots can be drawn.
     ///
     /// # Errors
     /// [`Failure::Impossible`].
@@ -37,22 +37,22 @@ impl Pictures {
         if let Some(unknown) = self.map.iter().find(|name| !names.contains(&name.as_str())) {
             let meant = crate::scene::did_you_mean(unknown, names.iter().copied());
             let meant = meant.map_or(String::new(), |near| format!("did you mean `{near}`? "));
-            let help = format!("{meant}there are {}", names.join(", "));
+            let help = format!("{meant}the recorded quantities are {}", names.join(", "));
             return impossible(format!("no quantity `{unknown}` is recorded"), help);
         }
         let axes = layout.plan.axes.len();
         if self.waterfall && !(axes == 1 && drawable(&layout.plan)) {
-            let what = format!("a waterfall is over one varied number, and there are {axes} varied quantities");
-            return impossible(what, "vary one, or leave out --waterfall".into());
+            let what = format!("a waterfall needs exactly one --vary, with numbers as values; there are {axes}");
+            return impossible(what, "vary one quantity, or leave out --waterfall".into());
         }
         if !self.map.is_empty() && !drawable(&layout.plan) {
-            let what = "a map is over one or two varied numbers, and that is not what is varied here";
-            return impossible(what.into(), "leave out --map; the table has everything".into());
+            let what = "a map needs one or two --vary, with numbers as values";
+            return impossible(what.into(), "leave out --map; the table has all results".into());
         }
         Ok(())
     }
 
-    /// Draws them into the folder at `path`; their names. A plot that cannot be drawn costs no sweep its results.
+    /// Draws the plots into the folder at `path`, and returns the names of the files. A plot that cannot be drawn gives a warning only.
     ///
     /// # Errors
     /// [`OutputError`].
@@ -70,9 +70,9 @@ impl Pictures {
             jobs.extend(maps.into_iter().map(|name| (&plot::map::PLOT, name)));
         }
         if self.waterfall {
-            let mut lines = rows.values().flat_map(|row| &row.spectra).map(|line| line.coordinate.to_string());
-            let first = lines.next();
-            let others = lines.skip_while(|name| Some(name) == first.as_ref());
+            let mut names = rows.values().flat_map(|row| &row.spectra).map(|spectrum| spectrum.coordinate.to_string());
+            let first = names.next();
+            let others = names.skip_while(|name| Some(name) == first.as_ref());
             let mut coordinates: Vec<String> = first.iter().cloned().chain(others).collect();
             coordinates.sort();
             coordinates.dedup();
@@ -80,15 +80,15 @@ impl Pictures {
         }
         for (plot, quantity) in jobs {
             let name = format!("{}_{quantity}", plot.name);
-            let study = Study { scene: &manifest.scene, layout, rows, quantity: &quantity };
-            match pictures(plot, &study) {
+            let results = SweepResults { scene: &manifest.scene, layout, rows, quantity: &quantity };
+            match svg_and_png(plot, &results) {
                 Ok((svg, png)) => {
                     folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
                     folder.write_bytes(&format!("{name}.png"), &png)?;
                 }
                 Err(error) => {
                     let warning = format!("warning: no plot `{name}`: {error}");
-                    terminal::complain(&terminal::wrap(&warning, terminal::width()));
+                    terminal::print_err(&terminal::wrap(&warning, terminal::width()));
                 }
             }
         }
@@ -96,20 +96,20 @@ impl Pictures {
     }
 }
 
-/// What is drawn if nobody says what: the greatest value of the first coordinate that does not roll on.
+/// The map drawn if no --map is given: the maximum of the first coordinate that does not rotate continuously.
 fn default(layout: &Layout) -> Option<String> {
     let coordinate = record::elastic(layout.model).into_iter().next()?;
     let name = format!("{}_max", layout.model.coordinates[coordinate].name);
     layout.columns.iter().any(|(column, _)| *column == name).then_some(name)
 }
 
-/// Whether the plan is one that can be drawn: one or two axes of numbers.
+/// Whether a map can be drawn: there are one or two axes, and all their values are numbers.
 fn drawable(plan: &Plan) -> bool {
     (1..=2).contains(&plan.axes.len()) && plan.axes.iter().all(|axis| axis.is_numeric())
 }
 
-fn pictures(plot: &plot::SweepPlot, study: &Study<'_>) -> Result<(String, Vec<u8>), PlotError> {
-    let svg = (plot.draw)(study)?;
+fn svg_and_png(plot: &plot::SweepPlot, results: &SweepResults<'_>) -> Result<(String, Vec<u8>), PlotError> {
+    let svg = (plot.draw)(results)?;
     let png = plot::figure::png(&svg, plot.name)?;
     Ok((svg, png))
 }
