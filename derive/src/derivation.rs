@@ -128,6 +128,11 @@ impl Derivation<'_> {
         self.model.effects.iter().map(|e| e.name.clone()).chain([JUMP_TERMS, MOVING_PHASE].map(String::from)).collect()
     }
 
+    /// Names of the coordinates.
+    pub(crate) fn coordinates(&self) -> Vec<&str> {
+        self.model.coordinates.iter().map(|c| c.name.as_str()).collect()
+    }
+
     /// Names of coordinates, then of speeds.
     pub(crate) fn states(&self) -> Vec<String> {
         self.model.coordinates.iter().map(|c| c.name.clone()).chain(self.model.speeds()).collect()
