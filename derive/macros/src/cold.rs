@@ -1,5 +1,5 @@
-//! The functions that are not called at every step. Their code asks for the effects as it runs, one function a model, so
-//! that a set of effects costs the compiler no more than a call of each.
+//! The functions that are not called at every step. Each is compiled once for a model and tests the effects at run time, so that the
+//! code for a set of effects only calls it.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -14,19 +14,19 @@ use crate::model::*;
 use crate::scope::speed;
 use crate::sums::{Ask, block, body, by_index, position};
 
-/// A function of the numbers that takes the effects as its first argument, which `Equations` has without them.
+/// A function of `Numbers` with the effects as its first argument, and without it a function of `Equations`.
 pub struct Cold {
     pub name: &'static str,
-    /// `k: &[f64]`
+    /// Its parameters, `k: &[f64]`.
     pub takes: TokenStream,
-    /// `k`
+    /// Its arguments, `k`.
     pub given: TokenStream,
     pub returns: TokenStream,
     pub body: TokenStream,
 }
 
 impl Cold {
-    /// Itself, with the effects and conditions as variables.
+    /// The definition in `Numbers`; `conditions` defines the effects and conditions as variables.
     pub fn define(&self, conditions: &TokenStream) -> TokenStream {
         let Cold { takes, returns, body, .. } = self;
         let name = self.ident();
@@ -36,7 +36,7 @@ impl Cold {
         }
     }
 
-    /// The function of `Equations` with the effects E that calls it.
+    /// The function of `Equations` that calls it with the effects E.
     pub fn call(&self) -> TokenStream {
         let Cold { takes, given, returns, .. } = self;
         let name = self.ident();
@@ -48,7 +48,7 @@ impl Cold {
     }
 }
 
-/// Those in plain numbers; the matrices of a cell are in [`crate::cells`].
+/// The functions in f64. Those that give the matrices of a cell, in any kind of number, are in [`crate::cells`].
 pub fn cold(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let (q, q_dot, k) = (quote!(q: &[f64; #n]), quote!(q_dot: &[f64; #n]), quote!(k: &[f64]));
@@ -91,7 +91,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all
 }
 
-/// The powers of the torques that are not constant, if there are any.
+/// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.
 fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
     let terms: Vec<_> = m.torques.iter().flat_map(|t| &t.power).collect();
     if terms.is_empty() {
@@ -119,7 +119,7 @@ fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
     ]
 }
 
-/// The net work: every generalised force times the change of its coordinate.
+/// The work of all constant torques: every generalised force times the change of its coordinate.
 fn work(m: &Model) -> Sum {
     let terms = m.work.iter().flat_map(|row| {
         let i = position(m, &row.name);
@@ -140,7 +140,7 @@ fn motion(m: &Model, motion: &Motion) -> TokenStream {
     quote!({ let mut q_dot = [0.0; #n]; #(#speeds)* q_dot })
 }
 
-/// An entry of the derivatives by coordinates, or of those by speeds.
+/// Sets one entry of the derivatives by coordinates, v[0], or by speeds, v[1].
 fn jacobian(m: &Model, e: &Entry) -> TokenStream {
     let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
     let (which, j) = match by_speed {
@@ -164,7 +164,7 @@ fn switching(m: &Model) -> TokenStream {
     let step = format_ident!("{}", effects::STIFFNESS_STEP.to_uppercase());
     let by_time = otherwise(effects::FROZEN_PHASE, quote!(ByTime));
     let without = otherwise(effects::RIGID_KINEMATICS, quote!(WithoutJump));
-    // A law whose effect is not there is zero.
+    // A law whose effect is absent is zero, and never switches.
     let gated =
         m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), effects::constant(law.with.as_ref()?))));
     let (gated, there): (Vec<_>, Vec<_>) = gated.unzip();

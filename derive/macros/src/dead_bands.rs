@@ -1,4 +1,4 @@
-//! Dead bands: what the engine asks of them.
+//! The function `dead_band`, which describes a dead band to the engine.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use crate::effects::constant;
 use crate::gated;
 use crate::model::Model;
 
-/// The function `dead_band` of `Equations`.
+/// The function `dead_band` of `Equations`: the normal, half the width, and the derivatives by transmission errors.
 pub fn function(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let arms = m.dead_bands.iter().enumerate().map(|(b, band)| {

@@ -1,5 +1,5 @@
-//! The functions of `Equations` with the effects E: those that are called at every step have code of their own for each
-//! set of effects, the others call what all sets share.
+//! The functions of `Equations` for the effects E. Those that are called at every step have separate code for each set of effects;
+//! the others call code that all sets share.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -15,7 +15,7 @@ use crate::model::*;
 use crate::share::{Function, LARGE, Place};
 use crate::sums::{Ask, body, position};
 
-/// The functions of `Equations`, and those of the numbers that they call.
+/// The functions of `Equations`, and the functions of `Numbers` that only they call.
 pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
     let n = Index::from(m.coordinates.len());
     let vector = quote!([f64; #n]);
@@ -50,7 +50,7 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
         given: quote!(q, q_dot, k, dk,),
         returns: vector.clone(),
         zero: quote!([0.0; #n]),
-        // One check that the law values are there, not one each.
+        // One bounds check for all law values instead of one for each.
         first: [quote!(let k = &k[..Self::VALUES]; #effects #d #d_dot #forces), quote!(#values #d #d_dot #any_forces)],
     }
     .body(&places, &mut shared);
@@ -70,7 +70,7 @@ pub fn functions(m: &Model, cold: &[Cold]) -> (TokenStream, Vec<TokenStream>) {
     (functions, shared)
 }
 
-/// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates; what is not used is not computed.
+/// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates. The compiler drops those that are not used.
 pub fn deflections(m: &Model) -> (TokenStream, TokenStream) {
     match m.deflections.is_empty() {
         true => (quote!(), quote!()),
