@@ -1,4 +1,5 @@
-//! Is a cell linear? Between two steps, M q'' + C q' + K q = f with constant matrices, or the term that breaks it.
+//! The equations between two steps of the laws: M q'' + C q' + K q = f with constant M, C, K and f if the cell is linear,
+//! otherwise the terms that make it nonlinear.
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
@@ -14,11 +15,15 @@ pub(crate) struct Cell {
     pub stiffness: Vec<Vec<Atom>>,
     pub damping: Vec<Vec<Atom>>,
     pub load: Vec<Atom>,
-    /// Terms that make the cell nonlinear with an effect, which the matrices leave out: the effect, and the term as text.
+    /// Torques that make the cell nonlinear in scenes with an effect: the effect, and the term as text. The matrices are
+    /// without them.
     pub nonlinear_with: Vec<(String, String)>,
 }
 
-/// The cell matrices, or the terms (as text, with the energy they come from) that make the cell nonlinear.
+/// The matrices of a linear cell.
+///
+/// # Errors
+/// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from.
 pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell, Vec<String>> {
     let (positions, speeds): (Vec<Symbol>, Vec<Symbol>) = (
         s.q.iter().copied().chain(s.deflections.iter().map(|d| d.symbol)).collect(),
@@ -30,7 +35,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
         ("dissipation function", &motion.dissipation, &speeds),
     ]
     .into_iter()
-    .flat_map(|(energy, e, by)| curved(e, by).into_iter().map(move |term| format!("{term} in the {energy}")))
+    .flat_map(|(energy, e, by)| not_quadratic(e, by).into_iter().map(move |term| format!("{term} in the {energy}")))
     .collect();
     let mut nonlinear_with = vec![];
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
@@ -51,12 +56,13 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
         let slopes: Vec<Atom> = (0..n).map(|i| by(e, i)).collect();
         slopes.iter().map(|slope| (0..n).map(|j| by(slope, j).expand()).collect()).collect()
     };
+    // The value at q = 0.
     let rest = |e: &Atom| {
-        let unbent = s
+        let at_rest = s
             .deflections
             .iter()
             .fold(e.clone(), |e, d| e.replace(Atom::var(d.symbol).to_pattern()).with(d.rest.to_pattern()));
-        s.q.iter().fold(unbent, |e, q| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern()))
+        s.q.iter().fold(at_rest, |e, q| e.replace(Atom::var(*q).to_pattern()).with(number(0).to_pattern()))
     };
     let restoring = |i: usize| s.by_coordinate(&motion.potential, i) + s.clipped(&motion.potential, i);
     Ok(Cell {
@@ -67,16 +73,16 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Result<Cell
     })
 }
 
-/// The terms of an energy, as text, whose second derivatives by what moves still move.
-fn curved(e: &Atom, by: &[Symbol]) -> Vec<String> {
+/// The terms of an energy, as text, that are not quadratic in `by`: their second derivatives depend on the state.
+fn not_quadratic(e: &Atom, by: &[Symbol]) -> Vec<String> {
     let moves = |e: &Atom| {
         let moving = [Kind::Coordinate, Kind::Speed, Kind::Deflection, Kind::Rate];
         symbols(e).iter().any(|s| moving.contains(&s.0))
     };
-    let bends = |term: &Atom| {
+    let varying = |term: &Atom| {
         let slopes = by.iter().map(|a| term.derivative(*a)).filter(|slope| !slope.is_zero());
         slopes.into_iter().any(|slope| by.iter().any(|b| moves(&slope.derivative(*b).expand())))
     };
     let text = |term: &Atom| print(&Tree::new(&all_present(term)), Style::Plain);
-    terms(&e.expand()).iter().filter(|term| bends(term)).map(text).collect()
+    terms(&e.expand()).iter().filter(|term| varying(term)).map(text).collect()
 }

@@ -1,4 +1,4 @@
-//! Is the model what it must be before anything is derived from it? One room for each kind of question.
+//! Checks a model before anything is derived from it. One file for each kind of check.
 
 mod forms;
 mod functions;
@@ -13,7 +13,10 @@ use crate::slip::Slip;
 pub(crate) use functions::numbers;
 pub(crate) use sign::{never_negative, positive};
 
-/// Checks a whole model; the first slip found ends it.
+/// Checks a whole model.
+///
+/// # Errors
+/// The first error found.
 pub(crate) fn check(model: &Model) -> Result<(), Slip> {
     if model.coordinates.is_empty() {
         return Err(Slip::Empty { model: model.name.clone() });

@@ -1,4 +1,4 @@
-//! The derivation as a whole: check, derive, prove.
+//! The whole derivation: check the model, derive its equations, prove them.
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -10,21 +10,24 @@ use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::slip::Slip;
 use crate::{check, expr, file, markers, proof};
 
-/// Everything derived from a model's energies.
+/// Everything that is derived from the energies of a model.
 pub struct Derivation<'a> {
     pub(crate) model: &'a Model,
     pub(crate) motion: Motion,
-    /// Derivatives of the forces by the states.
+    /// Derivatives of the generalised forces F (rows) by coordinates, then speeds (columns).
     pub(crate) jacobian: Vec<Vec<Atom>>,
+    /// The matrices of a cell, or the terms that make it nonlinear.
     pub(crate) cell: Result<Cell, Vec<String>>,
+    /// One jump rule for each law of the model.
     pub(crate) jumps: Vec<Jump>,
+    /// One line for each statement proved.
     pub(crate) proofs: Vec<String>,
 }
 
-/// Derives equations of motion, cells and jump rules from the energies of `model`, and proves them.
+/// Derives the equations of motion, the cells and the jump rules from the energies of `model`, and proves them.
 ///
 /// # Errors
-/// A [`Slip`] that names the culprit, where the model is not one that can be derived.
+/// A [`Slip`] that names the offending symbol or term, if the model is not valid or a proof fails.
 pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
     check::check(model)?;
     let s = Symbols::new(model);
@@ -42,56 +45,59 @@ pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
 }
 
 impl Derivation<'_> {
-    /// The text of the generated file.
+    /// The whole text of the generated file.
     pub fn file(&self) -> String {
         file::write(self)
     }
 
-    /// The derived equations as people read them, a line each.
+    /// The derived equations in readable form, one on each line.
     pub fn text(&self) -> String {
         crate::text::write(self).plain().map(|line| format!("{line}\n")).collect()
     }
 
-    /// What was proved, a line each.
+    /// What was proved, one statement for each entry.
     pub fn proofs(&self) -> &[String] {
         &self.proofs
     }
 
-    /// The acceleration of coordinate `i` (its force, where M was not inverted) in the model's parameters, without the
-    /// terms of the effects and conditions in `absent`.
+    /// The acceleration of coordinate `i`, or its generalised force if M was not inverted, in the model's parameters and without
+    /// the terms of the effects and conditions in `absent`.
     pub fn equation(&self, i: usize, absent: &[&str]) -> Expr {
         let all = self.motion.acceleration.as_ref().unwrap_or(&self.motion.force);
         self.in_parameters(&all[i], absent)
     }
 
-    /// An expression without the terms of the effects and conditions in `absent`.
+    /// The expression without the terms of the effects and conditions in `absent`: their markers are 0, their dead bands are
+    /// in contact (touch = damp = 1, edge = clip = 0), their laws are 0.
     fn without(&self, e: &Atom, absent: &[&str]) -> Atom {
         let without = absent.iter().fold(e.clone(), |e, name| {
             let marker = Atom::var(expr::symbol(Kind::Marker, name));
             e.replace(marker.to_pattern()).with(expr::number(0).to_pattern())
         });
-        let gone = self.model.dead_bands.iter().filter(|band| absent.contains(&band.effect.as_str()));
-        let symbols = gone.flat_map(|band| band.symbols());
-        let zero =
+        let bands = self.model.dead_bands.iter().filter(|band| absent.contains(&band.effect.as_str()));
+        let symbols = bands.flat_map(|band| band.symbols());
+        let laws =
             self.model.laws.iter().filter(|law| law.with.as_deref().is_some_and(|effect| absent.contains(&effect)));
-        symbols.chain(zero.map(|law| (law.kind(), law.name.clone()))).fold(without, |e, (kind, name)| {
+        symbols.chain(laws.map(|law| (law.kind(), law.name.clone()))).fold(without, |e, (kind, name)| {
             let neutral = expr::number(i64::from(matches!(kind, Kind::Touch | Kind::Damp)));
             e.replace(Atom::var(expr::symbol(kind, &name)).to_pattern()).with(neutral.to_pattern())
         })
     }
 
-    /// What a step `dk` of law `l` takes from the square of the normal speed, 2 G dV, without the terms of the effects in
-    /// `absent`; where M was inverted.
+    /// 2 G dV: the decrease of the square of the normal speed at a step `dk` of law `l`, without the terms of the effects in
+    /// `absent`. `None` if M was not inverted.
     pub fn speed_lost(&self, l: usize, absent: &[&str]) -> Option<Expr> {
         let jump = &self.jumps[l];
         jump.compliance.as_ref().map(|g| self.in_parameters(&(expr::number(2) * g * &jump.step), absent))
     }
 
-    /// The change of the speed of coordinate `i` per change of the normal speed at law `l`; where M was inverted.
+    /// The change of the speed of coordinate `i` per change of the normal speed at a step of law `l`: entry i of M⁻¹n/G. `None`
+    /// if M was not inverted.
     pub fn direction(&self, l: usize, i: usize) -> Option<Expr> {
         self.jumps[l].direction.as_ref().map(|d| self.in_parameters(&d[i], &[]))
     }
 
+    /// The expression with forces, deflections and constants written out, all remaining effects present.
     fn in_parameters(&self, e: &Atom, absent: &[&str]) -> Expr {
         let s = Symbols::new(self.model);
         let written_out = s.deflections.iter().fold(self.model.written_out(e), |e, d| {
@@ -101,17 +107,18 @@ impl Derivation<'_> {
         Expr::new(markers::all_present(&proof::exact(&self.motion, &self.without(&written_out, absent))))
     }
 
-    /// The terms of a cell that are not linear, with the energies they come from; empty where all are.
+    /// The nonlinear terms of a cell, each with the energy it comes from. Empty if the cell is linear.
     pub fn nonlinear_terms(&self) -> &[String] {
         self.cell.as_ref().err().map_or(&[], |terms| terms)
     }
 
-    /// The terms of a cell that are not linear with an effect: the effect, and the term.
+    /// The terms that make a cell nonlinear only in scenes with an effect: the effect, and the term.
     pub fn nonlinear_with(&self) -> &[(String, String)] {
         self.cell.as_ref().map_or(&[], |cell| &cell.nonlinear_with)
     }
 
-    /// Whether whole pitches of a law's phase change nothing but the law: no energy depends on it otherwise.
+    /// Whether the phase of a law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it
+    /// then change nothing, so that the engine may count them separately.
     pub(crate) fn rolling(&self, law: &Law) -> bool {
         let phase = expr::symbols(&law.phase.atom());
         let [(kind, name)] = phase.as_slice() else { return false };
@@ -126,6 +133,11 @@ impl Derivation<'_> {
     /// Effects and conditions in the order in which terms are printed.
     pub(crate) fn order(&self) -> Vec<String> {
         self.model.effects.iter().map(|e| e.name.clone()).chain([JUMP_TERMS, MOVING_PHASE].map(String::from)).collect()
+    }
+
+    /// Names of the coordinates.
+    pub(crate) fn coordinates(&self) -> Vec<&str> {
+        self.model.coordinates.iter().map(|c| c.name.as_str()).collect()
     }
 
     /// Names of coordinates, then of speeds.

@@ -1,7 +1,7 @@
-//! Expressions over declared symbols: what energies are written in.
+//! Symbolic expressions over declared symbols; energies are written in them.
 //!
-//! [`Expr`] is a small handle into an arena of the thread, so that energies read as mathematics
-//! (`half(I1 * (q1.dot() / N1).sq())`) without `&` or `clone`. Every symbol carries its [`Kind`] in its namespace.
+//! [`Expr`] is a `Copy` index into a thread-local arena, so that energies read like formulas
+//! (`half(I1 * (q1.dot() / N1).sq())`) without `&` or `clone`. The namespace of a symbol gives its [`Kind`].
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -16,42 +16,42 @@ thread_local! {
 #[derive(Clone, Copy, Debug)]
 pub struct Expr(usize);
 
-/// What a symbol stands for. The order is that of factors in a printed product.
+/// What a symbol stands for. Factors of a printed product are in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// Switch of an effect: 0 or 1, never printed.
+    /// Marker of an effect: 0 or 1, never printed.
     Marker,
-    /// Entry of the inverse mass matrix, replaced before anything is printed.
+    /// Entry of the inverse mass matrix; replaced by its value before anything is printed.
     Mobility,
-    /// Constant named by the model or by the derivation.
+    /// Named constant.
     Constant,
     /// Parameter.
     Parameter,
     /// Mid value of a law, `k_mid`.
     Mid,
-    /// Present value of a law.
+    /// Value of a stiffness at the present phase.
     Law,
-    /// Slope of a law along its phase, `dk`.
+    /// First derivative of a law by its phase, `dk`.
     Slope,
-    /// Curvature of a law along its phase, `ddk`.
+    /// Second derivative of a law by its phase, `ddk`.
     Curvature,
-    /// Present value of a law of friction.
+    /// Value of a friction law at the present phase.
     Friction,
-    /// Named force, of which torques are made.
+    /// Named force, a factor in torques.
     Force,
-    /// Whether a dead band is in contact: 1, or 0.
+    /// Whether a dead band is in contact: 1 or 0.
     Touch,
-    /// Whether its damper acts: 1, or 0.
+    /// Whether its damper acts: 1 or 0.
     Damp,
-    /// What its damper is clipped to, in forces of its spring: 1, 0 or -1.
+    /// The clipped force of its damper over the force of its spring: 1, 0 or -1; 0 while the damper is not clipped.
     Clip,
     /// Named deflection, linear in the coordinates.
     Deflection,
     /// Generalised coordinate.
     Coordinate,
-    /// The edge of a dead band that is in contact.
+    /// The edge of a dead band at which there is contact.
     Edge,
-    /// Present value of a transmission error.
+    /// Value of a transmission error at the present phase.
     Error,
     /// Rate of a deflection.
     Rate,
@@ -84,10 +84,11 @@ const KINDS: [(Kind, &str); 20] = [
     (Kind::Free, "free"),
 ];
 
-/// Namespace of names that are none: they must not reach Symbolica as they are, but the check must be able to quote them.
+/// Namespace of invalid names. Symbolica would not accept them, so they are encoded in hexadecimal digits; `check` can still
+/// quote the original name.
 const ODD: &str = "odd";
 
-/// The symbol `name` of a kind; of kind [`Kind::Free`], hence refused, where `name` is not a word.
+/// The symbol `name` of a kind. If `name` is not a valid name, the symbol reads back as [`Kind::Free`] and is refused.
 pub(crate) fn symbol(kind: Kind, name: &str) -> Symbol {
     let namespace = KINDS.iter().find(|k| k.0 == kind).map_or("free", |k| k.1);
     let symbol = if is_word(name) {
@@ -112,7 +113,7 @@ fn from_digits(digits: &str) -> String {
     String::from_utf8_lossy(&bytes.collect::<Vec<u8>>()).into_owned()
 }
 
-/// Whether a name starts with a letter and goes on with letters, digits and `_`.
+/// Whether a name starts with a letter and continues with letters, digits and `_`.
 pub(crate) fn is_word(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
@@ -145,14 +146,14 @@ impl Expr {
         ARENA.with_borrow(|arena| arena[self.0].clone())
     }
 
-    /// A symbol by name. Declared symbols come from the model's builder; one made here is refused by name when
-    /// the model is derived, unless it is declared.
+    /// A symbol by name, undeclared: a model that contains it is refused. Declared symbols come from the methods of
+    /// [`crate::Model`].
     pub fn symbol(name: &str) -> Expr {
         Expr::var(Kind::Free, name)
     }
 
-    /// A function by name. Only `sin`, `cos`, `exp` and `log` are smooth everywhere; whatever is piecewise (`abs`,
-    /// `max`, `heaviside`, ...) is refused by name when the model is derived: declare a law instead.
+    /// A function by name: `sin`, `cos`, `exp` or `log`. A model that contains another one is refused, above all piecewise ones
+    /// (`abs`, `max`, `heaviside`, ...): declare a law instead.
     pub fn function(name: &str, argument: Expr) -> Expr {
         let symbol = match name {
             "sin" => Symbol::SIN,
@@ -164,7 +165,7 @@ impl Expr {
         Expr::new(symbolica::function!(symbol, argument.atom()))
     }
 
-    /// Whether it is identically zero, as a rational function of its symbols and roots.
+    /// Whether the expression is identically zero, decided for rational functions of symbols and of roots.
     pub fn is_zero(self) -> bool {
         crate::mobility::is_zero(&self.atom())
     }
@@ -194,18 +195,18 @@ impl Expr {
         Expr::function("cos", self)
     }
 
-    /// Multiplied out.
+    /// The expression multiplied out.
     pub(crate) fn expand(self) -> Expr {
         Expr::new(self.atom().expand())
     }
 
-    /// With one symbol in the place of another.
+    /// The expression with the first symbol replaced by the second.
     pub(crate) fn with(self, (kind, name): (Kind, &str), (new_kind, new_name): (Kind, &str)) -> Expr {
         let new = Atom::var(symbol(new_kind, new_name));
         Expr::new(self.atom().replace(Atom::var(symbol(kind, name)).to_pattern()).with(new.to_pattern()))
     }
 
-    /// The time derivative, by the chain rule over the coordinates and deflections in it.
+    /// The time derivative, by the chain rule over coordinates and deflections; all other symbols are constant.
     pub fn dot(self) -> Expr {
         let e = self.atom();
         let mut rate = number(0);
@@ -221,7 +222,7 @@ impl Expr {
     }
 }
 
-/// Whether the value of a torque, its forces written out, is not constant: it depends on speeds, or is friction.
+/// Whether the value of a torque, with named forces written out, is not constant: it contains a speed or a friction law.
 pub(crate) fn varies(e: &Atom) -> bool {
     symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate | Kind::Friction))
 }

@@ -1,7 +1,8 @@
-//! Jump rules: what the speeds do where a law steps by dk at its surface s(q) = const.
+//! Jump rules: how the speeds change where a law steps by dk at the surface s(q) = const.
 //!
-//! With n = grad s, G = n.M⁻¹n, v = n.q' and dV = V(k + dk) - V(k) at the same q (of a transmission error, V(e + de) - V(e)):
-//! v+² = v² - 2 G dV, q'+ = q' + (M⁻¹n/G)(v+ - v) where that is >= 0, else v+ = -v (reflection, the cell stays).
+//! With n = grad s, G = n.M⁻¹n, v = n.q' and dV = V(k + dk) - V(k) at the same q (for a transmission error, V(e + de) - V(e)):
+//! v+² = v² - 2 G dV if that is >= 0 (transmission), else v+ = -v (reflection, the cell does not change);
+//! q'+ = q' + (M⁻¹n/G)(v+ - v).
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -13,9 +14,9 @@ use crate::model::Model;
 pub(crate) struct Jump {
     /// n = grad s.
     pub normal: Vec<Atom>,
-    /// G = n.M⁻¹n, where M was inverted.
+    /// G = n.M⁻¹n, if M was inverted.
     pub compliance: Option<Atom>,
-    /// M⁻¹n / G, where M was inverted.
+    /// M⁻¹n/G, if M was inverted.
     pub direction: Option<Vec<Atom>>,
     /// dV for a step dk.
     pub step: Atom,
@@ -43,7 +44,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
         .collect()
 }
 
-/// G and M⁻¹n/G for a given inverse.
+/// G and M⁻¹n/G for a given M⁻¹.
 pub(crate) fn response(w: &[Vec<Atom>], normal: &[Atom]) -> (Atom, Vec<Atom>) {
     let wn: Vec<Atom> = w.iter().map(|row| row.iter().zip(normal).fold(number(0), |sum, (w, n)| sum + w * n)).collect();
     let g = normal.iter().zip(&wn).fold(number(0), |sum, (n, wn)| sum + n * wn).expand();

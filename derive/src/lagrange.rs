@@ -1,8 +1,8 @@
 //! Euler-Lagrange: mass matrix, generalised forces, accelerations, Jacobian.
 //!
 //! d/dt dT/dq' - dT/dq + dV/dq + dD/dq' = Q becomes M(q) q'' = F(q, q', k), with
-//! F_i = Q_i - dV/dq_i - dD/dq'_i + dT/dq_i - sum_j (d²T/dq'_i dq_j) q'_j, where dV/dq_i goes through the mesh
-//! stiffness too: (dV/dk) (dk/ds) (ds/dq_i). These last are the jump terms.
+//! F_i = Q_i - dV/dq_i - dD/dq'_i + dT/dq_i - sum_j (d²T/dq'_i dq_j) q'_j. Here dV/dq_i includes the derivative through the
+//! mesh stiffness, (dV/dk) (dk/ds) (ds/dq_i): the jump terms.
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
@@ -10,39 +10,39 @@ use crate::expr::{Expr, Kind, number, speed_name, symbol};
 use crate::model::{DeadBand, Deflection, JUMP_TERMS, Model, Torque, mobility_name};
 use crate::slip::Slip;
 
-/// The symbols of one model.
+/// The symbols of one model; entry i belongs to coordinate i, or law i.
 pub(crate) struct Symbols {
     pub q: Vec<Symbol>,
     pub v: Vec<Symbol>,
     pub law: Vec<Symbol>,
-    /// The marker of the effect without which a law is zero; 1 for a stiffness.
+    /// The marker of the effect without which the law is zero; 1 for a stiffness.
     pub gate: Vec<Atom>,
     pub slope: Vec<Symbol>,
     pub curvature: Vec<Symbol>,
     pub deflections: Vec<Linear>,
 }
 
-/// A named deflection delta = sum slope_i q_i + rest, and the rate of its sum.
+/// A named deflection, delta = sum_i slope_i q_i + rest, and its rate, delta' = sum_i slope_i q'_i.
 pub(crate) struct Linear {
     pub symbol: Symbol,
     pub rate_symbol: Symbol,
-    /// Its slopes along the coordinates, those that are not zero.
+    /// Its nonzero derivatives by coordinates: coordinate and derivative.
     pub slopes: Vec<(usize, Atom)>,
-    /// What it is where the coordinates are zero: 0, less the edge of a dead band, less transmission errors.
+    /// Its value at q = 0: minus the edge of a dead band, minus transmission errors.
     pub rest: Atom,
-    /// Its slopes along the laws, those that are not zero.
+    /// Its nonzero derivatives by laws: law and derivative.
     by_law: Vec<(usize, Atom)>,
-    /// The clipping of the damper of a dead band, marked with its effect.
+    /// For a dead band: the symbol `clip` of its damper times the marker of its effect.
     pub clip: Option<Atom>,
 }
 
 impl Linear {
-    /// Itself, of the coordinates.
+    /// The deflection, written in the coordinates `q`.
     pub fn of(&self, q: &[Symbol]) -> Atom {
         self.rate(q) + &self.rest
     }
 
-    /// Its rate, of the speeds.
+    /// Its rate, written in the speeds `v`.
     pub fn rate(&self, v: &[Symbol]) -> Atom {
         self.slopes.iter().fold(number(0), |sum, (i, slope)| sum + slope * Atom::var(v[*i]))
     }
@@ -92,19 +92,20 @@ impl Symbols {
         }
     }
 
-    /// de/dq_i, through the deflections too, the laws held.
+    /// de/dq_i, including the derivative through deflections, with the laws held constant.
     pub fn by_coordinate(&self, e: &Atom, i: usize) -> Atom {
         let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.symbol)));
         through.fold(e.derivative(self.q[i]), |sum, part| sum + part)
     }
 
-    /// de/dk of law `l`, through the deflections too.
+    /// de/dk for law `l`, including the derivative through deflections.
     pub fn by_law(&self, e: &Atom, l: usize) -> Atom {
         let through = self.deflections.iter().filter_map(|d| Some(d.along_law(l)? * e.derivative(d.symbol)));
         through.fold(e.derivative(self.law[l]), |sum, part| sum + part)
     }
 
-    /// What becomes of an expression where law `l` steps by its slope's symbol, through the deflections too.
+    /// The expression after law `l` has stepped by an amount written as the symbol of its slope, including the step of
+    /// deflections.
     pub fn stepped(&self, e: &Atom, l: usize) -> Atom {
         let step = Atom::var(self.slope[l]);
         let shift = |e: Atom, symbol: Symbol, by: Atom| {
@@ -117,13 +118,13 @@ impl Symbols {
         })
     }
 
-    /// What clipping the dampers of dead bands adds to the restoring force dV/dq_i.
+    /// The sum of the clipped damper forces of dead bands in row i, to be added to the restoring force dV/dq_i.
     pub fn clipped(&self, potential: &Atom, i: usize) -> Atom {
         let clipped = |d: &Linear| Some(d.clip.as_ref()? * potential.derivative(d.symbol) * d.along(i)?);
         self.deflections.iter().filter_map(clipped).fold(number(0), |sum, part| sum + part)
     }
 
-    /// de/dq'_i, through the deflections' rates too.
+    /// de/dq'_i, including the derivative through the rates of deflections.
     pub fn by_speed(&self, e: &Atom, i: usize) -> Atom {
         let through = self.deflections.iter().filter_map(|d| Some(d.along(i)? * e.derivative(d.rate_symbol)));
         through.fold(e.derivative(self.v[i]), |sum, part| sum + part)
@@ -139,12 +140,13 @@ pub(crate) struct Motion {
     pub external: Vec<Atom>,
     pub mass: Vec<Vec<Atom>>,
     pub force: Vec<Atom>,
-    /// Definitions of constants, in the order of use: the model's, in parameters.
+    /// The constants of the model and their definitions, each in parameters, mid values and the constants before it.
     pub constants: Vec<(String, Atom)>,
-    /// Inverse mass matrix in the constants' names, for one or two coordinates.
+    /// The inverse mass matrix of a model with one or two coordinates, written in the names of the constants.
     pub mobility: Option<Vec<Vec<Atom>>>,
-    /// The same in parameters, for proofs.
+    /// The same, written in parameters, for the proofs.
     pub mobility_exact: Option<Vec<Vec<Atom>>>,
+    /// q'', if M was inverted.
     pub acceleration: Option<Vec<Atom>>,
 }
 
@@ -152,7 +154,7 @@ pub(crate) fn sum(pieces: &[Expr]) -> Atom {
     pieces.iter().fold(number(0), |sum, piece| sum + piece.atom())
 }
 
-/// de/dq_i including the way through the laws' phases, the latter marked with `marker`.
+/// de/dq_i including the derivative through the phases of the laws; those terms carry `marker`.
 pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &str) -> Atom {
     let mut g = s.by_coordinate(e, i);
     for (l, law) in model.laws.iter().enumerate() {
@@ -167,14 +169,14 @@ pub(crate) fn gradient(model: &Model, s: &Symbols, e: &Atom, i: usize, marker: &
     g
 }
 
-/// The displacement that a torque works through, less its value where all coordinates are zero: linear in the
-/// coordinates, so that changes of theirs put in give the change of the displacement.
+/// The displacement that a torque works through, without its value at q = 0. It is a linear form: with changes of the
+/// coordinates in place of the coordinates it gives the change of the displacement.
 pub(crate) fn displacement(s: &Symbols, torque: &Torque) -> Atom {
     let through = torque.through.atom();
     (0..s.q.len()).fold(number(0), |sum, i| sum + s.by_coordinate(&through, i).expand() * Atom::var(s.q[i]))
 }
 
-/// Generalised forces Q of the torques of which `which` holds.
+/// Generalised forces Q of the torques that `which` selects.
 pub(crate) fn external(model: &Model, s: &Symbols, which: impl Fn(&Torque) -> bool) -> Vec<Atom> {
     let along = |i: usize| {
         let torques = model.torques.iter().filter(|t| which(t));
@@ -225,7 +227,7 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
     Ok(motion)
 }
 
-/// The symbol that stands for an entry of the inverse mass matrix until it is known.
+/// The placeholder for an entry of the inverse mass matrix in the constants of a model.
 pub(crate) fn mobility_symbol(i: usize, j: usize) -> Atom {
     Atom::var(symbol(Kind::Mobility, &mobility_name(i, j)))
 }

@@ -1,10 +1,11 @@
 //! From energies to equations of motion, jump rules and their proofs.
 //!
-//! A [`Model`] collects kinetic energy T, potential V, dissipation D and torques; [`derive`] turns them into a
-//! [`Derivation`], whose [`Derivation::file`] is committed under `gearsim/src/generated/`. The way, one file each:
-//! `expr` (symbols), `model` (what people declare), `check` (slips), `lagrange` and `mobility` (equations of motion),
-//! `cell` (linearity), `jump` (jump rules), `proof` and `squares` (identities, definiteness), `tree` and `print` (readable output), `text` and
-//! `file` (the generated file).
+//! A [`Model`] collects the kinetic energy T, the potential energy V, the dissipation function D and torques; [`derive`] turns
+//! them into a [`Derivation`]. The text of [`Derivation::file`] is committed under `gearsim/src/generated/`.
+//!
+//! The stages, in order: `expr` (symbols), `model` (what an author declares), `check` (errors in a model, `slip`), `lagrange`
+//! and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and `squares` (identities,
+//! definiteness of M), `tree` and `print` (sorted expressions as text), `text` and `file` (the generated file).
 
 mod cell;
 mod check;

@@ -1,5 +1,5 @@
-//! Terms and the effects they belong to. An effect multiplies its energies by a marker, 0 or 1; the marker follows
-//! them through the derivation.
+//! Terms and the effects that they belong to. The energies of an effect are multiplied by a marker, a symbol that is 0 or 1
+//! and is carried through the derivation.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
@@ -7,7 +7,7 @@ use crate::expr::{Kind, number, symbol, symbols};
 use crate::model::{JUMP_TERMS, MOVING_PHASE};
 use crate::tree::Tree;
 
-/// Terms that share a condition: the effects all of which they need (none: always there).
+/// Terms with the same condition: all of `effects` must be present (none: the terms are always present).
 #[derive(Clone, Debug)]
 pub(crate) struct Group {
     pub effects: Vec<String>,
@@ -19,12 +19,12 @@ pub(crate) fn all_present(e: &Atom) -> Atom {
     set(e, &markers(e), 1)
 }
 
-/// The expanded sum, grouped by condition; `order` gives the order of effects.
+/// The terms of the expanded sum, grouped by condition; `order` gives the order of effects.
 pub(crate) fn grouped(e: &Atom, order: &[String]) -> Vec<Group> {
     collect(terms(&e.expand()), order)
 }
 
-/// The pieces as they were written, grouped by condition.
+/// The pieces without expansion, grouped by condition.
 pub(crate) fn as_written(pieces: &[Atom], order: &[String]) -> Vec<Group> {
     collect(pieces.to_vec(), order)
 }
@@ -35,7 +35,7 @@ fn collect(pieces: Vec<Atom>, order: &[String]) -> Vec<Group> {
         let mut marks = markers(&piece);
         let bare = set(&piece, &marks, 1);
         if marks.iter().any(|m| m == JUMP_TERMS) {
-            marks.retain(|m| m != MOVING_PHASE); // implied
+            marks.retain(|m| m != MOVING_PHASE); // implied by the jump terms
         }
         let mut key: Vec<usize> =
             marks.iter().map(|m| order.iter().position(|o| o == m).unwrap_or(order.len())).collect();

@@ -1,4 +1,4 @@
-//! The inverse mass matrix of small models, and the constants that a model names after it.
+//! The inverse mass matrix of small models, and the constants that a model defines by its entries.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
@@ -14,13 +14,13 @@ const LARGEST: usize = 2;
 /// Largest number of coordinates for which the determinant of M is expanded.
 pub(crate) const LARGEST_DETERMINANT: usize = 4;
 
-/// Inverts M where that is small and constant, and works out the constants.
+/// Inverts M if it is small and constant, and evaluates the constants of the model.
 ///
-/// A constant that is a multiple of one entry W_ij of the inverse (`m.constant("M2", 2 * m.inverse_mass(phi, phi))`)
-/// becomes the name under which that entry, and any equal one, appears in the equations.
+/// If a constant is a multiple of one entry W_ij of the inverse, as in `m.constant("M2", 2 * m.inverse_mass(phi, phi))`, that
+/// entry and all equal ones are written in this constant in the equations.
 pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
     let n = model.coordinates.len();
-    // An inertia that an effect adds has a marker in it: then M is not one matrix, and is left to the engine.
+    // If an effect adds inertia, M contains its marker and differs between sets of effects: the engine inverts it numerically.
     let fixed = |m: &Atom| symbols(m).iter().all(|s| !matches!(s.0, Kind::Coordinate | Kind::Marker));
     let constant = motion.mass.iter().flatten().all(fixed);
     if n <= LARGEST_DETERMINANT {
@@ -53,7 +53,7 @@ pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
     Ok(())
 }
 
-/// Puts `entry` in place of W_ij and of every entry equal to it.
+/// Replaces W_ij and every entry equal to it by `entry`.
 fn substitute(exact: &[Vec<Atom>], named: &mut [Vec<Atom>], (i, j): (usize, usize), entry: &Atom) {
     for k in 0..exact.len() {
         for l in 0..exact.len() {
@@ -64,7 +64,7 @@ fn substitute(exact: &[Vec<Atom>], named: &mut [Vec<Atom>], (i, j): (usize, usiz
     }
 }
 
-/// A determinant that is zero with every effect present: some combination of coordinates has no inertia.
+/// Refuses an M whose determinant is zero with every effect present: some combination of coordinates has no inertia.
 fn refuse_singular(model: &Model, mass: &[Vec<Atom>]) -> Result<(), Slip> {
     let m: Vec<Vec<Atom>> = mass.iter().map(|row| row.iter().map(all_present).collect()).collect();
     if !is_zero(&determinant(&m)) {
@@ -74,7 +74,7 @@ fn refuse_singular(model: &Model, mass: &[Vec<Atom>]) -> Result<(), Slip> {
     Err(Slip::Singular { model: model.name.clone(), coordinates: coordinates.join(", ") })
 }
 
-/// The inverse of a matrix of one or two rows that is not singular.
+/// The inverse of a regular matrix with one or two rows.
 fn inverse(m: &[Vec<Atom>]) -> Vec<Vec<Atom>> {
     let determinant = determinant(m);
     let entry = |cofactor: Atom| match terms(&determinant).len() {
@@ -104,7 +104,7 @@ pub(crate) fn determinant(m: &[Vec<Atom>]) -> Atom {
     sum.expand()
 }
 
-/// Whether an expression is identically zero, rational in its symbols and in roots of rational expressions.
+/// Whether an expression is identically zero, decided for rational functions of symbols and of roots of rational functions.
 pub(crate) fn is_zero(e: &Atom) -> bool {
     e.expand().is_zero() || e.together().expand().is_zero() || {
         let e = roots_of_fractions(e.as_view());
@@ -112,7 +112,7 @@ pub(crate) fn is_zero(e: &Atom) -> bool {
     }
 }
 
-/// Every root's base as one fraction, so that equal roots look alike: sqrt(k/(m/2)) and sqrt(2*k/m).
+/// The expression with the base of every root as one fraction, so that equal roots look alike: sqrt(k/(m/2)), sqrt(2*k/m).
 fn roots_of_fractions(e: AtomView) -> Atom {
     match e {
         AtomView::Pow(p) => {

@@ -1,4 +1,4 @@
-//! A model in the making: coordinates, parameters, laws, effects and the energies T, V, D, Q.
+//! The builder of a model: coordinates, parameters, laws, effects, the energies T and V, the dissipation function D, torques.
 
 mod parts;
 
@@ -11,7 +11,8 @@ pub use parts::{Friction, Range, Start};
 
 /// A drivetrain, described by its energies.
 ///
-/// The methods are called in any order that declares a symbol before it is used; [`crate::derive`] checks the whole.
+/// The methods may be called in any order in which every symbol is declared before it is used. [`crate::derive`] checks the
+/// complete model.
 #[derive(Default)]
 pub struct Model {
     pub(crate) name: String,
@@ -30,7 +31,7 @@ pub struct Model {
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
     pub(crate) dissipation: Vec<Expr>,
-    /// Effect whose closure is running: what is added now is marked with it.
+    /// The effect whose closure is running: everything that is added now belongs to it.
     within: Option<String>,
 }
 
@@ -42,40 +43,40 @@ impl Model {
         model
     }
 
-    /// One line saying what it is.
+    /// What the model is, in one line.
     pub fn title(&mut self, title: &str) {
         self.title = title.into();
     }
 
-    /// Where it comes from: author, year, equations.
+    /// The source of the model: author, year, equations.
     pub fn source(&mut self, source: &str) {
         self.source = source.into();
     }
 
-    /// A generalised coordinate, with its SI unit.
+    /// Declares a generalised coordinate with its SI unit.
     pub fn coordinate(&mut self, name: &str, unit: &str, start: Start, doc: &str) -> Expr {
         self.coordinates.push(Coordinate { name: name.into(), unit: unit.into(), start, doc: doc.into() });
         Expr::var(Kind::Coordinate, name)
     }
 
-    /// A parameter with its SI unit; scenes must give it where `default` [SI] is `None`, and within an effect only if they
-    /// name that.
+    /// Declares a parameter with its SI unit. A scene must give it if `default` [SI] is `None`; if it is declared inside an
+    /// effect, only a scene that names the effect must.
     pub fn parameter(&mut self, name: &str, unit: &str, default: Option<f64>, range: Range, doc: &str) -> Expr {
         let with = self.within.clone();
         self.parameters.push(Parameter { name: name.into(), unit: unit.into(), default, with, range, doc: doc.into() });
         Expr::var(Kind::Parameter, name)
     }
 
-    /// A name for a constant of the motion: an expression in parameters, earlier constants, mid values of laws and
-    /// [`Model::inverse_mass`].
+    /// Names a constant: an expression in parameters, earlier constants, mid values of laws and [`Model::inverse_mass`].
     pub fn constant(&mut self, name: &str, value: Expr) -> Expr {
         self.constants.push((name.into(), value));
         Expr::var(Kind::Constant, name)
     }
 
-    /// A name for what a spring feels: linear in the coordinates, and zero where they are, less transmission errors. V may
-    /// be written in it and D in its `.dot()`, in which an error has no part; the equations then are, too, instead of being
-    /// multiplied out. What is a coordinate keeps that name.
+    /// Names a deflection, for example of a spring: a linear form of the coordinates without a constant term, from which
+    /// transmission errors may be subtracted. V may be written in the deflection, D in its `.dot()`, which does not contain the
+    /// rate of an error. The equations are then written in the deflection instead of being multiplied out. If `value` is a
+    /// coordinate, that coordinate is returned and no name is declared.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
         let value = value.expand();
         if self.coordinates.iter().any(|c| value.atom() == Expr::var(Kind::Coordinate, &c.name).atom()) {
@@ -85,14 +86,16 @@ impl Model {
         Expr::var(Kind::Deflection, name)
     }
 
-    /// Play about `delta` [unit], linear in the coordinates: nothing is felt within `half` [unit] to either side of zero. For
-    /// scenes without `effect` there is none. V is to be written in what comes back, `k.value * gap.touch * gap.over.sq()`,
-    /// and a damper that acts in contact in `gap.damp * gap.over.dot().sq()`.
+    /// Declares play (a dead band) of the deflection `delta` [unit], which is linear in the coordinates: there is no force while
+    /// `delta` is between `-half` and `half` [unit]. In scenes without `effect` there is no play. Write V in the expressions
+    /// returned, `k.value * gap.touch * gap.over.sq()`, and the dissipation function of a damper in the contact as
+    /// `gap.damp * gap.over.dot().sq()`.
     ///
-    /// V does not step at an edge, so there is no impulse. The damper never pulls, nor pushes more than the spring (as in
-    /// Modelica.Mechanics.Rotational.Components.ElastoBacklash2): its force is clipped to plus or minus the spring's.
+    /// V is continuous at the edges of the band, so that there is no impulse. The contact never pulls, and the damper never pushes
+    /// more than the spring: the damper force is limited to plus or minus the spring force, as in
+    /// Modelica.Mechanics.Rotational.Components.ElastoBacklash2.
     ///
-    /// Names: `over`, `touch`, `edge`, `damp`, `clip`, each with `part` behind it.
+    /// Declares the names `over`, `touch`, `edge`, `damp` and `clip`, each followed by `part`.
     pub fn dead_band(&mut self, part: &str, unit: &str, delta: Expr, half: Expr, effect: &str, doc: &str) -> Play {
         let named = |what: &str| format!("{what}{part}");
         let (over, touch, edge) = (named("over"), named("touch"), named("edge"));
@@ -109,8 +112,8 @@ impl Model {
         play
     }
 
-    /// The entry of the inverse mass matrix for two coordinates, whatever the derivation finds it to be. (At most two
-    /// coordinates: larger mass matrices are never inverted symbolically.)
+    /// The entry of the inverse mass matrix for the coordinates `a` and `b`; the derivation fills in its value. Only for models
+    /// with at most two coordinates: larger mass matrices are not inverted symbolically.
     pub fn inverse_mass(&self, a: Expr, b: Expr) -> Expr {
         let index =
             |e: Expr| self.coordinates.iter().position(|c| e.atom() == Expr::var(Kind::Coordinate, &c.name).atom());
@@ -120,11 +123,11 @@ impl Model {
         }
     }
 
-    /// A mesh stiffness: periodic with one tooth pitch of `phase`, its steps given by the scene. Declares the effects
-    /// `stiffness_step` (with the jump terms), `rigid_kinematics` (without them) and `frozen_phase`.
+    /// Declares a mesh stiffness [unit]: a law that is periodic with one tooth pitch of `phase` and whose steps the scene gives.
+    /// Declares the effects `stiffness_step` (with the jump terms), `rigid_kinematics` (without them) and `frozen_phase`.
     pub fn mesh_stiffness(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshStiffness {
         self.declare_mesh_effects();
-        // Laws with effects come last: scenes without the effects have the laws before them, by the same numbers.
+        // Laws with effects come last, so that a scene without the effects numbers its laws in the same way.
         let place = self.laws.iter().take_while(|law| law.with.is_none()).count();
         let role = Role::Stiffness;
         let law = Law { name: name.into(), unit: unit.into(), phase, period, with: None, role, doc: doc.into() };
@@ -136,39 +139,39 @@ impl Model {
         }
     }
 
-    /// A transmission error: what unloaded flanks are beyond their ideal places [unit of the deflection], periodic with
-    /// one tooth pitch of `phase` or, as the scene may say, with several; its course given by the scene. It is to be taken
-    /// from the deflection that a mesh feels, V = k (delta - e)^2/2, and is zero for scenes without the effect
-    /// `transmission_error`, which this declares. It steps or goes on as a stiffness does, by the same rules.
+    /// Declares a transmission error e [unit of the deflection]: the deviation of the unloaded flanks from their ideal position.
+    /// It is periodic with one tooth pitch of `phase`, or with several if the scene says so; the scene gives its values. Subtract
+    /// it from the deflection of the mesh, V = k (delta - e)^2/2. It is zero in scenes without the effect `transmission_error`,
+    /// which this declares. It steps or varies continuously by the same rules as a stiffness.
     ///
-    /// Dampers feel the rate of delta, not that of e, which a step would make infinite.
+    /// Dampers act on the rate of delta, not of delta - e: the rate of e is infinite at a step.
     pub fn transmission_error(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshError {
         self.declare_mesh_effects();
         let says =
-            "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         self.declare(Effect::new(TRANSMISSION_ERROR, &[STIFFNESS_STEP], &[], says));
         let (with, role) = (Some(TRANSMISSION_ERROR.into()), Role::Error);
         let law = Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: doc.into() };
-        // Before those of friction, which a scene may have without it.
+        // Before the laws of friction: a scene may have friction without transmission errors.
         let place = self.laws.iter().take_while(|law| !matches!(law.role, Role::Friction(_))).count();
         self.laws.insert(place, law);
         MeshError { value: Expr::var(Kind::Error, name) }
     }
 
-    /// The effect `sliding_friction`: what `add` adds is in the equations only of scenes that name it. It needs flanks that
-    /// move with the phase, so that it rules out `rigid_kinematics` and `frozen_phase`, in which energy has no account.
+    /// The effect `sliding_friction`: what `add` adds is in the equations only of scenes that name the effect. It excludes
+    /// `rigid_kinematics` and `frozen_phase`, which do not conserve energy: the work of friction could not be accounted for.
     pub fn sliding_friction(&mut self, add: impl FnOnce(&mut Model)) {
         self.declare_mesh_effects();
-        let doc = "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth \
+        let doc = "Coulomb friction between the flanks, against their sliding, which changes its direction when a tooth pair \
                    passes the pitch point";
         self.declare(Effect::new(SLIDING_FRICTION, &[STIFFNESS_STEP], &["rigid_kinematics", "frozen_phase"], doc));
         self.effect(SLIDING_FRICTION, doc, add);
     }
 
-    /// A law of friction, periodic with one tooth pitch of `phase`, its course given by the scene, by its teeth or otherwise;
-    /// zero without the effect [`Model::sliding_friction`], to be called in its closure. It may be a factor of torques in that
-    /// effect, which may then depend on deflections and stiffnesses too, and of nothing else: no energy is stored
-    /// in it, and where it steps speeds do not.
+    /// Declares a friction law [unit], periodic with one tooth pitch of `phase`; the scene gives its values, from tooth data or
+    /// otherwise. It is zero without the effect of [`Model::sliding_friction`], inside whose closure this must be called. It may
+    /// only be a factor of torques in that effect, which may then depend on deflections and stiffnesses too. It is in no energy,
+    /// so that the speeds are continuous where it steps.
     pub fn friction_law(
         &mut self,
         name: &str,
@@ -189,20 +192,21 @@ impl Model {
         }
     }
 
-    /// Adds an effect, if there is none of that name.
+    /// Adds an effect, unless there is one of that name.
     fn declare(&mut self, effect: Effect) {
         if !self.effects.iter().any(|e| e.name == effect.name) {
             self.effects.push(effect);
         }
     }
 
-    /// A rigid motion by which a scene may state its start: the speeds (coordinate, speed per unit) of the train.
+    /// Declares a rigid motion by which a scene may state its initial speeds in one number [unit]: pairs of a coordinate and
+    /// its speed for a motion of size 1. Other coordinates have the speed 0.
     pub fn motion(&mut self, name: &str, unit: &str, speeds: &[(Expr, Expr)], doc: &str) {
         self.motions.push(Motion { name: name.into(), unit: unit.into(), speeds: speeds.to_vec(), doc: doc.into() });
     }
 
-    /// An effect: what `add` adds is in the equations only of scenes that name it. Components may add to one effect
-    /// one after another, each with the same `name` and `doc`.
+    /// Declares an effect: what `add` adds is in the equations only of scenes that name the effect. Several components may add
+    /// to one effect, one after another, each with the same `name` and `doc`.
     pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
         if !self.effects.iter().any(|e| e.name == name && e.doc == doc) {
             self.effects.push(Effect::new(name, &[], &[], doc));
@@ -224,14 +228,14 @@ impl Model {
         self.potential.push(v);
     }
 
-    /// Adds to Rayleigh's dissipation function D [W]; the power lost is 2 D.
+    /// Adds to Rayleigh's dissipation function D [W]; the dissipated power is 2 D.
     pub fn dissipation(&mut self, d: Expr) {
         let d = self.marked(d);
         self.dissipation.push(d);
     }
 
-    /// Rayleigh damping, D = alpha T + beta V with speeds in the place of coordinates and every law at its mid value:
-    /// C = alpha M + beta K. To be called after all of T and V, which must be sums of squares.
+    /// Adds Rayleigh damping, C = alpha M + beta K: D = alpha T + beta V, where V has the speeds instead of the coordinates and
+    /// every law at its mid value. `alpha` [1/s], `beta` [s]. Call it after all of T and V, which must be sums of squares.
     pub fn rayleigh(&mut self, alpha: Expr, beta: Expr) {
         let (kinetic, potential) = (self.kinetic.clone(), self.potential.clone());
         for t in kinetic {
@@ -256,30 +260,31 @@ impl Model {
         }
     }
 
-    /// An external torque (or force) of size `value` that works through the displacement `through`, linear in the
-    /// coordinates. It is constant, or depends on speeds; then cells are not linear, so that what is linear in the speed of
-    /// `through` is better said as a constant torque and a dissipation: T = c (n - omega) is c n, and D = c omega^2/2. With a
-    /// law of friction as a factor it may also depend on deflections and stiffnesses.
+    /// Adds an external torque (or force) of size `value` that works through the displacement `through`, which is linear in the
+    /// coordinates. The torque is constant or depends on speeds; only with a friction law as a factor may it depend on deflections
+    /// and stiffnesses too. A torque that is not constant makes the cells nonlinear. If it is linear in the speed of `through`,
+    /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2.
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });
     }
 
-    /// A name for what several torques, or several coordinates, have of one force: a friction, say. It may depend on what the
-    /// torques may in which it stands, and the equations are written in it instead of being multiplied out.
+    /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may
+    /// depend on whatever those torques may depend on. The equations are written in its name instead of being multiplied out.
     pub fn force(&mut self, name: &str, value: Expr) -> Expr {
         self.forces.push(Force { name: name.into(), value, with: self.within.clone() });
         Expr::var(Kind::Force, name)
     }
 
-    /// Says that the effect `name`, declared before, contradicts `others`: a scene names it or them. Each set of effects is
-    /// compiled by itself, so that it pays to rule out sets that nobody needs.
+    /// Declares that the effect `name`, declared before, excludes each of `others`: a scene may name one side only. Every
+    /// admissible set of effects is compiled separately, so that excluding sets that nobody needs shortens the compilation.
     pub fn exclude(&mut self, name: &str, others: &[&str]) {
         for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
             effect.excludes.extend(others.iter().map(|other| other.to_string()));
         }
     }
 
+    /// The expression times the marker of the effect whose closure is running, if there is one.
     fn marked(&self, e: Expr) -> Expr {
         match &self.within {
             Some(effect) => Expr::var(Kind::Marker, effect) * e,
@@ -287,7 +292,7 @@ impl Model {
         }
     }
 
-    /// An expression with its forces written out, of which the later may depend on the earlier.
+    /// The expression with named forces written out. In reverse order, since a force may depend on earlier ones.
     pub(crate) fn written_out(&self, e: &Atom) -> Atom {
         self.forces.iter().rev().fold(e.clone(), |e, force| {
             let name = Atom::var(symbol(Kind::Force, &force.name));
@@ -295,7 +300,7 @@ impl Model {
         })
     }
 
-    /// Whether a torque is not constant: it depends on speeds, or is friction.
+    /// Whether a torque is not constant: it depends on speeds, or has a friction law in it.
     pub(crate) fn varies(&self, torque: &Torque) -> bool {
         varies(&self.written_out(&torque.value.atom()))
     }
@@ -306,32 +311,32 @@ impl Model {
     }
 }
 
-/// A mesh stiffness in expressions.
+/// The symbols of a mesh stiffness.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshStiffness {
-    /// Its present value.
+    /// Its value at the present phase.
     pub value: Expr,
-    /// Its slope along the phase; derived equations contain it, energies may not.
+    /// Its derivative by the phase. The derived equations contain it, energies may not.
     pub slope: Expr,
-    /// Its mid value, (max + min)/2 over a pitch.
+    /// Its mid value, (max + min)/2 over one pitch.
     pub mid: Expr,
 }
 
-/// A transmission error in expressions.
+/// The symbol of a transmission error.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshError {
-    /// Its present value, to be taken from a deflection.
+    /// Its value at the present phase, to be subtracted from a deflection.
     pub value: Expr,
 }
 
-/// A dead band in expressions.
+/// The symbols of a dead band.
 #[derive(Clone, Copy, Debug)]
 pub struct Play {
-    /// The deflection beyond the band, to either side.
+    /// The deflection minus the edge that is in contact: positive beyond the upper edge, negative beyond the lower one.
     pub over: Expr,
-    /// 1 in contact, 0 within the band.
+    /// 1 in contact, 0 inside the band.
     pub touch: Expr,
-    /// 1 while the damper of the contact acts.
+    /// 1 while the damper of the contact acts, 0 while its force is clipped and inside the band.
     pub damp: Expr,
 }
 
@@ -339,25 +344,25 @@ pub(crate) fn mid_name(law: &str) -> String {
     format!("{law}_mid")
 }
 
-/// Stands for the inverse mass of what is no coordinate; no derivation replaces it, so it is refused.
+/// Name of the inverse mass of an expression that is not a coordinate. It is never replaced by a value, hence refused.
 const NO_MOBILITY: &str = "none";
 
 pub(crate) fn mobility_name(i: usize, j: usize) -> String {
     format!("W{}_{}", i.min(j), i.max(j))
 }
 
-/// Effect without which laws are constant.
+/// Effect without which the stiffnesses are constant.
 const STIFFNESS_STEP: &str = "stiffness_step";
 /// Effect without which there is no friction.
 const SLIDING_FRICTION: &str = "sliding_friction";
 /// Effect without which transmission errors are zero.
 const TRANSMISSION_ERROR: &str = "transmission_error";
 
-/// Marker of the terms with a law's slope: in force where the stiffness steps with the motion itself.
+/// Condition of the terms with the slope of a law: the laws step with the motion itself, and the impulses are kept.
 pub(crate) const JUMP_TERMS: &str = "jump_terms";
-/// Marker of what depends on the phase at all: in force unless the phase is frozen. Implied by [`JUMP_TERMS`].
+/// Condition of all terms through the phase of a law: the phase is not frozen. Implied by [`JUMP_TERMS`].
 pub(crate) const MOVING_PHASE: &str = "moving_phase";
-/// When they are there.
+/// These two conditions, with the effects that they need present (or, with `!`, absent).
 pub(crate) const CONDITIONS: [(&str, &str); 2] =
     [(JUMP_TERMS, "stiffness_step, !rigid_kinematics, !frozen_phase"), (MOVING_PHASE, "stiffness_step, !frozen_phase")];
 
@@ -380,7 +385,7 @@ fn mesh_effects() -> [Effect; 3] {
             "frozen_phase",
             &[STIFFNESS_STEP],
             &["rigid_kinematics"],
-            "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations",
+            "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations",
         ),
     ]
 }

@@ -3,7 +3,7 @@
 use crate::expr::Kind;
 use crate::tree::Tree;
 
-/// In which language.
+/// The output format.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Style {
     /// `M2*dk*phi^2/2`
@@ -39,7 +39,7 @@ fn sum(terms: &[Tree], style: Style) -> String {
         };
     }
     let mut out = String::new();
-    // A positive term first, where there is one: `a - b`, not `-b + a`.
+    // A positive term comes first, if there is one: `a - b`, not `-b + a`.
     let first = terms.iter().position(|t| t.coefficient().0.0 > 0).unwrap_or(0);
     let order = std::iter::once(first).chain((0..terms.len()).filter(|&i| i != first));
     for (i, index) in order.enumerate() {
@@ -55,7 +55,7 @@ fn sum(terms: &[Tree], style: Style) -> String {
     out
 }
 
-/// The rational that all terms carry (up to sign), if it is not one.
+/// The rational factor that all terms share up to their sign, if it is not 1.
 fn common_coefficient(terms: &[Tree]) -> Option<(i64, i64)> {
     let size = |t: &Tree| {
         let ((n, d), _) = t.coefficient();
@@ -65,6 +65,7 @@ fn common_coefficient(terms: &[Tree]) -> Option<(i64, i64)> {
     (first != (1, 1) && terms.iter().all(|t| size(t) == first)).then_some(first)
 }
 
+/// The term with the coefficient 1 or -1.
 fn with_sign_of(t: &Tree) -> Tree {
     let ((n, _), rest) = t.coefficient();
     match (n < 0, rest) {
@@ -157,7 +158,7 @@ fn integer(n: i64, style: Style) -> String {
     if style == Style::Rust { format!("{n}.0") } else { n.to_string() }
 }
 
-/// A symbol by itself.
+/// A single symbol.
 pub(crate) fn symbol_text(kind: Kind, name: &str, style: Style) -> String {
     if style != Style::Latex {
         return name.to_string();

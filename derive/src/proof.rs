@@ -1,4 +1,4 @@
-//! Proofs: identities that must hold for what was derived to be right, decided symbolically.
+//! Proofs: identities that the derived equations must satisfy, decided symbolically.
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -14,7 +14,10 @@ use crate::slip::Slip;
 use crate::squares::{self, Squares};
 use crate::tree::Tree;
 
-/// Proves everything, or says what failed. Each line states what was proved.
+/// Proves all identities. Each line returned states what was proved.
+///
+/// # Errors
+/// [`Slip::Unproved`] with the first identity that fails and its remainder; [`Slip::Singular`] if M is singular.
 #[allow(clippy::needless_range_loop)] // rows and columns by index, as matrices are written
 pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump]) -> Result<Vec<String>, Slip> {
     let mut proved = vec![];
@@ -28,7 +31,7 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
     };
     let n = model.coordinates.len();
     let clipped =
-        if model.dead_bands.is_empty() { "" } else { ", the clipped force of a damper counted with the latter" };
+        if model.dead_bands.is_empty() { "" } else { "; q'.dD/dq' includes the power of clipped damper forces" };
     claim(
         &format!(
             "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, \
@@ -79,7 +82,7 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
     }
     for torque in model.torques.iter().filter(|torque| rolls(model, torque)) {
         let power = all_present(&model.written_out(&torque.power()));
-        // By its form: a sum of products, or one, of what is never negative, with a minus.
+        // Decided by its form: minus a sum of products of factors that are never negative.
         let rest = if never_negative(model, &-power.clone()) { number(0) } else { power };
         claim(&format!("the friction `{}` never feeds energy: its power is never positive", torque.name), rest)?;
     }
@@ -94,7 +97,7 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
             .zip(&s.deflections)
             .enumerate()
             .fold(number(0), |sum, (i, (d, linear))| sum + tag("d", i, 0) * (d.value.atom() - linear.of(&s.q)));
-        claim("every deflection is the sum of the coordinates by which the equations differentiate it", rest)?;
+        claim("every deflection equals the linear form by which the equations differentiate it", rest)?;
     }
     proved.push(definiteness(model, s, motion)?);
     if let Some(note) = without_jump_terms(model, s, motion) {
@@ -103,25 +106,25 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
     Ok(proved)
 }
 
-/// Whether a torque is friction with the arm of rolling, which must take energy whichever way the gears turn.
+/// Whether a torque is rolling friction, with a law `arm` as a factor. It must dissipate energy in either direction of rotation.
 fn rolls(model: &Model, torque: &Torque) -> bool {
     let arm = |name: &str| model.laws.iter().any(|law| law.name == name && law.role == Role::Friction(Friction::Arm));
     symbols(&model.written_out(&torque.value.atom())).iter().any(|(kind, name)| *kind == Kind::Friction && arm(name))
 }
 
-/// A symbol of its own for every entry, so that a sum of entries vanishes only if each does.
+/// A different symbol for every entry: a sum of entries times these symbols is zero only if each entry is.
 fn tag(what: &str, i: usize, j: usize) -> Atom {
     Atom::var(symbol(Kind::Free, &format!("{what}{i}_{j}")))
 }
 
-/// Replaces the constants' names by their definitions in parameters.
+/// Replaces the names of constants by their definitions in parameters.
 pub(crate) fn exact(motion: &Motion, e: &Atom) -> Atom {
     motion.constants.iter().rev().fold(e.clone(), |e, (name, value)| {
         e.replace(Atom::var(symbol(Kind::Constant, name)).to_pattern()).with(value.to_pattern())
     })
 }
 
-/// dE/dt - (Q.q' - q'.dD/dq') with M q'' = F put in: d(q'.p - T)/dt = q'.(M q'') + terms without q''.
+/// dE/dt - (Q.q' - q'.dD/dq') after M q'' = F is inserted, where d(q'.p - T)/dt = q'.(M q'') + terms without q''.
 fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
     let n = s.q.len();
     let jump = |e: Atom| with_jump_terms(&e);
@@ -134,7 +137,8 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
         rate = rate - &v * &motion.external[i] + &v * motion.dissipation.derivative(s.v[i]);
         rate += &v * s.clipped(&motion.potential, i);
     }
-    // V and D change through deflections too, and V through the laws; not by way of the gradients that made F.
+    // V and D also change through deflections, and V through the laws. Differentiated here anew, not with the gradients from
+    // which F was made, so that the proof does not repeat their errors.
     for d in &s.deflections {
         rate += d.rate(&s.v) * (motion.potential.derivative(d.symbol) + motion.dissipation.derivative(d.rate_symbol));
     }
@@ -144,13 +148,14 @@ fn balance(model: &Model, s: &Symbols, motion: &Motion) -> Atom {
     rate.expand()
 }
 
-/// The jump terms present, other effects as they are.
+/// The expression with the jump terms present and other effects unchanged.
 fn with_jump_terms(e: &Atom) -> Atom {
     let marker = Atom::var(symbol(Kind::Marker, JUMP_TERMS));
     e.replace(marker.to_pattern()).with(number(1).to_pattern())
 }
 
-/// T(q' + d (u - v)) - T(q') - (u² - v²)/(2 G) with u = v+ free and the inverse mass matrix in parameters.
+/// T(q' + d (u - v)) - T(q') - (u² - v²)/(2 G) for any u = v+, with the inverse mass matrix written in parameters. `None` if M
+/// was not inverted.
 fn kinetic_change(motion: &Motion, s: &Symbols, jump: &Jump) -> Option<Atom> {
     let w = motion.mobility_exact.as_ref()?;
     let (g, direction) = response(w, &jump.normal);
@@ -169,7 +174,8 @@ fn kinetic_change(motion: &Motion, s: &Symbols, jump: &Jump) -> Option<Atom> {
     Some(after - &motion.kinetic - gained)
 }
 
-/// Positive definite by Sylvester, every leading minor a sum of products of positive parameters; or by squares.
+/// Whether M is positive definite: by Sylvester's criterion, if every leading minor is a sum of products of positive
+/// quantities, else by T as a sum of squares.
 fn definiteness(model: &Model, s: &Symbols, motion: &Motion) -> Result<String, Slip> {
     let n = motion.mass.len();
     let minor = |k: usize| determinant(&motion.mass[..k].iter().map(|row| row[..k].to_vec()).collect::<Vec<_>>());
@@ -191,7 +197,7 @@ fn definiteness(model: &Model, s: &Symbols, motion: &Motion) -> Result<String, S
     }
 }
 
-/// What the balance misses where the jump terms are dropped, as a warning to the reader.
+/// The error of the power balance without the jump terms, as a warning to the reader.
 fn without_jump_terms(model: &Model, s: &Symbols, motion: &Motion) -> Option<String> {
     let marker = Atom::var(symbol(Kind::Marker, JUMP_TERMS));
     let missing = (0..s.q.len()).fold(number(0), |sum, i| {

@@ -1,6 +1,6 @@
-//! Slips in a model: what a derivation refuses, and whom it names.
+//! The errors that a model can have.
 
-/// Why a model was refused.
+/// Why a model was refused, with the offending symbol or term.
 #[derive(Debug, thiserror::Error, PartialEq)]
 #[allow(missing_docs)] // the messages are the documentation
 pub enum Slip {
@@ -8,42 +8,42 @@ pub enum Slip {
         "{model}: `{symbol}` in {place} is not declared. Declare it with m.parameter(...), m.coordinate(...) or m.constant(...); declared are: {declared}"
     )]
     Undeclared { model: String, symbol: String, place: String, declared: String },
-    #[error("{model}: the name `{name}` is declared twice ({first} and {second}); every name must be its own")]
+    #[error("{model}: the name `{name}` is declared twice ({first} and {second}); every name must be unique")]
     Twice { model: String, name: String, first: &'static str, second: &'static str },
     #[error(
-        "{model}: `{name}` cannot be a name: it must start with a letter, go on with letters, digits and `_`, and not be a word of Rust or end in `_dot` or `_mid`"
+        "{model}: `{name}` is not a valid name: a name starts with a letter, continues with letters, digits and `_`, does not end in `_dot` or `_mid`, and is neither a Rust keyword nor a name of the generated code itself"
     )]
     Name { model: String, name: String },
     #[error("{model}: {place} may not contain `{symbol}`: {why}")]
     Misplaced { model: String, symbol: String, place: String, why: &'static str },
     #[error(
-        "{model}: `{function}` in {place} is not smooth, or not known. Smooth functions are sin, cos, exp, log and sqrt; whatever is piecewise must be one of the declared primitives: m.mesh_stiffness(...)"
+        "{model}: `{function}` in {place} is not a known smooth function; allowed are sin, cos, exp, log and sqrt. Declare piecewise behaviour as a law or as play: m.mesh_stiffness(...), m.dead_band(...)"
     )]
     Function { model: String, function: String, place: String },
     #[error(
-        "{model}: the number {number} in {place} is not one that code can have: it must be real, finite, rational, and of no more than 53 bits. Was something divided by zero? If it is a quantity, declare it with m.parameter(...)"
+        "{model}: the number {number} in {place} cannot be written as code: it must be real, finite and rational, with numerator and denominator of at most 2^53. Was something divided by zero? If it is a quantity, declare it with m.parameter(...)"
     )]
     Number { model: String, number: String, place: String },
     #[error("{model}: the kinetic energy must be quadratic in the speeds; this term is not: {term}")]
     NotQuadratic { model: String, term: String },
     #[error(
-        "{model}: coordinate `{coordinate}` has no inertia: its speed is not in the kinetic energy. Give it one, or leave the coordinate out"
+        "{model}: coordinate `{coordinate}` has no inertia: its speed is not in the kinetic energy. Give it an inertia, or leave the coordinate out"
     )]
     Massless { model: String, coordinate: String },
     #[error(
-        "{model}: the mass matrix is singular, its determinant zero: a combination of coordinates in which ({coordinates}) takes part has no inertia"
+        "{model}: the mass matrix is singular: some linear combination of coordinates that contains ({coordinates}) has no inertia"
     )]
     Singular { model: String, coordinates: String },
     #[error(
-        "{model}: the dissipation function can be negative, so damping would feed energy in; the culprit is the term {term}"
+        "{model}: the dissipation function must be a sum of squares with factors that are never negative, or damping could add energy; this term is not one: {term}"
     )]
     NegativeDissipation { model: String, term: String },
     #[error(
-        "{model}: the displacement of the torque `{torque}` must be linear in the coordinates, or its work over a turn would depend on where the turn began; {displacement} is not"
+        "{model}: the displacement of the torque `{torque}` must be linear in the coordinates, or its work over a turn would depend on the initial angle; {displacement} is not linear"
     )]
     NotLinear { model: String, torque: String, displacement: String },
     #[error(
-        "{model}: the deflection `{deflection}` must be linear in the coordinates, and zero where they are but for transmission errors; {value} is not"
+        "{model}: the deflection `{deflection}` must be a linear form of the coordinates without a constant term, minus transmission errors with constant factors; {value} is not"
     )]
     NotADeflection { model: String, deflection: String, value: String },
     #[error("{model}: the phase of `{law}` must be one of the coordinates, not {phase}")]
@@ -53,10 +53,10 @@ pub enum Slip {
     #[error("{model}: the default of `{parameter}`, {default}, is not in its range")]
     Default { model: String, parameter: String, default: f64 },
     #[error(
-        "{model}: m.inverse_mass(...) takes two coordinates, and at most two can be declared: a larger mass matrix is not inverted symbolically"
+        "{model}: m.inverse_mass(...) takes two coordinates of a model that has at most two, and whose mass matrix is constant: only then is it inverted symbolically"
     )]
     InverseMass { model: String },
-    #[error("{model}: proof failed: {what}; left over: {rest}")]
+    #[error("{model}: proof failed: {what}; this should be zero: {rest}")]
     Unproved { model: String, what: String, rest: String },
     #[error("{model}: no coordinates; declare at least one with m.coordinate(...)")]
     Empty { model: String },

@@ -1,5 +1,5 @@
-//! Is a kinetic energy of any size positive definite? T as a sum of squares, T = sum c_i (l_i.q')^2/2 with c_i > 0, is
-//! zero only where all l_i.q' are: elimination shows whether that leaves a speed free.
+//! Decides whether T is positive definite, for any number of coordinates, if it is a sum of squares:
+//! T = sum_i c_i (l_i.q')²/2 with c_i > 0. T is zero only if every l_i.q' is; Gaussian elimination shows whether q' = 0 follows.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
@@ -11,23 +11,23 @@ use crate::mobility::is_zero;
 use crate::model::Model;
 use crate::tree::Tree;
 
-/// What the squares say.
+/// The result of [`decide`].
 pub(crate) enum Squares {
-    /// No speed is free.
+    /// T is positive definite.
     Definite,
-    /// These are: some combination of them has no inertia. (Coordinates by index.)
+    /// M is singular: the squares do not determine the speeds of these coordinates (by index).
     Free(Vec<usize>),
-    /// T is not a sum of squares by its form, or a sign is not known.
+    /// T is not written as a sum of squares, or the sign of a coefficient is not known.
     Undecided,
 }
 
-/// Eliminates speeds until none is left, or none that squares hold.
+/// Eliminates one speed after another with the forms l_i, until no speed or no usable pivot is left.
 pub(crate) fn decide(model: &Model, s: &Symbols) -> Squares {
-    let Some(Forms { mut rows, whole }) = forms(model, s) else { return Squares::Undecided };
+    let Some(Forms { mut rows, complete }) = forms(model, s) else { return Squares::Undecided };
     let mut left: Vec<usize> = (0..s.q.len()).collect();
     loop {
         rows.retain(|row| row.iter().any(|c| !c.is_zero()));
-        // The simplest pivot first: what it leaves of the others shows its sign.
+        // The simplest pivot first: the other rows then stay simple enough that the signs of their entries show.
         let entries = rows.iter().enumerate().flat_map(|(r, row)| {
             let size = row.iter().filter(|c| !c.is_zero()).count();
             let places = row.iter().enumerate().filter(|(_, c)| !c.is_zero());
@@ -46,14 +46,14 @@ pub(crate) fn decide(model: &Model, s: &Symbols) -> Squares {
             other[column] = Atom::Zero;
         }
     }
-    match (left.is_empty(), rows.is_empty() && whole) {
+    match (left.is_empty(), rows.is_empty() && complete) {
         (true, _) => Squares::Definite,
         (false, true) => Squares::Free(left),
         (false, false) => Squares::Undecided,
     }
 }
 
-/// Whether an expression is never zero, by its form. An inverse is not, where it is a number at all.
+/// Whether the form of an expression shows that it is never zero. An inverse is never zero where it is finite.
 fn not_zero(model: &Model, e: &Atom) -> bool {
     match e.as_view() {
         AtomView::Mul(m) => m.iter().all(|f| not_zero(model, &f.to_owned())),
@@ -65,16 +65,16 @@ fn not_zero(model: &Model, e: &Atom) -> bool {
     }
 }
 
-/// The forms l_i, a coefficient a coordinate.
+/// The forms l_i: one row each, one coefficient for each coordinate.
 struct Forms {
     rows: Vec<Vec<Atom>>,
-    /// Whether these are all: squares that effects add, or whose c_i may be zero, hold nothing for certain.
-    whole: bool,
+    /// Whether T has no other squares. Squares of an effect, or with c_i = 0 allowed, are left out: they may be absent.
+    complete: bool,
 }
 
-/// The forms of T; `None` where it is not a sum of squares by its form.
+/// The forms of T; `None` if it is not written as a sum of squares.
 fn forms(model: &Model, s: &Symbols) -> Option<Forms> {
-    let (mut rows, mut whole) = (vec![], true);
+    let (mut rows, mut complete) = (vec![], true);
     for piece in &model.kinetic {
         let piece = piece.atom();
         let of_effect = symbols(&piece).iter().any(|s| s.0 == Kind::Marker);
@@ -82,15 +82,15 @@ fn forms(model: &Model, s: &Symbols) -> Option<Forms> {
         if !of_effect && positive(model, &factor) {
             rows.push(s.v.iter().map(|v| form.derivative(*v).expand()).collect());
         } else if never_negative(model, &factor) {
-            whole = false;
+            complete = false;
         } else {
             return None;
         }
     }
-    Some(Forms { rows, whole })
+    Some(Forms { rows, complete })
 }
 
-/// c and l of c l^2, where l has the speeds and c has none.
+/// c and l of a piece c l^2 in which only l contains speeds.
 fn square(piece: &Atom) -> Option<(Atom, Atom)> {
     let moves = |e: &Atom| symbols(e).iter().any(|s| s.0 == Kind::Speed);
     let factors: Vec<Atom> = match piece.as_view() {

@@ -1,4 +1,4 @@
-//! The derived equations as people write them, plain and in LaTeX.
+//! The derived equations in readable form, as plain text and in LaTeX.
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -30,7 +30,7 @@ impl Texts {
     }
 }
 
-/// `a [torques] + b [jump terms]`: the sum with the effects that its groups need.
+/// `a [torques] + b [jump terms]`: the sum, each group followed by the effects that it needs.
 fn sum(groups: &[Group], style: Style) -> String {
     if groups.is_empty() {
         return "0".into();
@@ -54,6 +54,7 @@ fn sum(groups: &[Group], style: Style) -> String {
     out
 }
 
+/// The texts of a derivation.
 pub(crate) fn write(d: &Derivation) -> Texts {
     let (m, motion) = (d.model, &d.motion);
     let order = d.order();
@@ -89,7 +90,7 @@ pub(crate) fn write(d: &Derivation) -> Texts {
         t.forces.push(format!("{} = {}{with}", force.name, print(&value, Style::Plain)));
         t.latex.push(format!("{} = {}", latex_name(&force.name), print(&value, Style::Latex)));
     }
-    for (i, c) in m.coordinates.iter().enumerate() {
+    for i in 0..m.coordinates.len() {
         let left = |j: usize, style| match style {
             Style::Latex => format!("\\ddot{{{}}}", latex_name(&m.coordinates[j].name)),
             _ => format!("{}''", m.coordinates[j].name),
@@ -107,7 +108,6 @@ pub(crate) fn write(d: &Derivation) -> Texts {
             };
             if style == Style::Latex { t.latex.push(line) } else { t.motion.push(line) }
         }
-        let _ = c;
     }
     jumps(d, &mut t);
     match &d.cell {
@@ -120,38 +120,41 @@ pub(crate) fn write(d: &Derivation) -> Texts {
     t
 }
 
-/// What a law is where its effect is not.
+/// The value of a law in scenes without its effect.
 fn idle_text(law: &Law) -> Option<String> {
     let (name, without) = (&law.name, law.with.as_ref()?.replace('_', " "));
     let rates = match law.role {
-        Role::Error => format!("; the rates are those of the coordinates, without that of {name}"),
+        Role::Error => format!("; the rates of deflections do not contain that of {name}"),
         _ => String::new(),
     };
     Some(format!("{name} = 0 without {without}{rates}"))
 }
 
-/// What the symbols of a dead band are in each of its cells.
+/// The values of the symbols of a dead band in each of its cells.
 fn band_text(band: &DeadBand) -> [String; 4] {
-    let DeadBand { over, touch, edge, damp, clip, effect, .. } = band;
+    let DeadBand { touch, edge, damp, clip, effect, .. } = band;
     let half = print(&Tree::new(&band.half.atom()), Style::Plain);
     let side = format!("{half} or -{half}");
     let without = effect.replace('_', " ");
     [
-        format!("{touch} = 1 where {over} is beyond {edge} = {side}, 0 between; without {without} 1, with {edge} = 0"),
         format!(
-            "{damp} = 1, {clip} = 0 in contact while the damper's force is less than the spring's, else {damp} = 0:"
+            "{touch} = 1 in contact, beyond {edge} = {side}; {touch} = 0 between the edges; \
+             without {without} {touch} = 1 and {edge} = 0"
         ),
-        format!("  {clip} = 1 where it would push more than the spring does, it pushes as much"),
-        format!("  {clip} = -1 where it would pull more than the spring pushes, the contact has no force"),
+        format!(
+            "{damp} = 1 and {clip} = 0 in contact while the damper force is less than the spring force, else {damp} = 0:"
+        ),
+        format!("  {clip} = 1 if the damper would push more than the spring: its force is limited to the spring force"),
+        format!("  {clip} = -1 if the damper would pull more than the spring pushes: the contact force is zero"),
     ]
 }
 
-/// The jump rule in the speeds themselves, where the surface is a coordinate and M was inverted.
+/// The jump rule of every law: in the speeds of the coordinates if M was inverted, else in the normal speed v.
 fn jumps(d: &Derivation, t: &mut Texts) {
     let order = d.order();
     for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
         if matches!(law.role, Role::Friction(_)) {
-            t.jump.push(format!("at a step of {}: dV = 0, speeds pass unchanged", law.name));
+            t.jump.push(format!("at a step of {}: dV = 0, the speeds do not change", law.name));
             continue;
         }
         let phase = print(&Tree::new(&law.phase.atom()), Style::Plain);
@@ -168,7 +171,7 @@ fn jumps(d: &Derivation, t: &mut Texts) {
         let slope = symbol_text(Kind::Slope, &format!("d{}", law.name), Style::Plain);
         let speed = speed_name(&phase);
         let step = format!("\\Delta {}", latex_name(&law.name));
-        t.jump.push(format!("at a step {slope} of {} in {phase}, where energy allows:", law.name));
+        t.jump.push(format!("at a step {slope} of {} in {phase}, transmission if {speed}+^2 >= 0:", law.name));
         let whole = |text: String| if markers::terms(&lost).len() > 1 { format!("({text})") } else { text };
         t.jump.push(format!("{speed}+^2 = {speed}-^2 - {}", whole(sum(&grouped(&lost, &order), Style::Plain))));
         let tex = |a: &Atom| {
@@ -195,6 +198,6 @@ fn jumps(d: &Derivation, t: &mut Texts) {
             ));
         }
         let stays = if law.with.is_some() { &law.name } else { "the stiffness" };
-        t.jump.push(format!("else {speed}+ = -{speed}-: reflected, and {stays} stays"));
+        t.jump.push(format!("else reflection: {speed}+ = -{speed}-, and {stays} does not step"));
     }
 }

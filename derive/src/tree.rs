@@ -1,11 +1,12 @@
-//! Expressions as sorted trees: the form in which they are printed and counted, whatever order Symbolica keeps.
+//! Expressions as sorted trees. They are printed and counted in this form, which does not depend on the order that Symbolica
+//! keeps.
 
 use symbolica::atom::{Atom, AtomView};
 use symbolica::coefficient::CoefficientView;
 
 use crate::expr::{Kind, kind_and_name};
 
-/// An expression whose sums and products are sorted by kind and name of their symbols.
+/// An expression with sums and products sorted by the kind and name of their symbols.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Tree {
     /// A rational number: numerator, denominator > 0.
@@ -24,7 +25,7 @@ impl Tree {
         from_view(atom.as_view())
     }
 
-    /// The rational factor in front, and the rest.
+    /// The rational coefficient (numerator, denominator), and the expression without it.
     pub fn coefficient(&self) -> ((i64, i64), Tree) {
         match self {
             Tree::Number(n, d) => ((*n, *d), Tree::Number(1, 1)),
@@ -115,7 +116,7 @@ fn from_view(view: AtomView) -> Tree {
     }
 }
 
-/// Order of factors: numbers, then symbols and their powers by kind and name, then the rest.
+/// Order of factors: numbers, then symbols and their powers by kind and name, then calls and other powers, then sums.
 fn rank(factor: &Tree) -> (u8, Option<(Kind, String)>, Tree) {
     match factor {
         Tree::Number(..) => (0, None, factor.clone()),
@@ -126,7 +127,7 @@ fn rank(factor: &Tree) -> (u8, Option<(Kind, String)>, Tree) {
     }
 }
 
-/// Order of terms: by their factors without the coefficient; of equal ones the positive first.
+/// Order of terms: by their factors without the coefficient; among equal ones the larger numerator first.
 fn term_rank(term: &Tree) -> (Tree, (i64, i64)) {
     let ((n, d), rest) = term.coefficient();
     (rest, (-n, d))

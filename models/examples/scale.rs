@@ -1,5 +1,5 @@
-//! How derivation grows: time, and size of the file, of chains and planar planetaries. `cargo run -p gearsim-models
-//! --example scale [NAME]...`
+//! Time of the derivation and size of the generated file against the number of coordinates, for chains and planar planetaries.
+//! Usage: `cargo run -p gearsim-models --example scale [NAME]...`
 
 use std::time::Instant;
 

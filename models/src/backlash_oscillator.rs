@@ -1,10 +1,10 @@
-//! A rotor against the ground, through a spring and damper with play.
+//! A rotor connected to the ground by a spring and a damper with play.
 
 use gearsim_derive::{Model, Range, Start, half};
 
 use crate::components::{play, rotor};
 
-/// The rotation phi of the rotor. Without `backlash` the spring is always felt.
+/// Coordinate: the rotation phi of the rotor. Without the effect `backlash` the spring always acts.
 pub fn backlash_oscillator(m: &mut Model) {
     m.title("a rotor on a spring and damper with play");
     m.source("Modelica Standard Library, Modelica.Mechanics.Rotational.Examples.Backlash");
@@ -14,7 +14,7 @@ pub fn backlash_oscillator(m: &mut Model) {
     let c = m.parameter("c", "N*m/rad", None, Range::NotNegative, "stiffness of the contact");
     let gap = play(m, "", "contact", "rad", phi);
     m.potential(half(c * gap.touch * gap.over.sq()));
-    m.effect("damping", "a damper beside the spring", |m| {
+    m.effect("damping", "a damper parallel to the spring", |m| {
         let d = m.parameter("d", "N*m*s/rad", None, Range::NotNegative, "damping of the contact");
         m.dissipation(half(d * gap.damp * gap.over.dot().sq()));
     });

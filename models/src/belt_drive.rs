@@ -1,10 +1,11 @@
-//! A serpentine belt: a crankshaft turns an accessory, a sprung arm keeps the slack span tight.
+//! A serpentine belt drive: a crankshaft drives an accessory; a tensioner arm with a spring keeps the slack span in tension.
 
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use crate::components::{damping, drive, ground, load, rotor};
 
-/// The rotation of the crankshaft, the stretch of the span that pulls, and the arm: all small but the first.
+/// Coordinates: the rotation of the crankshaft, which grows, and two small ones: the stretch of the pulling span and the
+/// rotation of the tensioner arm.
 #[allow(non_snake_case)] // the field's symbols
 pub fn belt_drive(m: &mut Model) {
     m.title("a belt drive with a sprung tensioner");
@@ -14,14 +15,15 @@ pub fn belt_drive(m: &mut Model) {
     let r2 = m.parameter("r2", "m", None, Range::Positive, "radius of the accessory pulley");
     let a = m.parameter("a", "m", None, Range::Positive, "length that the slack span gains per radian of the arm");
     let theta = m.coordinate("theta", "rad", Start::At(0.0), "rotation of the crankshaft");
-    let s = m.coordinate("s", "m", Start::Static, "stretch of the span that pulls, from the tension at rest");
-    let psi = m.coordinate("psi", "rad", Start::Static, "rotation of the tensioner arm, from its place at rest");
+    let s = m.coordinate("s", "m", Start::Static, "stretch of the pulling span, relative to its tension at rest");
+    let psi =
+        m.coordinate("psi", "rad", Start::Static, "rotation of the tensioner arm, relative to its position at rest");
     let theta2 = (r1 * theta - s) / r2;
 
     rotor(m, "1", "crankshaft", theta);
     rotor(m, "2", "accessory", theta2);
     rotor(m, "t", "tensioner arm", psi);
-    // A span is a spring like any other, along the belt.
+    // A span of the belt is a linear spring.
     let span = |m: &mut Model, part: &str, what: &str, stretch: Expr| {
         let k =
             m.parameter(&format!("k{part}"), "N/m", None, Range::Positive, &format!("stiffness of the {what} span"));

@@ -4,7 +4,7 @@ use gearsim_derive::{Expr, Model, Start};
 
 use crate::components::{damping, drive, load, rotor, shaft};
 
-/// `n` discs, driven at the first and loaded at the last.
+/// `n` discs, driven at the first and loaded at the last. Coordinates: the rotations of the discs.
 pub fn chain(m: &mut Model, n: usize) {
     m.title(&format!("a torsional chain of {n} discs"));
     m.source("e.g. Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9");

@@ -1,4 +1,4 @@
-//! Two spur gears on rigid shafts: the founding case, Oh, Grosh & Barber (2005), Fig. 1.
+//! Two spur gears on rigid shafts: the model of the paper, Oh, Grosh & Barber (2005), Fig. 1.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use gearsim_derive::{Model, Range, Start, half};
 
 use crate::components::{Mesh, Sliding, play, pressure_tangent, sliding_friction};
 
-/// Mean rotation theta and relative deflection phi of the mesh, in units in which one tooth pitch is 2 pi.
+/// Coordinates: the mean rotation theta and the relative deflection phi, both scaled so that one tooth pitch is 2 pi.
 #[allow(non_snake_case)] // the paper's symbols
 pub fn gear_pair(m: &mut Model) {
     m.title("two spur gears on rigid shafts");
@@ -50,7 +50,7 @@ pub fn gear_pair(m: &mut Model) {
         m.torque("load", -T0, q2, "torque -T0 N2 on the driven gear");
     });
 
-    // In units of phi: V = k phi², F = k phi/h and delta = 2 h phi with h = r1/N1, so that h drops out of the work.
+    // In units of phi, with h = r1/N1: V = k phi², F = k phi/h and delta = 2 h phi, so that h cancels in the work.
     let tau = 2 * pressure_tangent(m) * phi;
     let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over };
     sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });

@@ -1,4 +1,4 @@
-//! A gear pair whose shafts give way in their bearings: x, y and rotation of each gear.
+//! A gear pair on elastic bearings: x, y and rotation of each gear.
 
 use gearsim_derive::{Model, Range, Start};
 
@@ -7,7 +7,7 @@ use crate::components::{
     sliding_friction, transmission_error,
 };
 
-/// The line of centres is x, from the driving gear to the driven. The driving gear turns counterclockwise.
+/// The line of centres, from the driving to the driven gear, is the x axis. The driving gear turns counterclockwise.
 pub fn gear_pair_bearings(m: &mut Model) {
     m.title("a gear pair on bearings, with x, y and rotation of each gear");
     m.source(
@@ -28,12 +28,12 @@ pub fn gear_pair_bearings(m: &mut Model) {
     planar_rotor(m, "2", "driven gear", c2, gears.theta2);
     bearing(m, "1", "bearing of gear 1", c1);
     bearing(m, "2", "bearing of gear 2", c2);
-    // Rolling is no deflection: of the rotations, the mesh feels s alone. Its line of action is at -alpha.
+    // Rolling does not deflect the mesh: of the rotations only s does. The line of action is at the angle -alpha.
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
     let line = alpha.mirrored();
     let e = transmission_error(m, "12", "mesh", gears.theta);
     let mesh = mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line) - e.value);
-    // Flanks slide as the gears turn against each other, and as their centres move across the line of action.
+    // The flanks slide when the gears turn relative to each other, and when their centres move across the line of action.
     let tau = alpha.sin / alpha.cos * gears.s - one.along(line) + two.along(line);
     let psi = gears.theta1 + gears.theta2;
     sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });

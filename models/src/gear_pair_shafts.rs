@@ -6,7 +6,7 @@ use crate::components::{
     damping, dc_motor, drive, fan, governor, induction_motor, load, mesh_with_play, pair, rotor, shaft,
 };
 
-/// The pair's mean rotation and mesh deflection, and the twists of the two shafts.
+/// Coordinates: the mean rotation and the mesh deflection of the pair, and the twists of the two shafts.
 pub fn gear_pair_shafts(m: &mut Model) {
     m.title("a gear pair between motor and load, on torsional shafts");
     m.source("standard torsional model, e.g. Kahraman & Singh (1991), J. Sound Vib. 146(1); phase as Oh, Grosh & Barber (2005)");
@@ -25,14 +25,14 @@ pub fn gear_pair_shafts(m: &mut Model) {
     mesh_with_play(m, "12", "mesh", gears.theta, gears.s);
     drive(m, "motor", "motor", theta_m);
     load(m, "load", "load", theta_l);
-    // What drives and loads by its speed: these rates have names of their own in the equations.
+    // The speeds on which motors and fan depend: named, so that the equations are written in them.
     let (omega_m, omega_l) = (m.deflection("theta_m", theta_m).dot(), m.deflection("theta_l", theta_l).dot());
     governor(m, "motor", "motor", theta_m, omega_m);
     dc_motor(m, "motor", "motor", theta_m, omega_m);
     induction_motor(m, "motor", "motor", theta_m, omega_m);
     fan(m, "load", "load", theta_l, omega_l);
     damping(m);
-    // One motor at a time, and none of them with the approximations of the mesh.
+    // At most one of these motors, and neither motors nor fan with the approximate meshes: fewer sets of effects to compile.
     m.exclude("speed_governor", &["dc_motor", "induction_motor", "rigid_kinematics", "frozen_phase"]);
     m.exclude("dc_motor", &["induction_motor", "rigid_kinematics", "frozen_phase"]);
     m.exclude("induction_motor", &["rigid_kinematics", "frozen_phase"]);

@@ -1,10 +1,10 @@
-//! Two shafts geared rigidly: motor and disc on the one, a disc on the other.
+//! Two shafts geared rigidly: motor and disc on the first shaft, a disc on the second.
 
 use gearsim_derive::{Model, Range, Start};
 
 use crate::components::{damping, drive, geared, load, rotor, shaft};
 
-/// Rotations of motor, gear and disc of the first shaft, and of the second shaft's disc.
+/// Coordinates: the rotations of motor, gear and disc of the first shaft, and of the disc of the second shaft.
 #[allow(non_snake_case)] // the field's symbols
 pub fn geared_branches(m: &mut Model) {
     m.title("two shafts geared rigidly, with a motor and two discs");

@@ -6,7 +6,8 @@ use crate::components::{
     Sliding, damping, drive, load, mesh, pressure_tangent, rotor, sliding_friction, transmission_error,
 };
 
-/// The rotation of the idler in teeth, which is the phase of both meshes, and the deflections of the two.
+/// Coordinates: the rotation of the idler times its number of teeth, which is the phase of both meshes, and the deflections of
+/// the two meshes.
 #[allow(non_snake_case)] // the field's symbols
 pub fn idler(m: &mut Model) {
     m.title("two gears with an idler between them");
@@ -17,7 +18,7 @@ pub fn idler(m: &mut Model) {
     });
     let r2 = m.parameter("r2", "m", None, Range::Positive, "base radius of the idler");
     let h = m.constant("h", r2 / N2);
-    let theta = m.coordinate("theta", "rad", Start::At(0.0), "rotation of the idler in teeth, one pitch 2 pi");
+    let theta = m.coordinate("theta", "rad", Start::At(0.0), "rotation of the idler times N2; one pitch is 2 pi");
     let delta1 = m.coordinate("delta1", "m", Start::Static, "deflection of the mesh of gears 1 and 2");
     let delta2 = m.coordinate("delta2", "m", Start::Static, "deflection of the mesh of gears 2 and 3");
     let (theta1, theta3) = ((theta + delta1 / h) / N1, (theta - delta2 / h) / N3);

@@ -1,47 +1,50 @@
-//! Drivetrains, stated by their energies.
+//! Drivetrains, described by their energies.
 //!
 //! # How to add a model, in five minutes
 //!
-//! 1. Write `models/src/my_train.rs` with one function that describes it to a [`Model`] (`use gearsim_derive::{Model,
+//! 1. Write `models/src/my_train.rs` with one function that describes the model to a [`Model`] (`use gearsim_derive::{Model,
 //!    Range, Start, half};`):
-//!    - `m.title(text)`, `m.source(text)`: what it is, in one line, and where it comes from.
-//!    - `m.coordinate(name, unit, start, doc)`: declares a symbol. It comes back as an expression to calculate with:
-//!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, `.dot()` for the time derivative. Numbers are integers: a half
-//!      is `half(...)`, any other quantity a parameter with a default.
-//!    - [`components`] add bodies and what is between them, with their parameters: `rotor`, `planar_rotor`, `shaft`,
-//!      `ground`, `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`,
-//!      `dc_motor`, `induction_motor`, `fan`, and last `damping`. Each names its parameters by its part: `rotor(m, "1", ...)`
-//!      declares `I1`, `rotor(m, "t", ...)` `I_t`. They take rotations and displacements as expressions, so coordinates are yours to choose: best what is
-//!      small and elastic (a twist, a deflection), and one phase for each mesh that rolls on.
-//!    - For what no component says: `m.parameter(name, unit, default, range, doc)` and the energies themselves,
-//!      `m.kinetic(T)`, `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called as often
-//!      as there are bodies, springs, dampers, torques. T is proved positive definite if each call adds one square.
-//!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate; its levels are the
-//!      scene's, which may state one in N/m by its teeth: along the line of action, V = k delta^2/2. This is the only way to be piecewise: the jump rule is derived from it. An `if`, `abs` or `max` on
-//!      symbols is refused, since its derivative would lose energy without a word.
-//!    - `m.transmission_error(name, unit, phase, pitch, doc)`, or the component of that name: what the scene's flanks are beyond their
-//!      ideal places, to be taken from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
-//!    - `m.sliding_friction(|m| ...)`: that effect, and in it `m.friction_law(...)`, the only factor with which a torque may depend on
-//!      deflections and stiffnesses; the component of that name has both, for meshes of any kind.
-//!    - `m.dead_band(part, unit, delta, half, effect, doc)`, or the component `play`: what is felt only beyond its play. V is
-//!      written in what comes back.
-//!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect;
-//!      a parameter declared inside is asked only of them.
-//!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: a name for a recurring constant, for a sum of
-//!      coordinates that a spring feels, or for what torques have in common, where you want to see it in the equations.
-//!    - `m.motion(name, unit, speeds, doc)`: how a scene may state its speed in one number.
-//! 2. Declare it below, `pub mod my_train;`, and add it to [`MODELS`]: one line. A model with a number of equal parts is one
-//!    function of that number, and one line a number: `("my_train_3", |m| my_train::my_train(m, 3))`.
-//! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and
-//!    writes `gearsim/src/generated/my_train.rs`; read its head. A slip is refused with the name of the culprit.
-//!    Cells that are not linear are derived and named, and integrated by steps instead of in closed form.
-//! 4. Declare the file in `gearsim/src/generated/mod.rs`, `#[rustfmt::skip] pub mod my_train;`, and add it to the list
-//!    there: `Entry::new::<my_train::MyTrain, 2>()` for two coordinates.
-//! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it:
-//!    `cargo run --release -- run models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene
-//!    can set.
+//!    - `m.title(text)`, `m.source(text)`: what the model is, in one line, and its source.
+//!    - `m.coordinate(name, unit, start, doc)`: declares a coordinate and returns it as an expression. Expressions have
+//!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
+//!      as `half(...)`, any other number as a parameter with a default.
+//!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`,
+//!      `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared`
+//!      (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
+//!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
+//!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
+//!      ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.
+//!    - For everything else: `m.parameter(name, unit, default, range, doc)` and the energies themselves, `m.kinetic(T)`,
+//!      `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called once for each body, spring, damper
+//!      and torque. T is proved positive definite if each call of `m.kinetic` adds one square.
+//!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate. The scene gives its levels, or
+//!      tooth data for a stiffness in N/m with delta along the line of action, V = k delta^2/2 (or in N*m, as in `gear_pair`). Laws
+//!      like this one and dead bands are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
+//!      `max` on symbols is refused: its derivative would lose energy without any message.
+//!    - `m.transmission_error(name, unit, phase, pitch, doc)`, or the component of that name: the deviation of the flanks from their
+//!      ideal position, given by the scene. Subtract it from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
+//!    - `m.sliding_friction(|m| ...)`: the effect of that name; inside it `m.friction_law(...)`. Only with such a law as a factor may
+//!      a torque depend on deflections and stiffnesses. The component of that name does both, for any kind of mesh.
+//!    - `m.dead_band(part, unit, delta, half, effect, doc)`, or the component `play`: a force acts only beyond the play. Write V in
+//!      the symbols returned.
+//!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect; only they must
+//!      give the parameters declared inside.
+//!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: names for a recurring constant, for the
+//!      deflection of a spring (a linear form of the coordinates), or for a factor that torques share. The equations are written in
+//!      these names.
+//!    - `m.motion(name, unit, speeds, doc)`: a rigid motion by which a scene may state all speeds in one number.
+//! 2. Declare the file below, `pub mod my_train;`, and add one line to [`MODELS`]. For a model with n equal parts write one function
+//!    of n, and one line for each n: `("my_train_3", |m| my_train::my_train(m, 3))`.
+//! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and writes
+//!    `gearsim/src/generated/my_train.rs`; read its head. An error in the model is refused with the name of the symbol or term.
+//!    Nonlinear cells are derived too; their nonlinear terms are listed, and they are integrated by a stepping method instead of in
+//!    closed form.
+//! 4. Declare the file in `gearsim/src/generated/mod.rs`, `#[rustfmt::skip] pub mod my_train;`, and add it to the list there:
+//!    `Entry::new::<my_train::MyTrain, 2>()` for two coordinates.
+//! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it: `cargo run --release -- run
+//!    models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene can set.
 //!
-//! [`idler`](idler::idler) is a complete example made of components, [`gear_pair`](gear_pair::gear_pair) one of bare energies.
+//! [`idler`](idler::idler) is a complete example made of components, [`gear_pair`](gear_pair::gear_pair) one written in energies.
 
 pub mod backlash_oscillator;
 pub mod belt_drive;
@@ -62,7 +65,7 @@ use gearsim_derive::Model;
 /// A model's name and the function that describes it.
 pub type Entry = (&'static str, fn(&mut Model));
 
-/// Every model: one line each.
+/// All models, one line each.
 pub const MODELS: &[Entry] = &[
     ("gear_pair", gear_pair::gear_pair),
     ("backlash_oscillator", backlash_oscillator::backlash_oscillator),

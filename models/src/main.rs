@@ -1,7 +1,7 @@
-//! The derivation program behind `cargo xtask derive`: the only one that runs the computer algebra system.
+//! The derivation program behind `cargo xtask derive`, the only program that runs the computer algebra system.
 //!
-//! Usage: `[--check] [MODEL]...`. Symbolica without a key allows one process at a time, so this is one process, one
-//! thread, and `xtask` starts it only after the last one ended.
+//! Usage: `[--check] [MODEL]...`. Without a licence key Symbolica allows one process and one thread at a time on a machine, so
+//! that this program uses one thread, and `xtask` starts one derivation after another.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -52,7 +52,11 @@ fn run() -> anyhow::Result<()> {
         }
     }
     if !stale.is_empty() {
-        bail!("not what the energies say: {}. Mend with: cargo xtask derive {}", stale.join(", "), stale.join(" "));
+        bail!(
+            "these committed files differ from what the energies give: {}. Update them with: cargo xtask derive {}",
+            stale.join(", "),
+            stale.join(" ")
+        );
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! A planetary stage in the plane, Lin & Parker (1999): x, y and rotation of every body, 3 (n + 3) coordinates.
+//! A planetary stage with n planets in the plane, Lin & Parker (1999): x, y and rotation of every body, 3 (n + 3) coordinates.
 
 use gearsim_derive::{Model, Start};
 

@@ -1,10 +1,11 @@
-//! A planetary stage with n planets: sun, ring and carrier turn, the planets' centres are fixed to the carrier.
+//! A torsional planetary stage with n planets: sun, ring and carrier rotate, the centres of the planets are fixed to the carrier.
 
 use gearsim_derive::{Model, Start};
 
 use crate::components::{damping, drive, ground, load, rotor, stage};
 
-/// Phase, carrier, ring, and what each of `n` planets turns beyond rolling.
+/// Coordinates: the phase, the rotation of the ring, and the rotations of the carrier and of each of `n` planets in excess of
+/// rigid rolling.
 pub fn planetary(m: &mut Model, n: usize) {
     m.title(&format!("a planetary stage with {n} planets, torsional"));
     m.source("Lin & Parker (1999), J. Vib. Acoust. 121(3), with centres held; phase on the sun");

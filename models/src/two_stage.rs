@@ -4,7 +4,7 @@ use gearsim_derive::{Model, Start};
 
 use crate::components::{damping, drive, load, mesh_with_play, pair, rotor, shaft};
 
-/// Mean rotation and deflection of each mesh_with_play, and the twists of motor's and load's shafts.
+/// Coordinates: the mean rotation and the deflection of each mesh, and the twists of the shafts of motor and load.
 pub fn two_stage(m: &mut Model) {
     m.title("a two-stage gearbox with a countershaft");
     m.source("standard torsional model; phases as Oh, Grosh & Barber (2005)");

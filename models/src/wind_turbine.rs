@@ -1,10 +1,11 @@
-//! A wind turbine's train: rotor, planetary stage with its ring held, parallel stage, generator.
+//! The drivetrain of a wind turbine: rotor, planetary stage with a fixed ring, parallel stage, generator.
 
 use gearsim_derive::{Model, Start};
 
 use crate::components::{damping, drive, load, mesh, pair, rotor, shaft, stage};
 
-/// Phases of both stages, what moves beyond rolling, and the twists of the main and the generator's shaft.
+/// Coordinates: the phases of both stages, the rotations in excess of rigid rolling, and the twists of the low-speed and the
+/// high-speed shaft.
 pub fn wind_turbine(m: &mut Model) {
     m.title("a wind turbine's train: rotor, planetary stage, parallel stage, generator");
     m.source("standard torsional model, e.g. Peeters, Vandepitte & Sas (2006), Wind Energy 9(1-2)");

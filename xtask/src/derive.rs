@@ -1,17 +1,17 @@
-//! `cargo xtask derive`: run the derivation program, which alone needs the computer algebra system.
+//! `cargo xtask derive`: run the derivation program, the only one that needs the computer algebra system.
 
 use std::env::consts::EXE_EXTENSION;
 use std::process::Command;
 
 use anyhow::{Context, bail};
 
-/// The derivation program; built into the folder where this program is.
+/// Name of the derivation program; cargo builds it into the folder of this program.
 const PROGRAM: &str = "gearsim-models";
 
 /// Derive models, all of them unless some are named.
 #[derive(clap::Args)]
 pub struct Derive {
-    /// Change nothing; fail if a committed file is not what the energies say.
+    /// Change nothing; fail if a committed file differs from what the energies give.
     #[arg(long)]
     check: bool,
     /// Models to derive.
@@ -19,9 +19,12 @@ pub struct Derive {
 }
 
 impl Derive {
-    /// Starts the derivation in a process of its own and passes its verdict on.
+    /// Builds the derivation program and runs it in its own process.
+    ///
+    /// # Errors
+    /// If the build or the derivation fails.
     pub fn run(&self) -> anyhow::Result<()> {
-        // For the workspace, not for its package: with the features that the tests ask of it, Symbolica is compiled once.
+        // `--workspace`, not `--package`: with the same features as for the tests, so that Symbolica is compiled once.
         let mut build = Command::new(env!("CARGO"));
         build.args(["build", "--quiet", "--workspace", "--bin", PROGRAM]);
         if !build.status().context("cannot start cargo")?.success() {
@@ -37,8 +40,8 @@ impl Derive {
             Some(0) => Ok(()),
             Some(_) => bail!("the derivation failed; its message is above"),
             None => bail!(
-                "the derivation was aborted. Without a licence key Symbolica runs one process at a time on a machine: \
-                 is another derivation or test of it running? Wait for it, and run this again"
+                "the derivation was aborted. Without a licence key Symbolica allows one process at a time on a machine: \
+                 is another derivation or derivation test running? Wait until it ends, then run this again"
             ),
         }
     }

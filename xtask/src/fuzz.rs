@@ -1,10 +1,9 @@
-//! `cargo xtask fuzz`: look for scenes and numbers that break the reader or the engine, with libFuzzer.
+//! `cargo xtask fuzz`: search with libFuzzer for scenes and numbers that break the scene reader or the engine.
 //!
-//! Builds the targets with plain cargo and the compiler at hand. libFuzzer is to be told of the program's blocks and
-//! comparisons, which any rustc can do; a sanitizer would have nothing to watch, there is no unsafe code. Only gearsim and the
-//! targets are compiled so: this program stands between cargo and rustc, and adds the flags. All else is what other builds
-//! have built. Needs a C++ compiler, for libFuzzer itself. New inputs go to `out/fuzz`, crashes too: the committed corpus
-//! grows by hand.
+//! Builds the targets with cargo and the installed rustc. libFuzzer needs coverage instrumentation (basic blocks, comparisons), which
+//! any rustc can add; a sanitizer is not needed, since there is no unsafe code. Only gearsim and the targets are instrumented: this
+//! program runs as cargo's rustc wrapper and adds the flags for them, so that dependencies of other builds are reused. libFuzzer
+//! itself needs a C++ compiler. New inputs and crashes are written to `out/fuzz`; inputs are added to the committed corpus by hand.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -14,13 +13,13 @@ use anyhow::{Context, bail};
 
 /// The targets, `tests/fuzz/fuzz_targets`.
 const TARGETS: [&str; 2] = ["scene", "engine"];
-/// A single input may take as long [s].
-const SLOWEST: u32 = 60;
-/// Crates that libFuzzer is told of.
-const WATCHED: [&str; 3] = ["gearsim", "scene", "engine"];
-/// Set where this program stands in for rustc.
+/// Time limit for a single input [s].
+const TIMEOUT: u32 = 60;
+/// Crates that are instrumented.
+const INSTRUMENTED: [&str; 3] = ["gearsim", "scene", "engine"];
+/// Environment variable that is set while this program runs as rustc wrapper.
 const COMPILING: &str = "GEARSIM_FUZZ_COMPILING";
-/// What libFuzzer is told of the program: blocks reached, and numbers compared.
+/// The flags that add coverage instrumentation: blocks reached, and numbers compared.
 const INSTRUMENTATION: [&str; 6] = [
     "--cfg=fuzzing",
     "-Cpasses=sancov-module",
@@ -30,10 +29,10 @@ const INSTRUMENTATION: [&str; 6] = [
     "-Cllvm-args=-sanitizer-coverage-trace-compares",
 ];
 
-/// Look for inputs that break the scene reader or the engine.
+/// Search for inputs that break the scene reader or the engine.
 #[derive(clap::Args)]
 pub struct Fuzz {
-    /// The target; all of them, if none is named.
+    /// The target; without it, all targets.
     #[arg(value_parser = TARGETS)]
     target: Option<String>,
     /// Time for each target [s].
@@ -42,12 +41,15 @@ pub struct Fuzz {
 }
 
 impl Fuzz {
-    /// Runs the targets; the first crash ends it.
+    /// Runs the targets, until one fails.
+    ///
+    /// # Errors
+    /// If there is no C++ compiler, or a target finds an input that crashes or takes too long.
     pub fn run(&self) -> anyhow::Result<()> {
         let compiler = std::env::var_os("CXX").unwrap_or_else(|| OsString::from("c++"));
         if Command::new(&compiler).arg("--version").output().is_err() {
             bail!(
-                "libFuzzer needs a C++ compiler, and `{}` does not start: install g++ or clang, or name one in CXX",
+                "libFuzzer needs a C++ compiler, but `{}` cannot be started: install g++ or clang, or set CXX",
                 compiler.display()
             );
         }
@@ -65,7 +67,7 @@ impl Fuzz {
         let mut command = Command::new(env!("CARGO"));
         command.args(["run", "--locked", "--release", "--manifest-path"]).arg(root.join("tests/fuzz/Cargo.toml"));
         command.args(["--bin", target, "--"]).args([&found, &committed]);
-        command.args([format!("-max_total_time={}", self.seconds), format!("-timeout={SLOWEST}")]);
+        command.args([format!("-max_total_time={}", self.seconds), format!("-timeout={TIMEOUT}")]);
         command.arg("-print_final_stats=1");
         command.arg(format!("-artifact_prefix={}/{target}-", root.join("out/fuzz").display()));
         if std::env::var_os("CARGO_TARGET_DIR").is_none() {
@@ -74,21 +76,23 @@ impl Fuzz {
         command.env("RUSTC_WRAPPER", std::env::current_exe()?).env(COMPILING, "1");
         let status = command.current_dir(root).status().context("cannot start cargo")?;
         if !status.success() {
-            bail!("the target `{target}` failed: put the input named above into {}", committed.display());
+            bail!("the target `{target}` failed; add the input named above to the corpus {}", committed.display());
         }
         Ok(())
     }
 }
 
-/// Where cargo has called this program in place of rustc, with the whole command: runs it, with what libFuzzer needs.
+/// If cargo has called this program as rustc wrapper, runs rustc, with instrumentation for [`INSTRUMENTED`] crates, and returns its
+/// exit code; otherwise `None`.
 pub fn compile() -> Option<ExitCode> {
     std::env::var_os(COMPILING)?;
     let mut arguments = std::env::args_os().skip(1);
     let rustc = arguments.next()?;
     let arguments: Vec<_> = arguments.collect();
-    let watched = arguments.windows(2).any(|a| a[0] == "--crate-name" && WATCHED.iter().any(|name| a[1] == *name));
+    let instrumented =
+        arguments.windows(2).any(|a| a[0] == "--crate-name" && INSTRUMENTED.iter().any(|name| a[1] == *name));
     let mut command = Command::new(rustc);
-    command.args(arguments).args(INSTRUMENTATION.iter().filter(|_| watched));
+    command.args(arguments).args(INSTRUMENTATION.iter().filter(|_| instrumented));
     let compiled = command.status().is_ok_and(|status| status.success());
     Some(if compiled { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

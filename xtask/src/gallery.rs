@@ -1,4 +1,4 @@
-//! `cargo xtask gallery`: run the example scenes, and keep a plot of each in models/scenes/plots.
+//! `cargo xtask gallery`: run the example scenes and write a plot of each to models/scenes/plots.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 
-/// Scenes, by their paths under models/scenes, and the plot that shows each best.
+/// The scenes, by their paths under models/scenes, and the plot that is kept of each.
 const SCENES: [(&str, &str); 18] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
@@ -28,12 +28,15 @@ const SCENES: [(&str, &str); 18] = [
     ("chain_5", "motion"),
 ];
 
-/// Run the example scenes; put a plot of each into models/scenes/plots.
+/// Run the example scenes; write a plot of each to models/scenes/plots.
 #[derive(clap::Args)]
 pub struct Gallery {}
 
 impl Gallery {
-    /// Runs them one after another, in a folder of their own.
+    /// Runs the scenes one after another; their outputs go to out/gallery.
+    ///
+    /// # Errors
+    /// If a scene fails, or its plot cannot be copied.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
         let (scenes, plots) = (root.join("models/scenes"), root.join("models/scenes/plots"));
@@ -45,7 +48,7 @@ impl Gallery {
             run.arg("--set").arg(format!("output.plots=[\"{plot}\"]")).arg("--out").arg(&out);
             let status = run.current_dir(root).status().context("cannot start cargo")?;
             if !status.success() {
-                bail!("{scene} did not run; its message is above");
+                bail!("the scene {scene} failed; its message is above");
             }
             let (from, to) = (out.join(plot), plots.join(scene.replace('/', "_")));
             let (from, to) = (from.with_extension("png"), to.with_extension("png"));

@@ -1,4 +1,4 @@
-//! The project's chores: `cargo xtask VERB`. One verb, one file.
+//! The development commands of this project: `cargo xtask VERB`. One file for each verb.
 
 mod costs;
 mod derive;
@@ -16,7 +16,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-/// The project's chores.
+/// The development commands of this project.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 struct Arguments {
@@ -34,9 +34,9 @@ enum Verb {
     HardCases(hard_cases::HardCases),
     /// Compare the models with published numbers; write their table to tests/published.md.
     Published(published::Published),
-    /// Run the example scenes; keep a plot of each in models/scenes/plots.
+    /// Run the example scenes; write a plot of each to models/scenes/plots.
     Gallery(gallery::Gallery),
-    /// Look for inputs that break the scene reader or the engine; needs a C++ compiler.
+    /// Search for inputs that break the scene reader or the engine; needs a C++ compiler.
     Fuzz(fuzz::Fuzz),
     /// Count the instructions of the main paths under valgrind; write them to tests/instructions.md.
     Instructions(instructions::Instructions),
@@ -46,7 +46,7 @@ enum Verb {
     Peers(peers::Peers),
     /// Run very many events without damping: how the energy error grows, into out/soak.
     Soak(soak::Soak),
-    /// Measure what accuracy costs on the paper's scenes: plots and tables of the READMEs.
+    /// Measure time against error on the scenes of the paper; write plots and tables into the READMEs.
     WorkPrecision(work_precision::WorkPrecision),
 }
 

@@ -1,4 +1,4 @@
-//! `cargo xtask published`: write the table of published numbers beside ours, tests/published.md.
+//! `cargo xtask published`: compare the models with published numbers and write the table tests/published.md.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,7 +10,10 @@ use anyhow::{Context, bail};
 pub struct Published {}
 
 impl Published {
-    /// Starts the tests in a process of their own, which write the table.
+    /// Runs the tests that write the table.
+    ///
+    /// # Errors
+    /// If a number is not reproduced.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
         let table = root.join("tests/published.md");
@@ -19,7 +22,7 @@ impl Published {
         let status =
             command.env("GEARSIM_PUBLISHED", &table).current_dir(root).status().context("cannot start cargo")?;
         if !status.success() {
-            bail!("a published number was missed; see above");
+            bail!("a published number was not reproduced; the message is above");
         }
         println!("{}", table.display());
         Ok(())

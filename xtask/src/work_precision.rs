@@ -1,4 +1,4 @@
-//! `cargo xtask work-precision`: what accuracy costs on the paper's scenes; its plots and tables, into the READMEs.
+//! `cargo xtask work-precision`: measure time against error on the scenes of the paper; plots and tables go into the READMEs.
 
 use std::fs;
 use std::path::Path;
@@ -6,21 +6,24 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 
-/// Scenes under models/scenes/oh2005, until when they run, and what their plots and tables are called.
+/// Scenes under models/scenes/oh2005, the end of each run, and the name of its plot and tables.
 const SCENES: [(&str, &str, &str); 3] = [
     ("spectrum_4500rpm_exact", "0.05 s", "4500rpm"),
     ("spectrum_600rpm_exact", "0.1 s", "600rpm"),
     ("stall_300rpm", "0.1 s", "stall"),
 ];
-/// Files with tables between markers.
+/// Files that have these tables between markers.
 const READMES: [&str; 2] = ["README.md", "models/scenes/oh2005/README.md"];
 
-/// Measure what accuracy costs on the paper's scenes; its plots and tables, into the READMEs.
+/// Measure time against error on the scenes of the paper; write plots and tables into the READMEs.
 #[derive(clap::Args)]
 pub struct WorkPrecision {}
 
 impl WorkPrecision {
-    /// Measures one scene after another, on an otherwise idle machine.
+    /// Measures one scene after another. The machine should be idle otherwise.
+    ///
+    /// # Errors
+    /// If a measurement fails, or a README has no end marker.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
         let paper = root.join("models/scenes/oh2005");
@@ -32,10 +35,10 @@ impl WorkPrecision {
             run.arg(paper.join(scene).with_extension("toml")).arg("--out").arg(&out);
             run.arg("--set").arg(format!("run.t_end={t_end}")).current_dir(root);
             if !run.status().context("cannot start cargo")?.success() {
-                bail!("{scene} was not measured; its message is above");
+                bail!("the measurement of {scene} failed; its message is above");
             }
             let text = fs::read_to_string(out.join("work_precision.md")).context("no table was written")?;
-            let (words, table) = pick(&text).with_context(|| format!("no words or no table for {scene}"))?;
+            let (words, table) = pick(&text).with_context(|| format!("no text or no table for {scene}"))?;
             parts.push((format!("{name} in words"), words));
             parts.push((name.to_string(), table));
             let to = paper.join("plots").join(format!("work_precision_{name}.png"));
@@ -51,7 +54,7 @@ impl WorkPrecision {
     }
 }
 
-/// The words below the plot, and the table of prices.
+/// The paragraph below the plot, and the table of times.
 fn pick(text: &str) -> Option<(String, String)> {
     let mut paragraphs = text.split("\n\n");
     let table = paragraphs.clone().find(|part| part.starts_with("| time at error"))?;
@@ -59,7 +62,7 @@ fn pick(text: &str) -> Option<(String, String)> {
     Some((paragraphs.next()?.trim().into(), table.trim().into()))
 }
 
-/// `text` with what stands between the markers of a part replaced, if it has them.
+/// `text` with the lines between the markers of the part `name` replaced by `part`, if it has these markers.
 fn fill(text: String, name: &str, part: &str) -> anyhow::Result<String> {
     let (begin, end) = (format!("<!-- cargo xtask work-precision: {name} -->\n"), "<!-- end -->");
     let Some((before, rest)) = text.split_once(&begin) else { return Ok(text) };

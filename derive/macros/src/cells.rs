@@ -1,4 +1,4 @@
-//! The matrices of a cell, in numbers of any kind R.
+//! The matrices of a cell, for any type of number R.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,7 +9,7 @@ use crate::gated;
 use crate::model::*;
 use crate::sums::{Ask, position};
 
-/// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of the kind R.
+/// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of type R.
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let bands = gated::of_effects(m, Ask::Running);
@@ -35,7 +35,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
     all
 }
 
-/// These functions of `Numbers<R>`, and `matrices`: all of them at once.
+/// These functions for `Numbers<R>`, and `matrices`, which calls all of them.
 pub fn matrices(m: &Model) -> TokenStream {
     let mobility = match &m.mobility {
         Some(_) => quote!(Some(equations::matrix(&self.mobility(effects)))),
@@ -57,7 +57,7 @@ pub fn matrices(m: &Model) -> TokenStream {
     }
 }
 
-/// A symmetric matrix, given by one of its triangles.
+/// The statements of a function that returns a symmetric matrix; `entries` has one of each pair of equal entries.
 fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let entries = entries.iter().map(|e| {
@@ -82,7 +82,7 @@ fn sum(sum: &Sum) -> TokenStream {
     quote!({ let mut sum = zero; #(#terms)* sum })
 }
 
-/// An expression whose literals are numbers of the kind R.
+/// The expression with its literals as numbers of type R.
 pub fn any_number(e: &Expr) -> TokenStream {
     match e {
         Expr::Lit(lit) if matches!(lit.lit, Lit::Float(_)) => quote!(R::from(#lit)),

@@ -1,4 +1,4 @@
-//! What must hold of a model before code is written for it: every error there is, at once.
+//! Checks a parsed model before code is written for it, and reports all errors at once.
 
 use std::collections::HashMap;
 
@@ -26,9 +26,9 @@ pub fn check(model: &mut Model) -> syn::Result<()> {
     }
 }
 
-/// No name means two things.
+/// Every name must have one meaning.
 fn names(m: &Model, errors: &mut Vec<Error>) {
-    // `new` holds parameters and constants beside these.
+    // The generated function `new` has these variables, besides one for each parameter and constant.
     let mut taken = HashMap::from(
         ["parameters", "mids", "coefficients"].map(|n| (n.to_string(), "the generated code".to_string())),
     );
@@ -60,7 +60,7 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     unique("jump", m.jumps.iter().map(|x| &x.law), errors);
 }
 
-/// No name stands twice in a list.
+/// Reports names that are in a list twice.
 pub fn unique<'a>(kind: &str, names: impl Iterator<Item = &'a Ident>, errors: &mut Vec<Error>) {
     let mut seen = vec![];
     for name in names {
@@ -71,7 +71,7 @@ pub fn unique<'a>(kind: &str, names: impl Iterator<Item = &'a Ident>, errors: &m
     }
 }
 
-/// Ranges are not empty, and hold the defaults.
+/// Ranges must not be empty and must contain the defaults; periods must be positive.
 fn numbers(m: &Model, errors: &mut Vec<Error>) {
     for p in &m.parameters {
         let above = |x: f64| {
@@ -93,7 +93,7 @@ fn numbers(m: &Model, errors: &mut Vec<Error>) {
     }
 }
 
-/// Rows, columns and blocks name what exists, and what cannot be done without is there.
+/// Rows, columns and blocks must name coordinates and laws that exist, and required rows and blocks must be present.
 fn blocks(m: &Model, errors: &mut Vec<Error>) {
     let q: Vec<String> = m.coordinates.iter().map(|c| c.name.to_string()).collect();
     let q_dot: Vec<String> = m.coordinates.iter().map(|c| speed(&c.name)).collect();
@@ -102,12 +102,12 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         errors.push(Error::new(m.name.span(), "no coordinates"));
     }
 
-    // A scene has the first so many laws, up to the last with one of its effects.
+    // A scene has the laws up to the last one with an effect of the scene, so that laws with effects must be last, effect by effect.
     let effects: Vec<_> = m.laws.iter().map(|l| l.with.as_ref()).collect();
     for (i, l) in m.laws.iter().enumerate().skip(1) {
         let apart = effects[..i].contains(&effects[i]) && effects[i - 1] != effects[i];
         if apart || (effects[i].is_none() && effects[i - 1].is_some()) {
-            let message = format!("law `{}`: laws with an effect come last, those of one side by side", l.name);
+            let message = format!("law `{}`: laws with an effect must come last, those of one effect together", l.name);
             errors.push(Error::new(l.name.span(), message));
         }
     }
@@ -130,7 +130,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         rows(j.normal.iter().flatten(), &q, errors);
         rows(j.direction.iter().flatten(), &q, errors);
         if j.step.is_none() {
-            errors.push(Error::new(j.law.span(), format!("jump {}: no `step`", j.law)));
+            errors.push(Error::new(j.law.span(), format!("jump {}: no block `step`", j.law)));
         }
     }
 
@@ -150,7 +150,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     }
 
     for (name, matrix) in [("mass", Some(&m.mass)), ("mobility", m.mobility.as_ref())] {
-        // Without a term on the diagonal, neither M nor its inverse can be positive definite.
+        // M and its inverse are positive definite: no entry on the diagonal can be zero.
         let given = |c: &Coordinate, e: &Entry| e.row == c.name && e.column == c.name && !e.sum.is_empty();
         for c in m.coordinates.iter().filter(|c| matrix.is_some_and(|matrix| !matrix.iter().any(|e| given(c, e)))) {
             let message = format!("{name}: no row for the coordinate `{0}` (at least `{0} {0} {{ .. }}`)", c.name);

@@ -1,5 +1,5 @@
-//! The functions that are not called at every step. Their code asks for the effects as it runs, one function a model, so
-//! that a set of effects costs the compiler no more than a call of each.
+//! The functions that are not called at every step. Each is compiled once for a model and tests the effects at run time, so that the
+//! code for a set of effects only calls it.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -17,7 +17,7 @@ use crate::model::*;
 use crate::scope::speed;
 use crate::sums::{Ask, block, body, by_index, position};
 
-/// A function of the numbers that takes the effects as its first argument, which `Equations` has without them.
+/// A function of `Numbers` with the effects as its first argument, and without it a function of `Equations`.
 pub struct Cold {
     pub name: &'static str,
     pub takes: &'static [Takes],
@@ -48,7 +48,7 @@ pub enum Returns {
 }
 
 impl Cold {
-    /// Itself, with the effects and conditions as variables, in numbers of the kind `r`.
+    /// Itself, with the effects and conditions as variables, in numbers of type `r`.
     pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
         let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
         let takes = self.takes.iter().map(|takes| match takes {
@@ -97,7 +97,7 @@ fn argument(name: &str, of: TokenStream) -> TokenStream {
     quote!(#name: #of)
 }
 
-/// Those in plain numbers; the matrices of a cell are in [`crate::cells`].
+/// The functions in f64. Those that give the matrices of a cell, in any kind of number, are in [`crate::cells`].
 pub fn cold(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let (d, d_dot) = deflections(m);
@@ -134,7 +134,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all
 }
 
-/// The powers of the torques that are not constant, if there are any.
+/// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.
 fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
     let terms: Vec<_> = m.torques.iter().flat_map(|t| &t.power).collect();
     if terms.is_empty() {
@@ -159,7 +159,7 @@ fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
     ]
 }
 
-/// The net work: every generalised force times the change of its coordinate.
+/// The work of all constant torques: every generalised force times the change of its coordinate.
 fn work(m: &Model) -> Sum {
     let terms = m.work.iter().flat_map(|row| {
         let i = position(m, &row.name);
@@ -180,7 +180,7 @@ fn motion(m: &Model, motion: &Motion) -> TokenStream {
     quote!({ let mut q_dot = [0.0; #n]; #(#speeds)* q_dot })
 }
 
-/// An entry of the derivatives by coordinates, or of those by speeds.
+/// Sets one entry of the derivatives by coordinates, v[0], or by speeds, v[1].
 fn jacobian(m: &Model, e: &Entry) -> TokenStream {
     let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
     let (which, j) = match by_speed {
@@ -204,7 +204,7 @@ fn switching(m: &Model) -> TokenStream {
     let step = format_ident!("{}", effects::STIFFNESS_STEP.to_uppercase());
     let by_time = otherwise(effects::FROZEN_PHASE, quote!(ByTime));
     let without = otherwise(effects::RIGID_KINEMATICS, quote!(WithoutJump));
-    // A law whose effect is not there is zero.
+    // A law whose effect is absent is zero, and never switches.
     let gated =
         m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), effects::constant(law.with.as_ref()?))));
     let (gated, there): (Vec<_>, Vec<_>) = gated.unzip();

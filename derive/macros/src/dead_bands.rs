@@ -1,4 +1,4 @@
-//! Dead bands: what the engine asks of them.
+//! The function `dead_band`, which describes a dead band to the engine.
 
 use quote::quote;
 use syn::Index;

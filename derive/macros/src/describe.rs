@@ -1,4 +1,4 @@
-//! The `Model` of a generated file: what scenes and people read.
+//! The description of a model, `crate::model::Model`: scenes are checked against it, and the command line prints it.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -101,7 +101,7 @@ fn parameter(p: &Parameter, varies: bool) -> TokenStream {
     }
 }
 
-/// A number as tokens: infinities have no literal, and a negative literal is two tokens.
+/// A number as tokens. Infinities have no literal, and a negative number is two tokens.
 fn number(x: f64) -> TokenStream {
     let (minus, size) = (x.is_sign_negative().then(|| quote!(-)), x.abs());
     if size.is_infinite() { quote!(#minus f64::INFINITY) } else { quote!(#minus #size) }

@@ -1,4 +1,4 @@
-//! Effects: the sets that may be in force, and the constants by which code is in or out.
+//! Effects: the admissible sets of them, and the constants and variables by which generated code tests them.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -7,16 +7,16 @@ use syn::{Error, Ident};
 use crate::check::unique;
 use crate::model::Model;
 
-/// The effects of a mesh that say how a law switches; every model means the same by these names.
+/// Laws switch where the phase reaches a boundary. This effect and the next two have the same meaning in every model.
 pub const STIFFNESS_STEP: &str = "stiffness_step";
-/// Switches where the phase says, without the impulse.
+/// Laws switch where the phase reaches a boundary, without the impulse.
 pub const RIGID_KINEMATICS: &str = "rigid_kinematics";
-/// Switches when the mean rotation says.
+/// Laws switch at the times of a steady rotation.
 pub const FROZEN_PHASE: &str = "frozen_phase";
 
-/// Each set of effects is compiled by itself, so there is a limit to their number.
+/// Largest number of sets of effects: each is compiled separately.
 const MOST_SETS: usize = 1024;
-/// Beyond this even counting the sets takes long.
+/// Largest number of effects: with more, even counting the sets takes long.
 const MOST_EFFECTS: usize = 16;
 
 /// Whether the model offers an effect.
@@ -24,7 +24,7 @@ pub fn has(m: &Model, effect: &str) -> bool {
     m.effects.iter().any(|e| e.name == effect)
 }
 
-/// Effects and conditions name one another rightly, and are not too many.
+/// Effects and conditions must refer to effects that exist, and there must not be too many sets of effects.
 pub fn check(m: &Model, errors: &mut Vec<Error>) {
     let before = errors.len();
     unique(
@@ -39,20 +39,20 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
     let related = related.chain(m.dead_bands.iter().map(|band| &band.effect));
     for name in related.chain(m.conditions.iter().flat_map(|c| c.effects.iter().map(|(_, name)| name))) {
         if index(m, name).is_none() {
-            errors.push(Error::new(name.span(), format!("no effect is called `{name}`")));
+            errors.push(Error::new(name.span(), format!("there is no effect `{name}`")));
         }
     }
     if errors.len() == before && (m.effects.len() > MOST_EFFECTS || sets(m).nth(MOST_SETS).is_some()) {
         let message = format!(
-            "the {} effects combine in more than {MOST_SETS} ways, each compiled by itself: \
-             exclude some, or split the model",
+            "the {} effects have more than {MOST_SETS} admissible sets, each of which is compiled separately: \
+             let effects exclude one another, or split the model",
             m.effects.len()
         );
         errors.push(Error::new(m.name.span(), message));
     }
 }
 
-/// The sets of effects that contradict nothing, as bits.
+/// The admissible sets of effects, by `requires` and `excludes`: bit i stands for effect i.
 pub fn sets(m: &Model) -> impl Iterator<Item = u32> {
     let bits = |names: &[Ident]| names.iter().filter_map(|n| index(m, n)).fold(0u32, |bits, i| bits | 1 << i);
     let rules: Vec<_> = m.effects.iter().map(|e| (bits(&e.requires), bits(&e.excludes))).collect();
@@ -69,21 +69,21 @@ pub fn literal(m: &Model, set: u32) -> TokenStream {
     format!("0b{set:0width$b}", width = m.effects.len().max(1)).parse().expect("digits")
 }
 
-/// `const DAMPING: bool = E & 8 != 0;` for each effect, and for each condition its conjunction.
+/// `const DAMPING: bool = E & 8 != 0;` for each effect, and the conjunction of its effects for each condition.
 pub fn constants(m: &Model) -> TokenStream {
     let named = named(m, &quote!(E), &quote!(Self::)).into_iter();
     let named = named.map(|(name, value)| quote!(const #name: bool = #value;));
     quote!(#(#named)*)
 }
 
-/// The same as variables, of the set `effects`.
+/// The same as variables, from the set `effects`.
 pub fn variables(m: &Model) -> TokenStream {
     let named = named(m, &quote!(effects), &quote!()).into_iter();
     let named = named.map(|(name, value)| quote!(let #name = #value;));
     quote!(#(#named)*)
 }
 
-/// Every effect and condition with the expression that tells whether it is in force in `set`.
+/// Every effect and condition with the boolean expression for it in `set`.
 fn named(m: &Model, set: &TokenStream, path: &TokenStream) -> Vec<(Ident, TokenStream)> {
     let effects = m.effects.iter().enumerate().map(|(i, e)| {
         let bit = Literal::u32_unsuffixed(1 << i);

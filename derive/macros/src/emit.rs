@@ -1,4 +1,4 @@
-//! From a checked model to code: the items of a generated file.
+//! Writes the code of a checked model.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,7 +13,7 @@ use crate::gated;
 use crate::hoist::hoist;
 use crate::model::*;
 
-/// Everything that a generated file holds.
+/// All items that the macro defines for a model.
 pub fn emit(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let name = camel_case(&m.name);
@@ -47,7 +47,7 @@ pub fn emit(m: &Model) -> TokenStream {
         #[derive(Debug, Clone, Copy)]
         pub struct #name;
 
-        #[allow(clippy::all, reason = "numbers and code as the derivation wrote them")]
+        #[allow(clippy::all, reason = "numbers and code are written as derived")]
         impl equations::Derived for #name {
             const MODEL: model::Model = #describe;
 
@@ -78,7 +78,7 @@ pub fn emit(m: &Model) -> TokenStream {
         /// The set of effects E.
         struct With<const E: u32>;
 
-        #[allow(dead_code, reason = "not every effect has a term of its own")]
+        #[allow(dead_code, reason = "not every effect has its own terms")]
         impl<const E: u32> With<E> {
             #constants
             #values
@@ -96,7 +96,7 @@ pub fn emit(m: &Model) -> TokenStream {
 
         #[allow(
             non_snake_case, unused_variables, clippy::all,
-            reason = "code as the derivation wrote it; many a term uses little",
+            reason = "code is written as derived, and most terms use few of the variables",
         )]
         impl Numbers<f64> {
             #deflections
@@ -121,7 +121,7 @@ pub fn emit(m: &Model) -> TokenStream {
     }
 }
 
-/// `struct Numbers<R>`, of numbers of the kind R.
+/// `struct Numbers<R>`, of numbers of type R.
 fn numbers(m: &Model, coefficients: &[Expr]) -> TokenStream {
     let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
@@ -140,17 +140,17 @@ fn numbers(m: &Model, coefficients: &[Expr]) -> TokenStream {
     let count = coefficients.len();
     let coefficients = coefficients.iter().map(any_number);
     quote! {
-        /// The numbers that the equations are written in, of the kind R.
-        #[allow(non_snake_case, dead_code, reason = "the symbols of the source, used or not")]
+        /// The constant numbers in the equations, of type R: parameters, mid values, constants.
+        #[allow(non_snake_case, dead_code, reason = "symbols of the source, some are unused")]
         struct Numbers<R> {
             #(#fields: R,)*
-            /// Constant factors of what is called at every step.
+            /// Constant factors in the functions that are called at every step.
             coefficients: [R; #count],
             kind: std::marker::PhantomData<R>,
         }
 
         #[allow(
-            non_snake_case, unused_variables, unused_mut, clippy::all, reason = "the symbols and constants of the source",
+            non_snake_case, unused_variables, unused_mut, clippy::all, reason = "symbols and constants of the source, some are unused",
         )]
         impl<R: real::Real> Numbers<R> {
             fn new(parameters: &[R], mids: &[R]) -> Self {

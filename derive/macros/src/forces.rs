@@ -1,4 +1,4 @@
-//! Named forces, of which torques are made: variables, each computed once however many rows it stands in.
+//! Named forces: variables in the generated code, each computed once for all rows that contain it.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -6,7 +6,7 @@ use quote::quote;
 use crate::model::{Model, Term};
 use crate::sums::{Ask, block};
 
-/// `let F = ..;` for each, zero where its effect is not there.
+/// `let F = ..;` for each; zero if its effect is absent.
 pub fn of_effects(m: &Model, ask: Ask) -> TokenStream {
     let lets = m.forces.iter().map(|force| {
         let (name, value) = (&force.name, block(&force.sum, ask));
@@ -15,7 +15,7 @@ pub fn of_effects(m: &Model, ask: Ask) -> TokenStream {
     quote!(#(#lets)*)
 }
 
-/// The same where the effects are not known, for terms that ask for none.
+/// The same for code that does not know the effects: without testing them.
 pub fn of_values(m: &Model) -> TokenStream {
     let lets = m.forces.iter().map(|force| {
         let terms = force.sum.iter().map(|Term { value, .. }| value);

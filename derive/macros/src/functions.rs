@@ -12,7 +12,7 @@ use crate::model::*;
 use crate::share::{Function, LARGE, Place};
 use crate::sums::{Ask, body, position};
 
-/// These functions of the numbers, and those that they call.
+/// These functions of `Numbers`, and the functions that only they call.
 pub fn functions(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let vector = quote!([f64; #n]);
@@ -47,7 +47,7 @@ pub fn functions(m: &Model) -> TokenStream {
         given: quote!(q, q_dot, k, dk,),
         returns: vector.clone(),
         zero: quote!([0.0; #n]),
-        // One check that the law values are there, not one each.
+        // One bounds check for all law values instead of one for each.
         first: [
             quote!(let k = &k[..With::<E>::VALUES]; #effects #d #d_dot #forces),
             quote!(#values #d #d_dot #any_forces),
@@ -64,7 +64,7 @@ pub fn functions(m: &Model) -> TokenStream {
     functions
 }
 
-/// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates; what is not used is not computed.
+/// `let d = ..;` and `let d_dot = ..;`: all deflections and their rates. The compiler drops those that are not used.
 pub fn deflections(m: &Model) -> (TokenStream, TokenStream) {
     match m.deflections.is_empty() {
         true => (quote!(), quote!()),

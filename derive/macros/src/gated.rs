@@ -1,5 +1,5 @@
-//! Constants of a cell that are there with an effect: those of dead bands, transmission errors, and laws of friction. Code has
-//! them as variables.
+//! Values that are constant in a cell and exist only with an effect: the symbols of dead bands, transmission errors, and friction
+//! laws. The generated code has them as variables.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -8,10 +8,10 @@ use syn::{Ident, Index};
 use crate::model::{Law, Model, Role};
 use crate::sums::Ask;
 
-/// touch, edge, damp, clip where a dead band is not there.
+/// touch, edge, damp, clip if there is no dead band.
 const NEUTRAL: [f64; 4] = [1.0, 0.0, 1.0, 0.0];
 
-/// A constant: its name, its effect, its place in `k`, and what it is without the effect.
+/// One such value: its name, its effect, its index in `k`, and its value without the effect.
 struct Gated<'a> {
     name: &'a Ident,
     effect: &'a Ident,
@@ -19,7 +19,7 @@ struct Gated<'a> {
     neutral: f64,
 }
 
-/// `let touch = ..;` for each: from `k` where its effect is there, else what it then is.
+/// `let touch = ..;` for each: from `k` if its effect is present, else the neutral value.
 pub fn of_effects(m: &Model, ask: Ask) -> TokenStream {
     let lets = all(m).map(|Gated { name, effect, place, neutral }| {
         let (there, neutral) = (ask.tell(effect), Literal::f64_suffixed(neutral));
@@ -28,13 +28,13 @@ pub fn of_effects(m: &Model, ask: Ask) -> TokenStream {
     quote!(#(#lets)*)
 }
 
-/// The same where the effects are not known: `k` holds what they are then, too.
+/// The same for code that does not know the effects: always from `k`, which holds the neutral values too.
 pub fn of_values(m: &Model) -> TokenStream {
     let lets = all(m).map(|Gated { name, place, .. }| quote!(let #name = k[#place];));
     quote!(#(#lets)*)
 }
 
-/// `const VALUES`: how many law values there are, up to the last that the effects ask for.
+/// `const VALUES`: the length of `k` that the effects need.
 pub fn count(m: &Model) -> TokenStream {
     let stiffnesses = m.stiffnesses().count();
     let more = all(m).map(|Gated { effect, place, .. }| {
@@ -43,7 +43,7 @@ pub fn count(m: &Model) -> TokenStream {
     });
     quote! {
         const VALUES: usize = {
-            #[allow(unused_mut, reason = "not every model has more than stiffnesses")]
+            #[allow(unused_mut, reason = "unchanged if all laws are stiffnesses")]
             let mut n = #stiffnesses;
             #(#more)*
             n
@@ -51,17 +51,17 @@ pub fn count(m: &Model) -> TokenStream {
     }
 }
 
-/// The names of all.
+/// The names of all these values.
 pub fn names(m: &Model) -> impl Iterator<Item = &Ident> {
     all(m).map(|gated| gated.name)
 }
 
-/// The names of those that move deflections: to be handed to `deflections`.
+/// The names of those that occur in deflections, in the order of the arguments of the generated function `deflections`.
 pub fn offsets(m: &Model) -> impl Iterator<Item = &Ident> {
     errors(m).map(|(_, law)| &law.name).chain(m.dead_bands.iter().map(|band| &band.symbols[1]))
 }
 
-/// The transmission errors, each with its number among the laws.
+/// The transmission errors, each with its index among the laws.
 pub fn errors(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
     gated(m).filter(|(_, law)| law.role == Role::Error)
 }

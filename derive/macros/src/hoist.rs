@@ -1,13 +1,14 @@
-//! Constant factors, worked out once a scene. A file says `-I1*alpha_M*theta_dot/N1.powi(2)`, term by term as derived; what is
-//! called at every step has one number in the place of all that does not move, and terms that differ in it only are one.
+//! Computes constant factors once for each scene. A file has terms such as `-I1*alpha_M*theta_dot/N1.powi(2)`, as derived. In the
+//! functions that are called at every step, one coefficient replaces all constant factors of a term, and terms that differ only in
+//! their constant factors are merged.
 
 use quote::quote;
 use syn::{BinOp, Expr, Index, Lit, parse_quote};
 
 use crate::model::{Model, Sum};
 
-/// Replaces the constant factors in what is called at every step. What comes back are these, in parameters, mid values and
-/// constants; in the equations they are `self.coefficients`, in that order.
+/// Replaces the constant factors in the forces, deflections and dissipation by `self.coefficients[i]`, and returns the coefficients in
+/// this order, as expressions in parameters, mid values and constants.
 pub fn hoist(m: &mut Model) -> Vec<Expr> {
     let mut hoist = Hoist::default();
     for term in m.force.iter().flatten().flat_map(|row| &row.sum) {
@@ -23,11 +24,11 @@ pub fn hoist(m: &mut Model) -> Vec<Expr> {
 #[derive(Default)]
 struct Hoist {
     coefficients: Vec<Expr>,
-    /// Factors of the forces, and in how many products each is.
+    /// Factors of the forces, each with the number of products that contain it.
     counts: Vec<(Expr, usize)>,
 }
 
-/// A product: whether it is negative, its factors and its divisors.
+/// A product: its sign, factors and divisors.
 #[derive(Default)]
 struct Product {
     negative: bool,
@@ -35,10 +36,11 @@ struct Product {
     below: Vec<Expr>,
 }
 
-/// Terms that differ in constant factors only.
+/// Terms that differ only in their constant factors.
 struct Group {
-    /// What moves; `None` where nothing does.
+    /// The product of the factors that vary; `None` if there are none.
     moving: Option<Expr>,
+    /// The constant factors of each term.
     constants: Vec<Product>,
 }
 
@@ -74,7 +76,7 @@ impl Hoist {
         }
     }
 
-    /// A sum, or one product.
+    /// A sum (or a single product) with its terms merged and their constant factors replaced.
     fn terms(&mut self, e: &Expr) -> Expr {
         let mut products = vec![];
         flatten(e, false, &mut products);
@@ -87,14 +89,15 @@ impl Hoist {
                 None => groups.push(Group { moving, constants: vec![constants] }),
             }
         }
-        // A sign by itself is added or taken away, so that rows can share the product; the first has it in its number.
-        let first = groups.iter().position(|group| !group.is_taken_away()).unwrap_or(0);
+        // A term with a minus is subtracted, not multiplied by a negative coefficient, so that rows share the product. Only the first
+        // term has its sign in its coefficient; a positive term is made the first, if there is one.
+        let first = groups.iter().position(|group| !group.is_subtracted()).unwrap_or(0);
         if let Some(front) = groups.get_mut(..=first) {
             front.rotate_right(1);
         }
         let mut whole: Option<Expr> = None;
         for group in groups {
-            let minus = whole.is_some() && group.is_taken_away();
+            let minus = whole.is_some() && group.is_subtracted();
             let Group { moving, mut constants } = group;
             if minus {
                 constants[0].negative = false;
@@ -116,9 +119,10 @@ impl Hoist {
         whole.unwrap_or_else(|| parse_quote!(0.0))
     }
 
-    /// What moves of a product, and what does not.
+    /// Splits a product into the product of its varying factors and that of its constant ones.
     fn split(&mut self, mut p: Product) -> (Option<Expr>, Product) {
-        // Those that many products have come first, so that these begin alike, and what is alike is worked out once.
+        // Factors of many products come first: such products then begin with the same factors, and the compiler computes that part
+        // once.
         p.above.sort_by_key(|e| {
             self.counts.iter().find(|(counted, _)| counted == e).map_or(usize::MAX, |(_, n)| usize::MAX - n)
         });
@@ -135,7 +139,7 @@ impl Hoist {
         (moving, Product { negative: p.negative, above, below })
     }
 
-    /// A sum of constant products: itself, if it is a name or numbers alone, else a coefficient.
+    /// A sum of constant products: unchanged if it is a single name or has only literals, else a coefficient.
     fn number(&mut self, constants: &[Product]) -> Expr {
         if let [Product { negative: false, above, below }] = constants
             && let ([one @ Expr::Field(_)], []) = (&above[..], &below[..])
@@ -163,7 +167,7 @@ impl Hoist {
     }
 }
 
-/// Whether nothing in it moves: names of numbers (`self.I1`), and literals.
+/// Whether an expression has only literals and numbers of the scene (`self.I1`) in it.
 fn constant(e: &Expr) -> bool {
     match e {
         Expr::Lit(_) | Expr::Field(_) => true,
@@ -180,7 +184,7 @@ fn is_zero(e: &Expr) -> bool {
     matches!(e, Expr::Lit(lit) if matches!(&lit.lit, Lit::Float(x) if x.base10_parse::<f64>().is_ok_and(|x| x == 0.0)))
 }
 
-/// The terms of a sum, as products.
+/// Appends the terms of a sum, as products, to `products`.
 fn flatten(e: &Expr, negative: bool, products: &mut Vec<Product>) {
     match e {
         Expr::Paren(e) => flatten(&e.expr, negative, products),
@@ -198,19 +202,19 @@ fn flatten(e: &Expr, negative: bool, products: &mut Vec<Product>) {
 }
 
 impl Group {
-    /// Whether it is one product with a minus.
-    fn is_taken_away(&self) -> bool {
+    /// Whether it is a single product with a minus.
+    fn is_subtracted(&self) -> bool {
         matches!(&self.constants[..], [one] if one.negative)
     }
 }
 
 impl Product {
-    /// Whether it has no factor, and no minus.
+    /// Whether it has no factor, no divisor and no minus.
     fn is_one(&self) -> bool {
         !self.negative && self.above.is_empty() && self.below.is_empty()
     }
 
-    /// Takes up the factors of an expression, or divides by them.
+    /// Multiplies by an expression, or divides by it if `inverse`.
     fn take(&mut self, e: &Expr, inverse: bool) {
         match bare(e) {
             Expr::Unary(e) => {
@@ -226,7 +230,7 @@ impl Product {
     }
 }
 
-/// Without parentheses.
+/// The expression without enclosing parentheses.
 fn bare(e: &Expr) -> &Expr {
     match e {
         Expr::Paren(e) => bare(&e.expr),
@@ -235,12 +239,12 @@ fn bare(e: &Expr) -> &Expr {
     }
 }
 
-/// As a factor: sums and signs in parentheses.
+/// The expression as a factor: in parentheses if it is a binary or unary operation.
 fn atom(e: Expr) -> Expr {
     if matches!(e, Expr::Binary(_) | Expr::Unary(_)) { parse_quote!((#e)) } else { e }
 }
 
-/// With the names of numbers by themselves, as they are where coefficients are worked out: `I1` for `self.I1`.
+/// The expression with plain names of numbers, `I1` for `self.I1`, as in the function that computes the coefficients.
 fn in_numbers(e: &Expr) -> Expr {
     let mut e = e.clone();
     match &mut e {
@@ -265,7 +269,7 @@ fn in_numbers(e: &Expr) -> Expr {
 mod tests {
     use super::*;
 
-    /// An expression as it is called, and its coefficients.
+    /// The text of an expression after hoisting, and its coefficients.
     fn hoisted(e: &str) -> (String, Vec<String>) {
         let mut hoist = Hoist::default();
         let mut e: Expr = syn::parse_str(e).expect("an expression");
@@ -276,20 +280,20 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_move_is_one_number() {
+    fn constant_factors_become_one_coefficient() {
         let (e, c) = hoisted("-self.I*self.a*v[0]/self.N.powi(2) - self.J*v[0] + q[0]/self.N");
         assert_eq!((e.as_str(), c.len()), ("v[0]*self.coefficients[0]+q[0]*self.coefficients[1]", 2));
         assert_eq!(c, ["-I*a/N.powi(2)+-J", "1.0/N"]);
     }
 
     #[test]
-    fn a_name_by_itself_stays_and_rows_can_share_its_product() {
+    fn a_single_name_is_no_coefficient_and_a_later_minus_is_a_subtraction() {
         assert_eq!(hoisted("self.k1*d[0] - self.k2*d[1]"), ("d[0]*self.k1-d[1]*self.k2".into(), vec![]));
         assert_eq!(hoisted("-self.k1*d[0]"), ("d[0]*self.coefficients[0]".into(), vec!["-k1".into()]));
     }
 
     #[test]
-    fn signs_zeros_numbers_and_roots() {
+    fn hoisting_handles_signs_zeros_literals_and_roots() {
         assert_eq!(hoisted("q[0] - edge - 0.0").0, "q[0]-edge");
         assert_eq!(hoisted("-q[0]").0, "q[0]*(-1.0)");
         assert_eq!(hoisted("(-k[0]*q[0] - k[1]*q[1])/2.0").0, "(k[0]*q[0]*(-1.0)-k[1]*q[1])*(1.0/2.0)");
@@ -301,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn what_many_products_have_comes_first() {
+    fn factors_of_many_products_come_first() {
         let (e, _) = hoisted("a*x*y*self.c + x*y*b*self.d");
         assert_eq!(e, "x*y*a*self.c+x*y*b*self.d");
     }

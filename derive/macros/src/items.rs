@@ -1,4 +1,4 @@
-//! The grammar of what stands inside a block: a coordinate, a parameter, a term.
+//! Parses the items inside a block: coordinates, parameters, terms.
 
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;

@@ -1,4 +1,4 @@
-//! What a jump of a law needs: n, G, M⁻¹n/G and dV.
+//! The functions of the jump rule of each law: n, G, M⁻¹n/G and dV.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -10,7 +10,7 @@ use crate::gated;
 use crate::model::{Jump, Law, Model};
 use crate::sums::{Ask, block, position, vector};
 
-/// The geometry of jumps; what the file leaves out is computed from M and n.
+/// n, G and M⁻¹n/G. If the file does not give G or M⁻¹n/G, they are computed from M and n at run time.
 pub fn jumps(m: &Model) -> [Cold; 3] {
     let normal = by_law(m, quote!(equations::no_such("law", law)), |law, jump| {
         Some(match jump.and_then(|j| j.normal.as_ref()) {
@@ -34,7 +34,7 @@ pub fn jumps(m: &Model) -> [Cold; 3] {
     ]
 }
 
-/// dV, which every jump asks for.
+/// The body of the function that gives dV.
 pub fn step(m: &Model) -> TokenStream {
     let otherwise = quote!(equations::no_such("jump", law));
     let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| block(sum, Ask::Compiled)));
@@ -42,7 +42,7 @@ pub fn step(m: &Model) -> TokenStream {
     quote!(#bands #d #step)
 }
 
-/// A match over the laws, with an arm for each law of which the file says something.
+/// A match over the laws, with an arm for each law for which `arm` gives code.
 fn by_law(m: &Model, otherwise: TokenStream, arm: impl Fn(&Law, Option<&Jump>) -> Option<TokenStream>) -> TokenStream {
     let arms = m.laws.iter().enumerate().filter_map(|(i, law)| {
         let (i, arm) = (Index::from(i), arm(law, m.jumps.iter().find(|j| j.law == law.name))?);
@@ -51,7 +51,7 @@ fn by_law(m: &Model, otherwise: TokenStream, arm: impl Fn(&Law, Option<&Jump>) -
     quote!(match law { #(#arms)* _ => #otherwise })
 }
 
-/// The gradient of a phase that is a coordinate.
+/// The gradient of a phase, which is a coordinate: a unit vector.
 fn unit(m: &Model, law: &Law) -> TokenStream {
     let (n, i) = (Index::from(m.coordinates.len()), position(m, &law.phase));
     quote!(let mut v = [0.0; #n]; v[#i] = 1.0; v)

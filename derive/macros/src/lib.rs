@@ -1,33 +1,33 @@
-//! The `equations!` macro: from a file of derived equations to code.
+//! The `equations!` macro: Rust code from a file of derived equations.
 //!
-//! A generated file says what was derived, in the symbols of its source; the macro gives each set of effects code of
-//! its own, in which the terms of absent effects do not exist. One invocation fills one module: it defines the model
-//! (`GearPair` for `gear_pair`), which implements `gearsim::engine::equations::Derived`.
+//! A generated file states the derived equations in the symbols of their source. The macro generates separate code for each set
+//! of effects, without the terms of absent effects. One invocation fills one module: it defines the model (`GearPair` for
+//! `gear_pair`), which implements `gearsim::engine::equations::Derived`.
 //!
 //! # Grammar
 //!
-//! Blocks come in any order, each at most once (`jump` once a law). `model`, `coordinates`, `mass`, `force` and
-//! `jacobian` are needed, and a `jump` for every law of a model whose effects include `stiffness_step`; the rest may
-//! be left out. An oscillator whose spring k(x) steps, with a damper that may be absent:
+//! After `model`, the blocks may be in any order, each at most once (`jump` once for each law). Required are `coordinates`, `mass`,
+//! `force` and `jacobian`, and a `jump` for every law if `stiffness_step` is among the effects. Example: an oscillator whose spring
+//! k(x) steps, with a damper as an effect:
 //!
 //! ```text
 //! model oscillator "A mass on a stepping spring";
 //! source "nobody (0000)";
 //!
-//! coordinates {                       // `start static`: where the forces balance
+//! coordinates {                       // `start static`: at the static equilibrium
 //!     x "m" start 0.0, "deflection";
 //! }
-//! parameters {                        // `default X`, `required` or `required with EFFECT`; `from 0.0`: 0 is admissible, `open 0.0`: it is not;
-//!     m "kg" required, open 0.0 to inf, "mass";                  // `-inf` and `inf` are numbers, too
+//! parameters {                        // `default X`, `required` or `required with EFFECT`; the range: `from 0.0` includes 0, `open 0.0` does not
+//!     m "kg" required, open 0.0 to inf, "mass";                  // `-inf` and `inf` are allowed as limits
 //!     b "m" required with backlash, open 0.0 to inf, "play";
-//!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper end is admissible
+//!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper limit is admissible
 //! }
-//! laws {                              // gives k, its slopes dk and ddk along the phase, and k_mid = (max + min)/2
-//!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing
-// e "m" phase x period 1.0 with transmission_error, "error"; // an offset of deflections: 0 without the effect; these come last
-// side "1" phase x period 1.0 with friction as side, "side"; // a factor of torques; `as arm`: one that is never negative
+//! laws {                              // declares k, its derivatives dk and ddk by the phase, and k_mid = (max + min)/2
+//!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing but the law
+//! // e "m" phase x period 1.0 with transmission_error, "error"; // `with`: zero without the effect; an offset of deflections; such laws come last
+//! // side "1" phase x period 1.0 with friction as side, "side"; // a factor of torques, of any sign; `as arm`: never negative
 //! }
-//! motions {                           // speeds of the motion of unit size; others are zero
+//! motions {                           // speeds of the motion of size 1; speeds not given are zero
 //!     speed "m/s" { x_dot = 1.0; }, "speed of the mass";
 //! }
 //! effects {
@@ -37,31 +37,31 @@
 //!     damping "viscous damper";       // also: excludes(a, b)
 //!     weight "a constant force of 1 N";
 //! }
-//! conditions {                        // conjunctions of effects present or absent
+//! conditions {                        // all of these effects present or, with `!`, absent
 //!     jump_terms = stiffness_step, !rigid_kinematics;
 //! }
-//! constants {                         // of parameters, mid values and the constants before
+//! constants {                         // in parameters, mid values and the constants before
 //!     C = 2.0*zeta*(k_mid*m).sqrt();
 //! }
-//! deflections {                       // linear in the coordinates: also gives the rates, as `over_dot`
-//!     over = x - edge;                // for potential, force, jacobian, step; the rates for D and the latter
+//! deflections {                       // linear in the coordinates; each also declares its rate, here `over_dot`
+//!     over = x - edge;                // may be used in potential, force, jacobian, step; the rate in dissipation, force, jacobian
 //! }
-//! dead_bands {                        // play: `over` is what is beyond it, the others constants of a cell
+//! dead_bands {                        // play of a deflection; the symbols in parentheses are constant in each cell
 //!     over "m" (touch, edge, damp, clip) half b/2.0 with backlash, "play";   // 1, 0, 1, 0 without `backlash`
 //! }
-//! // forces { F { friction => c*k*x_dot; } }  // names for what rows of force, and powers, have in common
-//! energies {                          // sums of terms `COND => EXPR;`, COND an effect, a condition, or `_` for always
+//! // forces { F { friction => c*k*x_dot; } }  // named forces, for rows of `force` and for powers
+//! energies {                          // sums of terms `COND => EXPR;`, where COND is an effect, a condition, or `_` for always
 //!     kinetic { _ => m*x_dot.powi(2)/2.0; }
 //!     potential { _ => k*x.powi(2)/2.0; }
 //!     dissipation { damping => C*x_dot.powi(2)/2.0; }
 //! }
-//! torques { weight "the weight" { weight => 1.0*x; } }   // work of each over the displacement x
-//! // torques { fan "a fan" {} power { fan_load => -c*x_dot.powi(3); } }  // power of one that is not constant
-//! work { x { weight => 1.0; } }                          // net generalised forces
-//! mass { x x { _ => m; } }                               // `x y` stands for `y x`, too
-//! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without it M is inverted numerically
+//! torques { weight "the weight" { weight => 1.0*x; } }   // the work of each constant torque for a change x of the coordinate
+//! // torques { fan "a fan" {} power { fan_load => -c*x_dot.powi(3); } }  // the power of one that is not constant
+//! work { x { weight => 1.0; } }                          // generalised forces of all constant torques
+//! mass { x x { _ => m; } }                               // symmetric: `x y` is `y x` too
+//! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without this block M is inverted numerically
 //! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
-//! jacobian {                          // of the force, by coordinates and by speeds; others are zero
+//! jacobian {                          // derivatives of the force by coordinates and speeds; entries not given are zero
 //!     x x { _ => -k/m; jump_terms => -2.0*dk*x/m - ddk*x.powi(2)/(2.0*m); }
 //!     x x_dot { damping => -C/m; }
 //! }
@@ -70,9 +70,9 @@
 //!     damping { x x { damping => C; } }
 //!     load { x { weight => 1.0; } }
 //! }
-//! // nonlinear "k*x^3 in the potential energy";                // instead of `cell`, where there is none
-//! // nonlinear_with { fan_load "-c*x_dot^2 in the torque `fan`"; }       // beside `cell`, which is without it
-//! jump k {                            // dk: the step; only `step` is needed, the rest follows from M and the phase
+//! // nonlinear "k*x^3 in the potential energy";                // instead of `cell`, if the cell is not linear
+//! // nonlinear_with { fan_load "-c*x_dot^2 in the torque `fan`"; }       // besides `cell`, which does not contain this torque
+//! jump k {                            // dk is the step; only `step` is required, the rest can be computed from M and the phase
 //!     normal { x { _ => 1.0; } }
 //!     compliance { _ => 1.0/m; }
 //!     direction { x { _ => 1.0; } }
@@ -82,20 +82,20 @@
 //! latex { r"m \ddot x = ..."; }
 //! ```
 //!
-//! Expressions are made of numbers with a point, names, `+ - * /`, parentheses and smooth methods of `f64`
-//! (`powi`, `sqrt`, `sin`, ..). Nothing piecewise is let through: what switches is a law.
+//! Expressions consist of numbers with a decimal point, names, `+ - * /`, parentheses and smooth methods of `f64` (`powi`, `sqrt`,
+//! `sin`, ..). Piecewise functions are refused: only laws and dead bands switch.
 //!
-//! How a law switches is for the effects `stiffness_step`, `rigid_kinematics` and `frozen_phase` to say, which mean
-//! the same in every model; a model without one of them lacks that case.
+//! The effects `stiffness_step`, `rigid_kinematics` and `frozen_phase` determine how laws switch. They mean the same in every model;
+//! a model need not have all of them.
 //!
 //! # Stages
 //!
 //! | stage | files |
 //! | --- | --- |
-//! | tokens to structs | `parse`, `items`, `tokens` to `model` |
-//! | all errors at once, names resolved in place | `check`, `effects`, `resolve`, `scope` |
-//! | constant factors, once a scene | `hoist` |
-//! | structs to code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
+//! | parse tokens into the structs of `model` | `parse`, `items`, `tokens` |
+//! | check the model, report all errors at once; resolve names | `check`, `effects`, `resolve`, `scope` |
+//! | replace constant factors by coefficients, computed once for each scene | `hoist` |
+//! | write the code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
 
 mod cells;
 mod check;
@@ -124,11 +124,13 @@ mod varies;
 
 use proc_macro::TokenStream;
 
-/// Derived equations: defines a model and implements `Derived` for it, with `Equations` for each set of effects.
+/// Defines a model from its derived equations and implements `Derived` for it, with `Equations` for each set of effects.
 ///
-/// The grammar is at the head of this crate; the files under `gearsim/src/generated` are written in it. It refuses,
-/// all at once and each at its place: unknown names, names that a block is not given, anything piecewise, names used
-/// twice, missing rows and blocks, empty ranges, and more than 1024 sets of effects.
+/// The grammar is at the head of this crate; the files under `gearsim/src/generated` are written in it.
+///
+/// # Errors
+/// Compile errors, all at once and each at its place: unknown names, names that are not allowed in a block, piecewise functions,
+/// duplicate names, missing rows and blocks, empty ranges, and more than 1024 sets of effects.
 #[proc_macro]
 pub fn equations(input: TokenStream) -> TokenStream {
     expand::expand(input.into()).into()

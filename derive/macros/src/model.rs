@@ -1,4 +1,4 @@
-//! What a file of derived equations says, as plain structs; the grammar is in `parse`.
+//! The contents of a file of derived equations as plain structs; `parse` and `items` fill them.
 
 use quote::format_ident;
 use syn::{Expr, Ident, LitStr};
@@ -17,13 +17,13 @@ pub struct Model {
     pub conditions: Vec<Condition>,
     pub constants: Vec<Assignment>,
     pub deflections: Vec<Assignment>,
-    /// Rates of the deflections; the file does not state them.
+    /// Rates of the deflections. Not in the file: `resolve` writes the deflections in the speeds.
     pub rates: Vec<Assignment>,
     pub dead_bands: Vec<DeadBand>,
     pub kinetic: Sum,
     pub potential: Sum,
     pub dissipation: Sum,
-    /// Names for what torques are made of.
+    /// Named forces.
     pub forces: Vec<Row>,
     pub torques: Vec<Torque>,
     pub work: Vec<Row>,
@@ -34,9 +34,9 @@ pub struct Model {
     pub stiffness: Vec<Entry>,
     pub damping: Vec<Entry>,
     pub load: Vec<Row>,
-    /// What makes a cell nonlinear.
+    /// The terms that make a cell nonlinear, as text.
     pub nonlinear: Option<LitStr>,
-    /// What makes it so with an effect.
+    /// The terms that make it nonlinear with an effect.
     pub nonlinear_with: Vec<NonlinearWith>,
     pub jumps: Vec<Jump>,
     pub text: Vec<LitStr>,
@@ -60,7 +60,7 @@ pub struct Parameter {
     pub unit: LitStr,
     /// `None`: `required`.
     pub default: Option<f64>,
-    /// `required with damping`: the effect that alone needs it.
+    /// `required with damping`: only scenes with this effect need it.
     pub with: Option<Ident>,
     pub low: f64,
     pub low_included: bool,
@@ -77,15 +77,15 @@ pub struct Law {
     pub unit: LitStr,
     pub phase: Ident,
     pub period: f64,
-    /// Whether whole pitches of the phase change nothing: it may be counted off.
+    /// `rolling`: whole pitches of the phase change nothing but the law, so that the engine may count them separately.
     pub rolling: bool,
-    /// `with EFFECT`: it is zero without the effect.
+    /// `with EFFECT`: the law is zero without the effect.
     pub with: Option<Ident>,
     pub role: Role,
     pub doc: LitStr,
 }
 
-/// What a law is.
+/// The quantity that a law gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// A stiffness.
@@ -94,7 +94,7 @@ pub enum Role {
     Error,
     /// `with EFFECT as side`: a factor of torques, of any sign.
     Side,
-    /// `with EFFECT as arm`: one that is never negative.
+    /// `with EFFECT as arm`: a factor of torques, never negative.
     Arm,
 }
 
@@ -135,11 +135,11 @@ pub struct Assignment {
 pub struct DeadBand {
     pub over: Ident,
     pub unit: LitStr,
-    /// touch, edge, damp, clip: constants of a cell.
+    /// touch, edge, damp, clip: constant in each cell.
     pub symbols: [Ident; 4],
-    /// Half its width.
+    /// Half the width of the band.
     pub half: Expr,
-    /// The effect without which it is not there.
+    /// Without this effect there is no band.
     pub effect: Ident,
     pub doc: LitStr,
 }
@@ -149,9 +149,9 @@ pub struct DeadBand {
 pub struct Torque {
     pub name: Ident,
     pub doc: LitStr,
-    /// Work over a displacement, as far as it is constant.
+    /// Its work for a change of the coordinates, if the torque is constant; else empty.
     pub work: Sum,
-    /// Power, as far as it depends on speeds.
+    /// Its power, if the torque is not constant; else empty.
     pub power: Sum,
 }
 
@@ -172,7 +172,7 @@ pub struct Jump {
     pub step: Option<Sum>,
 }
 
-/// Terms added up.
+/// The sum of terms.
 pub type Sum = Vec<Term>;
 
 /// `COND => EXPR;`
@@ -206,19 +206,19 @@ impl Law {
 }
 
 impl Model {
-    /// The stiffnesses; they come first, and have mid values.
+    /// The stiffnesses. They are the first laws, and the only ones with mid values.
     pub fn stiffnesses(&self) -> impl Iterator<Item = &Law> {
         self.laws.iter().filter(|law| law.with.is_none())
     }
 
-    /// The numbers that equations are written in: parameters, mid values of laws, constants.
+    /// The names of the numbers in the equations that are constant in a scene: parameters, mid values of laws, constants.
     pub fn numbers(&self) -> impl Iterator<Item = Ident> {
         let mids = self.stiffnesses().map(Law::mid);
         let parameters = self.parameters.iter().map(|p| p.name.clone());
         parameters.chain(mids).chain(self.constants.iter().map(|c| c.name.clone()))
     }
 
-    /// Nothing but a name: what `parse` fills in.
+    /// A model with a name and a title and nothing else; `parse` fills in the rest.
     pub fn empty(name: Ident, title: LitStr) -> Self {
         Self {
             name,

@@ -1,4 +1,4 @@
-//! The grammar of `equations!`, block by block: tokens to the structs of `model`, nothing checked beyond the syntax.
+//! Parses the blocks of `equations!` into the structs of `model`. Checks the syntax only.
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
@@ -16,7 +16,7 @@ impl Parse for Model {
         let mut seen = Vec::new();
         while !input.is_empty() {
             let block = input.call(Ident::parse_any)?;
-            // Laws have a `jump` each; every other block stands once.
+            // One `jump` for each law; every other block at most once.
             if block != "jump" && seen.contains(&block) {
                 return Err(Error::new(block.span(), format!("a second `{block}`")));
             }
@@ -71,7 +71,7 @@ impl Model {
             "text" => self.text = lines(input)?,
             "latex" => self.latex = lines(input)?,
             _ => {
-                return Err(Error::new(block.span(), format!("no block is called `{block}`")));
+                return Err(Error::new(block.span(), format!("there is no block `{block}`")));
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Which names each block may use: what its function is given, and nothing else.
+//! Resolves the names in every block: a block may use the arguments of its generated function and the numbers of the scene.
 
 use quote::quote;
 use syn::Error;
@@ -14,7 +14,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         constants.declare(&c.name);
     }
 
-    // Linear: of speeds they give the rates, in which edges and transmission errors have no part.
+    // Deflections are linear: with speeds in place of coordinates, and edges and errors zero, they give the rates. Errors in them are
+    // reported once, with the deflections.
     m.rates = m.deflections.iter().map(|d| Assignment { name: d.name.clone(), value: d.value.clone() }).collect();
     let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").offsets(m, quote!(0.0));
     m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
@@ -30,7 +31,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).gated(m);
     dissipation.sum(&mut m.dissipation, errors);
 
-    // The work of a constant torque is its displacement's: the coordinates stand for their changes.
+    // In the work of a constant torque the coordinates stand for their changes.
     let torques = Scope::of(m, "torques").coordinates(m, "dq");
     m.torques.iter_mut().for_each(|t| torques.sum(&mut t.work, errors));
     let mut forces = Scope::of(m, "forces").coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, 0).gated(m);

@@ -1,4 +1,4 @@
-//! Names in expressions: each becomes what the generated code calls it, and what is unknown is refused.
+//! The names that expressions may use, and the code that each name stands for. Unknown names are refused.
 
 use std::collections::BTreeMap;
 
@@ -23,9 +23,9 @@ const METHODS: [(&str, usize); 10] = [
     ("recip", 0),
 ];
 
-const PIECEWISE: &str = "a piecewise thing: equations are smooth in every cell, and what switches is a law";
+const PIECEWISE: &str = "a piecewise function: equations must be smooth in every cell; only laws and dead bands switch";
 
-/// The names that expressions of one block may use, and what each becomes.
+/// The names that expressions of one block may use, each with its code.
 pub struct Scope {
     block: String,
     names: BTreeMap<String, TokenStream>,
@@ -33,7 +33,7 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// Parameters, constants and mid values: what every equation may use.
+    /// Parameters, constants and mid values, which every equation may use, as fields of `self`.
     pub fn of(model: &Model, block: &str) -> Self {
         let conditions = model.effects.iter().map(|e| &e.name).chain(model.conditions.iter().map(|c| &c.name));
         Self {
@@ -43,9 +43,8 @@ impl Scope {
         }
     }
 
-    /// What a constant may use: parameters and mid values; the constants before it follow by `declare`.
-    ///
-    /// They are computed where all these are still plain variables.
+    /// The names that a constant may use: parameters and mid values; `declare` adds the constants before it. All are plain variables
+    /// in the function that computes the constants.
     pub fn of_constants(model: &Model) -> Self {
         let mut scope = Self { block: "constants".to_string(), names: BTreeMap::new(), conditions: vec![] };
         model.parameters.iter().for_each(|p| scope.declare(&p.name));
@@ -53,36 +52,36 @@ impl Scope {
         scope
     }
 
-    /// A plain variable from here on.
+    /// Adds a name that is a plain variable.
     pub fn declare(&mut self, name: &Ident) {
         self.names.insert(name.to_string(), quote!(#name));
     }
 
-    /// Coordinates, as the entries of `vector`.
+    /// Adds the coordinates, as entries of `vector`.
     pub fn coordinates(mut self, model: &Model, vector: &str) -> Self {
         self.add(model.coordinates.iter().map(|c| c.name.to_string()), vector);
         self
     }
 
-    /// Speeds.
+    /// Adds the speeds, as entries of `q_dot`.
     pub fn speeds(mut self, model: &Model) -> Self {
         self.add(model.coordinates.iter().map(|c| speed(&c.name)), "q_dot");
         self
     }
 
-    /// Deflections.
+    /// Adds the deflections, as entries of `d`.
     pub fn deflections(mut self, model: &Model) -> Self {
         self.add(model.deflections.iter().map(|d| d.name.to_string()), "d");
         self
     }
 
-    /// Rates of deflections.
+    /// Adds the rates of deflections, as entries of `d_dot`.
     pub fn rates(mut self, model: &Model) -> Self {
         self.add(model.deflections.iter().map(|d| speed(&d.name)), "d_dot");
         self
     }
 
-    /// Laws and their derivatives up to `order`: `k`, `dk`, `ddk`.
+    /// Adds the laws and their derivatives up to `order`, as entries of `k`, `dk`, `ddk`.
     pub fn laws(mut self, model: &Model, order: usize) -> Self {
         for vector in &["k", "dk", "ddk"][..=order] {
             let d = &vector[..vector.len() - 1];
@@ -91,13 +90,13 @@ impl Scope {
         self
     }
 
-    /// The constants of cells that are there with an effect: plain variables that [`gated`] sets.
+    /// Adds the values that exist only with an effect, as plain variables that [`gated`] defines.
     pub fn gated(mut self, model: &Model) -> Self {
         gated::names(model).for_each(|name| self.declare(name));
         self
     }
 
-    /// Named forces: plain variables that [`crate::forces`] sets.
+    /// Adds the named forces, as plain variables that [`crate::forces`] defines.
     pub fn forces(mut self, model: &Model) -> Self {
         model.forces.iter().for_each(|force| self.declare(&force.name));
         self
@@ -108,7 +107,7 @@ impl Scope {
         Self { block: block.to_string(), ..self }
     }
 
-    /// Edges of dead bands and transmission errors, as `value`.
+    /// Adds the edges of dead bands and the transmission errors, all with the same `value`.
     pub fn offsets(mut self, model: &Model, value: TokenStream) -> Self {
         for name in gated::offsets(model) {
             self.names.insert(name.to_string(), value.clone());
@@ -116,7 +115,7 @@ impl Scope {
         self
     }
 
-    /// The step `dk` of the one law that jumps.
+    /// Adds the step of the one law that jumps, as `dk`.
     pub fn step(mut self, law: &Ident) -> Self {
         self.names.insert(format!("d{law}"), quote!(dk));
         self
@@ -130,20 +129,21 @@ impl Scope {
         }
     }
 
-    /// Resolves every term of a sum.
+    /// Resolves the names in every term of a sum.
     pub fn sum(&self, sum: &mut Sum, errors: &mut Vec<Error>) {
         for term in sum {
             if let Some(c) = &term.condition
                 && !self.conditions.iter().any(|known| c == known)
             {
-                let message = format!("`{c}` is no effect or condition; there are: {}", self.conditions.join(", "));
+                let message = format!("`{c}` is not an effect or condition; there are: {}", self.conditions.join(", "));
                 errors.push(Error::new(c.span(), message));
             }
             self.expression(&mut term.value, errors);
         }
     }
 
-    /// Resolves one expression; the grammar of expressions is closed, so that nothing hidden reaches the engine.
+    /// Resolves the names in one expression, and refuses everything that is not in the grammar: code that could branch or have side
+    /// effects never reaches the engine.
     pub fn expression(&self, e: &mut Expr, errors: &mut Vec<Error>) {
         match e {
             Expr::Paren(e) => self.expression(&mut e.expr, errors),
@@ -163,13 +163,15 @@ impl Scope {
                 } else if call.method != "powi" {
                     call.args.iter_mut().for_each(|e| self.expression(e, errors));
                 } else if !is_integer(&call.args[0]) {
-                    errors
-                        .push(Error::new_spanned(&call.args[0], "`powi` takes an integer; for others there is `powf`"));
+                    errors.push(Error::new_spanned(
+                        &call.args[0],
+                        "`powi` takes an integer; use `powf` for other powers",
+                    ));
                 }
             }
             Expr::Lit(lit) if matches!(lit.lit, Lit::Float(_)) => {}
             Expr::Lit(lit) if matches!(lit.lit, Lit::Int(_)) => {
-                errors.push(Error::new_spanned(lit, "an integer; write it with a point: `2.0`"));
+                errors.push(Error::new_spanned(lit, "an integer; write it with a decimal point: `2.0`"));
             }
             Expr::If(_) | Expr::Match(_) => errors.push(Error::new_spanned(e, PIECEWISE)),
             Expr::Path(path) if path.path.get_ident().is_some() => {
@@ -179,8 +181,10 @@ impl Scope {
                     None => errors.push(self.unknown(&name)),
                 }
             }
-            _ => errors
-                .push(Error::new_spanned(e, "not of the grammar: numbers, names, + - * /, methods such as `sqrt`")),
+            _ => errors.push(Error::new_spanned(
+                e,
+                "not in the grammar; allowed: numbers, names, + - * /, methods such as `sqrt`",
+            )),
         }
     }
 
@@ -208,7 +212,7 @@ fn method_error(method: &Ident) -> Error {
         "abs" | "signum" | "max" | "min" | "clamp" | "floor" | "ceil" | "round" => PIECEWISE.to_string(),
         _ => {
             let allowed = METHODS.map(|(name, _)| name).join(", ");
-            format!("`{method}` with these arguments is not a method of the grammar; allowed: {allowed}")
+            format!("`{method}` with these arguments is not a method in the grammar; allowed: {allowed}")
         }
     };
     Error::new(method.span(), message)

@@ -1,5 +1,6 @@
-//! Large sums are compiled once, not once for every set of effects: their terms go by condition into functions of the
-//! numbers alone, and each set calls those whose conditions it meets. Small ones stay where they are, to be inlined.
+//! Large sums are compiled once instead of once for every set of effects: the terms of each condition become a function of
+//! `Numbers`, and the code for a set of effects calls the functions whose conditions are met. Small sums are written in place, to be
+//! inlined.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -8,32 +9,32 @@ use syn::Ident;
 use crate::model::Sum;
 use crate::sums::{Ask, block};
 
-/// Sums of more terms than this, all entries together, are shared.
+/// A function with more terms than this, in all entries together, is shared.
 pub const LARGE: usize = 40;
 
-/// A function that fills `v`: its name, what it takes, and what comes first.
+/// A function that fills the result `v`.
 pub struct Function<'a> {
     pub name: &'a str,
-    /// `q: &[f64; 2], k: &[f64]`
+    /// Its parameters, `q: &[f64; 2], k: &[f64],`.
     pub takes: TokenStream,
-    /// `q, k`
+    /// Its arguments, `q, k,`.
     pub given: TokenStream,
-    /// `[f64; 2]`
+    /// The type of the result, `[f64; 2]`.
     pub returns: TokenStream,
-    /// `[0.0; 2]`
+    /// The result before anything is added, `[0.0; 2]`.
     pub zero: TokenStream,
-    /// `let d = ..;`: what comes first, with the effects known or not.
+    /// The first statements, `let d = ..;`: for code that knows the effects, and for code that does not.
     pub first: [TokenStream; 2],
 }
 
-/// An entry of the result: its place and its sum.
+/// An entry of the result, `v[0]`, and its sum.
 pub struct Place<'a> {
     pub at: TokenStream,
     pub sum: &'a Sum,
 }
 
 impl Function<'_> {
-    /// The statements of the function; what they call goes to `shared`.
+    /// The statements of the function; the functions that they call are added to `shared`.
     pub fn body(&self, places: &[Place], shared: &mut Vec<TokenStream>) -> TokenStream {
         let Function { name, takes, given, returns, zero, first: [first, first_of_any] } = self;
         if places.iter().map(|p| p.sum.len()).sum::<usize>() <= LARGE {

@@ -1,4 +1,4 @@
-//! Sums and vectors as code that leaves out the terms of absent effects: as it is compiled, or as it runs.
+//! Code for sums and vectors without the terms of absent effects, which are left out at compile time or at run time.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -7,17 +7,17 @@ use syn::{Ident, Index};
 use crate::effects::constant;
 use crate::model::*;
 
-/// When code asks whether an effect or condition is in force.
+/// When generated code tests whether an effect or condition is met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ask {
-    /// As it is compiled, a set of effects at a time: the terms of absent ones are absent.
+    /// At compile time, by constants of `With<E>`: separate code for each set of effects, without the terms of absent ones.
     Compiled,
-    /// As it runs, of variables: one piece of code serves all sets.
+    /// At run time, by variables: one piece of code for all sets.
     Running,
 }
 
 impl Ask {
-    /// The expression that tells.
+    /// The boolean expression for an effect or condition.
     pub fn tell(self, condition: &Ident) -> TokenStream {
         let constant = constant(condition);
         match self {
@@ -27,7 +27,7 @@ impl Ask {
     }
 }
 
-/// The statements of a function that returns a vector: what has no row is zero.
+/// The statements of a function that returns a vector; entries without a row are zero.
 pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>, ask: Ask) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let rows = rows.into_iter().filter(|r| !r.sum.is_empty()).map(|r| {
@@ -37,13 +37,13 @@ pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>, ask: Ask) 
     quote!(let mut v = [0.0; #n]; #(#rows)* v)
 }
 
-/// The statements of a function that returns a sum; a term whose effect is absent is absent from the code.
+/// The statements of a function that returns a sum.
 pub fn body(sum: &Sum, ask: Ask) -> TokenStream {
     let (first, rest) = match &sum[..] {
         [] => return quote!(0.0),
         [Term { condition: None, value }] => return quote!(#value),
         [Term { condition: None, value }, rest @ ..] => (quote!(#value), rest),
-        // What is added to -0.0 is itself, and costs nothing; what is added to 0.0 does.
+        // x + -0.0 is x for every x, so that the compiler drops the addition; x + 0.0 is not for x = -0.0.
         all => (quote!(-0.0), all),
     };
     let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(|c| ask.tell(c)) {
@@ -68,7 +68,7 @@ pub fn by_index(kind: &str, i: Ident, arms: impl Iterator<Item = TokenStream>) -
     quote!(match #i { #(#arms)* _ => equations::no_such(#kind, #i) })
 }
 
-/// The index of a coordinate; `check` has seen to it that there is one.
+/// The index of a coordinate; `check` has made sure that it exists.
 pub fn position(m: &Model, name: &Ident) -> Index {
     Index::from(m.coordinates.iter().position(|c| c.name == *name).expect("checked"))
 }

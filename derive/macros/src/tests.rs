@@ -1,4 +1,4 @@
-//! The expansion of the sample, and what the macro refuses, with the place to which each error points.
+//! Tests of the expansion of a sample file, of the errors that the macro reports, and of the places to which they point.
 
 use proc_macro2::TokenStream;
 
@@ -8,13 +8,13 @@ use crate::model::Model;
 
 const FILE: &str = include_str!("../../../gearsim/src/generated/gear_pair.rs");
 
-/// The block of the sample, its line breaks and indents made single spaces: patterns need not know them.
+/// The block of the sample with single spaces instead of line breaks and indents, so that patterns need none.
 fn sample() -> String {
     let block = &FILE[FILE.find("equations! {").unwrap()..];
     block.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// What stands between the braces of `equations! { .. }`.
+/// The tokens between the braces of `equations! { .. }`.
 fn tokens(file: &str) -> TokenStream {
     let items = syn::parse_file(file).unwrap().items;
     let tokens = items.into_iter().find_map(|item| match item {
@@ -24,7 +24,7 @@ fn tokens(file: &str) -> TokenStream {
     tokens.unwrap()
 }
 
-/// The errors of the sample with `good` replaced by `bad`: the text to which each points, and its message.
+/// The errors of the sample with `good` replaced by `bad`: for each, the text to which it points and its message.
 fn errors(good: &str, bad: &str) -> Vec<(String, String)> {
     let sample = sample();
     assert!(sample.contains(good), "{good}");
@@ -33,7 +33,7 @@ fn errors(good: &str, bad: &str) -> Vec<(String, String)> {
     errors.map(|e| (e.span().source_text().unwrap(), e.to_string())).collect()
 }
 
-/// One error and no other, at `place`, saying `message`.
+/// Asserts that there is exactly one error, at the text `place`, with `message` in its text.
 #[track_caller]
 fn refused(good: &str, bad: &str, place: &str, message: &str) {
     let errors = errors(good, bad);
@@ -42,9 +42,9 @@ fn refused(good: &str, bad: &str, place: &str, message: &str) {
     assert!(text.contains(message), "{text}");
 }
 
-/// A mid value is a number like a parameter, wherever numbers may stand; large sums of deflections are shared.
+/// A mid value is a number of the scene like a parameter. A deflection is an entry of `d`.
 #[test]
-fn mid_values_and_deflections() {
+fn energies_may_contain_mid_values_and_deflections() {
     let sample = sample().replacen("_ => k*touch*over.powi(2);", "_ => k_mid*delta.powi(2);", 1);
     let sample = sample.replacen("deflections {", "deflections { delta = phi - theta;", 1);
     let code = expand(tokens(&sample)).to_string();
@@ -61,7 +61,7 @@ fn gear_pair() {
 }
 
 #[test]
-fn unknown_identifier() {
+fn an_unknown_name_is_refused() {
     refused(
         "k*touch*over.powi(2)",
         "k*touch*chi.powi(2)",
@@ -72,14 +72,14 @@ fn unknown_identifier() {
 }
 
 #[test]
-fn identifier_that_the_block_is_not_given() {
+fn a_name_that_its_block_may_not_use_is_refused() {
     refused("C*damp*over_dot.powi(2)", "C*damp*phi.powi(2)", "phi", "`phi` is unknown in dissipation");
     refused("M1 = (N1", "M1 = (M2", "M2", "`M2` is unknown in constants");
     refused("theta phi { _ => M1/2.0; }", "theta phi { _ => k; }", "k", "`k` is unknown in mobility");
 }
 
 #[test]
-fn unknown_condition() {
+fn an_unknown_condition_is_refused() {
     refused(
         "{ damping => C*damp",
         "{ dumping => C*damp",
@@ -89,13 +89,13 @@ fn unknown_condition() {
 }
 
 #[test]
-fn unknown_effect() {
-    refused("!frozen_phase;", "!frozen;", "frozen", "no effect is called `frozen`");
-    refused("excludes(frozen_phase)", "excludes(frozen)", "frozen", "no effect is called `frozen`");
+fn an_unknown_effect_is_refused() {
+    refused("!frozen_phase;", "!frozen;", "frozen", "there is no effect `frozen`");
+    refused("excludes(frozen_phase)", "excludes(frozen)", "frozen", "there is no effect `frozen`");
 }
 
 #[test]
-fn duplicate_coordinate() {
+fn a_second_coordinate_of_the_same_name_is_refused() {
     refused(
         r#"phi "rad" start static, "#,
         r#"phi "rad" start static, ""; phi "rad" start 1.0, "#,
@@ -105,23 +105,23 @@ fn duplicate_coordinate() {
 }
 
 #[test]
-fn name_that_a_law_takes() {
+fn a_name_that_belongs_to_a_law_is_refused() {
     let errors = errors("M1 = ", "dk = 1.0; M1 = ");
     assert_eq!(errors[0], ("dk".into(), "constant `dk`: `dk` already belongs to the law `k`".into()));
 }
 
 #[test]
-fn missing_mass_row() {
+fn a_missing_row_of_the_mass_matrix_is_refused() {
     refused("phi phi { _ => I1/N1.powi(2) + I2/N2.powi(2); }", "", "phi", "mass: no row for the coordinate `phi`");
 }
 
 #[test]
-fn missing_mobility_row() {
+fn a_missing_row_of_the_inverse_mass_matrix_is_refused() {
     refused("phi phi { _ => M2/2.0; }", "", "phi", "mobility: no row for the coordinate `phi`");
 }
 
 #[test]
-fn missing_force_row() {
+fn a_missing_row_of_the_force_is_refused() {
     let sample = sample();
     let begin = sample.find("force { theta {").unwrap() + "force { ".len();
     let row = &sample[begin..begin + sample[begin..].find(" phi {").unwrap()];
@@ -129,60 +129,60 @@ fn missing_force_row() {
 }
 
 #[test]
-fn second_entry_of_a_symmetric_matrix() {
+fn a_second_entry_of_a_symmetric_matrix_is_refused() {
     refused("phi phi { _ => I1", "phi theta { _ => I1; } phi phi { _ => I1", "phi", "a second entry");
     refused("phi phi { _ => M2", "phi theta { _ => M1; } phi phi { _ => M2", "phi", "a second entry");
 }
 
 #[test]
-fn piecewise_expressions() {
+fn piecewise_expressions_are_refused() {
     for (bad, place) in [
         ("if phi > 0.0 { k } else { 0.0 }", "if phi > 0.0 { k } else { 0.0 }"),
         ("k*(phi > 0.0)", "phi > 0.0"),
         ("k*phi.abs()", "abs"),
         ("match k { _ => 0.0 }", "match k { _ => 0.0 }"),
     ] {
-        refused("k*touch*over.powi(2)", bad, place, "a piecewise thing");
+        refused("k*touch*over.powi(2)", bad, place, "a piecewise function");
     }
 }
 
 #[test]
-fn integers_and_calls() {
-    refused("_ => k*touch*over.powi(2)", "_ => 2*k", "2", "write it with a point");
+fn integers_and_unknown_functions_are_refused() {
+    refused("_ => k*touch*over.powi(2)", "_ => 2*k", "2", "write it with a decimal point");
     refused("_ => k*touch*over.powi(2)", "_ => k.powi(2.0)", "2.0", "`powi` takes an integer");
-    refused("_ => k*touch*over.powi(2)", "_ => f(k)", "f(k)", "not of the grammar");
-    refused("_ => k*touch*over.powi(2)", "_ => k.sinh()", "sinh", "not a method of the grammar");
+    refused("_ => k*touch*over.powi(2)", "_ => f(k)", "f(k)", "not in the grammar");
+    refused("_ => k*touch*over.powi(2)", "_ => k.sinh()", "sinh", "not a method in the grammar");
 }
 
 #[test]
-fn blocks() {
-    refused("cell {", "cells {", "cells", "no block is called `cells`");
+fn unknown_repeated_and_missing_blocks_are_refused() {
+    refused("cell {", "cells {", "cells", "there is no block `cells`");
     refused("work {", "text {} work {", "text", "a second `text`");
-    refused("step { _ => dk*touch*over.powi(2); }", "", "k", "jump k: no `step`");
+    refused("step { _ => dk*touch*over.powi(2); }", "", "k", "jump k: no block `step`");
 }
 
 #[test]
-fn ranges() {
+fn empty_ranges_and_defaults_out_of_range_are_refused() {
     refused("default 0.0, from 0.0", "default 0.0, open 0.0", "zeta", "default is out of range");
     refused("from 0.0 to inf", "from 1.0 to 0.0", "zeta", "its range is empty");
     refused("from 0.0 to inf", "0.0 to inf", "0.0", "expected `open` or `from`");
 }
 
 #[test]
-fn too_many_effects() {
+fn too_many_sets_of_effects_are_refused() {
     let many: String = (0..11).map(|i| format!("e{i} \"\"; ")).collect();
-    refused("effects {", &format!("effects {{ {many}"), "gear_pair", "in more than 1024 ways");
+    refused("effects {", &format!("effects {{ {many}"), "gear_pair", "more than 1024 admissible sets");
 }
 
 #[test]
-fn all_errors_at_once() {
+fn all_errors_are_reported_at_once() {
     let all = errors("I1*(phi_dot", "nought.abs()*2*I1*(nix").into_iter().map(|(place, _)| place);
     assert_eq!(all.collect::<Vec<_>>(), ["nought", "abs", "2", "nix"]);
 }
 
-/// The grammar at the head of the crate is one that the macro takes.
+/// The macro accepts the grammar documented at the head of the crate.
 #[test]
-fn documented_grammar() {
+fn the_documented_grammar_is_accepted() {
     let text: String = include_str!("lib.rs")
         .lines()
         .skip_while(|line| *line != "//! ```text")
@@ -196,36 +196,36 @@ fn documented_grammar() {
     syn::parse2::<syn::File>(crate::emit::emit(&model)).unwrap();
 }
 
-/// Scenes have the laws up to those of an effect, by the same numbers.
+/// Laws must have the same indices in scenes with and without their effects.
 #[test]
-fn laws_with_an_effect_come_last() {
+fn laws_with_an_effect_must_come_last() {
     let swapped = r#"e "rad" phase theta period 1.0 with transmission_error, "error"; k "N*m""#;
     let errors = errors(r#"laws { k "N*m""#, &format!("laws {{ {swapped}"));
     assert!(
-        errors.iter().any(|(place, text)| place == "k" && text.contains("laws with an effect come last")),
+        errors.iter().any(|(place, text)| place == "k" && text.contains("laws with an effect must come last")),
         "{errors:?}"
     );
-    refused("rolling with transmission_error", "rolling with errors", "errors", "no effect is called `errors`");
+    refused("rolling with transmission_error", "rolling with errors", "errors", "there is no effect `errors`");
     let apart = r#"f "rad" phase theta period 1.0 with transmission_error, "error"; arm "rad""#;
     let errors = self::errors(r#"arm "rad""#, apart);
     assert!(
-        errors.iter().any(|(place, text)| place == "f" && text.contains("those of one side by side")),
+        errors.iter().any(|(place, text)| place == "f" && text.contains("those of one effect together")),
         "{errors:?}"
     );
     refused("as side", "as end", "end", "expected `side` or `arm`");
-    // An error has no mid value.
+    // A transmission error has no mid value.
     refused("k_mid/M2", "e_mid/M2", "e_mid", "`e_mid` is unknown in constants");
 }
 
-/// A law of an effect is zero without it, as the code is compiled, and never switches.
+/// Without its effect a law is a constant zero in the code, and never switches.
 #[test]
-fn laws_with_an_effect_are_gated() {
+fn laws_are_zero_without_their_effect() {
     let code = expand(tokens(&sample())).to_string();
     for said in [
         "let e = if Self :: TRANSMISSION_ERROR { k [1] } else { 0f64 . into () }",
         "let arm = if Self :: SLIDING_FRICTION { k [3] } else { 0f64 . into () }",
         "if ! STIFFNESS_STEP || law == 1 && ! TRANSMISSION_ERROR || law == 2 && ! SLIDING_FRICTION",
-        // Friction moves no deflection.
+        // Friction laws do not occur in deflections.
         "let d = self . deflections (q , e , edge)",
     ] {
         assert!(code.contains(said), "{said} is not there");

@@ -1,4 +1,4 @@
-//! The small words of the grammar: lists in braces, numbers, keywords that are keywords here alone.
+//! Parsers for small parts of the grammar: lists in braces, numbers, keywords of this grammar.
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
@@ -23,7 +23,7 @@ pub fn lines(input: ParseStream) -> Result<Vec<LitStr>> {
     Ok(Punctuated::<LitStr, Token![;]>::parse_terminated(&inner)?.into_iter().collect())
 }
 
-/// `{ NAME {..} NAME {..} }`, each name one of `names` and at most once; `store` takes what stands behind it.
+/// `{ NAME {..} NAME {..} }`, each name one of `names` and at most once; `store` parses what follows the name with this index.
 pub fn parts(
     input: ParseStream,
     names: &[&str],
@@ -52,7 +52,7 @@ pub fn doc(input: ParseStream) -> Result<LitStr> {
     Ok(doc)
 }
 
-/// A number, `inf`, or either with a minus.
+/// A number or `inf`, either with or without a minus.
 pub fn number(input: ParseStream) -> Result<f64> {
     let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1.0 } else { 1.0 };
     if peek_word(input, "inf") {
@@ -66,18 +66,19 @@ pub fn number(input: ParseStream) -> Result<f64> {
     }
 }
 
-/// The word `expected`, which is a keyword here alone.
+/// The word `expected`, which need not be a keyword of Rust.
 pub fn word(input: ParseStream, expected: &str) -> Result<()> {
     choice(input, &[expected]).map(drop)
 }
 
-/// Which of `words` comes next.
+/// Parses one of `words` and returns its index.
 pub fn choice(input: ParseStream, words: &[&str]) -> Result<usize> {
     let expected = || format!("expected `{}`", words.join("` or `"));
     let found = input.call(Ident::parse_any).map_err(|e| Error::new(e.span(), expected()))?;
     words.iter().position(|w| found == w).ok_or_else(|| Error::new(found.span(), expected()))
 }
 
+/// Whether the next token is the word `expected`.
 pub fn peek_word(input: ParseStream, expected: &str) -> bool {
     input.fork().parse::<Ident>().is_ok_and(|found| found == expected)
 }

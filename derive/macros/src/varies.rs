@@ -1,5 +1,5 @@
-//! Which parameters a scene may let vary in time: those of which the generalised forces, and the work of the torques, are linear
-//! functions, and on which nothing else depends.
+//! Which parameters may vary in time in a scene: those on which the generalised forces and the work of the torques depend linearly
+//! and nothing else depends.
 
 use syn::{BinOp, Expr, Ident, Member};
 
@@ -33,7 +33,7 @@ pub fn varies(m: &Model, parameter: &Ident) -> bool {
         && forces.iter().any(|e| degree(e) == Some(1))
 }
 
-/// The degree of an expression as a polynomial in a parameter; `None` where it is none, or of a higher one.
+/// The degree of an expression as a polynomial in a parameter. `None` if it is not a polynomial or the degree is not known.
 fn degree(e: &Expr, parameter: &Ident) -> Option<u32> {
     let of = |e: &Expr| degree(e, parameter);
     match e {

@@ -1,4 +1,4 @@
-//! T quadratic in the speeds, D a sum of squares, displacements linear in the coordinates.
+//! Checks that T is quadratic in the speeds, D a sum of squares, and that displacements and deflections are linear.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
@@ -11,7 +11,7 @@ use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::tree::Tree;
 
-/// T must be homogeneous of degree two in the speeds: scaled speeds scale it by the square.
+/// T must be homogeneous of degree two in the speeds: scaling the speeds by a factor scales T by its square.
 pub(super) fn quadratic(model: &Model) -> Result<(), Slip> {
     let stretch = Atom::var(symbol(Kind::Free, "stretch"));
     for piece in &model.kinetic {
@@ -29,8 +29,8 @@ pub(super) fn quadratic(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// Every piece of D must be a square with a factor that is never negative; anything else is refused by name. (A sum
-/// of products that happens to be positive can be written as squares.)
+/// Every piece of D must be a square times factors that are never negative. A positive sum of products that is not written
+/// in squares is refused too; it can be rewritten.
 pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
     for piece in &model.dissipation {
         let bare = all_present(&piece.atom());
@@ -46,9 +46,9 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The displacement that a torque works through must be linear, or its work over a change of the coordinates would
-/// depend on where they were; a deflection linear and zero with the coordinates, less edges and transmission errors, or its
-/// rate would not be the same sum.
+/// The displacement that a torque works through must be linear in the coordinates, or its work over a change of the coordinates
+/// would depend on their initial values. A deflection must be a linear form without a constant term, less edges and
+/// transmission errors, or its rate would not be the same form of the speeds.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
     let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
     let slopes = |e: &Atom| -> Vec<(Atom, Atom)> {
@@ -65,7 +65,7 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         }
     }
     for d in &model.deflections {
-        // Edges of dead bands and transmission errors are no part of the sum of coordinates; their slopes are constant.
+        // Edges of dead bands and transmission errors are not part of the form; their coefficients must be constant.
         let edges = model.dead_bands.iter().map(|band| (Kind::Edge, &band.edge));
         let errors = model.laws.iter().filter(|law| law.role == Role::Error).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();

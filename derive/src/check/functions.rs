@@ -1,4 +1,4 @@
-//! Every function smooth, every number one that code can have.
+//! Checks that every function is a known smooth one, and that every number can be written as code.
 
 use symbolica::atom::{AtomCore, AtomView};
 use symbolica::coefficient::CoefficientView;
@@ -8,7 +8,7 @@ use crate::slip::Slip;
 
 const SMOOTH: [&str; 4] = ["sin", "cos", "exp", "log"];
 
-/// Refuses what is not smooth, or not known, in what stands at `place`.
+/// Refuses functions that are not smooth or not known, and numbers that cannot be written as code; `place` is for the message.
 pub(super) fn functions(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {
     match e {
         AtomView::Num(_) => numbers(model, e, place),
@@ -32,10 +32,11 @@ pub(super) fn functions(model: &Model, e: AtomView, place: &str) -> Result<(), S
     }
 }
 
-/// Integers up to here have an f64 of their own.
+/// All integers up to this one are exact in f64.
 const EXACT: u64 = 1 << 53;
 
-/// Every number must be rational, finite, and exact in code: a division by zero, say, has left something else.
+/// Every number must be rational and finite, its numerator and denominator exact in f64. After a division by zero, for example,
+/// it is not.
 pub(crate) fn numbers(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {
     match e {
         AtomView::Num(n) => match n.get_coeff_view() {

@@ -1,4 +1,4 @@
-//! Every name its own, and one that generated code can have.
+//! Checks that every name is unique and usable in the generated code.
 
 use std::collections::BTreeMap;
 
@@ -6,13 +6,13 @@ use crate::expr::{Kind, is_word, speed_name};
 use crate::model::{CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
-/// Words that generated code cannot have as names: keywords of Rust, and names of that code itself.
+/// Words that cannot be names in the generated code: keywords of Rust, and names that this code uses itself.
 const RUST: &str = "\
     Self abstract as async await become box break coefficients const continue crate do dyn else enum extern false final fn \
     for gen if impl in let loop macro match mids mod move mut override parameters priv pub ref return self \
     static struct super trait true try type typeof unsafe unsized use virtual where while yield";
 
-/// What a symbol of a kind is declared as.
+/// What a symbol of a kind is, in words for messages.
 pub(super) fn what_it_is(kind: Kind) -> &'static str {
     match kind {
         Kind::Coordinate => "a coordinate",
@@ -23,7 +23,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Constant => "a constant",
         Kind::Law => "a law",
         Kind::Error => "a transmission error",
-        Kind::Friction => "a law of friction",
+        Kind::Friction => "a friction law",
         Kind::Force => "a force",
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
@@ -32,11 +32,11 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Edge => "the edge of a dead band",
         Kind::Damp => "the damper of a dead band",
         Kind::Clip => "the clipping of a dead band",
-        Kind::Marker | Kind::Mobility | Kind::Free => "nothing that is declared",
+        Kind::Marker | Kind::Mobility | Kind::Free => "not declared",
     }
 }
 
-/// Every declared name, once, with what it is.
+/// All declared names, each with what it is, in words for messages.
 pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, Slip> {
     let mut all = BTreeMap::new();
     let mut declare = |name: &str, what: &'static str, derived: bool| -> Result<(), Slip> {

@@ -1,4 +1,4 @@
-//! Every symbol declared, and where it may stand.
+//! Checks that every symbol is declared, and used only where its kind is allowed.
 
 use std::collections::BTreeMap;
 
@@ -12,16 +12,17 @@ use crate::slip::Slip;
 
 use Kind::*;
 
-/// What energies are written in.
+/// What energies may depend on; listed in messages.
 const USABLE: [Kind; 12] =
     [Constant, Parameter, Mid, Law, Error, Friction, Touch, Damp, Deflection, Coordinate, Rate, Speed];
-/// What a torque may depend on, and what besides where it is friction.
+/// What a torque may depend on.
 const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
-const RUBBING: [Kind; 4] = [Law, Friction, Touch, Deflection];
+/// What a torque with a friction law as a factor may depend on besides.
+const FRICTION: [Kind; 4] = [Law, Friction, Touch, Deflection];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
-/// A model and the names declared in it, each with what it is.
+/// A model and the names declared in it, each with what it is, in words for messages.
 struct Places<'a> {
     model: &'a Model,
     declared: BTreeMap<String, &'static str>,
@@ -52,12 +53,12 @@ impl Places<'_> {
 
     fn deflections(&self) -> Result<(), Slip> {
         self.model.deflections.iter().try_for_each(|d| {
-            let why = "a deflection depends on coordinates and transmission errors";
+            let why = "a deflection may depend on coordinates and transmission errors only";
             let allowed = [Constant, Parameter, Coordinate, Edge, Error];
             self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
         })?;
         self.model.dead_bands.iter().try_for_each(|band| {
-            let why = "half the width of a dead band is constant";
+            let why = "half the width of a dead band may depend on parameters and constants only";
             self.check(band.half, &format!("the dead band of `{}`", band.over), &[Constant, Parameter], why)
         })
     }
@@ -66,49 +67,49 @@ impl Places<'_> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
         };
-        // Inertia and damping that depend on the position can be derived; the engine's equations have no place for them.
+        // Inertia and damping that depend on positions could be derived, but the engine has no equations for them.
         let moving = [Constant, Parameter, Mid, Speed];
-        let why = "T depends on speeds, not on the mesh, and not on positions until the engine has inertia that \
-                   depends on them";
+        let why =
+            "T may depend on speeds, not on positions or the mesh: the engine has no inertia that depends on them";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
         let positions = [Constant, Parameter, Mid, Law, Touch, Deflection, Coordinate];
-        let why = "V depends on positions, never on speeds, and on transmission errors by way of deflections, m.deflection(...)";
+        let why = "V may depend on positions, not on speeds, and on transmission errors only through deflections, \
+                   m.deflection(...)";
         each(&self.model.potential, "the potential energy", &positions, why)?;
-        let why = "D depends on speeds, not on the mesh, and not on positions until the engine has damping that \
-                   depends on them";
+        let why =
+            "D may depend on speeds, not on positions or the mesh: the engine has no damping that depends on them";
         let rates = [Constant, Parameter, Mid, Damp, Rate, Speed];
         each(&self.model.dissipation, "the dissipation function", &rates, why)
     }
 
     fn torques(&self) -> Result<(), Slip> {
         for force in &self.model.forces {
-            let why = "a force depends on what torques may depend on";
-            self.check(force.value, &format!("the force `{}`", force.name), &[&TORQUE[..], &RUBBING].concat(), why)?;
+            let why = "a force may depend only on what torques may depend on";
+            self.check(force.value, &format!("the force `{}`", force.name), &[&TORQUE[..], &FRICTION].concat(), why)?;
         }
         for torque in &self.model.torques {
             let place = format!("the torque `{}`", torque.name);
-            let rubs = self.rubs(torque);
-            let (allowed, why) = match rubs {
+            let (allowed, why) = match self.has_friction(torque) {
                 true => (
-                    [&TORQUE[..], &RUBBING].concat(),
-                    "friction depends on its laws, on deflections, stiffnesses and speeds",
+                    [&TORQUE[..], &FRICTION].concat(),
+                    "a friction torque may depend on friction laws, deflections, stiffnesses and speeds only",
                 ),
                 false => (
                     TORQUE.to_vec(),
-                    "a torque is constant or depends on speeds, or has a law of friction as a factor, in the effect of that; \
-                     what else depends on positions is an energy",
+                    "a torque may depend on speeds, and on deflections, stiffnesses and friction laws only if it has a friction \
+                     law as a factor, inside the effect of that law; any other force that depends on positions must be a term of V",
                 ),
             };
             self.check(Expr::new(self.model.written_out(&torque.value.atom())), &place, &allowed, why)?;
             let place = format!("the displacement of {place}");
-            let why = "a displacement depends on coordinates";
+            let why = "a displacement may depend on coordinates and deflections only";
             self.check(torque.through, &place, &[Constant, Parameter, Deflection, Coordinate], why)?;
         }
         Ok(())
     }
 
-    /// Whether a torque has a law of friction as a factor, in the effect of that law.
-    fn rubs(&self, torque: &Torque) -> bool {
+    /// Whether a torque has a friction law as a factor, inside the effect of that law.
+    fn has_friction(&self, torque: &Torque) -> bool {
         let value = self.model.written_out(&torque.value.atom());
         let laws = self.model.laws.iter().filter(|law| law.kind() == Friction);
         let vanishes = |law: &crate::model::Law| {
@@ -133,7 +134,7 @@ impl Places<'_> {
                 _ if derived => {}
                 Some(what) if *what == what_it_is(kind) => {}
                 Some(_) if kind != Free => {
-                    let why = "here the name stands for something else; was it declared in another model?";
+                    let why = "in this model the name is declared as something else; is the symbol from another model?";
                     return Err(Slip::Misplaced { model: model(), symbol, place, why });
                 }
                 _ => return Err(Slip::Undeclared { model: model(), symbol, place, declared: self.usable() }),
@@ -145,7 +146,7 @@ impl Places<'_> {
         Ok(())
     }
 
-    /// The declared names that energies can be written in.
+    /// The declared names that energies may contain.
     fn usable(&self) -> String {
         let usable = |what: &str| USABLE.iter().any(|kind| what_it_is(*kind) == what);
         let names = self.declared.iter().filter(|(_, what)| usable(what)).map(|(name, _)| name.as_str());

@@ -1,4 +1,4 @@
-//! Signs that an expression shows by its form.
+//! The sign of an expression, as far as its form shows it.
 
 use symbolica::atom::{Atom, AtomView};
 
@@ -6,12 +6,12 @@ use crate::expr::{Kind, symbols};
 use crate::model::{Friction, Model, Range, Role};
 use crate::tree::Tree;
 
-/// Whether an expression is >= 0 for all admissible values, by its form.
+/// Whether the form of an expression shows that it is >= 0 for all admissible values.
 pub(crate) fn never_negative(model: &Model, e: &Atom) -> bool {
     sign(model, e, false)
 }
 
-/// Whether an expression is > 0 for all admissible values, by its form.
+/// Whether the form of an expression shows that it is > 0 for all admissible values.
 pub(crate) fn positive(model: &Model, e: &Atom) -> bool {
     sign(model, e, true)
 }
@@ -29,13 +29,14 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             [(Kind::Constant, name)] => {
                 model.constants.iter().any(|(c, value)| c == name && sign(model, &value.atom(), strictly))
             }
-            // A scene's law values are >= 0; W_ii > 0 since M is positive definite.
+            // Stiffnesses are >= 0 in every scene; touch and damp are 0 or 1.
             [(Kind::Mid | Kind::Law | Kind::Touch | Kind::Damp, _)] => !strictly,
-            // So are the arms of friction.
+            // So are the arms of rolling friction.
             [(Kind::Friction, name)] => {
                 let arm = Role::Friction(Friction::Arm);
                 !strictly && model.laws.iter().any(|law| law.name == *name && law.role == arm)
             }
+            // W_ii > 0, since M is positive definite.
             [(Kind::Mobility, name)] => name[1..].split_once('_').is_some_and(|(i, j)| i == j),
             _ => false,
         },
@@ -43,7 +44,7 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             let (base, exponent) = p.get_base_exp();
             let base = base.to_owned();
             match Tree::new(&exponent.to_owned()) {
-                // An inverse is not zero, where it is a number at all.
+                // An even power is >= 0; an inverse is never zero where it is finite.
                 Tree::Number(n, 1) if n % 2 == 0 && (n < 0 || !strictly) => true,
                 Tree::Number(_, 2) if !strictly => true,
                 _ => sign(model, &base, strictly),

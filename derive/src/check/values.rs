@@ -1,4 +1,4 @@
-//! Laws with a phase and a pitch, defaults in their ranges.
+//! Checks the phases and pitches of laws, and the defaults of parameters.
 
 use symbolica::atom::Atom;
 
@@ -6,7 +6,7 @@ use crate::expr::{Kind, symbol, symbols};
 use crate::model::{Model, Range};
 use crate::slip::Slip;
 
-/// The phase of a law is a coordinate, its pitch a length.
+/// The phase of a law must be a coordinate, its pitch a positive number.
 pub(super) fn laws(model: &Model) -> Result<(), Slip> {
     for law in &model.laws {
         if !(law.period.is_finite() && law.period > 0.0) {
@@ -21,7 +21,7 @@ pub(super) fn laws(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// Every default is one that a scene could state.
+/// Every default must be finite and in the range of its parameter.
 pub(super) fn defaults(model: &Model) -> Result<(), Slip> {
     for p in &model.parameters {
         let admissible = |x: f64| match p.range {

@@ -1,15 +1,15 @@
-//! What a model is made of, as its author said it.
+//! The parts of a model, as its author declares them.
 
 use symbolica::atom::Atom;
 
 use crate::expr::{Expr, Kind};
 
-/// Where a coordinate starts unless a scene says otherwise.
+/// The initial value of a coordinate, unless a scene gives another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
     /// At this value [SI].
     At(f64),
-    /// Where the forces on it balance.
+    /// The static equilibrium of this coordinate.
     Static,
 }
 
@@ -35,7 +35,7 @@ pub(crate) struct Parameter {
     pub name: String,
     pub unit: String,
     pub default: Option<f64>,
-    /// The effect in whose closure it was declared, which alone needs it.
+    /// The effect in whose closure it was declared: only scenes with this effect need it.
     pub with: Option<String>,
     pub range: Range,
     pub doc: String,
@@ -46,35 +46,35 @@ pub(crate) struct Law {
     pub unit: String,
     pub phase: Expr,
     pub period: f64,
-    /// Without this effect it is zero. `None`: a stiffness, which is always there.
+    /// The law is zero without this effect. `None`: a stiffness, which is always present.
     pub with: Option<String>,
     pub role: Role,
     pub doc: String,
 }
 
-/// What a law says of a mesh.
+/// The quantity that a law gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     /// Stiffness, never negative.
     Stiffness,
     /// Transmission error: an offset of deflections, of any sign.
     Error,
-    /// Friction, of any sign or never negative: a factor of torques.
+    /// Friction law: a factor of torques.
     Friction(Friction),
 }
 
-/// What a law of friction says of the pairs of teeth in contact, the pair i with the share s_i of the force at the place xi_i
-/// along the line of action, from the pitch point.
+/// The quantity that a friction law gives. Tooth pair i in contact carries the share s_i of the mesh force at the distance xi_i
+/// from the pitch point along the line of action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Friction {
-    /// sum s_i sgn(xi_i): which side of the pitch point bears the force. Of any sign.
+    /// sum s_i sgn(xi_i): the share of the force beyond the pitch point minus the share before it. Of any sign.
     Side,
-    /// sum s_i |xi_i|: the arm of the friction about it. Never negative.
+    /// sum s_i |xi_i|: the arm of the friction about the pitch point. Never negative.
     Arm,
 }
 
 impl Law {
-    /// What its value is in expressions.
+    /// The kind of symbol that its value is.
     pub fn kind(&self) -> Kind {
         match self.role {
             Role::Stiffness => Kind::Law,
@@ -89,24 +89,24 @@ pub(crate) struct Deflection {
     pub value: Expr,
 }
 
-/// V and D of a spring with play, by its cells: touch, damp, clip and the edge are constants of a cell.
+/// Play of a deflection. `touch`, `edge`, `damp` and `clip` are names of symbols that are constant in each cell.
 pub(crate) struct DeadBand {
-    /// The deflection beyond the band.
+    /// Name of the deflection minus the edge that is in contact.
     pub over: String,
     pub touch: String,
     pub edge: String,
     pub damp: String,
     pub clip: String,
     pub unit: String,
-    /// Half its width.
+    /// Half the width of the band [unit].
     pub half: Expr,
-    /// Without this effect the band is not there: touch = damp = 1, edge = clip = 0.
+    /// Without this effect there is no band: touch = damp = 1, edge = clip = 0.
     pub effect: String,
     pub doc: String,
 }
 
 impl DeadBand {
-    /// Its symbols besides the deflection.
+    /// Its symbols except the deflection.
     pub fn symbols(&self) -> [(Kind, String); 4] {
         [(Kind::Touch, &self.touch), (Kind::Edge, &self.edge), (Kind::Damp, &self.damp), (Kind::Clip, &self.clip)]
             .map(|(kind, name)| (kind, name.clone()))
@@ -134,11 +134,11 @@ impl Effect {
     }
 }
 
-/// A name for what torques are made of.
+/// A named force, a factor in torques.
 pub(crate) struct Force {
     pub name: String,
     pub value: Expr,
-    /// The effect in whose closure it was named.
+    /// The effect in whose closure it was declared.
     pub with: Option<String>,
 }
 
@@ -150,7 +150,7 @@ pub(crate) struct Torque {
 }
 
 impl Torque {
-    /// Its power.
+    /// Its power [W]: the value times the rate of the displacement.
     pub fn power(&self) -> Atom {
         (self.value * self.through.dot()).atom()
     }

@@ -17,10 +17,10 @@
 //!
 //! ```text
 //! over = phi - edge
-//! touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0
-//! damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:
-//!   clip = 1 where it would push more than the spring does, it pushes as much
-//!   clip = -1 where it would pull more than the spring pushes, the contact has no force
+//! touch = 1 in contact, beyond edge = b/2 or -b/2; touch = 0 between the edges; without backlash touch = 1 and edge = 0
+//! damp = 1 and clip = 0 in contact while the damper force is less than the spring force, else damp = 0:
+//!   clip = 1 if the damper would push more than the spring: its force is limited to the spring force
+//!   clip = -1 if the damper would pull more than the spring pushes: the contact force is zero
 //! ```
 //!
 //! # Equations of motion
@@ -48,11 +48,11 @@
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - V is the same on both sides of the edges of over: no impulse there
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //!
 //! # Operations, all effects present
@@ -74,7 +74,7 @@ equations! {
     parameters {
         I "kg*m^2" required, open 0.0 to inf, "moment of inertia of the rotor";
         c "N*m/rad" required, from 0.0 to inf, "stiffness of the contact";
-        b "rad" required with backlash, open 0.0 to inf, "backlash of the contact: it is free within b/2 to either side";
+        b "rad" required with backlash, open 0.0 to inf, "backlash of the contact: no contact within b/2 to either side";
         d "N*m*s/rad" required with damping, from 0.0 to inf, "damping of the contact";
     }
     laws {
@@ -83,8 +83,8 @@ equations! {
         speed "rad/s" { phi_dot = 1.0; }, "rotational speed";
     }
     effects {
-        backlash "flanks with play: drive and coast flank, and free flight between";
-        damping "a damper beside the spring";
+        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        damping "a damper parallel to the spring";
     }
     conditions {
     }
@@ -163,10 +163,10 @@ equations! {
         "D = d*damp*over_dot^2/2 [damping]";
         "Q_phi = 0";
         "over = phi - edge";
-        "touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0";
-        "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
-        "  clip = 1 where it would push more than the spring does, it pushes as much";
-        "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
+        "touch = 1 in contact, beyond edge = b/2 or -b/2; touch = 0 between the edges; without backlash touch = 1 and edge = 0";
+        "damp = 1 and clip = 0 in contact while the damper force is less than the spring force, else damp = 0:";
+        "  clip = 1 if the damper would push more than the spring: its force is limited to the spring force";
+        "  clip = -1 if the damper would pull more than the spring pushes: the contact force is zero";
         "phi'' = -c*touch*over/I - c*touch*clip*over/I [backlash] - d*damp*over_dot/I [damping]";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }

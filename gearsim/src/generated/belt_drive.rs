@@ -54,7 +54,7 @@
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //!
 //! # Operations, all effects present
@@ -71,8 +71,8 @@ equations! {
 
     coordinates {
         theta "rad" start 0.0, "rotation of the crankshaft";
-        s "m" start static, "stretch of the span that pulls, from the tension at rest";
-        psi "rad" start static, "rotation of the tensioner arm, from its place at rest";
+        s "m" start static, "stretch of the pulling span, relative to its tension at rest";
+        psi "rad" start static, "rotation of the tensioner arm, relative to its position at rest";
     }
     parameters {
         r1 "m" required, open 0.0 to inf, "radius of the crankshaft pulley";

@@ -51,7 +51,7 @@
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //!
 //! # Operations, all effects present

@@ -30,13 +30,13 @@
 //! over = phi - edge - e
 //! tau = 2*tan_a*phi
 //! psi = phi/N1 + theta/N1 - phi/N2 + theta/N2
-//! e = 0 without transmission error; the rates are those of the coordinates, without that of e
+//! e = 0 without transmission error; the rates of deflections do not contain that of e
 //! side = 0 without sliding friction
 //! arm = 0 without sliding friction
-//! touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0
-//! damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:
-//!   clip = 1 where it would push more than the spring does, it pushes as much
-//!   clip = -1 where it would pull more than the spring pushes, the contact has no force
+//! touch = 1 in contact, beyond edge = b/2 or -b/2; touch = 0 between the edges; without backlash touch = 1 and edge = 0
+//! damp = 1 and clip = 0 in contact while the damper force is less than the spring force, else damp = 0:
+//!   clip = 1 if the damper would push more than the spring: its force is limited to the spring force
+//!   clip = -1 if the damper would pull more than the spring pushes: the contact force is zero
 //! ```
 //!
 //! # Forces
@@ -55,16 +55,16 @@
 //! # At a step of a stiffness or a transmission error
 //!
 //! ```text
-//! at a step dk of k in theta, where energy allows:
+//! at a step dk of k in theta, transmission if theta_dot+^2 >= 0:
 //! theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2
 //! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
-//! else theta_dot+ = -theta_dot-: reflected, and the stiffness stays
-//! at a step de of e in theta, where energy allows:
+//! else reflection: theta_dot+ = -theta_dot-, and the stiffness does not step
+//! at a step de of e in theta, transmission if theta_dot+^2 >= 0:
 //! theta_dot+^2 = theta_dot-^2 - (M2*k*de^2*touch - 2*M2*k*de*touch*over)
 //! phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)
-//! else theta_dot+ = -theta_dot-: reflected, and e stays
-//! at a step of side: dV = 0, speeds pass unchanged
-//! at a step of arm: dV = 0, speeds pass unchanged
+//! else reflection: theta_dot+ = -theta_dot-, and e does not step
+//! at a step of side: dV = 0, the speeds do not change
+//! at a step of arm: dV = 0, the speeds do not change
 //! ```
 //!
 //! # Between two steps
@@ -102,7 +102,7 @@
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
 //! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - at a step of e: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
@@ -111,7 +111,7 @@
 //! - V is the same on both sides of the edges of over: no impulse there
 //! - the friction `roll` never feeds energy: its power is never positive
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //! - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot - 2*k*de*touch*over*theta_dot
 //!
@@ -145,16 +145,16 @@ equations! {
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         zeta "1" default 0.0, from 0.0 to inf, "damping factor of phi at the mid stiffness";
         T0 "N*m" required, open -inf to inf, "balanced torque: T0 N1 drives, T0 N2 loads";
-        b "rad" required with backlash, open 0.0 to inf, "backlash of the mesh, in phi: it is free within b/2 to either side";
+        b "rad" required with backlash, open 0.0 to inf, "backlash of the mesh, in phi: no contact within b/2 to either side";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
-        w_mix "rad/s" default 0.1, open 0.0 to inf, "rolling speed, omega1 + omega2, of the mesh below which friction fades (mixed film), and is zero at rest";
+        w_mix "rad/s" default 0.1, open 0.0 to inf, "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
         e "rad" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error in phi, et N1/(2 r1) with et along the line of action";
-        side "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force on pairs of teeth beyond the pitch point, less that on pairs before it, of the mesh";
-        arm "rad" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force from the pitch point along the line of action of the mesh";
+        side "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force of the mesh on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm "rad" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force of the mesh from the pitch point along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -162,12 +162,12 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        backlash "flanks with play: drive and coast flank, and free flight between";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         damping "Rayleigh damping of the relative motion, with the damping factor zeta";
         torques "constant driving and load torque in balance";
-        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth passes the pitch point";
+        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which changes its direction when a tooth pair passes the pitch point";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
@@ -216,11 +216,11 @@ equations! {
         load "torque -T0 N2 on the driven gear" {
             torques => -T0*(theta - phi);
         }
-        slide "friction of the mesh, over what the flanks slide at the pitch point" {}
+        slide "friction of the mesh, through the sliding of the flanks at the pitch point" {}
         power {
             sliding_friction => -side*F_mu*tau_dot;
         }
-        roll "friction of the mesh, over their rolling" {}
+        roll "friction of the mesh, through the rolling of the gears" {}
         power {
             sliding_friction => -arm*F_mu*psi_dot;
         }
@@ -425,26 +425,26 @@ equations! {
         "over = phi - edge - e";
         "tau = 2*tan_a*phi";
         "psi = phi/N1 + theta/N1 - phi/N2 + theta/N2";
-        "e = 0 without transmission error; the rates are those of the coordinates, without that of e";
+        "e = 0 without transmission error; the rates of deflections do not contain that of e";
         "side = 0 without sliding friction";
         "arm = 0 without sliding friction";
-        "touch = 1 where over is beyond edge = b/2 or -b/2, 0 between; without backlash 1, with edge = 0";
-        "damp = 1, clip = 0 in contact while the damper's force is less than the spring's, else damp = 0:";
-        "  clip = 1 where it would push more than the spring does, it pushes as much";
-        "  clip = -1 where it would pull more than the spring pushes, the contact has no force";
+        "touch = 1 in contact, beyond edge = b/2 or -b/2; touch = 0 between the edges; without backlash touch = 1 and edge = 0";
+        "damp = 1 and clip = 0 in contact while the damper force is less than the spring force, else damp = 0:";
+        "  clip = 1 if the damper would push more than the spring: its force is limited to the spring force";
+        "  clip = -1 if the damper would pull more than the spring pushes: the contact force is zero";
         "F_mu = mu*k*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) [sliding friction]";
         "theta'' = -M1*k*touch*over + M2*k*de*touch*over [transmission error, jump terms] - M1*k*touch*clip*over [backlash] - C*M1*damp*over_dot [damping] + M1*T0 [torques] + M1*arm*F_mu/(2*N2) - M1*tan_a*side*F_mu - M1*arm*F_mu/(2*N1) - M2*arm*F_mu/(2*N1) - M2*arm*F_mu/(2*N2) [sliding friction] - M2*dk*touch*over^2/2 [jump terms]";
         "phi'' = -M2*k*touch*over + M1*k*de*touch*over [transmission error, jump terms] - M2*k*touch*clip*over [backlash] - C*M2*damp*over_dot [damping] + M2*T0 [torques] + M2*arm*F_mu/(2*N2) - M1*arm*F_mu/(2*N1) - M1*arm*F_mu/(2*N2) - M2*tan_a*side*F_mu - M2*arm*F_mu/(2*N1) [sliding friction] - M1*dk*touch*over^2/2 [jump terms]";
-        "at a step dk of k in theta, where energy allows:";
+        "at a step dk of k in theta, transmission if theta_dot+^2 >= 0:";
         "theta_dot+^2 = theta_dot-^2 - M2*dk*touch*over^2";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
-        "else theta_dot+ = -theta_dot-: reflected, and the stiffness stays";
-        "at a step de of e in theta, where energy allows:";
+        "else reflection: theta_dot+ = -theta_dot-, and the stiffness does not step";
+        "at a step de of e in theta, transmission if theta_dot+^2 >= 0:";
         "theta_dot+^2 = theta_dot-^2 - (M2*k*de^2*touch - 2*M2*k*de*touch*over)";
         "phi_dot+ - phi_dot- = (M1/M2)*(theta_dot+ - theta_dot-)";
-        "else theta_dot+ = -theta_dot-: reflected, and e stays";
-        "at a step of side: dV = 0, speeds pass unchanged";
-        "at a step of arm: dV = 0, speeds pass unchanged";
+        "else reflection: theta_dot+ = -theta_dot-, and e does not step";
+        "at a step of side: dV = 0, the speeds do not change";
+        "at a step of arm: dV = 0, the speeds do not change";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
         "nonlinear with sliding_friction: -mu*k*side*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `slide`";
         "nonlinear with sliding_friction: -mu*k*arm*touch*psi_dot*sqrt(tiny^2 + over^2)/sqrt(w_mix^2 + psi_dot^2) in the torque `roll`";

@@ -33,13 +33,13 @@
 //! over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2
 //! tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a
 //! psi12 = s/(2*h*N1) - s/(2*h*N2) + theta/N1 + theta/N2
-//! e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12
+//! e12 = 0 without transmission error; the rates of deflections do not contain that of e12
 //! side12 = 0 without sliding friction
 //! arm12 = 0 without sliding friction
-//! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
-//! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
-//!   clip12 = 1 where it would push more than the spring does, it pushes as much
-//!   clip12 = -1 where it would pull more than the spring pushes, the contact has no force
+//! touch12 = 1 in contact, beyond edge12 = b12/2 or -b12/2; touch12 = 0 between the edges; without backlash touch12 = 1 and edge12 = 0
+//! damp12 = 1 and clip12 = 0 in contact while the damper force is less than the spring force, else damp12 = 0:
+//!   clip12 = 1 if the damper would push more than the spring: its force is limited to the spring force
+//!   clip12 = -1 if the damper would pull more than the spring pushes: the contact force is zero
 //! ```
 //!
 //! # Forces
@@ -64,8 +64,8 @@
 //! ```text
 //! at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)
 //! at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2*touch12/2 - k12*de12*touch12*over12)
-//! at a step of side12: dV = 0, speeds pass unchanged
-//! at a step of arm12: dV = 0, speeds pass unchanged
+//! at a step of side12: dV = 0, the speeds do not change
+//! at a step of arm12: dV = 0, the speeds do not change
 //! ```
 //!
 //! # Between two steps
@@ -106,13 +106,13 @@
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
 //! - V is the same on both sides of a step of side12: no impulse there
 //! - V is the same on both sides of a step of arm12: no impulse there
 //! - V is the same on both sides of the edges of over12: no impulse there
 //! - the friction `roll12` never feeds energy: its power is never positive
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
 //! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 - k12*de12*touch12*over12*theta_dot
 //!
@@ -135,8 +135,8 @@ equations! {
     source "standard plane model, e.g. Kahraman & Singh (1991), J. Sound Vib. 146(1); phase as Oh, Grosh & Barber (2005)";
 
     coordinates {
-        theta "rad" start 0.0, "mean rotation of gears 1 and 2, one pitch 2 pi";
-        s "m" start static, "rotation of gear 1 beyond that of gear 2, along the line of action";
+        theta "rad" start 0.0, "mean rotation of gears 1 and 2; one pitch is 2 pi";
+        s "m" start static, "motion of gear 1 relative to gear 2 along the line of action";
         x1 "m" start static, "x of the centre of gear 1";
         y1 "m" start static, "y of the centre of gear 1";
         x2 "m" start static, "x of the centre of gear 2";
@@ -153,9 +153,9 @@ equations! {
         m2 "kg" required, open 0.0 to inf, "mass of the driven gear";
         kb1 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 1";
         kb2 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 2";
-        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: it is free within b/2 to either side";
+        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf, "rolling speed, omega1 + omega2, of the mesh below which friction fades (mixed film), and is zero at rest";
+        w_mix12 "rad/s" default 0.1, open 0.0 to inf, "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         T_motor "N*m" required, open -inf to inf, "driving torque of the driving gear";
         T_load "N*m" required, open -inf to inf, "load torque of the driven gear, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -164,8 +164,8 @@ equations! {
     laws {
         k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh along the line of action";
         e12 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh along the line of action";
-        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force on pairs of teeth beyond the pitch point, less that on pairs before it, of the mesh";
-        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force from the pitch point along the line of action of the mesh";
+        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force of the mesh on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force of the mesh from the pitch point along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -173,10 +173,10 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        backlash "flanks with play: drive and coast flank, and free flight between";
-        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth passes the pitch point";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which changes its direction when a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -220,11 +220,11 @@ equations! {
         }
     }
     torques {
-        slide12 "friction of the mesh, over what the flanks slide at the pitch point" {}
+        slide12 "friction of the mesh, through the sliding of the flanks at the pitch point" {}
         power {
             sliding_friction => -side12*F_mu12*tau12_dot;
         }
-        roll12 "friction of the mesh, over their rolling" {}
+        roll12 "friction of the mesh, through the rolling of the gears" {}
         power {
             sliding_friction => -arm12*F_mu12*psi12_dot;
         }
@@ -813,13 +813,13 @@ equations! {
         "over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2";
         "tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a";
         "psi12 = s/(2*h*N1) - s/(2*h*N2) + theta/N1 + theta/N2";
-        "e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12";
+        "e12 = 0 without transmission error; the rates of deflections do not contain that of e12";
         "side12 = 0 without sliding friction";
         "arm12 = 0 without sliding friction";
-        "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
-        "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
-        "  clip12 = 1 where it would push more than the spring does, it pushes as much";
-        "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
+        "touch12 = 1 in contact, beyond edge12 = b12/2 or -b12/2; touch12 = 0 between the edges; without backlash touch12 = 1 and edge12 = 0";
+        "damp12 = 1 and clip12 = 0 in contact while the damper force is less than the spring force, else damp12 = 0:";
+        "  clip12 = 1 if the damper would push more than the spring: its force is limited to the spring force";
+        "  clip12 = -1 if the damper would pull more than the spring pushes: the contact force is zero";
         "F_mu12 = mu12*k12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) [sliding friction]";
         "(I1/N1^2 + I2/N2^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2))/2) s'' = k12*de12*touch12*over12 [transmission error, jump terms] - arm12*F_mu12/N1 - arm12*F_mu12/N2 [sliding friction] + T_motor/N1 - T_load/N2 [torques] + I2*alpha_M*s_dot/(2*h*N2^2) - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I1*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
         "((I1/(h*N1^2) - I2/(h*N2^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2))/4) s'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + arm12*F_mu12/(2*h*N2) - sin_a*side12*F_mu12/cos_a - arm12*F_mu12/(2*h*N1) [sliding friction] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I1*alpha_M*theta_dot/(2*h*N1^2) [damping]";
@@ -829,8 +829,8 @@ equations! {
         "(m2) y2'' = cos_a*k12*touch12*over12 - kb2*y2 + cos_a*k12*touch12*clip12*over12 [backlash] + sin_a*side12*F_mu12 [sliding friction] + cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot [damping]";
         "at a step dk12 of k12 in theta: v+^2 = v-^2 - 2*G*(dk12*touch12*over12^2/2)";
         "at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2*touch12/2 - k12*de12*touch12*over12)";
-        "at a step of side12: dV = 0, speeds pass unchanged";
-        "at a step of arm12: dV = 0, speeds pass unchanged";
+        "at a step of side12: dV = 0, the speeds do not change";
+        "at a step of arm12: dV = 0, the speeds do not change";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
         "nonlinear with sliding_friction: -mu12*k12*side12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `slide12`";
         "nonlinear with sliding_friction: -mu12*k12*arm12*touch12*psi12_dot*sqrt(tiny12^2 + over12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `roll12`";

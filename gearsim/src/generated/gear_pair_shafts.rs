@@ -28,10 +28,10 @@
 //! over12 = s - edge12
 //! theta_m = psi_m + s/(2*h*N1) + theta/N1
 //! theta_l = theta/N2 - psi_l - s/(2*h*N2)
-//! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
-//! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
-//!   clip12 = 1 where it would push more than the spring does, it pushes as much
-//!   clip12 = -1 where it would pull more than the spring pushes, the contact has no force
+//! touch12 = 1 in contact, beyond edge12 = b12/2 or -b12/2; touch12 = 0 between the edges; without backlash touch12 = 1 and edge12 = 0
+//! damp12 = 1 and clip12 = 0 in contact while the damper force is less than the spring force, else damp12 = 0:
+//!   clip12 = 1 if the damper would push more than the spring: its force is limited to the spring force
+//!   clip12 = -1 if the damper would pull more than the spring pushes: the contact force is zero
 //! ```
 //!
 //! # Equations of motion
@@ -79,10 +79,10 @@
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
 //! - V is the same on both sides of the edges of over12: no impulse there
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2
 //!
@@ -101,8 +101,8 @@ equations! {
     source "standard torsional model, e.g. Kahraman & Singh (1991), J. Sound Vib. 146(1); phase as Oh, Grosh & Barber (2005)";
 
     coordinates {
-        theta "rad" start 0.0, "mean rotation of gears 1 and 2, one pitch 2 pi";
-        s "m" start static, "rotation of gear 1 beyond that of gear 2, along the line of action";
+        theta "rad" start 0.0, "mean rotation of gears 1 and 2; one pitch is 2 pi";
+        s "m" start static, "motion of gear 1 relative to gear 2 along the line of action";
         psi_m "rad" start static, "twist of the motor's shaft";
         psi_l "rad" start static, "twist of the load's shaft";
     }
@@ -116,18 +116,18 @@ equations! {
         I_l "kg*m^2" required, open 0.0 to inf, "moment of inertia of the load";
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
-        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: it is free within b/2 to either side";
+        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
         T_load "N*m" required, open -inf to inf, "load torque of the load, against its rotation";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf, "torque of the motor's governor per speed that it lacks";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "speed that the motor's governor aims at";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf, "gain of the governor of the motor: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
         Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "speed of the motor without load";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, the largest it has";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
         sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "torque of the load as a fan, over the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf, "speed of the load below which the fan's torque is straight instead of square";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the load divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf, "speed of the load below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -140,13 +140,13 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        backlash "flanks with play: drive and coast flank, and free flight between";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, rigid_kinematics, frozen_phase) "a governor that drives the motor in proportion to what its speed lacks";
-        dc_motor excludes(induction_motor, rigid_kinematics, frozen_phase) "a DC motor on a constant voltage: its torque falls straight from stall to no load";
+        speed_governor excludes(dc_motor, induction_motor, rigid_kinematics, frozen_phase) "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, rigid_kinematics, frozen_phase) "a DC motor at constant voltage: its torque falls linearly from stall to no load";
         induction_motor excludes(rigid_kinematics, frozen_phase) "an induction motor, its torque by the formula of Kloss";
-        fan_load excludes(rigid_kinematics, frozen_phase) "a fan as load: torque with the square of the speed, against it";
+        fan_load excludes(rigid_kinematics, frozen_phase) "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
@@ -186,10 +186,10 @@ equations! {
         load "load torque of the load, against its rotation" {
             torques => T_load*(psi_l + s/(2.0*h*N2) - theta/N2);
         }
-        governor "torque c n of the governor; what it takes back, c omega, is in D" {
+        governor "torque c n of the governor; its part -c omega is in D" {
             speed_governor => c_motor*n_motor*(psi_m + s/(2.0*h*N1) + theta/N1);
         }
-        dc "stall torque of the DC motor; what speed takes of it is in D" {
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
             dc_motor => Ts_motor*(psi_m + s/(2.0*h*N1) + theta/N1);
         }
         induction "torque of the induction motor" {}
@@ -489,10 +489,10 @@ equations! {
         "over12 = s - edge12";
         "theta_m = psi_m + s/(2*h*N1) + theta/N1";
         "theta_l = theta/N2 - psi_l - s/(2*h*N2)";
-        "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
-        "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
-        "  clip12 = 1 where it would push more than the spring does, it pushes as much";
-        "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
+        "touch12 = 1 in contact, beyond edge12 = b12/2 or -b12/2; touch12 = 0 between the edges; without backlash touch12 = 1 and edge12 = 0";
+        "damp12 = 1 and clip12 = 0 in contact while the damper force is less than the spring force, else damp12 = 0:";
+        "  clip12 = 1 if the damper would push more than the spring: its force is limited to the spring force";
+        "  clip12 = -1 if the damper would pull more than the spring pushes: the contact force is zero";
         "(I1/N1^2 + I2/N2^2 + I_l/N2^2 + I_m/N1^2) theta'' + ((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) s'' + (I_m/N1) psi_m'' + (-I_l/N2) psi_l'' = T_motor/N1 - T_load/N2 [torques] + c_motor*n_motor/N1 - c_motor*theta_m_dot/N1 [speed governor] + Ts_motor/N1 - Ts_motor*theta_m_dot/(N1*n0_motor) [dc motor] + 2*(Tb_motor*sb_motor/(N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/N2 [fan load] + I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1^2 - I2*alpha_M*theta_dot/N2^2 - I_l*alpha_M*theta_dot/N2^2 - I_m*alpha_M*theta_dot/N1^2 - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s_dot/(2*h*N1^2) + I2*alpha_M*s_dot/(2*h*N2^2) + I_l*alpha_M*s_dot/(2*h*N2^2) - I_m*alpha_M*s_dot/(2*h*N1^2) [damping] - dk12*touch12*over12^2/2 [jump terms]";
         "((I1/(h*N1^2) - I2/(h*N2^2) - I_l/(h*N2^2) + I_m/(h*N1^2))/2) theta'' + ((I1/(h^2*N1^2) + I2/(h^2*N2^2) + I_l/(h^2*N2^2) + I_m/(h^2*N1^2))/4) s'' + (I_m/(2*h*N1)) psi_m'' + (I_l/(2*h*N2)) psi_l'' = -k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + (T_motor/(h*N1) + T_load/(h*N2))/2 [torques] + (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2 [speed governor] + (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2 [dc motor] + Tb_motor*sb_motor/(h*N1*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) - Tb_motor*sb_motor*theta_m_dot/(h*N1*ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor)) [induction motor] + cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2)/(2*h*N2) [fan load] + I2*alpha_M*theta_dot/(2*h*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s_dot/(4*h^2*N1^2) - I2*alpha_M*s_dot/(4*h^2*N2^2) - I_l*alpha_M*s_dot/(4*h^2*N2^2) - I_m*alpha_M*s_dot/(4*h^2*N1^2) - I1*alpha_M*theta_dot/(2*h*N1^2) + I_l*alpha_M*theta_dot/(2*h*N2^2) - I_l*alpha_M*psi_l_dot/(2*h*N2) - I_m*alpha_M*theta_dot/(2*h*N1^2) - I_m*alpha_M*psi_m_dot/(2*h*N1) [damping]";
         "(I_m/N1) theta'' + (I_m/(2*h*N1)) s'' + (I_m) psi_m'' = -k_m*psi_m + T_motor [torques] + c_motor*n_motor - c_motor*theta_m_dot [speed governor] + Ts_motor - Ts_motor*theta_m_dot/n0_motor [dc motor] + 2*(Tb_motor*sb_motor/(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor) - Tb_motor*sb_motor*theta_m_dot/(ns_motor*(1 + sb_motor^2 + theta_m_dot^2/ns_motor^2 - 2*theta_m_dot/ns_motor))) [induction motor] - I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2*h*N1) [damping]";

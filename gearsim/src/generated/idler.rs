@@ -33,8 +33,8 @@
 //! psi12 = delta1/(h*N1) + theta/N1 + theta/N2
 //! tau23 = tan_a*delta2
 //! psi23 = theta/N2 - delta2/(h*N3) + theta/N3
-//! e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12
-//! e23 = 0 without transmission error; the rates are those of the coordinates, without that of e23
+//! e12 = 0 without transmission error; the rates of deflections do not contain that of e12
+//! e23 = 0 without transmission error; the rates of deflections do not contain that of e23
 //! side12 = 0 without sliding friction
 //! arm12 = 0 without sliding friction
 //! side23 = 0 without sliding friction
@@ -63,10 +63,10 @@
 //! at a step dk23 of k23 in theta: v+^2 = v-^2 - 2*G*(dk23*delta23^2/2)
 //! at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2/2 - k12*de12*delta12)
 //! at a step de23 of e23 in theta: v+^2 = v-^2 - 2*G*(k23*de23^2/2 - k23*de23*delta23)
-//! at a step of side12: dV = 0, speeds pass unchanged
-//! at a step of arm12: dV = 0, speeds pass unchanged
-//! at a step of side23: dV = 0, speeds pass unchanged
-//! at a step of arm23: dV = 0, speeds pass unchanged
+//! at a step of side12: dV = 0, the speeds do not change
+//! at a step of arm12: dV = 0, the speeds do not change
+//! at a step of side23: dV = 0, the speeds do not change
+//! at a step of arm23: dV = 0, the speeds do not change
 //! ```
 //!
 //! # Between two steps
@@ -115,7 +115,7 @@
 //! - the friction `roll12` never feeds energy: its power is never positive
 //! - the friction `roll23` never feeds energy: its power is never positive
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
 //! - without the jump terms the balance fails: energy is created at the rate dk12*delta12^2*theta_dot/2 - k12*de12*delta12*theta_dot - k23*de23*delta23*theta_dot + dk23*delta23^2*theta_dot/2
 //!
@@ -142,7 +142,7 @@ equations! {
     source "standard torsional model; phase as Oh, Grosh & Barber (2005), on the idler";
 
     coordinates {
-        theta "rad" start 0.0, "rotation of the idler in teeth, one pitch 2 pi";
+        theta "rad" start 0.0, "rotation of the idler times N2; one pitch is 2 pi";
         delta1 "m" start static, "deflection of the mesh of gears 1 and 2";
         delta2 "m" start static, "deflection of the mesh of gears 2 and 3";
     }
@@ -156,9 +156,9 @@ equations! {
         I3 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu12 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf, "rolling speed, omega1 + omega2, of the mesh of gears 1 and 2 below which friction fades (mixed film), and is zero at rest";
+        w_mix12 "rad/s" default 0.1, open 0.0 to inf, "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
         mu23 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh of gears 2 and 3";
-        w_mix23 "rad/s" default 0.1, open 0.0 to inf, "rolling speed, omega1 + omega2, of the mesh of gears 2 and 3 below which friction fades (mixed film), and is zero at rest";
+        w_mix23 "rad/s" default 0.1, open 0.0 to inf, "rolling speed omega1 + omega2 of the mesh of gears 2 and 3 below which friction decreases to zero (mixed film)";
         T_motor "N*m" required, open -inf to inf, "driving torque of the driving gear";
         T_load "N*m" required, open -inf to inf, "load torque of the driven gear, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -169,10 +169,10 @@ equations! {
         k23 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of gears 2 and 3 along the line of action";
         e12 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of gears 1 and 2 along the line of action";
         e23 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of gears 2 and 3 along the line of action";
-        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force on pairs of teeth beyond the pitch point, less that on pairs before it, of the mesh of gears 1 and 2";
-        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force from the pitch point along the line of action of the mesh of gears 1 and 2";
-        side23 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force on pairs of teeth beyond the pitch point, less that on pairs before it, of the mesh of gears 2 and 3";
-        arm23 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force from the pitch point along the line of action of the mesh of gears 2 and 3";
+        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force of the mesh of gears 1 and 2 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force of the mesh of gears 1 and 2 from the pitch point along the line of action";
+        side23 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side, "share of the force of the mesh of gears 2 and 3 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm23 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm, "mean distance of the force of the mesh of gears 2 and 3 from the pitch point along the line of action";
     }
     motions {
         speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear";
@@ -180,9 +180,9 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which turns about where a pair of teeth passes the pitch point";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase) "Coulomb friction between the flanks, against their sliding, which changes its direction when a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -225,19 +225,19 @@ equations! {
         }
     }
     torques {
-        slide12 "friction of the mesh of gears 1 and 2, over what the flanks slide at the pitch point" {}
+        slide12 "friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point" {}
         power {
             sliding_friction => -side12*F_mu12*tau12_dot;
         }
-        roll12 "friction of the mesh of gears 1 and 2, over their rolling" {}
+        roll12 "friction of the mesh of gears 1 and 2, through the rolling of the gears" {}
         power {
             sliding_friction => -arm12*F_mu12*psi12_dot;
         }
-        slide23 "friction of the mesh of gears 2 and 3, over what the flanks slide at the pitch point" {}
+        slide23 "friction of the mesh of gears 2 and 3, through the sliding of the flanks at the pitch point" {}
         power {
             sliding_friction => -side23*F_mu23*tau23_dot;
         }
-        roll23 "friction of the mesh of gears 2 and 3, over their rolling" {}
+        roll23 "friction of the mesh of gears 2 and 3, through the rolling of the gears" {}
         power {
             sliding_friction => -arm23*F_mu23*psi23_dot;
         }
@@ -499,8 +499,8 @@ equations! {
         "psi12 = delta1/(h*N1) + theta/N1 + theta/N2";
         "tau23 = tan_a*delta2";
         "psi23 = theta/N2 - delta2/(h*N3) + theta/N3";
-        "e12 = 0 without transmission error; the rates are those of the coordinates, without that of e12";
-        "e23 = 0 without transmission error; the rates are those of the coordinates, without that of e23";
+        "e12 = 0 without transmission error; the rates of deflections do not contain that of e12";
+        "e23 = 0 without transmission error; the rates of deflections do not contain that of e23";
         "side12 = 0 without sliding friction";
         "arm12 = 0 without sliding friction";
         "side23 = 0 without sliding friction";
@@ -514,10 +514,10 @@ equations! {
         "at a step dk23 of k23 in theta: v+^2 = v-^2 - 2*G*(dk23*delta23^2/2)";
         "at a step de12 of e12 in theta: v+^2 = v-^2 - 2*G*(k12*de12^2/2 - k12*de12*delta12)";
         "at a step de23 of e23 in theta: v+^2 = v-^2 - 2*G*(k23*de23^2/2 - k23*de23*delta23)";
-        "at a step of side12: dV = 0, speeds pass unchanged";
-        "at a step of arm12: dV = 0, speeds pass unchanged";
-        "at a step of side23: dV = 0, speeds pass unchanged";
-        "at a step of arm23: dV = 0, speeds pass unchanged";
+        "at a step of side12: dV = 0, the speeds do not change";
+        "at a step of arm12: dV = 0, the speeds do not change";
+        "at a step of side23: dV = 0, the speeds do not change";
+        "at a step of arm23: dV = 0, the speeds do not change";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
         "nonlinear with sliding_friction: -mu12*k12*side12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `slide12`";
         "nonlinear with sliding_friction: -mu12*k12*arm12*psi12_dot*sqrt(tiny12^2 + delta12^2)/sqrt(w_mix12^2 + psi12_dot^2) in the torque `roll12`";

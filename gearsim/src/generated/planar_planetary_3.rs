@@ -73,12 +73,12 @@
 //! tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c
 //! delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s
 //! delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r
-//! e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1
-//! e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1
-//! e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2
-//! e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2
-//! e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3
-//! e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3
+//! e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1
+//! e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1
+//! e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2
+//! e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2
+//! e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3
+//! e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3
 //! ```
 //!
 //! # Equations of motion
@@ -210,7 +210,7 @@
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
 //! - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2
 //!
@@ -241,7 +241,7 @@ equations! {
 
     coordinates {
         theta "rad" start 0.0, "phase of the meshes, Z_s (theta_s - theta_c)";
-        theta_c "rad" start static, "rotation of the carrier beyond rolling";
+        theta_c "rad" start static, "rotation of the carrier in excess of rigid rolling";
         theta_r "rad" start static, "rotation of the ring";
         x_s "m" start static, "x of the centre of the sun";
         y_s "m" start static, "y of the centre of the sun";
@@ -250,14 +250,14 @@ equations! {
         x_r "m" start static, "x of the centre of the ring";
         y_r "m" start static, "y of the centre of the ring";
         zeta1 "m" start static, "radial displacement of planet 1";
-        eta1 "m" start static, "tangential displacement, beyond the carrier's rotation, of planet 1";
-        u1 "m" start static, "rotation of planet 1 beyond rolling, times its base radius";
+        eta1 "m" start static, "tangential displacement of planet 1 in excess of the rotation of the carrier";
+        u1 "m" start static, "rotation of planet 1 in excess of rigid rolling, times its base radius";
         zeta2 "m" start static, "radial displacement of planet 2";
-        eta2 "m" start static, "tangential displacement, beyond the carrier's rotation, of planet 2";
-        u2 "m" start static, "rotation of planet 2 beyond rolling, times its base radius";
+        eta2 "m" start static, "tangential displacement of planet 2 in excess of the rotation of the carrier";
+        u2 "m" start static, "rotation of planet 2 in excess of rigid rolling, times its base radius";
         zeta3 "m" start static, "radial displacement of planet 3";
-        eta3 "m" start static, "tangential displacement, beyond the carrier's rotation, of planet 3";
-        u3 "m" start static, "rotation of planet 3 beyond rolling, times its base radius";
+        eta3 "m" start static, "tangential displacement of planet 3 in excess of the rotation of the carrier";
+        u3 "m" start static, "rotation of planet 3 in excess of rigid rolling, times its base radius";
     }
     parameters {
         Z_s "1" required, open 0.0 to inf, "number of teeth of the sun";
@@ -277,9 +277,9 @@ equations! {
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
         kb_p "N/m" required, from 0.0 to inf, "radial stiffness of a planet's bearing";
-        psi1 "rad" default 0.0, open -inf to inf, "place of planet 1";
-        psi2 "rad" default 2.0943951023931953, open -inf to inf, "place of planet 2";
-        psi3 "rad" default 4.1887902047863905, open -inf to inf, "place of planet 3";
+        psi1 "rad" default 0.0, open -inf to inf, "angular position of planet 1";
+        psi2 "rad" default 2.0943951023931953, open -inf to inf, "angular position of planet 2";
+        psi3 "rad" default 4.1887902047863905, open -inf to inf, "angular position of planet 3";
         T_motor "N*m" required, open -inf to inf, "driving torque of the sun";
         T_load "N*m" required, open -inf to inf, "load torque of the carrier, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -305,8 +305,8 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -2681,12 +2681,12 @@ equations! {
         "tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c";
         "delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s";
         "delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r";
-        "e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1";
-        "e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1";
-        "e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2";
-        "e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2";
-        "e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3";
-        "e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3";
+        "e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1";
+        "e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1";
+        "e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2";
+        "e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2";
+        "e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3";
+        "e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3";
         "(I_c/Z_r^2 - 6*h*I_p/(r_p*Z_r) + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 3*h*I_p/r_p + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2)/2 [jump terms]";
         "(I_c/Z_r - 3*h*I_p/r_p + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p [damping]";
         "(I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]";

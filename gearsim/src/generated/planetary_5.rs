@@ -43,16 +43,16 @@
 //! delta_r4 = h*Z_r*theta_r - u4 - e_r4 - h*Z_r*theta_c
 //! delta_s5 = u5 - e_s5
 //! delta_r5 = h*Z_r*theta_r - u5 - e_r5 - h*Z_r*theta_c
-//! e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1
-//! e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1
-//! e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2
-//! e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2
-//! e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3
-//! e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3
-//! e_s4 = 0 without transmission error; the rates are those of the coordinates, without that of e_s4
-//! e_r4 = 0 without transmission error; the rates are those of the coordinates, without that of e_r4
-//! e_s5 = 0 without transmission error; the rates are those of the coordinates, without that of e_s5
-//! e_r5 = 0 without transmission error; the rates are those of the coordinates, without that of e_r5
+//! e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1
+//! e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1
+//! e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2
+//! e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2
+//! e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3
+//! e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3
+//! e_s4 = 0 without transmission error; the rates of deflections do not contain that of e_s4
+//! e_r4 = 0 without transmission error; the rates of deflections do not contain that of e_r4
+//! e_s5 = 0 without transmission error; the rates of deflections do not contain that of e_s5
+//! e_r5 = 0 without transmission error; the rates of deflections do not contain that of e_r5
 //! ```
 //!
 //! # Equations of motion
@@ -142,7 +142,7 @@
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
 //! - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_r4*de_r4*delta_r4*theta_dot - k_r5*de_r5*delta_r5*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot - k_s4*de_s4*delta_s4*theta_dot - k_s5*de_s5*delta_s5*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_r4*delta_r4^2*theta_dot/2 + dk_r5*delta_r5^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2 + dk_s4*delta_s4^2*theta_dot/2 + dk_s5*delta_s5^2*theta_dot/2
 //!
@@ -181,13 +181,13 @@ equations! {
 
     coordinates {
         theta "rad" start 0.0, "phase of the meshes, Z_s (theta_s - theta_c)";
-        theta_c "rad" start static, "rotation of the carrier beyond rolling";
+        theta_c "rad" start static, "rotation of the carrier in excess of rigid rolling";
         theta_r "rad" start static, "rotation of the ring";
-        u1 "m" start static, "rotation of planet 1 beyond rolling, times its base radius";
-        u2 "m" start static, "rotation of planet 2 beyond rolling, times its base radius";
-        u3 "m" start static, "rotation of planet 3 beyond rolling, times its base radius";
-        u4 "m" start static, "rotation of planet 4 beyond rolling, times its base radius";
-        u5 "m" start static, "rotation of planet 5 beyond rolling, times its base radius";
+        u1 "m" start static, "rotation of planet 1 in excess of rigid rolling, times its base radius";
+        u2 "m" start static, "rotation of planet 2 in excess of rigid rolling, times its base radius";
+        u3 "m" start static, "rotation of planet 3 in excess of rigid rolling, times its base radius";
+        u4 "m" start static, "rotation of planet 4 in excess of rigid rolling, times its base radius";
+        u5 "m" start static, "rotation of planet 5 in excess of rigid rolling, times its base radius";
     }
     parameters {
         Z_s "1" required, open 0.0 to inf, "number of teeth of the sun";
@@ -233,8 +233,8 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal places: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -1058,16 +1058,16 @@ equations! {
         "delta_r4 = h*Z_r*theta_r - u4 - e_r4 - h*Z_r*theta_c";
         "delta_s5 = u5 - e_s5";
         "delta_r5 = h*Z_r*theta_r - u5 - e_r5 - h*Z_r*theta_c";
-        "e_s1 = 0 without transmission error; the rates are those of the coordinates, without that of e_s1";
-        "e_r1 = 0 without transmission error; the rates are those of the coordinates, without that of e_r1";
-        "e_s2 = 0 without transmission error; the rates are those of the coordinates, without that of e_s2";
-        "e_r2 = 0 without transmission error; the rates are those of the coordinates, without that of e_r2";
-        "e_s3 = 0 without transmission error; the rates are those of the coordinates, without that of e_s3";
-        "e_r3 = 0 without transmission error; the rates are those of the coordinates, without that of e_r3";
-        "e_s4 = 0 without transmission error; the rates are those of the coordinates, without that of e_s4";
-        "e_r4 = 0 without transmission error; the rates are those of the coordinates, without that of e_r4";
-        "e_s5 = 0 without transmission error; the rates are those of the coordinates, without that of e_s5";
-        "e_r5 = 0 without transmission error; the rates are those of the coordinates, without that of e_r5";
+        "e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1";
+        "e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1";
+        "e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2";
+        "e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2";
+        "e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3";
+        "e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3";
+        "e_s4 = 0 without transmission error; the rates of deflections do not contain that of e_s4";
+        "e_r4 = 0 without transmission error; the rates of deflections do not contain that of e_r4";
+        "e_s5 = 0 without transmission error; the rates of deflections do not contain that of e_s5";
+        "e_r5 = 0 without transmission error; the rates of deflections do not contain that of e_r5";
         "(I_c/Z_r^2 - 10*h*I_p/(r_p*Z_r) + 5*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 5*a^2*m_p/Z_r^2 + 5*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta_c'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u4'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u5'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4 + k_r5*de_r5*delta_r5 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4 + k_s5*de_s5*delta_s5 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + h*I_p*alpha_M*u4_dot/r_p^2 + h*I_p*alpha_M*u5_dot/r_p^2 + 5*h*I_p*alpha_M*theta_c_dot/r_p + 10*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 5*I_p*alpha_M*theta_dot/Z_r^2 - 5*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 5*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 5*a^2*alpha_M*m_p*theta_c_dot/Z_r - 5*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_r4*delta_r4^2 - dk_r5*delta_r5^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2 - dk_s4*delta_s4^2 - dk_s5*delta_s5^2)/2 [jump terms]";
         "(I_c/Z_r - 5*h*I_p/r_p + 5*I_p/Z_r + I_s/Z_r + I_s/Z_s + 5*a^2*m_p/Z_r) theta'' + (I_c + 5*I_p + I_s + 5*a^2*m_p) theta_c'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' + (I_p/r_p) u4'' + (I_p/r_p) u5'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot + 5*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 5*I_p*alpha_M*theta_c_dot - 5*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 5*a^2*alpha_M*m_p*theta_c_dot - 5*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p [damping]";
         "(I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]";

@@ -31,14 +31,14 @@
 //! twist_c = theta1/N2 - s1/(2*h1*N2) - s2/(2*h2*N3) - theta2/N3
 //! over12 = s1 - edge12
 //! over34 = s2 - edge34
-//! touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0
-//! damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:
-//!   clip12 = 1 where it would push more than the spring does, it pushes as much
-//!   clip12 = -1 where it would pull more than the spring pushes, the contact has no force
-//! touch34 = 1 where over34 is beyond edge34 = b34/2 or -b34/2, 0 between; without backlash 1, with edge34 = 0
-//! damp34 = 1, clip34 = 0 in contact while the damper's force is less than the spring's, else damp34 = 0:
-//!   clip34 = 1 where it would push more than the spring does, it pushes as much
-//!   clip34 = -1 where it would pull more than the spring pushes, the contact has no force
+//! touch12 = 1 in contact, beyond edge12 = b12/2 or -b12/2; touch12 = 0 between the edges; without backlash touch12 = 1 and edge12 = 0
+//! damp12 = 1 and clip12 = 0 in contact while the damper force is less than the spring force, else damp12 = 0:
+//!   clip12 = 1 if the damper would push more than the spring: its force is limited to the spring force
+//!   clip12 = -1 if the damper would pull more than the spring pushes: the contact force is zero
+//! touch34 = 1 in contact, beyond edge34 = b34/2 or -b34/2; touch34 = 0 between the edges; without backlash touch34 = 1 and edge34 = 0
+//! damp34 = 1 and clip34 = 0 in contact while the damper force is less than the spring force, else damp34 = 0:
+//!   clip34 = 1 if the damper would push more than the spring: its force is limited to the spring force
+//!   clip34 = -1 if the damper would pull more than the spring pushes: the contact force is zero
 //! ```
 //!
 //! # Equations of motion
@@ -92,11 +92,11 @@
 //!
 //! # Proved
 //!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects, the clipped force of a damper counted with the latter
+//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
 //! - V is the same on both sides of the edges of over12: no impulse there
 //! - V is the same on both sides of the edges of over34: no impulse there
 //! - M is symmetric
-//! - every deflection is the sum of the coordinates by which the equations differentiate it
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
 //! - without the jump terms the balance fails: energy is created at the rate (dk12*touch12*over12^2*theta1_dot + dk34*touch34*over34^2*theta2_dot)/2
 //!
@@ -116,10 +116,10 @@ equations! {
     source "standard torsional model; phases as Oh, Grosh & Barber (2005)";
 
     coordinates {
-        theta1 "rad" start 0.0, "mean rotation of gears 1 and 2, one pitch 2 pi";
-        s1 "m" start static, "rotation of gear 1 beyond that of gear 2, along the line of action";
-        theta2 "rad" start static, "mean rotation of gears 3 and 4, one pitch 2 pi";
-        s2 "m" start static, "rotation of gear 3 beyond that of gear 4, along the line of action";
+        theta1 "rad" start 0.0, "mean rotation of gears 1 and 2; one pitch is 2 pi";
+        s1 "m" start static, "motion of gear 1 relative to gear 2 along the line of action";
+        theta2 "rad" start static, "mean rotation of gears 3 and 4; one pitch is 2 pi";
+        s2 "m" start static, "motion of gear 3 relative to gear 4 along the line of action";
         psi_m "rad" start static, "twist of the motor's shaft";
         psi_l "rad" start static, "twist of the load's shaft";
     }
@@ -139,8 +139,8 @@ equations! {
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_c "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the countershaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
-        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: it is free within b/2 to either side";
-        b34 "m" required with backlash, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: it is free within b/2 to either side";
+        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
+        b34 "m" required with backlash, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
         T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
         T_load "N*m" required, open -inf to inf, "load torque of the load, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -156,8 +156,8 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
-        backlash "flanks with play: drive and coast flank, and free flight between";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -589,14 +589,14 @@ equations! {
         "twist_c = theta1/N2 - s1/(2*h1*N2) - s2/(2*h2*N3) - theta2/N3";
         "over12 = s1 - edge12";
         "over34 = s2 - edge34";
-        "touch12 = 1 where over12 is beyond edge12 = b12/2 or -b12/2, 0 between; without backlash 1, with edge12 = 0";
-        "damp12 = 1, clip12 = 0 in contact while the damper's force is less than the spring's, else damp12 = 0:";
-        "  clip12 = 1 where it would push more than the spring does, it pushes as much";
-        "  clip12 = -1 where it would pull more than the spring pushes, the contact has no force";
-        "touch34 = 1 where over34 is beyond edge34 = b34/2 or -b34/2, 0 between; without backlash 1, with edge34 = 0";
-        "damp34 = 1, clip34 = 0 in contact while the damper's force is less than the spring's, else damp34 = 0:";
-        "  clip34 = 1 where it would push more than the spring does, it pushes as much";
-        "  clip34 = -1 where it would pull more than the spring pushes, the contact has no force";
+        "touch12 = 1 in contact, beyond edge12 = b12/2 or -b12/2; touch12 = 0 between the edges; without backlash touch12 = 1 and edge12 = 0";
+        "damp12 = 1 and clip12 = 0 in contact while the damper force is less than the spring force, else damp12 = 0:";
+        "  clip12 = 1 if the damper would push more than the spring: its force is limited to the spring force";
+        "  clip12 = -1 if the damper would pull more than the spring pushes: the contact force is zero";
+        "touch34 = 1 in contact, beyond edge34 = b34/2 or -b34/2; touch34 = 0 between the edges; without backlash touch34 = 1 and edge34 = 0";
+        "damp34 = 1 and clip34 = 0 in contact while the damper force is less than the spring force, else damp34 = 0:";
+        "  clip34 = 1 if the damper would push more than the spring: its force is limited to the spring force";
+        "  clip34 = -1 if the damper would pull more than the spring pushes: the contact force is zero";
         "(I1/N1^2 + I2/N2^2 + I_m/N1^2) theta1'' + ((I1/(h1*N1^2) - I2/(h1*N2^2) + I_m/(h1*N1^2))/2) s1'' + (I_m/N1) psi_m'' = -k_c*twist_c/N2 + T_motor/N1 [torques] + I2*alpha_M*s1_dot/(2*h1*N2^2) - I1*alpha_M*theta1_dot/N1^2 - I2*alpha_M*theta1_dot/N2^2 - I_m*alpha_M*theta1_dot/N1^2 - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s1_dot/(2*h1*N1^2) - I_m*alpha_M*s1_dot/(2*h1*N1^2) - beta_K*k_c*twist_c_dot/N2 [damping] - dk12*touch12*over12^2/2 [jump terms]";
         "((I1/(h1*N1^2) - I2/(h1*N2^2) + I_m/(h1*N1^2))/2) theta1'' + ((I1/(h1^2*N1^2) + I2/(h1^2*N2^2) + I_m/(h1^2*N1^2))/4) s1'' + (I_m/(2*h1*N1)) psi_m'' = k_c*twist_c/(2*h1*N2) - k12*touch12*over12 - k12*touch12*clip12*over12 [backlash] + T_motor/(2*h1*N1) [torques] + I2*alpha_M*theta1_dot/(2*h1*N2^2) - beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*s1_dot/(4*h1^2*N1^2) - I2*alpha_M*s1_dot/(4*h1^2*N2^2) - I_m*alpha_M*s1_dot/(4*h1^2*N1^2) - I1*alpha_M*theta1_dot/(2*h1*N1^2) - I_m*alpha_M*theta1_dot/(2*h1*N1^2) - I_m*alpha_M*psi_m_dot/(2*h1*N1) + beta_K*k_c*twist_c_dot/(2*h1*N2) [damping]";
         "(I3/N3^2 + I4/N4^2 + I_l/N4^2) theta2'' + ((I3/(h2*N3^2) - I4/(h2*N4^2) - I_l/(h2*N4^2))/2) s2'' + (-I_l/N4) psi_l'' = k_c*twist_c/N3 - T_load/N4 [torques] + I_l*alpha_M*psi_l_dot/N4 - I3*alpha_M*theta2_dot/N3^2 - I4*alpha_M*theta2_dot/N4^2 - I_l*alpha_M*theta2_dot/N4^2 - I3*alpha_M*s2_dot/(2*h2*N3^2) + I4*alpha_M*s2_dot/(2*h2*N4^2) + I_l*alpha_M*s2_dot/(2*h2*N4^2) + beta_K*k_c*twist_c_dot/N3 [damping] - dk34*touch34*over34^2/2 [jump terms]";

@@ -1,10 +1,10 @@
-//! A bearing, as stiff in one direction as in the other: V = kb (x^2 + y^2)/2.
+//! A radial bearing with the same stiffness in every direction: V = kb (x^2 + y^2)/2.
 
 use gearsim_derive::{Expr, Model, Range, half};
 
 use super::named;
 
-/// A bearing that gives way by `x` and `y` [m]. Declares its radial stiffness `kb`.
+/// A bearing that deflects by `x` and `y` [m]. Declares its radial stiffness `kb`.
 pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     let doc = format!("radial stiffness of the {what}");
     let k = m.parameter(&named("kb", part), "N/m", None, Range::NotNegative, &doc);

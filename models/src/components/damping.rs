@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range};
 
-/// Damps every rotor and every spring that the model has. To be called last. Declares `alpha_M` and `beta_K`.
+/// Damps every rotor and every spring that the model has so far: call it last. Declares `alpha_M` and `beta_K`.
 #[allow(non_snake_case)] // the field's symbols
 pub fn damping(m: &mut Model) {
     let alpha_M = m.parameter("alpha_M", "1/s", Some(0.0), Range::NotNegative, "damping in proportion to inertia");

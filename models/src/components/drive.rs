@@ -1,15 +1,15 @@
-//! Motor and load: torques that are constant, or vary in time as a scene says, in the effect `torques`.
+//! Motor and load: torques that are constant, or vary in time if a scene says so, in the effect `torques`.
 
 use gearsim_derive::{Expr, Model, Range};
 
 use super::named;
 
-/// A motor that turns what turns by `theta` [rad]. Declares its torque `T`.
+/// A motor that drives a body with the rotation `theta` [rad]. Declares its torque `T`.
 pub fn drive(m: &mut Model, part: &str, what: &str, theta: Expr) {
     torque(m, part, &format!("driving torque of the {what}"), theta);
 }
 
-/// A load that holds back what turns by `theta` [rad]. Declares its torque `T`.
+/// A load on a body with the rotation `theta` [rad], against that rotation. Declares its torque `T`.
 pub fn load(m: &mut Model, part: &str, what: &str, theta: Expr) {
     torque(m, part, &format!("load torque of the {what}, against its rotation"), -theta);
 }

@@ -1,9 +1,9 @@
-//! What a mesh feels of two gears along its line of action.
+//! The deflection of a mesh along its line of action, from the motion of its two gears.
 //!
-//! A gear moves by x, y and turns by u = r_b theta at its base circle, counterclockwise. In a mesh whose line of centres
-//! (from the first gear to the second; from the middle of a ring outwards) is in the direction psi, a point of it moves
-//! along the line of action by y cos(l) - x sin(l) + u, with l = psi - alpha for an external and l = psi + alpha for an
-//! internal mesh of the pressure angle alpha (Lin & Parker 1999, Eq. (3)). The deflection is
+//! The centre of a gear moves by x, y, its base circle by u = r_b theta, counterclockwise. Let psi be the direction of the line
+//! of centres, from the first gear to the second, or from the middle of a ring outwards, and alpha the pressure angle. A point of
+//! the gear in contact then moves along the line of action by y cos(l) - x sin(l) + u, with l = psi - alpha for an external and
+//! l = psi + alpha for an internal mesh (Lin & Parker 1999, Eq. (3)). The deflection is
 //!
 //! ```text
 //! delta = (y1 - y2) cos(l) - (x1 - x2) sin(l) + u1 + u2     external
@@ -12,7 +12,7 @@
 
 use gearsim_derive::Expr;
 
-/// The plane motion of a gear [m]: of its centre along x and y, and of its base circle.
+/// The plane motion of a gear [m].
 #[derive(Clone, Copy)]
 pub struct Gear {
     /// Displacement of the centre along x.
@@ -23,7 +23,7 @@ pub struct Gear {
     pub u: Expr,
 }
 
-/// A direction by its cosine and its sine.
+/// A direction, by the cosine and the sine of its angle.
 #[derive(Clone, Copy)]
 pub struct Direction {
     /// Cosine.
@@ -33,35 +33,36 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// The opposite angle.
+    /// The direction at the negative angle.
     pub fn mirrored(self) -> Direction {
         Direction { sin: -self.sin, ..self }
     }
 }
 
 impl Gear {
-    /// A gear whose centre does not move.
+    /// A gear with a fixed centre.
     pub fn centred(u: Expr) -> Gear {
         Gear { x: 0.into(), y: 0.into(), u }
     }
 
-    /// What its centre moves in a direction.
+    /// Displacement of the centre in a direction.
     pub fn along(self, l: Direction) -> Expr {
         self.x * l.cos + self.y * l.sin
     }
 
-    /// What its centre moves at right angles to a direction.
+    /// Displacement of the centre perpendicular to a direction.
     pub fn across(self, l: Direction) -> Expr {
         self.y * l.cos - self.x * l.sin
     }
 }
 
-/// The deflection of an external mesh [m]. The second gear may be given in a frame of its own, with the line `l2` in it.
+/// The deflection of an external mesh [m]. The second gear may be given in its own frame, with the direction `l2` of the line
+/// of action in that frame.
 pub fn external(a: Gear, l1: Direction, b: Gear, l2: Direction) -> Expr {
     a.across(l1) - b.across(l2) + a.u + b.u
 }
 
-/// The deflection of the mesh of a ring with a planet [m].
+/// The deflection of the internal mesh of a ring and a planet [m].
 pub fn internal(ring: Gear, l1: Direction, planet: Gear, l2: Direction) -> Expr {
     ring.across(l1) - planet.across(l2) + ring.u - planet.u
 }

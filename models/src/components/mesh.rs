@@ -1,4 +1,4 @@
-//! A mesh: V = k(phase) delta^2/2 along its line of action.
+//! A gear mesh: V = k(phase) delta^2/2, with delta along the line of action.
 
 use std::f64::consts::TAU;
 
@@ -6,17 +6,18 @@ use gearsim_derive::{Expr, MeshError, Model, half};
 
 use super::{named, play};
 
-/// A mesh as its force has it.
+/// The two factors of the spring force of a mesh.
 #[derive(Clone, Copy)]
 pub struct Mesh {
-    /// Its stiffness, while its flanks touch: 0 where they do not.
+    /// Stiffness while the flanks are in contact, 0 while they are not.
     pub stiffness: Expr,
-    /// What it feels of its deflection.
+    /// Deflection in contact: less the transmission error and the edge of the backlash, if the mesh has them.
     pub delta: Expr,
 }
 
-/// A mesh that is deflected by `delta` [m], linear in the coordinates, less a [`transmission_error`] if it has one. Declares its stiffness law `k`, periodic in `phase`, of which one tooth pitch
-/// is 2 pi, and with it the effects `stiffness_step`, `rigid_kinematics` and `frozen_phase`.
+/// A mesh with the deflection `delta` [m], which is linear in the coordinates; subtract a [`transmission_error`] from it if the mesh
+/// has one. Declares its stiffness law `k` [N/m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, and the effects
+/// `stiffness_step`, `rigid_kinematics` and `frozen_phase`.
 pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
     let stiffness = stiffness(m, part, what, phase);
     let delta = m.deflection(&named("delta", part), delta);
@@ -24,7 +25,7 @@ pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> 
     Mesh { stiffness, delta }
 }
 
-/// A mesh with backlash along its line of action, in the effect `backlash`: as [`mesh`], and declares the backlash `b` [m].
+/// A mesh as [`mesh`], with backlash in the effect `backlash`. Declares also the backlash `b` [m] along the line of action.
 pub fn mesh_with_play(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
     let k = stiffness(m, part, what, phase);
     let gap = play(m, part, what, "m", delta);
@@ -32,8 +33,8 @@ pub fn mesh_with_play(m: &mut Model, part: &str, what: &str, phase: Expr, delta:
     Mesh { stiffness: k * gap.touch, delta: gap.over }
 }
 
-/// The transmission error of a mesh along its line of action, in the effect of that name: `delta - e.value` is what the mesh
-/// then feels. Declares its law `e` [m], periodic in `phase`, of which one tooth pitch is 2 pi.
+/// The transmission error of a mesh along its line of action, in the effect `transmission_error`; the deflection of the mesh is
+/// then `delta - e.value`. Declares its law `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi.
 pub fn transmission_error(m: &mut Model, part: &str, what: &str, phase: Expr) -> MeshError {
     let doc = format!("transmission error of the {what} along the line of action");
     m.transmission_error(&named("e", part), "m", phase, TAU, &doc)

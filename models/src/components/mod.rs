@@ -1,8 +1,8 @@
-//! What drivetrains are made of: each a function that declares its parameters and adds its energies to a model.
+//! The components of drivetrains: functions that declare parameters and add energies to a model.
 //!
-//! One file a component. Components take rotations [rad] and displacements [m] as expressions in the coordinates, which the
-//! model chooses: `rotor(m, "1", "driving gear", (theta + s / h) / N1)`. Names are put together from the symbol of the
-//! quantity and the name of the part: the inertia of part `1` is `I1`, of part `motor` `I_motor`.
+//! One file for each component. Components take rotations [rad] and displacements [m] as expressions in the coordinates that the
+//! model has chosen: `rotor(m, "1", "driving gear", (theta + s / h) / N1)`. The name of a parameter consists of the symbol of the
+//! quantity and the name of the part: the inertia of part `1` is `I1`, that of part `motor` is `I_motor`.
 
 pub mod bearing;
 pub mod constraint;
@@ -36,7 +36,7 @@ pub use play::play;
 pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft};
 
-/// `I1` for the quantity `I` of part `1`, `I_motor` for that of part `motor`.
+/// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.
 pub fn named(quantity: &str, part: &str) -> String {
     let joint = if part.is_empty() || part.starts_with(|c: char| c.is_ascii_digit()) { "" } else { "_" };
     format!("{quantity}{joint}{part}")

@@ -1,19 +1,19 @@
 //! An induction motor by the formula of Kloss, T = 2 T_b/(s/s_b + s_b/s) with the slip s = 1 - omega/n_s, in the effect
 //! `induction_motor`.
 //!
-//! Steady torque against speed, the stator's resistance neglected (e.g. Fitzgerald, Kingsley & Umans, Electric Machinery, ch.
-//! 6); written T = 2 T_b s s_b/(s² + s_b²), which is smooth at every speed, a generator's above n_s (s < 0) and a plugged motor's in
-//! reverse (s > 1) included. What depends on speed so makes cells nonlinear: they are integrated by steps.
+//! This is the steady torque against speed with the stator resistance neglected (e.g. Fitzgerald, Kingsley & Umans, Electric
+//! Machinery, ch. 6). It is written T = 2 T_b s s_b/(s² + s_b²), which is smooth at every speed, also as a generator above n_s
+//! (s < 0) and with reversed rotation (plugging, s > 1). It makes the cells nonlinear: they are integrated by a stepping method.
 
 use gearsim_derive::{Expr, Model, Range};
 
 use super::named;
 
-/// An induction motor: `through` is how far it turns [rad], `omega` how fast. Declares the breakdown torque `Tb`, the slip
-/// `sb` at which it has it, and the synchronous speed `ns`.
+/// An induction motor with the rotation `through` [rad] and the speed `omega` [rad/s]. Declares the breakdown torque `Tb`, the
+/// slip `sb` at breakdown, and the synchronous speed `ns`.
 pub fn induction_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
     m.effect("induction_motor", "an induction motor, its torque by the formula of Kloss", |m| {
-        let doc = format!("breakdown torque of the {what}, the largest it has");
+        let doc = format!("breakdown torque of the {what}, its largest torque");
         let breakdown = m.parameter(&named("Tb", part), "N*m", None, Range::Positive, &doc);
         let doc = format!("slip at which the {what} has its breakdown torque");
         let at = m.parameter(&named("sb", part), "1", None, Range::Positive, &doc);

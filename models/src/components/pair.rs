@@ -1,19 +1,19 @@
-//! Two gears that roll on each other on parallel shafts, each turning in its own direction.
+//! Two gears on parallel shafts; the rotation of each is positive in its own direction.
 //!
-//! With q1 = N1 theta1, q2 = N2 theta2 and the base radius h of one tooth (r1 = h N1, r2 = h N2): their mean rotation
-//! theta = (q1 + q2)/2, of which one pitch is 2 pi, and what they turn against each other along the line of action,
+//! Let q1 = N1 theta1, q2 = N2 theta2 and h the base radius per tooth (r1 = h N1, r2 = h N2). The coordinates are the mean rotation
+//! theta = (q1 + q2)/2, in which one pitch is 2 pi, and the relative motion of the gears along the line of action,
 //! s = h (q1 - q2).
 
 use gearsim_derive::{Expr, Model, Range, Start};
 
 use super::named;
 
-/// A pair of gears, and how they turn.
+/// A pair of gears: their rotations and numbers of teeth.
 #[derive(Clone, Copy)]
 pub struct Pair {
-    /// Mean rotation, the phase of their mesh: a coordinate [rad].
+    /// Mean rotation, the phase of the mesh: a coordinate [rad].
     pub theta: Expr,
-    /// What they turn against each other: a coordinate [m]; the mesh's deflection where their centres are fixed.
+    /// Relative motion along the line of action: a coordinate [m]. It is the deflection of the mesh if the centres are fixed.
     pub s: Expr,
     /// Rotation of the driving gear [rad].
     pub theta1: Expr,
@@ -25,8 +25,9 @@ pub struct Pair {
     pub n2: Expr,
 }
 
-/// Declares teeth `N` and `r` of the driving gear `a`, teeth of the driven gear `b`, and the coordinates `theta` and `s`
-/// of their mesh, named after it: `pair(m, "", "1", "2")` gives `theta`, `s`, `N1`, `N2`, `r1`.
+/// Declares the number of teeth `N` and the base radius `r` [m] of the driving gear `a`, the number of teeth of the driven gear
+/// `b`, and the coordinates `theta` and `s`, followed by the name `of_mesh`: `pair(m, "", "1", "2")` declares `theta`, `s`, `N1`,
+/// `N2`, `r1`.
 pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
     let teeth = |m: &mut Model, part: &str| {
         m.parameter(&named("N", part), "1", None, Range::Positive, &format!("number of teeth of gear {part}"))
@@ -35,9 +36,9 @@ pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
     let r = m.parameter(&named("r", a), "m", None, Range::Positive, &format!("base radius of gear {a}"));
     let h = m.constant(&format!("h{of_mesh}"), r / n1);
     let start = if of_mesh.is_empty() || of_mesh == "1" { Start::At(0.0) } else { Start::Static };
-    let doc = format!("mean rotation of gears {a} and {b}, one pitch 2 pi");
+    let doc = format!("mean rotation of gears {a} and {b}; one pitch is 2 pi");
     let theta = m.coordinate(&format!("theta{of_mesh}"), "rad", start, &doc);
-    let doc = format!("rotation of gear {a} beyond that of gear {b}, along the line of action");
+    let doc = format!("motion of gear {a} relative to gear {b} along the line of action");
     let s = m.coordinate(&format!("s{of_mesh}"), "m", Start::Static, &doc);
     let half = gearsim_derive::half(s / h);
     Pair { theta, s, theta1: (theta + half) / n1, theta2: (theta - half) / n2, n1, n2 }

@@ -1,9 +1,10 @@
 //! A planetary stage: sun `s`, ring `r`, carrier `c` and n planets, as Lin & Parker (1999), J. Vib. Acoust. 121(3).
 //!
-//! All meshes of a stage move on with one phase, theta = Z_s (theta_s - theta_c): one pitch is 2 pi, and rho = h theta
-//! rolls along the line of action, h = r_s/Z_s. On a ring at rest the carrier then turns by rho/r_r and a planet by
-//! -rho/r_p against it. The coordinates of carrier and planets are what they move beyond that, so that no deflection
-//! depends on theta. Angles are counterclockwise; the frame turns with the carrier, without gyroscopic terms.
+//! All meshes of a stage have the same phase, theta = Z_s (theta_s - theta_c), in which one pitch is 2 pi. The rolling distance along
+//! the line of action is rho = h theta with h = r_s/Z_s. If ring and gears are rigid and the ring is at rest, the carrier turns by
+//! rho/r_r, and a planet by -rho/r_p relative to the carrier. The coordinates of carrier and planets are their motions in excess of
+//! this rigid rolling, so that no deflection depends on theta. Angles are counterclockwise. The frame turns with the carrier;
+//! gyroscopic terms are neglected.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +13,7 @@ use gearsim_derive::{Expr, Model, Range, Start, half};
 use super::gear::Direction;
 use super::{Gear, external, internal, mesh, transmission_error};
 
-/// A stage's geometry, and how it turns.
+/// The geometry of a stage and its rotations.
 #[derive(Clone, Copy)]
 pub struct Stage {
     /// The phase of its meshes, a coordinate [rad]; one pitch is 2 pi.
@@ -27,15 +28,17 @@ pub struct Stage {
     pub r_r: Expr,
     /// Radius of the circle of the planets' centres [m].
     pub a: Expr,
-    /// Speed of theta per speed of the sun on a ring at rest.
+    /// Speed of theta per speed of the sun, with the ring at rest.
     pub per_sun: Expr,
-    /// Base radius of a planet [m], and the name of it.
+    /// Base radius of a planet [m]: in parameters, and as a named constant.
     r_p: [Expr; 2],
-    /// The name of `a`.
+    /// `a` as a named constant.
     named_a: Expr,
-    /// Pressure angle [rad], and as a direction.
+    /// Pressure angle [rad].
     angle: Expr,
+    /// The pressure angle as a direction.
     alpha: Direction,
+    /// Rolling distance along the line of action [m].
     rho: Expr,
 }
 
@@ -48,11 +51,11 @@ pub fn stage(m: &mut Model) -> Stage {
     let angle = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
     let alpha = Direction { cos: m.constant("cos_a", angle.cos()), sin: m.constant("sin_a", angle.sin()) };
     let h = m.constant("h", r_s / Z_s);
-    // Written out where theta must cancel, by name elsewhere.
+    // In parameters where theta must cancel symbolically, as named constants elsewhere.
     let (r_p, a) = (half(h * (Z_r - Z_s)), half(h * (Z_r + Z_s)) / alpha.cos);
     let (named_r_p, named_a) = (m.constant("r_p", r_p), m.constant("a", a));
     let theta = m.coordinate("theta", "rad", Start::At(0.0), "phase of the meshes, Z_s (theta_s - theta_c)");
-    let beyond = m.coordinate("theta_c", "rad", Start::Static, "rotation of the carrier beyond rolling");
+    let beyond = m.coordinate("theta_c", "rad", Start::Static, "rotation of the carrier in excess of rigid rolling");
     Stage {
         theta,
         theta_s: theta / Z_s + theta / Z_r + beyond,
@@ -70,8 +73,9 @@ pub fn stage(m: &mut Model) -> Stage {
 }
 
 impl Stage {
-    /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring
-    /// that turns by `theta_r`. Declares the planets' `m_p`, `I_p` and coordinates `u1`, ..., the laws `k_s1`, `k_r1`, ..., `e_s1`, `e_r1`, ...
+    /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring with the
+    /// rotation `theta_r` [rad]. Declares mass `m_p` and inertia `I_p` of a planet, for each planet the coordinate `u1`, ..., and for
+    /// its meshes the laws `k_s1`, `k_r1`, ..., `e_s1`, `e_r1`, ...
     pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
         let (mass, inertia) = inertia(m);
         m.kinetic(half(n as i64 * mass * (self.named_a * self.theta_c.dot()).sq()));
@@ -83,25 +87,27 @@ impl Stage {
         }
     }
 
-    /// Adds `n` planets on bearings on the carrier, and their meshes with sun and ring. Declares, of planet i, its place
-    /// `psi1`, its coordinates `zeta1` (radial), `eta1` (tangential), `u1`; of all, `m_p`, `I_p` and the bearings' `kb_p`.
+    /// Adds `n` planets on bearings on the carrier, and their meshes with sun and ring. Declares mass `m_p`, inertia `I_p` and
+    /// bearing stiffness `kb_p` of a planet, for each planet its angular position `psi1`, ... and its coordinates `zeta1` (radial),
+    /// `eta1` (tangential), `u1` (rotation), ..., and the laws of its meshes.
     pub fn planets_on_bearings(&self, m: &mut Model, n: usize, sun: Gear, ring: Gear, carrier: Gear) {
         let (mass, inertia) = inertia(m);
         let kb = m.parameter("kb_p", "N/m", None, Range::NotNegative, "radial stiffness of a planet's bearing");
         for i in 1..=n {
             let place = TAU * (i - 1) as f64 / n as f64;
-            let psi = m.parameter(&format!("psi{i}"), "rad", Some(place), Range::Any, &format!("place of planet {i}"));
+            let doc = format!("angular position of planet {i}");
+            let psi = m.parameter(&format!("psi{i}"), "rad", Some(place), Range::Any, &doc);
             let direction = |m: &mut Model, of: &str, angle: Expr| Direction {
                 cos: m.constant(&format!("cos_{of}{i}"), angle.cos()),
                 sin: m.constant(&format!("sin_{of}{i}"), angle.sin()),
             };
             let (l_c, l_s) = (direction(m, "c", psi), direction(m, "s", psi - self.angle));
             let l_r = direction(m, "r", psi + self.angle);
-            let coordinate = |m: &mut Model, name: &str, doc: &str| {
-                m.coordinate(&format!("{name}{i}"), "m", Start::Static, &format!("{doc} of planet {i}"))
-            };
-            let zeta = coordinate(m, "zeta", "radial displacement");
-            let eta = coordinate(m, "eta", "tangential displacement, beyond the carrier's rotation,");
+            let coordinate =
+                |m: &mut Model, name: &str, doc: &str| m.coordinate(&format!("{name}{i}"), "m", Start::Static, doc);
+            let zeta = coordinate(m, "zeta", &format!("radial displacement of planet {i}"));
+            let doc = format!("tangential displacement of planet {i} in excess of the rotation of the carrier");
+            let eta = coordinate(m, "eta", &doc);
             let planet = Gear { x: zeta, y: self.a * self.theta_c + eta, u: self.rotation(m, i, inertia) };
             m.kinetic(half(mass * zeta.dot().sq()));
             m.kinetic(half(mass * (self.named_a * self.theta_c.dot() + eta.dot()).sq()));
@@ -115,16 +121,16 @@ impl Stage {
         }
     }
 
-    /// Planet `i` turns: its rotation times its base radius.
+    /// The rotation of planet `i` times its base radius [m]; adds its kinetic energy.
     fn rotation(&self, m: &mut Model, i: usize, inertia: Expr) -> Expr {
-        let doc = format!("rotation of planet {i} beyond rolling, times its base radius");
+        let doc = format!("rotation of planet {i} in excess of rigid rolling, times its base radius");
         let beyond = m.coordinate(&format!("u{i}"), "m", Start::Static, &doc);
         let [r_p, named] = self.r_p;
         m.kinetic(half(inertia * (self.theta_c.dot() + (beyond - self.rho).dot() / named).sq()));
         r_p * self.theta_c - self.rho + beyond
     }
 
-    /// The meshes of planet `i` with sun and ring, from their deflections, with transmission errors.
+    /// Adds the meshes of planet `i` with sun and ring, with the deflections `sun` and `ring` [m] and transmission errors.
     fn meshes(&self, m: &mut Model, i: usize, sun: Expr, ring: Expr) {
         for (part, with, delta) in [("s", "sun", sun), ("r", "ring", ring)] {
             let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
@@ -134,6 +140,7 @@ impl Stage {
     }
 }
 
+/// Declares mass and moment of inertia of a planet.
 fn inertia(m: &mut Model) -> (Expr, Expr) {
     let mass = m.parameter("m_p", "kg", None, Range::Positive, "mass of a planet");
     (mass, m.parameter("I_p", "kg*m^2", None, Range::Positive, "moment of inertia of a planet"))

@@ -12,7 +12,7 @@ pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
     m.potential(half(k * twist.sq()));
 }
 
-/// A torsional spring between the ground and what turns by `theta` [rad]. Declares its stiffness `k`.
+/// A torsional spring between the ground and a body with the rotation `theta` [rad]. Declares its torsional stiffness `k`.
 pub fn ground(m: &mut Model, part: &str, what: &str, theta: Expr) {
     shaft(m, part, what, theta);
 }

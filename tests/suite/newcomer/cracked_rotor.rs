@@ -24,15 +24,15 @@
 //! # At a step of a stiffness
 //!
 //! ```text
-//! at a step dc of c in alpha, where energy allows:
+//! at a step dc of c in alpha, transmission if alpha_dot+^2 >= 0:
 //! alpha_dot+^2 = alpha_dot-^2 - -dc*beta^2/J1
-//! else alpha_dot+ = -alpha_dot-: reflected, and the stiffness stays
-//! at a step dk of k in alpha, where energy allows:
+//! else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step
+//! at a step dk of k in alpha, transmission if alpha_dot+^2 >= 0:
 //! alpha_dot+^2 = alpha_dot-^2 - dk*beta^2/J1
-//! else alpha_dot+ = -alpha_dot-: reflected, and the stiffness stays
-//! at a step dg of g in alpha, where energy allows:
+//! else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step
+//! at a step dg of g in alpha, transmission if alpha_dot+^2 >= 0:
 //! alpha_dot+^2 = alpha_dot-^2 - dg*beta^2/J1
-//! else alpha_dot+ = -alpha_dot-: reflected, and the stiffness stays
+//! else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step
 //! ```
 //!
 //! # Between two steps
@@ -102,7 +102,7 @@ equations! {
     effects {
         stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) for k(theta): the classical equations";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
@@ -235,15 +235,15 @@ equations! {
         "Q_beta = 0";
         "alpha'' = (dc*beta^2/J1 - dg*beta^2/J1 - dk*beta^2/J1)/2 [jump terms]";
         "beta'' = c*beta/J2 - g*beta/J2 - k*beta/J2";
-        "at a step dc of c in alpha, where energy allows:";
+        "at a step dc of c in alpha, transmission if alpha_dot+^2 >= 0:";
         "alpha_dot+^2 = alpha_dot-^2 - -dc*beta^2/J1";
-        "else alpha_dot+ = -alpha_dot-: reflected, and the stiffness stays";
-        "at a step dk of k in alpha, where energy allows:";
+        "else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step";
+        "at a step dk of k in alpha, transmission if alpha_dot+^2 >= 0:";
         "alpha_dot+^2 = alpha_dot-^2 - dk*beta^2/J1";
-        "else alpha_dot+ = -alpha_dot-: reflected, and the stiffness stays";
-        "at a step dg of g in alpha, where energy allows:";
+        "else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step";
+        "at a step dg of g in alpha, transmission if alpha_dot+^2 >= 0:";
         "alpha_dot+^2 = alpha_dot-^2 - dg*beta^2/J1";
-        "else alpha_dot+ = -alpha_dot-: reflected, and the stiffness stays";
+        "else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step";
         "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
     }
     latex {

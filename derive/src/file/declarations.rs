@@ -1,0 +1,87 @@
+//! What the block declares before its equations: the model, coordinates, parameters, laws, motions, effects, conditions.
+
+use super::block::Block;
+use crate::derivation::Derivation;
+use crate::model::{CONDITIONS, Effect, Friction, Law, Model, Motion, Parameter, Range, Role, Start};
+use crate::print::{Style, print};
+use crate::tree::Tree;
+
+/// Writes the declarations; `conditions` are those that the equations need besides the ones of every mesh.
+pub(super) fn write(b: &mut Block, d: &Derivation, conditions: &[(String, String)]) {
+    let m = d.model;
+    b.line(1, &format!("model {} {:?};", m.name, m.title));
+    b.line(1, &format!("source {:?};", m.source));
+    b.blank();
+    coordinates(b, m);
+    b.braces(1, "parameters", |b| m.parameters.iter().for_each(|p| parameter(b, p)));
+    b.braces(1, "laws", |b| m.laws.iter().for_each(|l| law(b, l, d.rolling(l))));
+    b.braces(1, "motions", |b| m.motions.iter().for_each(|x| motion(b, x)));
+    b.braces(1, "effects", |b| m.effects.iter().for_each(|e| effect(b, e)));
+    b.braces(1, "conditions", |b| {
+        if !m.laws.is_empty() {
+            for (name, effects) in CONDITIONS {
+                b.line(2, &format!("{name} = {effects};"));
+            }
+        }
+        for (name, effects) in conditions {
+            b.line(2, &format!("{name} = {effects};"));
+        }
+    });
+}
+
+fn coordinates(b: &mut Block, m: &Model) {
+    b.braces(1, "coordinates", |b| {
+        for c in &m.coordinates {
+            let start = match c.start {
+                Start::At(x) => format!("{x:?}"),
+                Start::Static => "static".into(),
+            };
+            b.line(2, &format!("{} {:?} start {start}, {:?};", c.name, c.unit, c.doc));
+        }
+    });
+}
+
+fn parameter(b: &mut Block, p: &Parameter) {
+    let default = match (p.default, &p.with) {
+        (Some(x), _) => format!("default {x:?}"),
+        (None, Some(effect)) => format!("required with {effect}"),
+        (None, None) => "required".into(),
+    };
+    let range = match p.range {
+        Range::Any => "open -inf to inf",
+        Range::Positive => "open 0.0 to inf",
+        Range::NotNegative => "from 0.0 to inf",
+    };
+    b.line(2, &format!("{} {:?} {default}, {range}, {:?};", p.name, p.unit, p.doc));
+}
+
+fn law(b: &mut Block, law: &Law, rolling: bool) {
+    let phase = print(&Tree::new(&law.phase.atom()), Style::Rust);
+    let rolling = if rolling { " rolling" } else { "" };
+    let with = law.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}{}", role(law.role)));
+    let Law { name, unit, period, doc, .. } = law;
+    b.line(2, &format!("{name} {unit:?} phase {phase} period {period:?}{rolling}{with}, {doc:?};"));
+}
+
+/// The role of a law, where the effect alone does not say it.
+fn role(role: Role) -> &'static str {
+    match role {
+        Role::Friction(Friction::Side) => " as side",
+        Role::Friction(Friction::Arm) => " as arm",
+        Role::Stiffness | Role::Error => "",
+    }
+}
+
+fn motion(b: &mut Block, motion: &Motion) {
+    let rust = |e: crate::Expr| print(&Tree::new(&e.atom()), Style::Rust);
+    let speeds: String = motion.speeds.iter().map(|(q, v)| format!("{}_dot = {}; ", rust(*q), rust(*v))).collect();
+    b.line(2, &format!("{} {:?} {{ {speeds}}}, {:?};", motion.name, motion.unit, motion.doc));
+}
+
+fn effect(b: &mut Block, e: &Effect) {
+    let list = |word: &str, names: &[String]| {
+        if names.is_empty() { String::new() } else { format!("{word}({}) ", names.join(", ")) }
+    };
+    let (requires, excludes) = (list("requires", &e.requires), list("excludes", &e.excludes));
+    b.line(2, &format!("{} {requires}{excludes}{:?};", e.name, e.doc));
+}

@@ -1,0 +1,22 @@
+//! The equations of motion M q'' = F: M, its inverse if it is known, F, and the derivatives of F.
+
+use super::block::Block;
+use crate::derivation::Derivation;
+
+/// Writes the blocks `mass`, `mobility`, `force` and `jacobian`.
+pub(super) fn write(b: &mut Block, d: &Derivation) {
+    let (motion, names) = (&d.motion, d.coordinates());
+    b.matrix(1, "mass", &names, &motion.mass);
+    if let Some(inverse) = &motion.mobility {
+        // Not expanded: an entry stays one fraction over the determinant. If no terms of M cancel, none of its inverse do.
+        b.triangle(1, "mobility", &names, inverse, |b, entry| b.not_expanded(std::slice::from_ref(entry)));
+    }
+    b.rows(1, "force", &names, &motion.force);
+    b.braces(1, "jacobian", |b| {
+        for (name, row) in names.iter().zip(&d.jacobian) {
+            for (by, entry) in d.states().iter().zip(row) {
+                b.sum(2, &format!("{name} {by}"), &b.grouped(entry));
+            }
+        }
+    });
+}
