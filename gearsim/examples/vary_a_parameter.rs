@@ -4,13 +4,18 @@
 
 use std::path::Path;
 
+use anyhow::Context;
 use gearsim::generated::MODELS;
-use gearsim::output::{Table, csv};
+use gearsim::output::Table;
 use gearsim::sweep::{Request, Sweep, row};
 
 fn main() -> anyhow::Result<()> {
     let table = vary("models/scenes/oh2005/spectrum_4500rpm_exact.toml", "parameters.zeta=0.02,0.05,0.1,0.2")?;
-    csv::write(&table, std::io::stdout())?;
+    let column = |name| table.numbers(name).context("no such column");
+    println!("zeta  rms of phi [rad]");
+    for (zeta, rms) in column("parameters.zeta")?.iter().zip(column("phi_rms")?) {
+        println!("{zeta:<4}  {rms:.4e}");
+    }
     Ok(())
 }
 

@@ -63,6 +63,9 @@ fn read(log: &str, whole: f64) -> anyhow::Result<Build> {
     }
     let mut gearsim = |program| times.remove(&("gearsim", program)).unwrap_or(0.0);
     let (library, program) = (gearsim(false), gearsim(true));
+    if library == 0.0 {
+        bail!("the log of the build does not name gearsim");
+    }
     let mut dependencies: Vec<_> = times.into_iter().map(|((name, _), time)| (name.to_owned(), time)).collect();
     dependencies.sort_by(|a, b| b.1.total_cmp(&a.1));
     Ok(Build { library, program, dependencies, whole })
