@@ -1,25 +1,30 @@
-//! `cargo xtask costs`: what grows with the number of coordinates, and how; writes tests/costs.md.
+//! `cargo xtask costs`: how run time, memory and compile time grow with the number of coordinates; writes tests/costs.md.
 
-use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, bail};
 
-/// Measure what a cell change and derived equations cost against the number of coordinates; write it to tests/costs.md.
+use crate::chore;
+
+/// Measure run time and memory against the number of coordinates, or compile times; write them to tests/costs.md.
 #[derive(clap::Args)]
-pub struct Costs {}
+pub struct Costs {
+    /// Measure compile times, with a build of gearsim from scratch; takes several minutes.
+    #[arg(long)]
+    compile: bool,
+}
 
 impl Costs {
-    /// Builds the library that generated files are compiled against, and starts the example that measures.
+    /// Starts the program that measures. Compile times of models need the library in the release profile, built before.
     pub fn run(&self) -> anyhow::Result<()> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
-        for arguments in [&["build", "--lib"][..], &["run", "--example", "costs"]] {
-            let mut command = Command::new(env!("CARGO"));
-            command.args(arguments).args(["--quiet", "--release", "--package", "gearsim"]);
-            if !command.current_dir(root).status().context("cannot start cargo")?.success() {
-                bail!("the costs were not measured; the message is above");
-            }
+        if !self.compile {
+            return chore::run("costs", &[]);
         }
-        Ok(())
+        let mut build = Command::new(env!("CARGO"));
+        build.args(["build", "--quiet", "--release", "--package", "gearsim", "--lib"]);
+        if !build.current_dir(chore::root()?).status().context("cannot start cargo")?.success() {
+            bail!("gearsim does not build; the compiler's messages are above");
+        }
+        chore::run("costs", &["--compile"])
     }
 }

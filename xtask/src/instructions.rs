@@ -1,30 +1,18 @@
-//! `cargo xtask instructions`: counts of instructions of the main paths, under callgrind.
+//! `cargo xtask instructions`: instruction counts of the main code paths, under callgrind.
 
-use std::path::Path;
-use std::process::Command;
+use crate::chore;
 
-use anyhow::{Context, bail};
-
-/// Count the instructions of the main paths under callgrind; write them to tests/instructions.md.
+/// Count the instructions of the main code paths under callgrind; write them to tests/instructions.md.
 #[derive(clap::Args)]
 pub struct Instructions {
-    /// Compare with the counts that are there, and write nothing.
+    /// Write nothing; fail if a count differs from the one in the table by more than 3 %.
     #[arg(long)]
     check: bool,
 }
 
 impl Instructions {
-    /// Starts the example that counts.
+    /// Starts the program that counts.
     pub fn run(&self) -> anyhow::Result<()> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
-        let mut command = Command::new(env!("CARGO"));
-        command.args(["run", "--quiet", "--release", "--package", "gearsim", "--example", "instructions", "--"]);
-        if self.check {
-            command.arg("--check");
-        }
-        if !command.current_dir(root).status().context("cannot start cargo")?.success() {
-            bail!("the instructions were not counted, or are not those kept; the message is above");
-        }
-        Ok(())
+        chore::run("instructions", if self.check { &["--check"] } else { &[] })
     }
 }

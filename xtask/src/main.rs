@@ -1,5 +1,6 @@
 //! The development commands of this project: `cargo xtask VERB`. One file for each verb.
 
+mod chore;
 mod costs;
 mod derive;
 mod fuzz;
@@ -26,7 +27,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
-    /// Measure what grows with the number of coordinates, and how; write it to tests/costs.md.
+    /// Measure run time, memory and compile time against the number of coordinates; write them to tests/costs.md.
     Costs(costs::Costs),
     /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
     Derive(derive::Derive),
@@ -38,13 +39,13 @@ enum Verb {
     Gallery(gallery::Gallery),
     /// Search for inputs that break the scene reader or the engine; needs a C++ compiler.
     Fuzz(fuzz::Fuzz),
-    /// Count the instructions of the main paths under valgrind; write them to tests/instructions.md.
+    /// Count the instructions of the main code paths under valgrind; write them to tests/instructions.md.
     Instructions(instructions::Instructions),
-    /// Run the paper's cases again: plots and tables of models/scenes/oh2005.
+    /// Run the cases of Oh, Grosh & Barber (2005) again; write the plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
-    /// Run other tools on our scenes, and compare: error, time, events missed; write tests/peers.md.
+    /// Run other tools on our scenes; write their errors, times and missed events to tests/peers.md.
     Peers(peers::Peers),
-    /// Run very many events without damping: how the energy error grows, into out/soak.
+    /// Run very many events without damping; write how the energy error grows to out/soak.
     Soak(soak::Soak),
     /// Measure time against error on the scenes of the paper; write plots and tables into the READMEs.
     WorkPrecision(work_precision::WorkPrecision),

@@ -1,29 +1,18 @@
-//! `cargo xtask oh2005`: run the paper's cases again, in a process of its own: chores must not need code that compiles.
+//! `cargo xtask oh2005`: run the cases of the paper again.
 
-use std::process::Command;
-
-use anyhow::{Context, bail};
+use crate::chore;
 
 /// Run the cases of Oh, Grosh & Barber (2005) again.
 #[derive(clap::Args)]
 pub struct Oh2005 {
-    /// Change nothing; fail if a table of the README is not what a run gives.
+    /// Write nothing; fail if a table of models/scenes/oh2005/README.md differs from what the runs give.
     #[arg(long)]
     check: bool,
 }
 
 impl Oh2005 {
-    /// Starts the example and passes its verdict on.
+    /// Starts the program that runs them.
     pub fn run(&self) -> anyhow::Result<()> {
-        let mut command = Command::new(env!("CARGO"));
-        command.args(["run", "--quiet", "--release", "--package", "gearsim", "--example", "oh2005", "--"]);
-        if self.check {
-            command.arg("--check");
-        }
-        let status = command.status().context("cannot start cargo")?;
-        if !status.success() {
-            bail!("the cases of the paper failed; the message is above");
-        }
-        Ok(())
+        chore::run("oh2005", if self.check { &["--check"] } else { &[] })
     }
 }

@@ -1,32 +1,21 @@
-//! `cargo xtask soak`: the energy of a very long run without damping, in a process of its own.
+//! `cargo xtask soak`: the energy error of a very long run without damping.
 
-use std::process::Command;
+use crate::chore;
 
-use anyhow::{Context, bail};
-
-/// Run an undamped, aperiodic gear pair for very many events, and account for its energy.
+/// Run an undamped gear pair with an aperiodic motion for very many events, and measure its energy error.
 #[derive(clap::Args)]
 pub struct Soak {
-    /// Cell changes and reflections to run for, e.g. 1e8.
+    /// Number of events (cell changes and reflections), e.g. 1e8.
     #[arg(long, default_value = "1e8")]
     events: String,
-    /// Digits in which the state is carried: compensated or plain.
+    /// Arithmetic that carries the state: compensated or plain.
     #[arg(long, default_value = "compensated")]
     precision: String,
 }
 
 impl Soak {
-    /// Starts the example and passes its verdict on.
+    /// Starts the program that runs it.
     pub fn run(&self) -> anyhow::Result<()> {
-        let mut command = Command::new(env!("CARGO"));
-        command.args(["run", "--quiet", "--release", "--package", "gearsim", "--example", "soak", "--"]);
-        let status = command
-            .args(["--events", &self.events, "--precision", &self.precision])
-            .status()
-            .context("cannot start cargo")?;
-        if !status.success() {
-            bail!("the energy account does not hold; the message is above");
-        }
-        Ok(())
+        chore::run("soak", &["--events", &self.events, "--precision", &self.precision])
     }
 }

@@ -1,7 +1,7 @@
 """gearsim itself through its library, and the two solvers written by hand for this system.
 
 Warm, in one process, without files, as the others; gearsim with its guarantee of crossings and its energy account.
-There is no tolerance to choose. The program is gearsim/examples/peers.
+There is no tolerance to choose. The program is xtask/chores/src/bin/peers.
 """
 
 from .binary import run_binary

@@ -1,0 +1,70 @@
+//! The gear pair as derived from energies that declare stiffness steps and torques only. Its right-hand side must cost as much
+//! as that of `gear_pair` in a scene without the other effects.
+
+use gearsim_macros::equations;
+
+equations! {
+    model bare_pair "two spur gears on rigid shafts, never damped";
+
+    coordinates {
+        theta "rad" start 0.0, "mean rotation";
+        phi "rad" start static, "relative deflection";
+    }
+    parameters {
+        N1 "1" default 24.0, open 0.0 to inf, "teeth";
+        N2 "1" default 96.0, open 0.0 to inf, "teeth";
+        I1 "kg*m^2" required, open 0.0 to inf, "inertia";
+        I2 "kg*m^2" required, open 0.0 to inf, "inertia";
+        T0 "N*m" required, open -inf to inf, "torque";
+    }
+    laws {
+        k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness";
+    }
+    effects {
+        stiffness_step "the stiffness steps";
+        torques "constant torques";
+    }
+    conditions {
+        jump_terms = stiffness_step;
+        moving_phase = stiffness_step;
+    }
+    constants {
+        M1 = (N1.powi(2)/I1 - N2.powi(2)/I2)/2.0;
+        M2 = (N1.powi(2)/I1 + N2.powi(2)/I2)/2.0;
+    }
+    energies {
+        kinetic {
+            _ => (I1*(phi_dot + theta_dot).powi(2)/N1.powi(2) + I2*(theta_dot - phi_dot).powi(2)/N2.powi(2))/2.0;
+        }
+        potential { _ => k*phi.powi(2); }
+    }
+    work { phi { torques => 2.0*T0; } }
+    mass {
+        theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2); }
+        theta phi { _ => I1/N1.powi(2) - I2/N2.powi(2); }
+        phi phi { _ => I1/N1.powi(2) + I2/N2.powi(2); }
+    }
+    mobility {
+        theta theta { _ => M2/2.0; }
+        theta phi { _ => M1/2.0; }
+        phi phi { _ => M2/2.0; }
+    }
+    force {
+        theta { jump_terms => -dk*phi.powi(2); }
+        phi { _ => -2.0*k*phi; torques => 2.0*T0; }
+    }
+    jacobian {
+        theta phi { jump_terms => -2.0*dk*phi; }
+        phi phi { _ => -2.0*k; }
+    }
+    cell {
+        stiffness { phi phi { _ => 2.0*k; } }
+        load { phi { torques => 2.0*T0; } }
+    }
+    jump k {
+        normal { theta { _ => 1.0; } }
+        compliance { _ => M2/2.0; }
+        direction { theta { _ => 1.0; } phi { _ => M1/M2; } }
+        step { _ => dk*phi.powi(2); }
+    }
+}

@@ -1,0 +1,147 @@
+//! The paths that are counted: an entry each.
+
+use gearsim::engine::equations::{Derived, Equations};
+use gearsim::engine::simulate::Simulation;
+use gearsim::ensemble;
+use gearsim::generated::gear_pair::GearPair;
+use gearsim::scene::Scene;
+use gearsim_tests::oh2005;
+
+use crate::sides;
+
+/// One path.
+pub struct Path {
+    pub name: &'static str,
+    pub what: &'static str,
+    /// The path that it is compared with.
+    pub compared_with: Option<&'static str>,
+    /// Prepares it. The job that it returns is counted; the job returns its number of items.
+    pub prepare: fn() -> Job,
+}
+
+/// A job to count; returns its number of items.
+pub type Job = Box<dyn FnMut() -> u64>;
+
+const fn path(
+    name: &'static str,
+    what: &'static str,
+    compared_with: Option<&'static str>,
+    prepare: fn() -> Job,
+) -> Path {
+    Path { name, what, compared_with, prepare }
+}
+
+/// All paths.
+pub const PATHS: &[Path] = &[
+    path(
+        "cell_by_hand",
+        "a cell change at 4500 rpm, by a program for this pair alone, without energy account",
+        None,
+        by_hand,
+    ),
+    path(
+        "cell_4500rpm",
+        "the same by the engine, with guaranteed crossings and energy account",
+        Some("cell_by_hand"),
+        || cells("spectrum_4500rpm_exact", &[]),
+    ),
+    path("cell_unwatched", "the same, if nothing is recorded", Some("cell_by_hand"), unwatched),
+    path("cell_undamped", "the same without damping", None, || {
+        cells("spectrum_4500rpm_exact", &["effects=[\"stiffness_step\", \"torques\"]"])
+    }),
+    path("cell_600rpm", "a cell change at 600 rpm", None, || cells("spectrum_600rpm_exact", &[])),
+    path("cell_compensated", "a cell change at 4500 rpm in double-double arithmetic", None, || {
+        cells("spectrum_4500rpm_exact", &["run.precision=compensated"])
+    }),
+    path("cell_in_a_lane", "a cell change at 4500 rpm, one of eight in SIMD lanes", Some("cell_4500rpm"), lanes),
+    path("exact_by_hand", "right-hand side, Eqs. (2), (3), damped", None, || sides::exact().by_hand()),
+    path("exact_generated", "the same, generated", Some("exact_by_hand"), || sides::exact().generated()),
+    path("rigid_by_hand", "right-hand side, Eqs. (4), (5), damped", None, || sides::rigid().by_hand()),
+    path("rigid_generated", "the same, generated", Some("rigid_by_hand"), || sides::rigid().generated()),
+    path("free_by_hand", "right-hand side, no effects", None, || sides::free().by_hand()),
+    path("free_generated", "the same, generated", Some("free_by_hand"), || sides::free().generated()),
+    path("undamped_by_hand", "right-hand side, Eqs. (2), (3), without damping", None, || sides::undamped().by_hand()),
+    path(
+        "undamped_generated",
+        "the same, generated: the scene does not name damping",
+        Some("undamped_by_hand"),
+        || sides::undamped().generated(),
+    ),
+    path(
+        "undamped_undeclared",
+        "the same, from a model that does not declare damping, transmission errors, play and friction",
+        Some("undamped_generated"),
+        || sides::undeclared().generated(),
+    ),
+    path("error_by_hand", "right-hand side, Eqs. (2), (3) with a transmission error", None, || {
+        sides::with_error().by_hand()
+    }),
+    path("error_generated", "the same, generated", Some("error_by_hand"), || sides::with_error().generated()),
+    path("play_by_hand", "right-hand side, Eqs. (2), (3) with backlash, damped", None, || sides::with_play().by_hand()),
+    path("play_generated", "the same, generated", Some("play_by_hand"), || sides::with_play().generated()),
+    path("friction_by_hand", "right-hand side, Eqs. (2), (3) with sliding friction", None, || {
+        sides::with_friction().by_hand()
+    }),
+    path("friction_generated", "the same, generated", Some("friction_by_hand"), || sides::with_friction().generated()),
+    path("chain_5_by_hand", "forces on a chain of 5 discs, damped", None, || sides::chain().by_hand()),
+    path("chain_5_generated", "the same, generated", Some("chain_5_by_hand"), || sides::chain().generated()),
+    path("idler_by_hand", "forces on an idler train, damped", None, || sides::idler().by_hand()),
+    path("idler_generated", "the same, generated", Some("idler_by_hand"), || sides::idler().generated()),
+    path("planetary_3_by_hand", "forces on a planetary stage with 3 planets", None, || sides::planetary().by_hand()),
+    path("planetary_3_generated", "the same, generated", Some("planetary_3_by_hand"), || {
+        sides::planetary().generated()
+    }),
+];
+
+fn scene(name: &str, overrides: &[&str]) -> Scene {
+    let path = format!("{}/../../models/scenes/oh2005/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut all = vec!["run.t_end=0.3 s".to_string()];
+    all.extend(overrides.iter().map(|text| text.to_string()));
+    Scene::load(path.as_ref(), &all, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+}
+
+fn equations(scene: &Scene) -> &'static dyn Equations<2> {
+    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
+    Box::leak(equations.expect("the scene was checked"))
+}
+
+fn simulation(scene: &Scene) -> Simulation<'static, 2> {
+    let mut simulation = Simulation::new(scene.model, equations(scene), scene).expect("the scene is sound");
+    if scene.solver.precision == gearsim::scene::Precision::Compensated {
+        gearsim::run::compensate::<GearPair, 2>(&mut simulation, scene).expect("its damping is modal");
+    }
+    simulation
+}
+
+fn cells(name: &str, overrides: &[&str]) -> Job {
+    let mut simulation = simulation(&scene(name, overrides));
+    Box::new(move || {
+        simulation.run(None, &mut |_| {}).expect("the run ends");
+        simulation.counts.cell_changes
+    })
+}
+
+/// The hand-written solver of `benches/cell_change.rs`, on the scene of `cell_4500rpm`.
+fn by_hand() -> Job {
+    let pair = oh2005::GearPair::paper(0.05, 10.0);
+    let start = pair.start(4500.0);
+    Box::new(move || pair.solve_fast(start.theta, start.theta_dot, start.phi, start.phi_dot, 0.3).cell_changes)
+}
+
+fn unwatched() -> Job {
+    let mut simulation = [simulation(&scene("spectrum_4500rpm_exact", &[]))];
+    Box::new(move || {
+        assert!(ensemble::run(&mut simulation).iter().all(Result::is_ok));
+        simulation[0].counts.cell_changes
+    })
+}
+
+fn lanes() -> Job {
+    let torques =
+        (0..32).map(|i| scene("spectrum_4500rpm_exact", &[&format!("parameters.T0={} N*m", 5.0 + 0.2 * f64::from(i))]));
+    let mut all: Vec<_> = torques.map(|scene| simulation(&scene)).collect();
+    Box::new(move || {
+        assert!(ensemble::run(&mut all).iter().all(Result::is_ok));
+        all.iter().map(|simulation| simulation.counts.cell_changes).sum()
+    })
+}

@@ -1,0 +1,96 @@
+//! Right-hand sides, generated and written by hand, evaluated many times at a state.
+
+mod pair;
+mod trains;
+
+use gearsim::engine::equations::{Derived, Equations, product};
+use gearsim::model::Model;
+
+use crate::by_hand::ByHand;
+use crate::paths::Job;
+
+pub use pair::{exact, free, rigid, undamped, undeclared, with_error, with_friction, with_play};
+pub use trains::{chain, idler, planetary};
+
+/// One right-hand side, generated and written by hand, with the state at which both are evaluated.
+pub struct Side<const N: usize> {
+    pub generated: Box<dyn Equations<N>>,
+    pub by_hand: Box<dyn ByHand<N>>,
+    q: [f64; N],
+    q_dot: [f64; N],
+    k: Vec<f64>,
+    dk: Vec<f64>,
+}
+
+/// Number of evaluations that are counted.
+const EVALUATIONS: u64 = 10_000;
+
+impl<const N: usize> Side<N> {
+    /// The job that evaluates the generated one.
+    pub fn generated(self) -> Job {
+        self.assert_agreement();
+        let Side { generated, q, q_dot, k, dk, .. } = self;
+        // As for `ByHand`: accelerations of pairs, but forces of trains.
+        let mobility = generated.mobility();
+        match N {
+            2 => evaluated(q, q_dot, k, dk, move |q, v, k, dk| product(&mobility, &generated.force(q, v, k, dk))),
+            _ => evaluated(q, q_dot, k, dk, move |q, v, k, dk| generated.force(q, v, k, dk)),
+        }
+    }
+
+    /// The job that evaluates the one by hand, through a pointer like the generated one.
+    pub fn by_hand(self) -> Job {
+        self.assert_agreement();
+        let Side { by_hand, q, q_dot, k, dk, .. } = self;
+        evaluated(q, q_dot, k, dk, move |q, v, k, dk| by_hand.evaluate(q, v, k, dk))
+    }
+
+    /// Panics if the two differ by more than 1e-12 of the largest component.
+    fn assert_agreement(&self) {
+        let Side { q, q_dot, k, dk, .. } = self;
+        let by_hand = self.by_hand.evaluate(q, q_dot, k, dk);
+        let generated = match N {
+            2 => self.generated.acceleration(q, q_dot, k, dk),
+            _ => self.generated.force(q, q_dot, k, dk),
+        };
+        let largest = by_hand.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        let apart = by_hand.iter().zip(generated).fold(0.0f64, |apart, (a, b)| apart.max((a - b).abs()));
+        assert!(apart <= 1e-12 * largest, "by hand {by_hand:?}, generated {generated:?}");
+    }
+}
+
+/// The job that evaluates `f` repeatedly. Each state depends on the result before it, so that no evaluation can be left out.
+fn evaluated<const N: usize>(
+    mut q: [f64; N],
+    mut q_dot: [f64; N],
+    k: Vec<f64>,
+    dk: Vec<f64>,
+    f: impl Fn(&[f64; N], &[f64; N], &[f64], &[f64]) -> [f64; N] + 'static,
+) -> Job {
+    Box::new(move || {
+        let (k, dk) = (std::hint::black_box(&k), std::hint::black_box(&dk));
+        for _ in 0..EVALUATIONS {
+            let a = f(&q, &q_dot, k, dk);
+            (q[1], q_dot[1]) = (q[1] + 1e-12 * a[0], q_dot[1] + 1e-12 * a[1]);
+        }
+        std::hint::black_box((q, q_dot));
+        EVALUATIONS
+    })
+}
+
+/// The generated equations with `effects`, separated by spaces, and with parameters by name; others have their default or 1.
+fn derived<D: Derived<N>, const N: usize>(
+    effects: &str,
+    numbers: &[(&str, f64)],
+    mids: &[f64],
+) -> Box<dyn Equations<N>> {
+    let model: &Model = &D::MODEL;
+    let bit = |name: &str| model.effects.iter().position(|e| e.name == name).unwrap_or_else(|| panic!("no {name}"));
+    let parameters = model.parameters.iter().map(|p| {
+        let given = numbers.iter().find(|(name, _)| *name == p.name).map(|(_, x)| *x);
+        given.or(p.default).unwrap_or(1.0)
+    });
+    let parameters: Vec<f64> = parameters.collect();
+    let effects = effects.split_whitespace().fold(0, |set, name| set | 1 << bit(name));
+    D::equations(effects, &parameters, mids).expect("effects that go together")
+}
