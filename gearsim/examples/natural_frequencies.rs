@@ -28,7 +28,7 @@ pub fn cells(path: &str) -> anyhow::Result<Vec<CellModes>> {
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let scene = Scene::load(Path::new(path), &[], &models).map_err(|errors| anyhow!(errors.render(100, false)))?;
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
-    let system = (entry.system)(&scene)?;
-    let levels = modes::combinations(&steady::courses(&scene, &*system)?);
-    Ok(levels.iter().map(|levels| modes::of(&*system, levels, &[])).collect::<Result<_, _>>()?)
+    let system = entry.system(&scene)?;
+    let levels = modes::combinations(&steady::courses(&scene, &system)?);
+    Ok(levels.iter().map(|levels| modes::of(&system, levels, &[])).collect::<Result<_, _>>()?)
 }

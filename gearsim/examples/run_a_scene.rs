@@ -27,7 +27,7 @@ pub fn run(path: &str) -> anyhow::Result<Outcome> {
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let scene = Scene::load(Path::new(path), &[], &models).map_err(|errors| anyhow!(errors.render(100, false)))?;
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
-    Ok((entry.run)(&scene, &mut |_| {})?)
+    Ok(entry.run(&scene, &mut |_| {})?)
 }
 
 /// The smallest and the largest value.

@@ -22,7 +22,7 @@ pub fn spectrum(path: &str, coordinate: &str) -> anyhow::Result<Spectrum> {
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let scene = Scene::load(Path::new(path), &[], &models).map_err(|errors| anyhow!(errors.render(100, false)))?;
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
-    let run = (entry.run)(&scene, &mut |_| {})?.trajectory;
+    let run = entry.run(&scene, &mut |_| {})?.trajectory;
     let i = run.model.coordinates.iter().position(|c| c.name == coordinate).context("no such coordinate")?;
     let (rows, rate) = uniform_samples(&run)?;
     let x: Vec<f64> = rows.iter().map(|&row| run.q[i][row]).collect();

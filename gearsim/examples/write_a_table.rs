@@ -21,7 +21,7 @@ pub fn write(path: &str, out: &Path) -> anyhow::Result<OutputFolder> {
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let scene = Scene::load(Path::new(path), &[], &models).map_err(|errors| anyhow!(errors.render(100, false)))?;
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
-    let outcome = (entry.run)(&scene, &mut |_| {})?;
+    let outcome = entry.run(&scene, &mut |_| {})?;
     let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
     let (label, none_from) = (scene.name.as_str(), None);
     let run = plot::Run { label, trajectory, reference_frequency, scene: label, none_from };

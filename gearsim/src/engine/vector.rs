@@ -22,13 +22,18 @@ impl Vector {
     /// n zeros.
     #[inline]
     pub fn zeros(n: usize) -> Self {
-        Vector(SmallVec::from_elem(0.0, n))
+        match n {
+            0..=INLINE => Vector(SmallVec::from_buf_and_len([0.0; INLINE], n)),
+            _ => Vector(SmallVec::from_elem(0.0, n)),
+        }
     }
 
     /// The n numbers f(i).
     #[inline]
-    pub fn from_fn(n: usize, f: impl FnMut(usize) -> f64) -> Self {
-        Vector((0..n).map(f).collect())
+    pub fn from_fn(n: usize, mut f: impl FnMut(usize) -> f64) -> Self {
+        let mut vector = Vector::zeros(n);
+        vector.iter_mut().enumerate().for_each(|(i, x)| *x = f(i));
+        vector
     }
 
     /// The scalar product with a vector as long.
@@ -40,13 +45,17 @@ impl Vector {
     /// Its elements, each changed by `f`.
     #[inline]
     pub fn map(&self, mut f: impl FnMut(f64) -> f64) -> Vector {
-        Vector(self.iter().map(|x| f(*x)).collect())
+        let mut mapped = Vector::zeros(self.len());
+        mapped.iter_mut().zip(&**self).for_each(|(y, x)| *y = f(*x));
+        mapped
     }
 
     /// f of each pair of elements of this and another.
     #[inline]
     pub fn zip_map(&self, other: &[f64], mut f: impl FnMut(f64, f64) -> f64) -> Vector {
-        Vector(self.iter().zip(other).map(|(a, b)| f(*a, *b)).collect())
+        let mut mapped = Vector::zeros(self.len());
+        mapped.iter_mut().zip(self.iter().zip(other)).for_each(|(y, (a, b))| *y = f(*a, *b));
+        mapped
     }
 
     /// The products of elements in the same place.
@@ -221,7 +230,10 @@ impl Mul<&Vector> for &Matrix {
 /// The product of a transposed matrix and a vector.
 #[inline]
 pub fn transposed(a: &Matrix, x: &[f64]) -> Vector {
-    Vector(a.as_slice().chunks_exact(a.nrows().max(1)).map(|column| dot(column, x)).collect())
+    let mut y = Vector::zeros(a.ncols());
+    let columns = a.as_slice().chunks_exact(a.nrows().max(1));
+    y.iter_mut().zip(columns).for_each(|(y, column)| *y = dot(column, x));
+    y
 }
 
 /// The scalar product of two vectors as long.

@@ -12,7 +12,6 @@ use gearsim::model::Start;
 use gearsim::profile::{Profile, Step};
 use gearsim::scene::Scene;
 use gearsim::trajectory::Trajectory;
-use nalgebra::SVector;
 
 use crate::common;
 
@@ -98,12 +97,12 @@ impl Pair {
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("numbers that make a system");
         simulation.state.q[1] = self.q[1];
         if let Some(from) = from {
-            simulation.go_on_from(from.state, from.laws.clone(), vec![]).expect("a cell of the same scene");
+            simulation.go_on_from(from.state.clone(), from.laws.clone(), vec![]).expect("a cell of the same scene");
         }
         let mut times = vec![];
         let stop = simulation.run(None, &mut |t| times.push(t)).err();
         let (state, cell, laws, counts) =
-            (simulation.state, simulation.cell(), simulation.laws.clone(), simulation.counts.clone());
+            (simulation.state.clone(), simulation.cell(), simulation.laws.clone(), simulation.counts.clone());
         Ran { state, cell, laws, times, counts, stop }
     }
 
@@ -113,7 +112,7 @@ impl Pair {
         let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("effects that go together");
         let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("numbers that make a system");
         simulation.state.q[1] = self.q[1];
-        let (state, k) = (simulation.state, simulation.levels().to_vec());
+        let (state, k) = (simulation.state.clone(), simulation.levels().to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k);
         let _ = simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |_| {});
         recorder.trajectory
@@ -131,7 +130,7 @@ impl Pair {
     /// The largest difference of two states, each component over its size. Whole pitches count in theta.
     pub fn difference(&self, a: &State, b: &State) -> f64 {
         let turns = (a.turns[0] - b.turns[0]) as f64 * PITCH;
-        let [q, v]: [SVector<f64, 2>; 2] = [a.q - b.q, a.q_dot - b.q_dot];
+        let [q, v] = [&a.q - &b.q, &a.q_dot - &b.q_dot];
         let by = [q[0] + turns, q[1], v[0], v[1]];
         by.iter().zip(self.sizes()).map(|(x, size)| x.abs() / size).fold(0.0, f64::max)
     }

@@ -2,19 +2,20 @@
 //! differ by many decades.
 
 use gearsim::engine::equations::mobility;
+use gearsim::engine::vector::Matrix;
 
 use crate::TOLERANCE;
 use crate::points::{POINTS, Point, points};
 
 /// The inverse by hand.
-fn by_hand(p: &Point) -> [[f64; 2]; 2] {
+fn by_hand(p: &Point) -> Matrix {
     let (m1, m2) = (p.pair(0).m1() / 2.0, p.pair(0).m2() / 2.0);
-    [[m2, m1], [m1, m2]]
+    Matrix::from_row_slice(2, 2, &[m2, m1, m1, m2])
 }
 
 /// The largest relative error of an entry.
-fn error(found: &[[f64; 2]; 2], expected: &[[f64; 2]; 2]) -> f64 {
-    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+fn error(found: &Matrix, expected: &Matrix) -> f64 {
+    let pairs = found.iter().zip(expected.iter());
     pairs.fold(0.0, |worst, (x, y)| {
         assert!(x.is_finite(), "{found:?}");
         if x == y { worst } else { worst.max((x - y).abs() / y.abs()) }
@@ -36,7 +37,7 @@ fn mobility_is_the_inverse_of_the_mass() {
         let (m, w) = (equations.mass(), equations.mobility());
         worst = worst.max(error(&w, &by_hand(&p)));
         for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let terms = [m[i][0] * w[0][j], m[i][1] * w[1][j]];
+            let terms = [m[(i, 0)] * w[(0, j)], m[(i, 1)] * w[(1, j)]];
             let one = if i == j { 1.0 } else { 0.0 };
             let scale = terms[0].abs().max(terms[1].abs()).max(1.0);
             residual = residual.max((terms[0] + terms[1] - one).abs() / scale);

@@ -52,13 +52,14 @@ fn responses(note: &mut String) -> f64 {
         let (omega, v, force) = (3.0, 0.7, -4.0);
         let cell = Linear::modal([(zeta * omega, omega * omega)], [force]).cell();
         let flight = cell.flight(&Vector::zeros(1), &Vector::from([v]));
-        let exact = |t: f64| {
-            let [sigma, omega2, force, v] =
-                [cell.modes[0].sigma, cell.modes[0].omega2, force, v].map(Real::<192>::exact);
+        let [sigma, omega2] = [cell.modes[0].sigma, cell.modes[0].omega2];
+        let exact = move |t: f64| {
+            let [sigma, omega2, force, v] = [sigma, omega2, force, v].map(Real::<192>::exact);
             let motion = Motion::new(Law::new(sigma, omega2), force, Real::exact(0.0), v, Real::exact(1.0));
             let (x, v) = motion.state(&Real::exact(t));
             (x.approx(), v.approx())
         };
+        let damped = cell.modes[0].damped_frequency();
         let times = powers(-8, 2).flat_map(|t| [t / omega, 2.7 * t / omega]);
         let mut far = 0f64;
         times
@@ -66,7 +67,7 @@ fn responses(note: &mut String) -> f64 {
                 let point = flight.at(t);
                 let (x, v_t) = exact(t);
                 far = far.max(x.abs());
-                let turns = f64::EPSILON * (1.0 + cell.modes[0].damped_frequency() * t);
+                let turns = f64::EPSILON * (1.0 + damped * t);
                 let (x, v_t) = ((point.moved[0] - x).abs(), (v + point.gained[0] - v_t).abs());
                 largest([x / (turns * far), v_t / (turns * v.abs().max(force.abs() / omega))])
             })

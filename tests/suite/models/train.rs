@@ -5,14 +5,14 @@ use gearsim::model::Model;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// The equations of a model without effects, with a value for every law.
-pub struct Train<const N: usize> {
+pub struct Train {
     pub model: Model,
-    pub equations: Box<dyn Equations<N>>,
+    pub equations: Box<dyn Equations>,
     pub k: Vec<f64>,
 }
 
 /// The model `D` with `numbers`, given by name, for its parameters and laws; the other parameters have their defaults.
-pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N> {
+pub fn train<D: Derived>(numbers: &[(&str, f64)]) -> Train {
     let model = D::MODEL;
     let given = |name: &str| numbers.iter().find(|n| n.0 == name).map(|n| n.1);
     let number = |name, default: Option<f64>| {
@@ -32,15 +32,14 @@ pub fn train<D: Derived<N>, const N: usize>(numbers: &[(&str, f64)]) -> Train<N>
     Train { model, equations, k }
 }
 
-impl<const N: usize> Train<N> {
+impl Train {
     /// Natural frequencies [Hz], rising.
     pub fn frequencies(&self) -> Vec<f64> {
-        let matrix = |rows: [[f64; N]; N]| DMatrix::from_fn(N, N, |i, j| rows[i][j]);
-        frequencies(matrix(self.equations.mass()), matrix(self.equations.stiffness(&self.k)))
+        frequencies(self.equations.mass(), self.equations.stiffness(&self.k))
     }
 
     /// Kinetic energy with `x` as speeds, and strain energy with `x` as coordinates [J].
-    pub fn energies(&self, x: &[f64; N]) -> [f64; 2] {
+    pub fn energies(&self, x: &[f64]) -> [f64; 2] {
         [self.equations.kinetic(x), self.equations.potential(x, &self.k)]
     }
 }

@@ -45,17 +45,15 @@ impl ByHand {
 type Numbers = &'static [(&'static str, f64)];
 
 /// Compares the model `D` with a system by hand. `absolute` computes the coordinates of that system from those of the model.
-fn compare<D: Derived<N>, const N: usize>(
-    numbers: &[(&str, f64)],
-    by_hand: &ByHand,
-    absolute: impl Fn(&dyn Fn(&str) -> f64) -> Vec<f64>,
-) {
-    let train = train::<D, N>(numbers);
+fn compare<D: Derived>(numbers: &[(&str, f64)], by_hand: &ByHand, absolute: impl Fn(&dyn Fn(&str) -> f64) -> Vec<f64>) {
+    let train = train::<D>(numbers);
     let name = train.model.name;
     let index = |c: &str| train.model.coordinates.iter().position(|q| q.name == c).unwrap_or_else(|| panic!("no {c}"));
+    let n = train.model.coordinates.len();
     for draw in 0..100 {
         // Multiples of the golden ratio, modulo 1, fill the interval evenly and never repeat.
-        let x: [f64; N] = std::array::from_fn(|i| ((draw * N + i + 1) as f64 * 0.618_033_988_749_895).fract() - 0.5);
+        let number = |i: usize| ((draw * n + i + 1) as f64 * 0.618_033_988_749_895).fract() - 0.5;
+        let x: Vec<f64> = (0..n).map(number).collect();
         let found = train.energies(&x);
         let expected = by_hand.energies(&absolute(&|c| x[index(c)]));
         for ((found, expected), energy) in found.iter().zip(expected).zip(["T", "V"]) {

@@ -7,7 +7,7 @@ use super::stage::{FURTHER, STAGE, radii, rotations};
 use super::{ByHand, TORQUES, compare, of, with};
 
 pub fn stages() {
-    fn check<D: Derived<N>, const N: usize>(n: usize) {
+    fn check<D: Derived>(n: usize) {
         let numbers = with(STAGE, &[&TORQUES, &FURTHER[..2 * (n - 3)]].concat());
         let p = of(&numbers);
         let [r_s, r_p, r_r, a] = radii(&p);
@@ -23,15 +23,15 @@ pub fn stages() {
             by_hand.springs.push((sun, vec![(0, r_s), (3 + i, r_p), (1, -(r_s + r_p))]));
             by_hand.springs.push((ring, vec![(2, r_r), (3 + i, -r_p), (1, -(r_r - r_p))]));
         }
-        compare::<D, N>(&numbers, &by_hand, |q| {
+        compare::<D>(&numbers, &by_hand, |q| {
             let (sun, carrier, planet) = rotations(&p, q("theta"), q("theta_c"));
             let planets = (1..=n).map(|i| planet(q(&format!("u{i}"))));
             [sun, carrier, q("theta_r")].into_iter().chain(planets).collect()
         });
     }
-    check::<planetary_3::Planetary3, 6>(3);
-    check::<planetary_4::Planetary4, 7>(4);
-    check::<planetary_5::Planetary5, 8>(5);
-    check::<planetary_6::Planetary6, 9>(6);
-    check::<planetary_7::Planetary7, 10>(7);
+    check::<planetary_3::Planetary3>(3);
+    check::<planetary_4::Planetary4>(4);
+    check::<planetary_5::Planetary5>(5);
+    check::<planetary_6::Planetary6>(6);
+    check::<planetary_7::Planetary7>(7);
 }

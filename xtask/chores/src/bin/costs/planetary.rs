@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use anyhow::bail;
-use gearsim::engine::equations;
-use gearsim::engine::equations::Derived;
+use gearsim::engine::equations::{Derived, DerivedModel};
 use gearsim::generated::{
     planetary_3::Planetary3, planetary_4::Planetary4, planetary_5::Planetary5, planetary_6::Planetary6,
     planetary_7::Planetary7,
@@ -20,17 +19,17 @@ use crate::row::Row;
 /// If there is no such model, or if it does not run.
 pub fn planetary(planets: usize) -> anyhow::Result<Row> {
     match planets {
-        3 => of::<Planetary3, 6>(planets),
-        4 => of::<Planetary4, 7>(planets),
-        5 => of::<Planetary5, 8>(planets),
-        6 => of::<Planetary6, 9>(planets),
-        7 => of::<Planetary7, 10>(planets),
+        3 => of::<Planetary3>(planets),
+        4 => of::<Planetary4>(planets),
+        5 => of::<Planetary5>(planets),
+        6 => of::<Planetary6>(planets),
+        7 => of::<Planetary7>(planets),
         _ => bail!("no model of a planetary stage with {planets} planets"),
     }
 }
 
 /// The scene with three planets, changed to `planets` planets. The mesh phases of planet i lag by (i - 1)/planets of a pitch.
-fn of<D: Derived<N>, const N: usize>(planets: usize) -> anyhow::Result<Row> {
+fn of<D: Derived>(planets: usize) -> anyhow::Result<Row> {
     let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/scenes/planetary_3.toml"));
     let text = text.replace("planetary_3", &format!("planetary_{planets}"));
     let laws: String = (1..=planets)
@@ -52,7 +51,7 @@ fn of<D: Derived<N>, const N: usize>(planets: usize) -> anyhow::Result<Row> {
             shifted(offset + 1.0, 4.4, [6e8, 4e8])
         };
     }
-    Row::of(&scene, &*equations::of::<D, N>(&scene)?)
+    Row::of(&scene, &*DerivedModel::of::<D>().equations(&scene)?)
 }
 
 /// A law of two levels [N/m]: the first from `offset` [rad] over `width` [rad], the second over the rest of the pitch of 2 pi.

@@ -48,18 +48,18 @@ const fn system(name: &'static str, group: Group, measure: fn() -> anyhow::Resul
 
 /// All systems, by table and size.
 pub const ROWS: &[System] = &[
-    system("train of 2 discs", Group::Undamped, || train::<2>(0.0)),
-    system("train of 4 discs", Group::Undamped, || train::<4>(0.0)),
-    system("train of 8 discs", Group::Undamped, || train::<8>(0.0)),
-    system("train of 16 discs", Group::Undamped, || train::<16>(0.0)),
-    system("train of 32 discs", Group::Undamped, || train::<32>(0.0)),
-    system("train of 64 discs", Group::Undamped, || train::<64>(0.0)),
-    system("train of 128 discs", Group::Undamped, || train::<128>(0.0)),
-    system("train of 4 discs, damped", Group::Coupled, || train::<4>(1e-5)),
-    system("train of 8 discs, damped", Group::Coupled, || train::<8>(1e-5)),
-    system("train of 16 discs, damped", Group::Coupled, || train::<16>(1e-5)),
-    system("train of 32 discs, damped", Group::Coupled, || train::<32>(1e-5)),
-    system("train of 64 discs, damped", Group::Coupled, || train::<64>(1e-5)),
+    system("train of 2 discs", Group::Undamped, || train(2, 0.0)),
+    system("train of 4 discs", Group::Undamped, || train(4, 0.0)),
+    system("train of 8 discs", Group::Undamped, || train(8, 0.0)),
+    system("train of 16 discs", Group::Undamped, || train(16, 0.0)),
+    system("train of 32 discs", Group::Undamped, || train(32, 0.0)),
+    system("train of 64 discs", Group::Undamped, || train(64, 0.0)),
+    system("train of 128 discs", Group::Undamped, || train(128, 0.0)),
+    system("train of 4 discs, damped", Group::Coupled, || train(4, 1e-5)),
+    system("train of 8 discs, damped", Group::Coupled, || train(8, 1e-5)),
+    system("train of 16 discs, damped", Group::Coupled, || train(16, 1e-5)),
+    system("train of 32 discs, damped", Group::Coupled, || train(32, 1e-5)),
+    system("train of 64 discs, damped", Group::Coupled, || train(64, 1e-5)),
     system("planetary, 3 planets", Group::Planetary, || planetary(3)),
     system("planetary, 4 planets", Group::Planetary, || planetary(4)),
     system("planetary, 5 planets", Group::Planetary, || planetary(5)),
@@ -77,7 +77,7 @@ impl Row {
     ///
     /// # Errors
     /// If it does not run.
-    pub fn of<const N: usize>(scene: &Scene, equations: &dyn Equations<N>) -> anyhow::Result<Row> {
+    pub fn of(scene: &Scene, equations: &dyn Equations) -> anyhow::Result<Row> {
         let before = memory()?;
         let begun = ThreadTime::now();
         let mut simulation = Simulation::new(scene.model, equations, scene)?;
@@ -97,7 +97,7 @@ impl Row {
         let each = |(elapsed, changes, _): &(Duration, u64, u64)| elapsed.as_secs_f64() / *changes as f64;
         let (changes, evaluations) = parts.iter().fold((0, 0), |(c, e), part| (c + part.1, e + part.2));
         Ok(Row {
-            n: N,
+            n: equations.coordinates(),
             change: parts.iter().map(each).fold(f64::INFINITY, f64::min),
             evaluations: evaluations as f64 / changes as f64,
             prepare,

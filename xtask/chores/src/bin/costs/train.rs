@@ -11,15 +11,18 @@
 //! Dampers act in parallel with the springs, in proportion to k_mid and k_s. Since k differs from k_mid, they couple the modes.
 
 use gearsim::engine::equations::{DeadBand, Derived, Equations, Switching};
+use gearsim::engine::vector::{Matrix, Vector};
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::model::{Coordinate, Model, Start};
 use gearsim::scene::{Effects, InitialState, Scene};
 
 use crate::row::Row;
 
-/// The train of N discs.
+/// A train of discs.
 #[derive(Debug, Clone, Copy)]
-pub struct Train<const N: usize> {
+pub struct Train {
+    /// Number of discs.
+    pub n: usize,
     /// Time constant of the dampers, c = beta k [s]; 0 for none.
     pub beta: f64,
 }
@@ -36,16 +39,16 @@ const T_0: f64 = 0.5;
 /// parametric resonance builds up in undamped trains.
 const SPEED: f64 = 2e4;
 
-impl<const N: usize> Train<N> {
+impl Train {
     /// Its scene: that of the gear pair at 4500 rpm with the coordinates of the train.
     ///
     /// # Errors
     /// If the scene of the gear pair does not load.
-    pub fn scene() -> anyhow::Result<Scene> {
+    pub fn scene(&self) -> anyhow::Result<Scene> {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/scenes/oh2005/spectrum_4500rpm_exact.toml");
         let scene = Scene::load(path.as_ref(), &[], &[&GearPair::MODEL]);
         let mut scene = scene.map_err(|e| anyhow::anyhow!("{}", e.render(100, false)))?;
-        let coordinates = (0..N).map(|i| Coordinate {
+        let coordinates = (0..self.n).map(|i| Coordinate {
             name: if i == 0 { "theta" } else { "x" },
             unit: "rad",
             doc: "",
@@ -54,9 +57,13 @@ impl<const N: usize> Train<N> {
         let coordinates: Vec<_> = coordinates.collect();
         let q = coordinates.iter().map(|c| c.start).collect();
         scene.model = Box::leak(Box::new(Model { coordinates: coordinates.leak(), ..GearPair::MODEL }));
-        scene.start = InitialState { q, q_dot: vec![None; N], motions: vec![SPEED] };
+        scene.start = InitialState { q, q_dot: vec![None; self.n], motions: vec![SPEED] };
         scene.effects = Effects(0);
         Ok(scene)
+    }
+
+    fn diagonal(&self, of: impl Fn(usize) -> f64) -> Matrix {
+        Matrix::from_fn(self.n, self.n, |i, j| if i == j { of(i) } else { 0.0 })
     }
 }
 
@@ -65,72 +72,72 @@ fn spring(k: f64, i: usize) -> f64 {
     if i == 1 { k } else { K_S }
 }
 
-impl<const N: usize> Equations<N> for Train<N> {
-    fn kinetic(&self, q_dot: &[f64; N]) -> f64 {
+impl Equations for Train {
+    fn coordinates(&self) -> usize {
+        self.n
+    }
+    fn kinetic(&self, q_dot: &[f64]) -> f64 {
         let speeds = q_dot.iter().scan(0.0, |sum, v| {
             *sum += v;
             Some(*sum)
         });
         speeds.map(|v| 0.5 * J * v * v).sum()
     }
-    fn potential(&self, q: &[f64; N], k: &[f64]) -> f64 {
-        (1..N).map(|i| 0.5 * spring(k[0], i) * q[i] * q[i]).sum()
+    fn potential(&self, q: &[f64], k: &[f64]) -> f64 {
+        (1..self.n).map(|i| 0.5 * spring(k[0], i) * q[i] * q[i]).sum()
     }
-    fn dissipation(&self, q_dot: &[f64; N], _: &[f64]) -> f64 {
-        (1..N).map(|i| 0.5 * self.beta * spring(K_MID, i) * q_dot[i] * q_dot[i]).sum()
+    fn dissipation(&self, q_dot: &[f64], _: &[f64]) -> f64 {
+        (1..self.n).map(|i| 0.5 * self.beta * spring(K_MID, i) * q_dot[i] * q_dot[i]).sum()
     }
-    fn torque_work(&self, _: usize, dq: &[f64; N]) -> f64 {
+    fn torque_work(&self, _: usize, dq: &[f64]) -> f64 {
         self.work(dq)
     }
-    fn work(&self, dq: &[f64; N]) -> f64 {
+    fn work(&self, dq: &[f64]) -> f64 {
         -T_0 * dq[1..].iter().sum::<f64>()
     }
-    fn force(&self, q: &[f64; N], q_dot: &[f64; N], k: &[f64], dk: &[f64]) -> [f64; N] {
-        std::array::from_fn(|i| match i {
-            0 => -0.5 * dk[0] * q[1] * q[1],
-            _ => -spring(k[0], i) * q[i] - self.beta * spring(K_MID, i) * q_dot[i] - T_0,
-        })
+    fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
+        force[0] = -0.5 * dk[0] * q[1] * q[1];
+        for i in 1..self.n {
+            force[i] = -spring(k[0], i) * q[i] - self.beta * spring(K_MID, i) * q_dot[i] - T_0;
+        }
     }
-    fn jacobian(&self, _: &[f64; N], _: &[f64; N], _: &[f64], _: &[f64], _: &[f64]) -> [[[f64; N]; N]; 2] {
+    fn jacobian(&self, _: &[f64], _: &[f64], _: &[f64], _: &[f64], _: &[f64]) -> [Matrix; 2] {
         unreachable!("its cells are linear")
     }
-    fn mass(&self) -> [[f64; N]; N] {
-        std::array::from_fn(|i| std::array::from_fn(|j| J * (N - i.max(j)) as f64))
+    fn mass(&self) -> Matrix {
+        Matrix::from_fn(self.n, self.n, |i, j| J * (self.n - i.max(j)) as f64)
     }
-    fn damping(&self, _: &[f64]) -> [[f64; N]; N] {
-        diagonal(|i| if i == 0 { 0.0 } else { self.beta * spring(K_MID, i) })
+    fn damping(&self, _: &[f64]) -> Matrix {
+        self.diagonal(|i| if i == 0 { 0.0 } else { self.beta * spring(K_MID, i) })
     }
-    fn stiffness(&self, k: &[f64]) -> [[f64; N]; N] {
-        diagonal(|i| if i == 0 { 0.0 } else { spring(k[0], i) })
+    fn stiffness(&self, k: &[f64]) -> Matrix {
+        self.diagonal(|i| if i == 0 { 0.0 } else { spring(k[0], i) })
     }
-    fn load(&self, _: &[f64]) -> [f64; N] {
-        std::array::from_fn(|i| if i == 0 { 0.0 } else { -T_0 })
+    fn load(&self, _: &[f64]) -> Vector {
+        Vector::from_fn(self.n, |i| if i == 0 { 0.0 } else { -T_0 })
     }
-    fn motion(&self, _: usize) -> [f64; N] {
+    fn motion(&self, _: usize) -> Vector {
         self.normal(0)
     }
     fn switching(&self, _: usize) -> Switching {
         Switching::WithJump
     }
-    fn normal(&self, _: usize) -> [f64; N] {
-        std::array::from_fn(|i| f64::from(u8::from(i == 0)))
+    fn normal(&self, _: usize) -> Vector {
+        Vector::from_fn(self.n, |i| f64::from(u8::from(i == 0)))
     }
-    fn step(&self, _: usize, q: &[f64; N], _: &[f64], dk: f64) -> f64 {
+    fn step(&self, _: usize, q: &[f64], _: &[f64], dk: f64) -> f64 {
         0.5 * dk * q[1] * q[1]
     }
-    fn dead_band(&self, _: usize) -> Option<DeadBand<N>> {
+    fn dead_band(&self, _: usize) -> Option<DeadBand> {
         None
     }
 }
 
-fn diagonal<const N: usize>(of: impl Fn(usize) -> f64) -> [[f64; N]; N] {
-    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { of(i) } else { 0.0 }))
-}
-
-/// Measures the train of N discs with dampers of time constant `beta` [s].
+/// Measures the train of `n` discs with dampers of time constant `beta` [s].
 ///
 /// # Errors
 /// If it does not run.
-pub fn train<const N: usize>(beta: f64) -> anyhow::Result<Row> {
-    Row::of(&Train::<N>::scene()?, &Train::<N> { beta })
+pub fn train(n: usize, beta: f64) -> anyhow::Result<Row> {
+    let train = Train { n, beta };
+    Row::of(&train.scene()?, &train)
 }

@@ -100,7 +100,7 @@ fn scene(name: &str, overrides: &[&str]) -> Scene {
     Scene::load(path.as_ref(), &all, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
-fn equations(scene: &Scene) -> &'static dyn Equations<2> {
+fn equations(scene: &Scene) -> &'static dyn Equations {
     let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
     Box::leak(equations.expect("the scene was checked"))
 }

@@ -58,7 +58,7 @@ pub fn run(name: &str, overrides: &[String]) -> anyhow::Result<Outcome> {
         .map_err(|errors| anyhow!("{}", errors.render(100, false)))
         .with_context(|| format!("scene {name} with {overrides:?}"))?;
     let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
-    Ok((entry.run)(&scene, &mut |_| {})?)
+    Ok(entry.run(&scene, &mut |_| {})?)
 }
 
 /// Jump strength at the start of a run from `rpm`: J = M2 dk phi_s^2/theta'^2 with phi_s = T0/k1. With

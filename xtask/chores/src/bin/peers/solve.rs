@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::{Context, bail};
 use cpu_time::ProcessTime;
-use gearsim::engine::equations;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::simulate::Simulation;
 use gearsim::ensemble;
 use gearsim::generated::gear_pair;
@@ -57,7 +57,7 @@ pub fn run(method: &str, case: &Case, quick: bool) -> anyhow::Result<Value> {
 /// The engine with its guaranteed crossings and its energy account. The time of a run includes computing the cells and the start.
 fn engine(scene: &Scene) -> anyhow::Result<Value> {
     let begun = ProcessTime::now();
-    let equations = equations::of::<gear_pair::GearPair, 2>(scene)?;
+    let equations = DerivedModel::of::<gear_pair::GearPair>().equations(scene)?;
     let prepare = begun.elapsed().as_secs_f64();
     let solve = || -> anyhow::Result<_> {
         let mut alone = [Simulation::new(scene.model, &*equations, black_box(scene))?];
@@ -77,7 +77,7 @@ fn engine(scene: &Scene) -> anyhow::Result<Value> {
 
 /// The events of the engine's run, from the recorded states just before and just after each.
 fn events(scene: &Scene) -> anyhow::Result<Vec<Value>> {
-    let run = (Entry::new::<gear_pair::GearPair, 2>().run)(scene, &mut |_| {})?;
+    let run = Entry::new::<gear_pair::GearPair, 2>().run(scene, &mut |_| {})?;
     let (t, mut cell) = (run.trajectory, 0);
     let befores = (0..t.len()).filter(|&i| t.moment[i] == Moment::Before);
     Ok(befores

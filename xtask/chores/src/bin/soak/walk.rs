@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
-use gearsim::engine::equations;
+use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::record::Recorder;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -54,7 +54,7 @@ impl Walk {
     /// If the engine stops, or if no more events occur.
     pub fn run(events: u64, precision: &str) -> anyhow::Result<Walk> {
         let scene = scene(precision)?;
-        let equations = equations::of::<GearPair, 2>(&scene)?;
+        let equations = DerivedModel::of::<GearPair>().equations(&scene)?;
         let begun = Instant::now();
         let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
         if scene.solver.precision == Precision::Compensated {

@@ -3,7 +3,7 @@
 mod pair;
 mod trains;
 
-use gearsim::engine::equations::{Derived, Equations, product};
+use gearsim::engine::equations::{Derived, Equations};
 use gearsim::model::Model;
 
 use crate::by_hand::ByHand;
@@ -14,7 +14,7 @@ pub use trains::{chain, idler, planetary};
 
 /// One right-hand side, generated and written by hand, with the state at which both are evaluated.
 pub struct Side<const N: usize> {
-    pub generated: Box<dyn Equations<N>>,
+    pub generated: Box<dyn Equations>,
     pub by_hand: Box<dyn ByHand<N>>,
     q: [f64; N],
     q_dot: [f64; N],
@@ -32,9 +32,17 @@ impl<const N: usize> Side<N> {
         let Side { generated, q, q_dot, k, dk, .. } = self;
         // As for `ByHand`: accelerations of pairs, but forces of trains.
         let mobility = generated.mobility();
+        let force = move |q: &[f64; N], v: &[f64; N], k: &[f64], dk: &[f64]| {
+            let mut force = [0.0; N];
+            generated.write_force(q, v, k, dk, &mut force);
+            force
+        };
         match N {
-            2 => evaluated(q, q_dot, k, dk, move |q, v, k, dk| product(&mobility, &generated.force(q, v, k, dk))),
-            _ => evaluated(q, q_dot, k, dk, move |q, v, k, dk| generated.force(q, v, k, dk)),
+            2 => evaluated(q, q_dot, k, dk, move |q, v, k, dk| {
+                let force = force(q, v, k, dk);
+                std::array::from_fn(|i| mobility[(i, 0)] * force[0] + mobility[(i, 1)] * force[1])
+            }),
+            _ => evaluated(q, q_dot, k, dk, force),
         }
     }
 
@@ -54,7 +62,7 @@ impl<const N: usize> Side<N> {
             _ => self.generated.force(q, q_dot, k, dk),
         };
         let largest = by_hand.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
-        let apart = by_hand.iter().zip(generated).fold(0.0f64, |apart, (a, b)| apart.max((a - b).abs()));
+        let apart = by_hand.iter().zip(&*generated).fold(0.0f64, |apart, (a, b)| apart.max((a - b).abs()));
         assert!(apart <= 1e-12 * largest, "by hand {by_hand:?}, generated {generated:?}");
     }
 }
@@ -79,11 +87,7 @@ fn evaluated<const N: usize>(
 }
 
 /// The generated equations with `effects`, separated by spaces, and with parameters by name; others have their default or 1.
-fn derived<D: Derived<N>, const N: usize>(
-    effects: &str,
-    numbers: &[(&str, f64)],
-    mids: &[f64],
-) -> Box<dyn Equations<N>> {
+fn derived<D: Derived>(effects: &str, numbers: &[(&str, f64)], mids: &[f64]) -> Box<dyn Equations> {
     let model: &Model = &D::MODEL;
     let bit = |name: &str| model.effects.iter().position(|e| e.name == name).unwrap_or_else(|| panic!("no {name}"));
     let parameters = model.parameters.iter().map(|p| {

@@ -21,7 +21,7 @@ fn numbers() -> Pair {
 
 fn pair(effects: &str, by_hand: impl ByHand<2> + 'static) -> Side<2> {
     Side {
-        generated: derived::<GearPair, 2>(effects, &NUMBERS, &[MID]),
+        generated: derived::<GearPair>(effects, &NUMBERS, &[MID]),
         by_hand: Box::new(by_hand),
         q: [0.1, 7e-3],
         q_dot: [1800.0, 0.3],

@@ -12,7 +12,7 @@ pub fn chain() -> Side<5> {
     numbers.extend(names.into_iter().zip(k));
     let by_hand = trains::Chain { k, c: k.map(|k| beta * k), drag: [alpha; 5], motor: 5.0, load: 4.0 };
     Side {
-        generated: derived::<Chain5, 5>("torques damping", &numbers, &[]),
+        generated: derived::<Chain5>("torques damping", &numbers, &[]),
         by_hand: Box::new(by_hand),
         q: [0.1, 0.09, 0.07, 0.06, 0.05],
         q_dot: [10.0, 9.0, 11.0, 10.5, 9.5],
@@ -44,7 +44,7 @@ pub fn idler() -> Side<3> {
         torque: [50.0 / n1 - 100.0 / n3, 50.0 / (h * n1), 100.0 / (h * n3)],
     };
     Side {
-        generated: derived::<Idler, 3>("stiffness_step torques damping", &numbers, &mids),
+        generated: derived::<Idler>("stiffness_step torques damping", &numbers, &mids),
         by_hand: Box::new(by_hand),
         q: [0.1, 7e-6, 6e-6],
         q_dot: [1800.0, 3e-3, 2e-3],
@@ -62,7 +62,7 @@ pub fn planetary() -> Side<6> {
         torque: [300.0 * (1.0 / z_s + 1.0 / z_r) - 1200.0 / z_r, 300.0 - 1200.0],
     };
     Side {
-        generated: derived::<Planetary3, 6>("stiffness_step torques", &numbers, &[4e8; 6]),
+        generated: derived::<Planetary3>("stiffness_step torques", &numbers, &[4e8; 6]),
         by_hand: Box::new(by_hand),
         q: [0.1, 2e-5, 1e-5, 7e-6, 6e-6, 5e-6],
         q_dot: [1800.0, 3e-3, 2e-3, 1e-3, 2e-3, 3e-3],
