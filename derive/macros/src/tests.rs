@@ -222,8 +222,8 @@ fn laws_with_an_effect_must_come_last() {
 fn laws_are_zero_without_their_effect() {
     let code = expand(tokens(&sample())).to_string();
     for said in [
-        "let e = if Self :: TRANSMISSION_ERROR { k [1] } else { 0f64 . into () }",
-        "let arm = if Self :: SLIDING_FRICTION { k [3] } else { 0f64 . into () }",
+        "let e = if With :: < E > :: TRANSMISSION_ERROR { k [1] } else { 0f64 . into () }",
+        "let arm = if With :: < E > :: SLIDING_FRICTION { k [3] } else { 0f64 . into () }",
         "if ! STIFFNESS_STEP || law == 1 && ! TRANSMISSION_ERROR || law == 2 && ! SLIDING_FRICTION",
         // Friction laws do not occur in deflections.
         "let d = self . deflections (q , e , edge)",

@@ -20,6 +20,7 @@ pub mod error;
 pub mod forcing;
 pub mod guard;
 pub mod jump;
+pub mod lanes;
 pub mod law;
 pub mod modal;
 pub mod mode;

@@ -13,6 +13,7 @@ use crate::engine::equations::{Equations, Matrices, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::guard::Guard;
+use crate::engine::lanes::alone::Alone;
 use crate::engine::law::{self, Law};
 use crate::engine::record::{Recorder, State};
 use crate::engine::start::{self, Begun};
@@ -24,6 +25,7 @@ use crate::trajectory::Moment;
 mod events;
 mod forced;
 mod locate;
+mod plain;
 mod samples;
 
 /// What a run did, besides its trajectory.
@@ -78,6 +80,8 @@ pub struct Simulation<'a> {
     compensated: Option<Box<Compensated>>,
     /// What varies in time, if anything does.
     forcing: Option<Box<forced::Forced>>,
+    /// The kernel of plain events, once it was asked for; `None` where no event is plain.
+    kernel: Option<Option<Box<dyn Alone>>>,
     /// Energy lost to damping so far [J].
     pub dissipated: f64,
     /// Energy of bounces that were not followed to their ends, so far [J].
@@ -170,6 +174,7 @@ impl<'a> Simulation<'a> {
             k,
             contact: None,
             compensated: None,
+            kernel: None,
             dissipated: 0.0,
             ignored: 0.0,
             counts: Counts::default(),
@@ -220,6 +225,9 @@ impl<'a> Simulation<'a> {
         recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>,
         sample: &mut u64,
     ) -> Result<bool, Stop> {
+        if self.is_plain() && self.pass_plain(recorder, sample) {
+            return Ok(false);
+        }
         if self.forcing.as_ref().is_some_and(|forcing| !forcing.is_flat()) {
             return self.step_in_window(recorder, sample);
         }

@@ -7,34 +7,19 @@
 //!
 //! `pulp` picks the instructions that the processor has.
 
-#![allow(
-    clippy::needless_range_loop,
-    clippy::manual_range_contains,
-    reason = "loops over indices and plain comparisons become vector instructions; iterators and calls may not"
-)]
-
-mod cells;
-mod elementary;
-mod flight;
-mod handover;
-mod kind;
-mod lanes;
-mod pack;
 #[cfg(test)]
 mod tests;
 
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::engine::Stop;
+use crate::engine::lanes::kind::Kind;
+use crate::engine::lanes::pack::Mask;
+use crate::engine::lanes::{LARGEST, Lanes};
 use crate::engine::simulate::Simulation;
-use kind::Kind;
-use lanes::Lanes;
-use pack::Mask;
 
 /// Simulations side by side on a processor core: what its vectors hold.
 const LANES: usize = 8;
-/// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
-const LARGEST: usize = 6;
 
 /// Runs simulations to their ends, unrecorded.
 ///

@@ -71,13 +71,9 @@ impl Explicit {
     }
 
     fn sum(&self, row: Row) -> Flow {
-        self.combined(Flow::zero(self.k[0].q.len()), 1.0, row)
-    }
-
-    /// start + h sum_j a_j k_j.
-    fn combined(&self, mut start: Flow, h: f64, row: Row) -> Flow {
-        row.iter().for_each(|(j, a)| start.add(h * a, &self.k[*j]));
-        start
+        let mut sum = Flow::zero(self.k[0].q.len());
+        row.iter().for_each(|(j, a)| sum.add(*a, &self.k[*j]));
+        sum
     }
 
     fn error(&self, h: f64, scale: &Scale) -> f64 {
@@ -112,7 +108,7 @@ impl Method for Explicit {
         let (mut end, mut before) = (start.clone(), start.clone());
         for i in 1..=last {
             before = end;
-            end = self.combined(start.clone(), h, rows[i]);
+            end = start.plus(h, &self.sum(rows[i]));
             self.k[i] = field.rate(nodes[i] * h, &end);
         }
         // |df| / |dy| of the two stages that end at t + h.
@@ -136,7 +132,7 @@ impl Method for Explicit {
             }
             Interpolant::Nested(rows) => {
                 for i in self.tableau.last + 1..self.tableau.rows.len() {
-                    let argument = self.combined(start.clone(), h, self.tableau.rows[i]);
+                    let argument = start.plus(h, &self.sum(self.tableau.rows[i]));
                     self.k[i] = field.rate(self.tableau.nodes[i] * h, &argument);
                 }
                 let rise = trial.end.plus(-1.0, start);

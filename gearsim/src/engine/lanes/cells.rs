@@ -2,9 +2,9 @@
 
 use crate::engine::cell::Cell;
 use crate::engine::crossing::Side;
+use crate::engine::lanes::pack::{Mask, Pack};
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
-use crate::ensemble::pack::{Mask, Pack};
 
 /// One mode of as many cells.
 #[derive(Debug, Clone, Copy)]

@@ -3,11 +3,11 @@
 use xprec::Df64;
 
 use crate::engine::equations::Switching;
+use crate::engine::lanes::Lanes;
+use crate::engine::lanes::cells::Cells;
+use crate::engine::lanes::kind::Kind;
+use crate::engine::lanes::pack::Pack;
 use crate::engine::simulate::Simulation;
-use crate::ensemble::cells::Cells;
-use crate::ensemble::kind::Kind;
-use crate::ensemble::lanes::Lanes;
-use crate::ensemble::pack::Pack;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Empty lanes for simulations of one kind, of at most N coordinates.

@@ -1,9 +1,9 @@
 //! The motion in a cell, all lanes at once: [`crate::engine::cell::Flight`] without its cases. A lane that would need
 //! one is left to the scalar engine.
 
-use crate::ensemble::cells::{Cells, Modes};
-use crate::ensemble::elementary::{exp_m1, sin_cos};
-use crate::ensemble::pack::{Mask, Pack};
+use crate::engine::lanes::cells::{Cells, Modes};
+use crate::engine::lanes::elementary::{exp_m1, sin_cos};
+use crate::engine::lanes::pack::{Mask, Pack};
 
 /// The motion from a given state on.
 pub struct Flight<'a, const N: usize, const L: usize> {

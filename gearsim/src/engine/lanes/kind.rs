@@ -1,9 +1,9 @@
 //! Which simulations can be side by side.
 
 use crate::engine::cell::Cell;
+use crate::engine::lanes::LARGEST;
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
-use crate::ensemble::LARGEST;
 
 /// What simulations must have in common to be side by side.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_2_PI, LOG2_E};
 
-use crate::ensemble::pack::Pack;
+use crate::engine::lanes::pack::Pack;
 
 /// 1.5 * 2^52: added to a number of moderate size, it rounds it to a whole one, which then is in the lowest bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;

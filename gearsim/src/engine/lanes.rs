@@ -1,13 +1,35 @@
-//! L simulations under way: one cell change of all of them at once.
+//! The kernel of plain events: one step of a stiffness passed by L simulations at once.
 //!
-//! A lane passes a step where its phase is monotone for certain, Newton's method converges, the step lies before the end of
-//! the run, and the energy suffices. What is not so plain is left as it was, for the scalar engine.
+//! An event is plain if the phase is certainly monotone, Newton's method converges, the step lies before the end of the run, and the
+//! energy suffices to pass it. A lane whose event is not plain is left as it was, for the general loop ([`simulate`]).
+//!
+//! The kernel is compiled for a few numbers of coordinates N, for L = 8 ([`ensemble`](crate::ensemble)) and for L = 1 ([`alone`]). A
+//! simulation with fewer coordinates leaves the last ones at rest.
+//!
+//! [`simulate`]: crate::engine::simulate
+
+#![allow(
+    clippy::needless_range_loop,
+    clippy::manual_range_contains,
+    reason = "loops over indices and plain comparisons become vector instructions; iterators and calls may not"
+)]
+
+pub mod alone;
+mod cells;
+mod elementary;
+mod flight;
+mod handover;
+pub mod kind;
+pub mod pack;
 
 use crate::engine::mode::NEAR;
-use crate::ensemble::cells::Cells;
-use crate::ensemble::elementary::LARGEST_ANGLE;
-use crate::ensemble::flight::{Flight, Point};
-use crate::ensemble::pack::{Mask, Pack};
+use cells::Cells;
+use elementary::LARGEST_ANGLE;
+use flight::{Flight, Point};
+use pack::{Mask, Pack};
+
+/// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
+pub const LARGEST: usize = 6;
 
 /// The state of L simulations, in arrays.
 pub struct Lanes<const N: usize, const L: usize> {
@@ -17,22 +39,28 @@ pub struct Lanes<const N: usize, const L: usize> {
     pub rigid: [bool; N],
     /// Coordinate that is the phase.
     pub phase: usize,
-    /// G and M⁻¹n / G (N) of the steps; no impulse where G is zero.
+    /// G of the steps; no impulse where it is zero.
     pub compliance: Pack<L>,
+    /// M⁻¹n / G (N).
     pub direction: [Pack<L>; N],
 
+    /// Coordinates, less whole pitches (N).
     pub q: [Pack<L>; N],
+    /// Speeds (N).
     pub q_dot: [Pack<L>; N],
-    /// What the speeds have lost to rounding.
+    /// What the speeds have lost to rounding (N).
     pub lost: [Pack<L>; N],
-    /// Time from the start of the lane, as a sum of two numbers [s], and where the lane ends.
+    /// Time, as a sum of two numbers [s].
     pub clock: [Pack<L>; 2],
+    /// End of the run [s].
     pub end: Pack<L>,
+    /// Energy that damping has taken [J].
     pub dissipated: Pack<L>,
     /// The cell of each lane.
     pub at: [usize; L],
-    /// Whole pitches since the start of the lane, and cell changes.
+    /// Whole pitches since the lane was loaded.
     pub turns: [i64; L],
+    /// Cell changes since then.
     pub changes: [u64; L],
     /// How much longer each cell took than its steady part alone, when last passed.
     pub lateness: Vec<Pack<L>>,
@@ -53,12 +81,40 @@ struct Way<const L: usize> {
     steady: Pack<L>,
 }
 
-/// A state that may come to be.
-struct Ahead<const N: usize, const L: usize> {
+/// The next step of each lane, located and passed, before the lanes take it over.
+#[derive(Clone, Copy)]
+pub struct Attempt<const N: usize, const L: usize> {
+    /// The lanes whose step is plain.
+    pub sure: Mask<L>,
+    /// Time to it [s].
+    pub t: Pack<L>,
+    /// Whether it is the upper boundary of the cell.
+    up: Mask<L>,
+    /// Times that the motion was evaluated.
+    pub evaluations: usize,
+    /// How much longer the cell took than its steady part alone [s].
+    lateness: Pack<L>,
+    /// The coordinates and speeds with which the phase arrives.
+    pub arrival: [[Pack<L>; N]; 2],
+    /// The state beyond the step.
     q: [Pack<L>; N],
     q_dot: [Pack<L>; N],
     lost: [Pack<L>; N],
     dissipated: Pack<L>,
+    /// The cell of all active lanes, if it is the same.
+    common: Option<usize>,
+}
+
+/// The steps that lanes come to.
+struct Located<const L: usize> {
+    /// The lanes that certainly reach theirs.
+    sure: Mask<L>,
+    /// Time to it [s].
+    t: Pack<L>,
+    /// Times that the motion was evaluated.
+    evaluations: usize,
+    /// The cell of all active lanes, if it is the same.
+    common: Option<usize>,
 }
 
 /// Below this product of rate and time the closed forms cancel digits: such short flights are for the scalar engine.
@@ -70,6 +126,14 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Passes one step in those of the `active` lanes that can; tells which have.
     #[inline(always)]
     pub fn pass(&mut self, active: Mask<L>) -> Mask<L> {
+        let attempt = self.attempt(active);
+        self.take(&attempt);
+        attempt.sure
+    }
+
+    /// The next step of the `active` lanes.
+    #[inline(always)]
+    pub fn attempt(&self, active: Mask<L>) -> Attempt<N, L> {
         let first = (0..L).find(|lane| active.says(*lane)).map_or(0, |lane| self.at[lane]);
         let together = (0..L).all(|lane| !active.says(lane) || self.at[lane] == first);
         let gathered;
@@ -84,20 +148,25 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         // Locate.
         let way = self.way(cells, &flight);
         let sure = active.and(way.monotone);
-        let (sure, t, points) = self.locate(cells, &flight, &way, self.lateness(together, first), sure);
+        let (sure, t, points, evaluations) = self.locate(cells, &flight, &way, self.lateness(together, first), sure);
         // Jump.
-        let (sure, ahead) = self.jump(cells, &flight, &way, &points, sure);
-        // Only where all of it holds.
+        let common = together.then_some(first);
+        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, common })
+    }
+
+    /// Takes over the steps of an attempt, where they are plain.
+    #[inline(always)]
+    pub fn take(&mut self, attempt: &Attempt<N, L>) {
+        let Attempt { sure, t, up, lateness, common, .. } = *attempt;
         for i in 0..N {
-            self.q[i] = ahead.q[i].or(sure, self.q[i]);
-            self.q_dot[i] = ahead.q_dot[i].or(sure, self.q_dot[i]);
-            self.lost[i] = ahead.lost[i].or(sure, self.lost[i]);
+            self.q[i] = attempt.q[i].or(sure, self.q[i]);
+            self.q_dot[i] = attempt.q_dot[i].or(sure, self.q_dot[i]);
+            self.lost[i] = attempt.lost[i].or(sure, self.lost[i]);
         }
-        self.dissipated = ahead.dissipated.or(sure, self.dissipated);
+        self.dissipated = attempt.dissipated.or(sure, self.dissipated);
         self.advance(t, sure);
-        self.remember(t - way.steady, sure, together, first);
-        self.enter(way.up, sure);
-        sure
+        self.remember(lateness, sure, common);
+        self.enter(up, sure);
     }
 
     /// Which boundary the phase goes to, and whether it is sure to: the steady part of its speed outweighs all that the
@@ -132,11 +201,12 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         way: &Way<L>,
         lateness: Pack<L>,
         sure: Mask<L>,
-    ) -> (Mask<L>, Pack<L>, [Point<L>; N]) {
+    ) -> (Mask<L>, Pack<L>, [Point<L>; N], usize) {
         let mut t = (way.steady + lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
         let mut near = flight.all_at(&self.rigid, t);
-        let (mut points, mut taken, mut done) = (near, t, Mask::of(|_| false));
+        let (mut points, mut taken, mut done, mut evaluations) = (near, t, Mask::of(|_| false), 0);
         for round in 1..=MOST {
+            evaluations = round;
             let [s, r, a, jerk, snap] = self.signal(cells, flight, &near, way.sign);
             let f = way.gap - s;
             // The root of f - r dt - a dt²/2 - jerk dt³/6 - snap dt⁴/24 by reversion of the series.
@@ -165,7 +235,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
         let resolved = angle.compare(angle, |angle, _| (angle >= SHORT) & (angle < LARGEST_ANGLE));
-        (sure.and(done).and(in_time).and(resolved), taken, points)
+        (sure.and(done).and(in_time).and(resolved), taken, points, evaluations)
     }
 
     /// The state beyond the step, where the energy suffices for it.
@@ -176,10 +246,9 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         flight: &Flight<'_, N, L>,
         way: &Way<L>,
         points: &[Point<L>; N],
-        sure: Mask<L>,
-    ) -> (Mask<L>, Ahead<N, L>) {
-        let Ahead { mut q, mut q_dot, mut lost, mut dissipated } =
-            Ahead { q: self.q, q_dot: self.q_dot, lost: self.lost, dissipated: self.dissipated };
+        Located { sure, t, evaluations, common }: Located<L>,
+    ) -> Attempt<N, L> {
+        let (mut q, mut q_dot, mut lost, mut dissipated) = (self.q, self.q_dot, self.lost, self.dissipated);
         let mut gained = [Pack::all(0.0); N];
         for j in 0..N {
             for i in 0..N {
@@ -194,6 +263,10 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             }
         }
         q[self.phase] = way.boundary;
+        let mut arrival = [q, q_dot];
+        for i in 0..N {
+            arrival[1][i] = q_dot[i] + (gained[i] + lost[i]);
+        }
         let mut dv = Pack::all(0.0);
         for i in 0..N {
             for j in 0..N {
@@ -209,7 +282,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         q[self.phase] = cells.entered[1].or(way.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        (sure.and(passes), Ahead { q, q_dot, lost, dissipated })
+        let (sure, up, lateness) = (sure.and(passes), way.up, t - way.steady);
+        Attempt { sure, t, up, evaluations, lateness, arrival, q, q_dot, lost, dissipated, common }
     }
 
     /// The phase's way, in the direction of its boundary, and its derivatives.
@@ -234,9 +308,15 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
 
     #[inline(always)]
     fn advance(&mut self, t: Pack<L>, sure: Mask<L>) {
-        let [high, low] = self.clock;
-        let [sum, rest] = two_sum(high, t + low);
+        let ([high, low], [sum, rest]) = (self.clock, self.clock_after(t));
         self.clock = [sum.or(sure, high), rest.or(sure, low)];
+    }
+
+    /// The clock after the time `t` [s].
+    #[inline(always)]
+    fn clock_after(&self, t: Pack<L>) -> [Pack<L>; 2] {
+        let [high, low] = self.clock;
+        two_sum(high, t + low)
     }
 
     #[inline(always)]
@@ -248,8 +328,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     }
 
     #[inline(always)]
-    fn remember(&mut self, lateness: Pack<L>, sure: Mask<L>, together: bool, first: usize) {
-        if together {
+    fn remember(&mut self, lateness: Pack<L>, sure: Mask<L>, common: Option<usize>) {
+        if let Some(first) = common {
             let kept = &mut self.lateness[first];
             *kept = lateness.or(sure, *kept);
             return;

@@ -1,0 +1,84 @@
+//! One simulation in a lane of its own: the fast way through its plain events.
+
+use pulp::{Arch, NullaryFnOnce};
+
+use crate::engine::lanes::kind::Kind;
+use crate::engine::lanes::pack::Mask;
+use crate::engine::lanes::{Attempt, LARGEST, Lanes};
+use crate::engine::record::State;
+use crate::engine::simulate::Simulation;
+
+/// The kernel with the cells of one simulation, whatever its number of coordinates.
+pub trait Alone: Send + Sync {
+    /// The time to the next step [s], if the event there is plain.
+    fn locate(&mut self, simulation: &Simulation<'_>) -> Option<f64>;
+
+    /// Sets `state` to that in which the phase arrives at the step that was located; gives the time [s], and the energy that damping
+    /// has taken until then [J].
+    fn arrive(&self, state: &mut State) -> (f64, f64);
+
+    /// Takes the simulation beyond the step that was located; what the motion was evaluated for it is counted.
+    fn pass(&mut self, simulation: &mut Simulation<'_>);
+}
+
+/// The kernel for a simulation; `None` if its events are never plain.
+pub fn of(simulation: &Simulation<'_>) -> Option<Box<dyn Alone>> {
+    let kind = Kind::of(simulation)?;
+    Some(match kind.rigid.len() {
+        0..=2 => Box::new(Lane::<2>::new(&kind, simulation)),
+        3..=4 => Box::new(Lane::<4>::new(&kind, simulation)),
+        _ => Box::new(Lane::<LARGEST>::new(&kind, simulation)),
+    })
+}
+
+struct Lane<const N: usize> {
+    lanes: Lanes<N, 1>,
+    next: Option<Attempt<N, 1>>,
+}
+
+impl<const N: usize> Lane<N> {
+    fn new(kind: &Kind, simulation: &Simulation<'_>) -> Self {
+        let mut lanes = Lanes::new(kind);
+        lanes.load(0, simulation, true);
+        Lane { lanes, next: None }
+    }
+}
+
+impl<const N: usize> Alone for Lane<N> {
+    #[inline]
+    fn locate(&mut self, simulation: &Simulation<'_>) -> Option<f64> {
+        self.lanes.load(0, simulation, false);
+        let attempt = Arch::new().dispatch(Try(&self.lanes));
+        self.next = attempt.sure.says(0).then_some(attempt);
+        self.next.map(|attempt| attempt.t.0[0])
+    }
+
+    fn arrive(&self, state: &mut State) -> (f64, f64) {
+        let Some(Attempt { t, arrival: [q, q_dot], dissipated, .. }) = &self.next else { return (f64::NAN, f64::NAN) };
+        for i in 0..state.q.len() {
+            (state.q[i], state.q_dot[i]) = (q[i].0[0], q_dot[i].0[0]);
+        }
+        (self.lanes.clock_after(*t)[0].0[0], dissipated.0[0])
+    }
+
+    #[inline]
+    fn pass(&mut self, simulation: &mut Simulation<'_>) {
+        let Some(attempt) = self.next.take() else { return };
+        self.lanes.take(&attempt);
+        self.lanes.unload(0, simulation);
+        simulation.counts.cost.evaluations += attempt.evaluations as u64;
+        simulation.counts.cost.steps += attempt.evaluations as u64;
+    }
+}
+
+/// Compiled for the vector instructions that the processor has.
+struct Try<'l, const N: usize>(&'l Lanes<N, 1>);
+
+impl<const N: usize> NullaryFnOnce for Try<'_, N> {
+    type Output = Attempt<N, 1>;
+
+    #[inline(always)]
+    fn call(self) -> Attempt<N, 1> {
+        self.0.attempt(Mask::of(|_| true))
+    }
+}
