@@ -2,7 +2,7 @@
 
 use super::figure::{Axis, Figure, Panel, Scale, Series, Style, extremes};
 use super::heat::{Heat, Marks, edges};
-use super::{PlotError, Study, SweepPlot, symbol};
+use super::{Picture, PlotError, Study, SweepPlot, symbol};
 use crate::model::Model;
 use crate::sweep::axis;
 
@@ -13,7 +13,7 @@ pub const PLOT: SweepPlot =
 /// Greatest over least value from which colours show logarithms, if all values are positive.
 const DECADES: f64 = 1e3;
 
-fn draw(study: &Study<'_>) -> Result<String, PlotError> {
+fn draw(study: &Study<'_>) -> Result<Picture, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     let layout = study.layout;
     let column = layout.columns.iter().position(|(name, _)| name == study.quantity);
@@ -35,7 +35,7 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
             let series = Series { style: Style::PLAIN, ..Series::new(0, "", x, y) };
             let panel = Panel { y: Axis::linear(label, unit), series: vec![series] };
             let figure = Figure { title, subtitle: Some(subtitle), x: varied(study, 0), panels: vec![panel] };
-            figure.svg()
+            figure.picture()
         }
         [x, y] => {
             let (x_axis, y_axis) = (varied(study, 0), varied(study, 1));
@@ -48,7 +48,7 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
                 false => cells(x, y, &values, (x_axis.scale, y_axis.scale)),
                 true => Marks::Dots { x: x.clone(), y: y.clone(), values },
             };
-            Ok(Heat { title, subtitle, x: x_axis, y: y_axis, colour, marks }.svg())
+            Ok(Heat { title, subtitle, x: x_axis, y: y_axis, colour, marks }.picture())
         }
         _ => Err(nothing(format!("{} quantities were varied; it is over one or two", along.len()))),
     }

@@ -3,7 +3,7 @@
 use super::figure::{Axis, Scale, extremes};
 use super::heat::{Heat, Marks, edges};
 use super::map::{places, subtitle, varied};
-use super::{PlotError, Study, SweepPlot, symbol};
+use super::{Picture, PlotError, Study, SweepPlot, symbol};
 use crate::sweep::spectra::Line;
 
 /// Its entry in the registry.
@@ -17,7 +17,7 @@ const SHOWN: f64 = 1e-5;
 /// Cells over the frequencies; more than can be seen are not drawn.
 const ROWS: usize = 215;
 
-fn draw(study: &Study<'_>) -> Result<String, PlotError> {
+fn draw(study: &Study<'_>) -> Result<Picture, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     if study.layout.plan.axes.len() != 1 {
         return Err(nothing("it is over one varied quantity".into()));
@@ -60,7 +60,7 @@ fn draw(study: &Study<'_>) -> Result<String, PlotError> {
         colour,
         marks: Marks::Cells { x, y, values },
     }
-    .svg())
+    .picture())
 }
 
 /// The highest density of a line between two frequencies; where it has none there, the nearest.

@@ -7,7 +7,7 @@ use clap::Args;
 use crate::cli::failure::Failure;
 use crate::cli::terminal;
 use crate::output::{OutputError, OutputFolder};
-use crate::plot::{self, PlotError, Study};
+use crate::plot::{self, Study};
 use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
@@ -81,9 +81,9 @@ impl Pictures {
         for (plot, quantity) in jobs {
             let name = format!("{}_{quantity}", plot.name);
             let study = Study { scene: &manifest.scene, layout, rows, quantity: &quantity };
-            match pictures(plot, &study) {
-                Ok((svg, png)) => {
-                    folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
+            match (plot.draw)(&study).and_then(|picture| Ok((picture.png()?, picture))) {
+                Ok((png, picture)) => {
+                    folder.write_bytes(&format!("{name}.svg"), picture.svg().as_bytes())?;
                     folder.write_bytes(&format!("{name}.png"), &png)?;
                 }
                 Err(error) => {
@@ -106,10 +106,4 @@ fn default(layout: &Layout) -> Option<String> {
 /// Whether the plan is one that can be drawn: one or two axes of numbers.
 fn drawable(plan: &Plan) -> bool {
     (1..=2).contains(&plan.axes.len()) && plan.axes.iter().all(|axis| axis.is_numeric())
-}
-
-fn pictures(plot: &plot::SweepPlot, study: &Study<'_>) -> Result<(String, Vec<u8>), PlotError> {
-    let svg = (plot.draw)(study)?;
-    let png = plot::figure::png(&svg, plot.name)?;
-    Ok((svg, png))
 }
