@@ -25,8 +25,10 @@ use super::table::{Column, Table, Values};
 /// Key of the metadata under which the units are.
 pub const UNITS: &str = "units";
 
-/// Rows of a row group. One column of a group is held in memory in addition to the table.
-const GROUP: usize = 1 << 17;
+/// Rows of a row group. Each group repeats the dictionaries of its columns, so that small groups make a larger file.
+const GROUP: usize = 1 << 20;
+/// Rows of text converted at a time, so that the text of a group is not held in memory twice.
+const WORDS: usize = 1 << 12;
 
 /// Writes `table` to `sink` with `provenance` as pairs of name and value.
 ///
@@ -35,6 +37,16 @@ pub fn write<'a>(
     table: &Table,
     provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
     sink: impl Write + Send,
+) -> Result<(), OutputError> {
+    write_groups(table, provenance, sink, GROUP)
+}
+
+/// [`write()`] with row groups of `group` rows.
+fn write_groups<'a>(
+    table: &Table,
+    provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
+    sink: impl Write + Send,
+    group: usize,
 ) -> Result<(), OutputError> {
     let units: BTreeMap<_, _> = table.columns().iter().map(|column| (&column.name, &column.unit)).collect();
     let units = serde_json::to_string(&units).map_err(|e| OutputError::format("Parquet", e))?;
@@ -46,7 +58,7 @@ pub fn write<'a>(
         .set_compression(Compression::SNAPPY)
         .set_key_value_metadata(Some(metadata))
         .build();
-    write_columns(table, properties, sink).map_err(|error| match error {
+    write_columns(table, properties, sink, group).map_err(|error| match error {
         // A full disk must be reported as such, not as bad Parquet.
         ParquetError::External(e) => match e.downcast::<std::io::Error>() {
             Ok(e) => OutputError::Sink(*e),
@@ -56,12 +68,17 @@ pub fn write<'a>(
     })
 }
 
-fn write_columns(table: &Table, properties: WriterProperties, sink: impl Write + Send) -> Result<(), ParquetError> {
+fn write_columns(
+    table: &Table,
+    properties: WriterProperties,
+    sink: impl Write + Send,
+    group: usize,
+) -> Result<(), ParquetError> {
     let fields = table.columns().iter().map(|column| Ok(Arc::new(field(column)?))).collect::<Result<_, ParquetError>>();
     let schema = Type::group_type_builder("schema").with_fields(fields?).build()?;
     let mut file = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties))?;
-    for start in (0..table.rows()).step_by(GROUP) {
-        let rows = start..table.rows().min(start + GROUP);
+    for start in (0..table.rows()).step_by(group) {
+        let rows = start..table.rows().min(start + group);
         let mut group = file.next_row_group()?;
         for column in table.columns() {
             let mut writer = group.next_column()?.expect("the schema has a field for each column");
@@ -70,8 +87,10 @@ fn write_columns(table: &Table, properties: WriterProperties, sink: impl Write +
                     writer.typed::<DoubleType>().write_batch(&numbers[rows.clone()], None, None)?;
                 }
                 Values::Text(words) => {
-                    let words: Vec<_> = words[rows.clone()].iter().map(|word| ByteArray::from(word.as_ref())).collect();
-                    writer.typed::<ByteArrayType>().write_batch(&words, None, None)?;
+                    for words in words[rows.clone()].chunks(WORDS) {
+                        let words: Vec<_> = words.iter().map(|word| ByteArray::from(word.as_ref())).collect();
+                        writer.typed::<ByteArrayType>().write_batch(&words, None, None)?;
+                    }
                 }
             }
             writer.close()?;
@@ -149,10 +168,10 @@ mod tests {
 
     #[test]
     fn what_is_read_back_is_what_was_written() {
-        // More rows than a group has.
-        let table = Table::of_trajectory(&oscillator(GROUP + 10)).unwrap();
+        // Several groups, the last of them shorter, and several conversions of text in each.
+        let table = Table::of_trajectory(&oscillator(2 * WORDS + 1030)).unwrap();
         let file = tempfile::NamedTempFile::new().unwrap();
-        write(&table, [("scene", "test"), ("commit", "")], &file).unwrap();
+        write_groups(&table, [("scene", "test"), ("commit", "")], &file, WORDS + 500).unwrap();
         let (back, provenance) = read(file.path()).unwrap();
         assert!(back == table, "{} columns, {} rows", back.columns().len(), back.rows());
         let pairs: Vec<_> = provenance.iter().map(|(n, v)| (n.as_str(), v.as_str())).collect();
