@@ -1,25 +1,34 @@
 //! A table as Parquet: compact, typed, with the unit of each column and the provenance inside.
 //!
-//! The unit is the field metadata `unit` of the Arrow schema; provenance is the file's key-value metadata.
+//! Columns are required `DOUBLE`s and UTF-8 strings. The key-value metadata of the file hold the provenance, and under
+//! [`UNITS`] a JSON object of column name and unit.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-use arrow_array::{Array, ArrayRef, Float64Array, RecordBatch, StringArray};
-use arrow_schema::{DataType, Field, Schema};
-use parquet::arrow::ArrowWriter;
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use parquet::basic::Compression;
+use parquet::basic::{Compression, LogicalType, Repetition, Type as PhysicalType};
+use parquet::column::reader::ColumnReader;
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
+use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
 
 use super::OutputError;
 use super::table::{Column, Table, Values};
 
-/// Rows handed to the writer at a time, so that a long run is not held in memory twice.
-const ROWS_AT_ONCE: usize = 1 << 16;
+/// Key of the metadata under which the units are.
+pub const UNITS: &str = "units";
+
+/// Rows of a row group. Each group repeats the dictionaries of its columns, so that small groups make a larger file.
+const GROUP: usize = 1 << 20;
+/// Rows of text converted at a time, so that the text of a group is not held in memory twice.
+const WORDS: usize = 1 << 12;
 
 /// Writes `table` to `sink` with `provenance` as pairs of name and value.
 ///
@@ -29,23 +38,78 @@ pub fn write<'a>(
     provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
     sink: impl Write + Send,
 ) -> Result<(), OutputError> {
-    let provenance =
-        provenance.into_iter().map(|(name, value)| KeyValue::new(name.to_owned(), value.to_owned())).collect();
+    write_groups(table, provenance, sink, GROUP)
+}
+
+/// [`write()`] with row groups of `group` rows.
+fn write_groups<'a>(
+    table: &Table,
+    provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
+    sink: impl Write + Send,
+    group: usize,
+) -> Result<(), OutputError> {
+    let units: BTreeMap<_, _> = table.columns().iter().map(|column| (&column.name, &column.unit)).collect();
+    let units = serde_json::to_string(&units).map_err(|e| OutputError::format("Parquet", e))?;
+    let pair = |(name, value): (&str, &str)| KeyValue::new(name.to_owned(), value.to_owned());
+    let mut metadata: Vec<_> = provenance.into_iter().map(pair).collect();
+    metadata.push(pair((UNITS, &units)));
     let properties = WriterProperties::builder()
         .set_created_by(concat!("gearsim ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_compression(Compression::SNAPPY)
-        .set_key_value_metadata(Some(provenance))
+        .set_key_value_metadata(Some(metadata))
         .build();
-    let schema = Arc::new(Schema::new(table.columns().iter().map(field).collect::<Vec<_>>()));
-    let mut writer = ArrowWriter::try_new(sink, schema.clone(), Some(properties)).map_err(failed)?;
-    for start in (0..table.rows()).step_by(ROWS_AT_ONCE) {
-        let rows = start..table.rows().min(start + ROWS_AT_ONCE);
-        let arrays = table.columns().iter().map(|c| array(&c.values, rows.clone())).collect();
-        let batch = RecordBatch::try_new(schema.clone(), arrays).map_err(|e| OutputError::format("Parquet", e))?;
-        writer.write(&batch).map_err(failed)?;
+    write_columns(table, properties, sink, group).map_err(|error| match error {
+        // A full disk must be reported as such, not as bad Parquet.
+        ParquetError::External(e) => match e.downcast::<std::io::Error>() {
+            Ok(e) => OutputError::Sink(*e),
+            Err(e) => OutputError::format("Parquet", e),
+        },
+        other => OutputError::format("Parquet", other),
+    })
+}
+
+fn write_columns(
+    table: &Table,
+    properties: WriterProperties,
+    sink: impl Write + Send,
+    group: usize,
+) -> Result<(), ParquetError> {
+    let fields = table.columns().iter().map(|column| Ok(Arc::new(field(column)?))).collect::<Result<_, ParquetError>>();
+    let schema = Type::group_type_builder("schema").with_fields(fields?).build()?;
+    let mut file = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties))?;
+    for start in (0..table.rows()).step_by(group) {
+        let rows = start..table.rows().min(start + group);
+        let mut group = file.next_row_group()?;
+        for column in table.columns() {
+            let mut writer = group.next_column()?.expect("the schema has a field for each column");
+            match &column.values {
+                Values::Number(numbers) => {
+                    writer.typed::<DoubleType>().write_batch(&numbers[rows.clone()], None, None)?;
+                }
+                Values::Text(words) => {
+                    for words in words[rows.clone()].chunks(WORDS) {
+                        let words: Vec<_> = words.iter().map(|word| ByteArray::from(word.as_ref())).collect();
+                        writer.typed::<ByteArrayType>().write_batch(&words, None, None)?;
+                    }
+                }
+            }
+            writer.close()?;
+        }
+        group.close()?;
     }
-    writer.close().map_err(failed)?;
+    file.close()?;
     Ok(())
+}
+
+fn field(column: &Column) -> Result<Type, ParquetError> {
+    let (physical, logical) = match column.values {
+        Values::Number(_) => (PhysicalType::DOUBLE, None),
+        Values::Text(_) => (PhysicalType::BYTE_ARRAY, Some(LogicalType::String)),
+    };
+    Type::primitive_type_builder(&column.name, physical)
+        .with_repetition(Repetition::REQUIRED)
+        .with_logical_type(logical)
+        .build()
 }
 
 /// A table read from a file, and its provenance as pairs of name and value.
@@ -55,77 +119,46 @@ pub type TableAndProvenance = (Table, Vec<(String, String)>);
 pub fn read(path: &Path) -> Result<TableAndProvenance, OutputError> {
     let failed = |why: String| OutputError::Read { path: path.to_owned(), why };
     let file = File::open(path).map_err(|e| failed(e.to_string()))?;
-    let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|e| failed(e.to_string()))?;
-    let schema = builder.schema().clone();
-    let provenance = builder.metadata().file_metadata().key_value_metadata();
-    let provenance = provenance
-        .into_iter()
-        .flatten()
-        .filter(|pair| !pair.key.starts_with("ARROW:"))
-        .map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default()))
-        .collect();
+    let file = SerializedFileReader::new(file).map_err(|e| failed(e.to_string()))?;
+    let metadata = file.metadata().file_metadata();
+    let pairs = metadata.key_value_metadata().into_iter().flatten();
+    let pairs = pairs.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default()));
+    let (units, provenance): (Vec<_>, Vec<_>) = pairs.partition(|(name, _)| name == UNITS);
+    let units = units.first().ok_or_else(|| failed(format!("its metadata have no `{UNITS}`")))?;
+    let units: BTreeMap<String, String> =
+        serde_json::from_str(&units.1).map_err(|e| failed(format!("`{UNITS}` of its metadata: {e}")))?;
 
-    let mut columns: Vec<Values> = (schema.fields().iter())
-        .map(|field| match field.data_type() {
-            DataType::Float64 => Values::Number(vec![]),
-            _ => Values::Text(vec![]),
-        })
-        .collect();
-    for batch in builder.build().map_err(|e| failed(e.to_string()))? {
-        let batch = batch.map_err(|e| failed(e.to_string()))?;
-        for (values, array) in columns.iter_mut().zip(batch.columns()) {
-            append(values, array).ok_or_else(|| failed(format!("unexpected column type {}", array.data_type())))?;
-        }
-    }
     let mut table = Table::default();
-    for (field, values) in schema.fields().iter().zip(columns) {
-        let unit = field.metadata().get("unit").map_or("", String::as_str);
-        table.push(field.name(), unit, values)?;
+    for (i, column) in metadata.schema_descr().columns().iter().enumerate() {
+        if column.max_def_level() > 0 || column.max_rep_level() > 0 {
+            return Err(failed(format!("column `{}` may have missing or repeated entries", column.name())));
+        }
+        let values = read_column(&file, i).map_err(|e| failed(format!("column `{}`: {e}", column.name())))?;
+        table.push(column.name(), units.get(column.name()).map_or("", String::as_str), values)?;
     }
     Ok((table, provenance))
 }
 
-fn field(column: &Column) -> Field {
-    let data_type = match column.values {
-        Values::Number(_) => DataType::Float64,
-        Values::Text(_) => DataType::Utf8,
-    };
-    Field::new(&column.name, data_type, false).with_metadata([("unit".to_owned(), column.unit.clone())].into())
-}
-
-fn array(values: &Values, rows: std::ops::Range<usize>) -> ArrayRef {
-    match values {
-        Values::Number(v) => Arc::new(Float64Array::from(v[rows].to_vec())),
-        Values::Text(v) => Arc::new(StringArray::from_iter_values(&v[rows])),
-    }
-}
-
-/// Appends `array` to `values`; `None` if it is of another type or has missing entries.
-fn append(values: &mut Values, array: &ArrayRef) -> Option<()> {
-    if array.null_count() > 0 {
-        return None;
-    }
-    match values {
-        Values::Number(v) => {
-            v.extend_from_slice(array.as_any().downcast_ref::<Float64Array>()?.values());
-        }
-        Values::Text(v) => {
-            let words = array.as_any().downcast_ref::<StringArray>()?;
-            v.extend(words.iter().flatten().map(|word| word.to_owned().into()));
+/// The values of the `i`-th column, which has none missing.
+fn read_column(file: &impl FileReader, i: usize) -> Result<Values, ParquetError> {
+    let (mut numbers, mut words) = (vec![], vec![]);
+    let is_number = file.metadata().file_metadata().schema_descr().column(i).physical_type() == PhysicalType::DOUBLE;
+    for group in 0..file.num_row_groups() {
+        match file.get_row_group(group)?.get_column_reader(i)? {
+            ColumnReader::DoubleColumnReader(mut reader) => {
+                reader.read_records(usize::MAX, None, None, &mut numbers)?;
+            }
+            ColumnReader::ByteArrayColumnReader(mut reader) => {
+                let mut bytes = vec![];
+                reader.read_records(usize::MAX, None, None, &mut bytes)?;
+                for word in &bytes {
+                    words.push(word.as_utf8()?.to_owned().into());
+                }
+            }
+            _ => return Err(ParquetError::General("neither numbers nor text".into())),
         }
     }
-    Some(())
-}
-
-/// A full disk must be reported as such, not as bad Parquet.
-fn failed(error: parquet::errors::ParquetError) -> OutputError {
-    match error {
-        parquet::errors::ParquetError::External(e) => match e.downcast::<std::io::Error>() {
-            Ok(e) => OutputError::Sink(*e),
-            Err(e) => OutputError::format("Parquet", e),
-        },
-        other => OutputError::format("Parquet", other),
-    }
+    Ok(if is_number { Values::Number(numbers) } else { Values::Text(words) })
 }
 
 #[cfg(test)]
@@ -135,14 +168,37 @@ mod tests {
 
     #[test]
     fn what_is_read_back_is_what_was_written() {
-        // More rows than are handed over at once.
-        let table = Table::of_trajectory(&oscillator(ROWS_AT_ONCE + 10)).unwrap();
+        // Several groups, the last of them shorter, and several conversions of text in each.
+        let table = Table::of_trajectory(&oscillator(2 * WORDS + 1030)).unwrap();
         let file = tempfile::NamedTempFile::new().unwrap();
-        write(&table, [("scene", "test"), ("commit", "")], &file).unwrap();
+        write_groups(&table, [("scene", "test"), ("commit", "")], &file, WORDS + 500).unwrap();
         let (back, provenance) = read(file.path()).unwrap();
         assert!(back == table, "{} columns, {} rows", back.columns().len(), back.rows());
         let pairs: Vec<_> = provenance.iter().map(|(n, v)| (n.as_str(), v.as_str())).collect();
         assert_eq!(pairs, [("scene", "test"), ("commit", "")]);
+    }
+
+    #[test]
+    fn units_are_a_json_object_in_the_metadata() {
+        let mut table = Table::default();
+        table.push("t", "s", Values::Number(vec![0.0, f64::NAN])).unwrap();
+        table.push("moment", "", Values::Text(vec!["start".into(), "end".into()])).unwrap();
+        let file = tempfile::NamedTempFile::new().unwrap();
+        write(&table, [], &file).unwrap();
+        let file = SerializedFileReader::new(file.reopen().unwrap()).unwrap();
+        let metadata = file.metadata().file_metadata();
+        let pairs: Vec<_> = metadata.key_value_metadata().into_iter().flatten().collect();
+        assert_eq!(pairs, [&KeyValue::new(UNITS.to_owned(), r#"{"moment":"","t":"s"}"#.to_owned())]);
+    }
+
+    #[test]
+    fn a_table_without_rows_keeps_its_columns() {
+        let mut table = Table::default();
+        table.push("t", "s", Values::Number(vec![])).unwrap();
+        table.push("moment", "", Values::Text(vec![])).unwrap();
+        let file = tempfile::NamedTempFile::new().unwrap();
+        write(&table, [], &file).unwrap();
+        assert!(read(file.path()).unwrap().0 == table);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Layout of a figure and its text as SVG: titles, then for each panel a row of legend, the frame and the curves.
+//! Layout of a figure: titles, then for each panel a row of legend, the frame and the curves.
 //!
 //! Legends stand above the frames, where they cover no data. Lengths are in SVG units (1/96 inch).
 
@@ -6,9 +6,10 @@ use std::fmt::Write;
 
 use super::decimate::decimate;
 use super::figure::{Figure, Marker, Panel, Scale, Series, extremes};
+use super::picture::{Drawing, Picture, WIDTH};
+use super::text::{Anchor, BOLD, ems};
 use super::ticks::Ruler;
 
-pub(super) const WIDTH: f64 = 800.0;
 pub(super) const LEFT: f64 = 84.0;
 const RIGHT: f64 = 22.0;
 const FRAME: f64 = WIDTH - LEFT - RIGHT;
@@ -16,20 +17,19 @@ const FRAME: f64 = WIDTH - LEFT - RIGHT;
 const HEIGHTS: [f64; 3] = [400.0, 250.0, 190.0];
 const LEGEND_ROW: f64 = 19.0;
 const GAP: f64 = 14.0;
-pub(super) const FONTS: &str = "'DejaVu Sans',Verdana,Helvetica,Arial,sans-serif";
 pub(super) const TEXT: f64 = 13.0;
 pub(super) const SMALL: f64 = 12.0;
 const SAMPLE: f64 = 34.0;
 
-/// The figure as SVG.
-pub fn draw(figure: &Figure) -> String {
+/// The figure as a picture.
+pub(super) fn draw(figure: &Figure) -> Picture {
     let height = HEIGHTS[figure.panels.len().clamp(1, HEIGHTS.len()) - 1];
     let mut y = 28.0;
-    let mut body = String::new();
-    text(&mut body, (LEFT, y), "start", 16.0, "font-weight=\"bold\"", &figure.title);
+    let mut body = Drawing::default();
+    body.text((LEFT, y), Anchor::Start, 16.0, BOLD, &figure.title);
     if let Some(subtitle) = &figure.subtitle {
         y += 19.0;
-        text(&mut body, (LEFT, y), "start", SMALL, "fill=\"#555\"", subtitle);
+        body.text((LEFT, y), Anchor::Start, SMALL, "fill=\"#555\"", subtitle);
     }
     y += 10.0;
 
@@ -42,18 +42,12 @@ pub fn draw(figure: &Figure) -> String {
         y += height + GAP;
     }
     y += 14.0;
-    text(&mut body, (LEFT + FRAME / 2.0, y + 10.0), "middle", TEXT, "", &x.label(&figure.x));
-    let total = y + 24.0;
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{total}\" \
-         viewBox=\"0 0 {WIDTH} {total}\" font-family=\"{FONTS}\" role=\"img\">\n<title>{}</title>\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{body}</svg>\n",
-        escape(&figure.title)
-    )
+    body.text((LEFT + FRAME / 2.0, y + 10.0), Anchor::Middle, TEXT, "", &x.label(&figure.x));
+    body.finish(&figure.title, y + 24.0)
 }
 
 /// Names the curves above a frame, in as many rows as they need; returns where the frame begins.
-fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
+fn legend(out: &mut Drawing, panel: &Panel, top: f64) -> f64 {
     let named: Vec<_> = panel.series.iter().filter(|s| !s.label.is_empty()).collect();
     if named.is_empty() {
         return top + 4.0;
@@ -66,14 +60,14 @@ fn legend(out: &mut String, panel: &Panel, top: f64) -> f64 {
         }
         polyline(out, &[(x, y), (x + SAMPLE, y)], series);
         marker(out, (x + 0.5 * SAMPLE, y), series);
-        text(out, (x + SAMPLE + 8.0, y + 4.3), "start", SMALL, "", &series.label);
+        out.text((x + SAMPLE + 8.0, y + 4.3), Anchor::Start, SMALL, "", &series.label);
         x += width;
     }
     y + 12.0
 }
 
 /// Draws the frame of a panel, with numbers at the x axis below the last one, its axes and its curves.
-fn frame(out: &mut String, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), last: bool, top: f64, height: f64) {
+fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), last: bool, top: f64, height: f64) {
     // Only what lies within the x axis may stretch the y axis.
     let visible = |s: &Series, i: usize| (-1e-9..=1.0 + 1e-9).contains(&x.place(s.x[i]));
     let logarithmic = panel.y.scale == Scale::Log10;
@@ -91,14 +85,14 @@ fn frame(out: &mut String, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), la
         let _ = write!(grid, "M{px:.1} {top:.1}V{bottom:.1}");
         let _ = write!(marks, "M{px:.1} {bottom:.1}v-6M{px:.1} {top:.1}v6");
         if last {
-            text(out, (px, bottom + 17.0), "middle", SMALL, "", &number);
+            out.text((px, bottom + 17.0), Anchor::Middle, SMALL, "", &number);
         }
     }
     for (at, number) in y.ticks() {
         let py = bottom - at * height;
         let _ = write!(grid, "M{LEFT} {py:.1}H{right}");
         let _ = write!(marks, "M{LEFT} {py:.1}h6M{right} {py:.1}h-6");
-        text(out, (LEFT - 7.0, py + 4.3), "end", SMALL, "", &number);
+        out.text((LEFT - 7.0, py + 4.3), Anchor::End, SMALL, "", &number);
     }
     for at in x.minor() {
         let px = LEFT + at * FRAME;
@@ -116,7 +110,7 @@ fn frame(out: &mut String, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), la
         );
         let says = "no digits of the state are left";
         if SMALL * ems(says) + 12.0 < width {
-            text(out, (right - 6.0, top + 15.0), "end", SMALL, "fill=\"#8a6d3b\"", says);
+            out.text((right - 6.0, top + 15.0), Anchor::End, SMALL, "fill=\"#8a6d3b\"", says);
         }
     }
     path(out, &grid, "stroke=\"#e4e4e4\" stroke-width=\"0.8\"");
@@ -135,18 +129,18 @@ fn frame(out: &mut String, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), la
             .map(|(&vx, &vy)| (LEFT + x.place(vx) * FRAME, bottom - y.place(vy) * height));
         curve(out, &points.collect::<Vec<_>>(), series);
     }
-    out.push_str("</svg>\n");
+    let _ = writeln!(out, "</svg>");
 
     path(out, &marks, "stroke=\"#222\" stroke-width=\"0.8\"");
     let outline = format!("M{LEFT} {top:.1}H{right}V{bottom:.1}H{LEFT}Z");
     path(out, &outline, "stroke=\"#222\" stroke-width=\"1\"");
     let (cx, cy) = (20.0, top + height / 2.0);
     let turn = format!("transform=\"rotate(-90 {cx} {cy:.1})\"");
-    text(out, (cx, cy), "middle", TEXT, &turn, &y.label(&panel.y));
+    out.text((cx, cy), Anchor::Middle, TEXT, &turn, &y.label(&panel.y));
 }
 
 /// Draws a curve given in pixels: without what is outside the frame, in one piece between gaps.
-fn curve(out: &mut String, points: &[(f64, f64)], series: &Series) {
+fn curve(out: &mut Drawing, points: &[(f64, f64)], series: &Series) {
     let inside = |p: &(f64, f64)| (LEFT - 1.0..=LEFT + FRAME + 1.0).contains(&p.0);
     let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
     for piece in points.split(|p| !finite(p)) {
@@ -162,7 +156,7 @@ fn curve(out: &mut String, points: &[(f64, f64)], series: &Series) {
 }
 
 /// Draws what stands at a point.
-fn marker(out: &mut String, (x, y): (f64, f64), series: &Series) {
+fn marker(out: &mut Drawing, (x, y): (f64, f64), series: &Series) {
     let colour = series.style.colour;
     let fill = format!("fill=\"{colour}\"");
     let shape = match series.style.marker {
@@ -181,7 +175,7 @@ fn marker(out: &mut String, (x, y): (f64, f64), series: &Series) {
     let _ = writeln!(out, "{shape}");
 }
 
-fn polyline(out: &mut String, points: &[(f64, f64)], series: &Series) {
+fn polyline(out: &mut Drawing, points: &[(f64, f64)], series: &Series) {
     let style = series.style;
     if style.width == 0.0 {
         return;
@@ -208,49 +202,6 @@ fn polyline(out: &mut String, points: &[(f64, f64)], series: &Series) {
     );
 }
 
-pub(super) fn path(out: &mut String, d: &str, style: &str) {
+pub(super) fn path(out: &mut Drawing, d: &str, style: &str) {
     let _ = writeln!(out, "<path d=\"{d}\" fill=\"none\" {style}/>");
-}
-
-pub(super) fn text(out: &mut String, at: (f64, f64), anchor: &str, size: f64, extra: &str, words: &str) {
-    let _ = writeln!(
-        out,
-        "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\" {extra}>{}</text>",
-        at.0,
-        at.1,
-        markup(words)
-    );
-}
-
-/// Width of `words` in units of the font size, a little too large rather than too small.
-fn ems(words: &str) -> f64 {
-    let width = |c: char| match c {
-        'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '[' | ']' | '\'' | '|' => 0.4,
-        'm' | 'w' | 'M' | 'W' | '=' | '+' | '−' | '<' | '>' => 0.95,
-        c if c.is_uppercase() => 0.76,
-        _ => 0.64,
-    };
-    words.chars().map(width).sum()
-}
-
-/// `ω_{d}` with its index set low; everything else as it is.
-fn markup(words: &str) -> String {
-    let mut out = String::new();
-    let mut rest = words;
-    while let Some((before, (index, after))) =
-        rest.split_once("_{").and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
-    {
-        let (before, index) = (escape(before), escape(index));
-        let _ = write!(out, "{before}<tspan dy=\"3\" font-size=\"10\">{index}</tspan>");
-        // What follows must come up again.
-        if let Some(next) = after.chars().next() {
-            let _ = write!(out, "<tspan dy=\"-3\">{}</tspan>", escape(&next.to_string()));
-        }
-        rest = &after[after.chars().next().map_or(0, char::len_utf8)..];
-    }
-    out + &escape(rest)
-}
-
-pub(super) fn escape(words: &str) -> String {
-    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -1,15 +1,9 @@
 //! A figure: stacked panels of curves over a common x axis, as SVG or PNG.
 //!
-//! Plots build a [`Figure`] and use nothing else for drawing. `canvas` writes the SVG. Only this file calls the rasteriser, resvg.
+//! This is all that plots know of drawing. `canvas` lays it out; only `picture` knows the rasteriser.
 
-use std::sync::{Arc, LazyLock};
-
-use resvg::{tiny_skia, usvg};
-
+use super::picture::Picture;
 use super::{PlotError, canvas};
-
-/// Pixels of a PNG per unit of length of the SVG.
-const PNG_SCALE: f32 = 2.0;
 
 /// A figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -173,8 +167,8 @@ impl Style {
 }
 
 impl Figure {
-    /// The figure as SVG. The file refers to a font by name and to nothing else outside it. Errors: [`PlotError::Ragged`].
-    pub fn svg(&self) -> Result<String, PlotError> {
+    /// The figure as a picture. Errors: [`PlotError::Ragged`].
+    pub fn picture(&self) -> Result<Picture, PlotError> {
         for series in self.panels.iter().flat_map(|p| &p.series) {
             let (x, y) = (series.x.len(), series.y.len());
             if x != y {
@@ -184,37 +178,16 @@ impl Figure {
         Ok(canvas::draw(self))
     }
 
-    /// The figure as PNG: two pixels per SVG unit, drawn in the program's own font.
-    ///
-    /// Errors: [`PlotError::Ragged`], [`PlotError::Render`].
+    /// The figure as SVG, self-contained but for the font. Errors: [`PlotError::Ragged`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        Ok(self.picture()?.svg().to_owned())
+    }
+
+    /// The figure as PNG at twice the resolution of the SVG. Errors: [`PlotError::Ragged`], [`PlotError::Render`].
     pub fn png(&self) -> Result<Vec<u8>, PlotError> {
-        png(&self.svg()?, &self.title)
+        self.picture()?.png()
     }
 }
-
-/// Renders an SVG as PNG: two pixels per SVG unit, in the program's own fonts. `title` names the figure in errors.
-///
-/// Errors: [`PlotError::Render`].
-pub fn png(svg: &str, title: &str) -> Result<Vec<u8>, PlotError> {
-    let failed = |why: String| PlotError::Render { title: title.to_owned(), why };
-    let options =
-        usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
-    let size = tree.size().to_int_size().scale_by(PNG_SCALE);
-    let pixels = size.and_then(|s| tiny_skia::Pixmap::new(s.width(), s.height()));
-    let mut pixels = pixels.ok_or_else(|| failed("it has no size".into()))?;
-    let scale = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
-    resvg::render(&tree, scale, &mut pixels.as_mut());
-    pixels.encode_png().map_err(|e| failed(e.to_string()))
-}
-
-/// Fonts embedded in the program. System fonts are not used, so that a picture is the same on every machine.
-static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::bold().to_vec());
-    Arc::new(fonts)
-});
 
 /// Smallest and largest finite value; `(inf, -inf)` if there is none.
 pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {

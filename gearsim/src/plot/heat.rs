@@ -4,8 +4,10 @@
 
 use std::fmt::Write;
 
-use super::canvas::{FONTS, LEFT, SMALL, TEXT, WIDTH, escape, path, text};
+use super::canvas::{LEFT, SMALL, TEXT, path};
 use super::figure::{Axis, Scale, extremes};
+use super::picture::{Drawing, Picture, WIDTH};
+use super::text::{Anchor, BOLD};
 use super::ticks::Ruler;
 
 /// Width and height of the frame [SVG units].
@@ -40,12 +42,12 @@ pub(super) enum Marks {
 }
 
 impl HeatMap {
-    /// The heat map as SVG.
-    pub(super) fn svg(&self) -> String {
+    /// The heat map as a picture.
+    pub(super) fn picture(&self) -> Picture {
         let top = 28.0 + 19.0 + 16.0;
-        let mut body = String::new();
-        text(&mut body, (LEFT, 28.0), "start", 16.0, "font-weight=\"bold\"", &self.title);
-        text(&mut body, (LEFT, 47.0), "start", SMALL, "fill=\"#555\"", &self.subtitle);
+        let mut body = Drawing::default();
+        body.text((LEFT, 28.0), Anchor::Start, 16.0, BOLD, &self.title);
+        body.text((LEFT, 47.0), Anchor::Start, SMALL, "fill=\"#555\"", &self.subtitle);
 
         let (Marks::Cells { x, y, values } | Marks::Dots { x, y, values }) = &self.marks;
         let margin = if matches!(self.marks, Marks::Dots { .. }) { 0.02 } else { 0.0 };
@@ -90,28 +92,22 @@ impl HeatMap {
         }
         self.frame(&mut body, &x_ruler, &y_ruler, top);
         self.bar(&mut body, &bar, top, !paths[LEVELS].is_empty());
-        let total = top + FRAME.1 + 52.0;
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{total}\" \
-             viewBox=\"0 0 {WIDTH} {total}\" font-family=\"{FONTS}\" role=\"img\">\n<title>{}</title>\n\
-             <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{body}</svg>\n",
-            escape(&self.title)
-        )
+        body.finish(&self.title, top + FRAME.1 + 52.0)
     }
 
     /// The frame with its labels and ticks. The ticks are outside the frame, where they cover no cells.
-    fn frame(&self, out: &mut String, x: &Ruler, y: &Ruler, top: f64) {
+    fn frame(&self, out: &mut Drawing, x: &Ruler, y: &Ruler, top: f64) {
         let (right, bottom) = (LEFT + FRAME.0, top + FRAME.1);
         let mut marks = format!("M{LEFT} {top:.1}H{right}V{bottom:.1}H{LEFT}Z");
         for (at, number) in x.ticks() {
             let px = LEFT + at * FRAME.0;
             let _ = write!(marks, "M{px:.1} {bottom:.1}v6");
-            text(out, (px, bottom + 20.0), "middle", SMALL, "", &number);
+            out.text((px, bottom + 20.0), Anchor::Middle, SMALL, "", &number);
         }
         for (at, number) in y.ticks() {
             let py = bottom - at * FRAME.1;
             let _ = write!(marks, "M{LEFT} {py:.1}h-6");
-            text(out, (LEFT - 10.0, py + 4.3), "end", SMALL, "", &number);
+            out.text((LEFT - 10.0, py + 4.3), Anchor::End, SMALL, "", &number);
         }
         for at in minor(x, self.x.scale) {
             let _ = write!(marks, "M{:.1} {bottom:.1}v3", LEFT + at * FRAME.0);
@@ -120,12 +116,12 @@ impl HeatMap {
             let _ = write!(marks, "M{LEFT} {:.1}h-3", bottom - at * FRAME.1);
         }
         path(out, &marks, "stroke=\"#222\" stroke-width=\"1\"");
-        text(out, (LEFT + FRAME.0 / 2.0, bottom + 42.0), "middle", TEXT, "", &x.label(&self.x));
+        out.text((LEFT + FRAME.0 / 2.0, bottom + 42.0), Anchor::Middle, TEXT, "", &x.label(&self.x));
         vertical_text(out, 20.0, top + FRAME.1 / 2.0, &y.label(&self.y));
     }
 
     /// The colour bar; below it, if there are `gaps`, the colour of points without a value.
-    fn bar(&self, out: &mut String, ruler: &Ruler, top: f64, gaps: bool) {
+    fn bar(&self, out: &mut Drawing, ruler: &Ruler, top: f64, gaps: bool) {
         let height = if gaps { FRAME.1 - 34.0 } else { FRAME.1 };
         let (left, right, bottom) = (BAR.0, BAR.0 + BAR.1, top + height);
         let slices = 96;
@@ -140,13 +136,13 @@ impl HeatMap {
         for (at, number) in ruler.ticks() {
             let py = bottom - at * height;
             let _ = write!(marks, "M{right} {py:.1}h5");
-            text(out, (right + 9.0, py + 4.3), "start", SMALL, "", &number);
+            out.text((right + 9.0, py + 4.3), Anchor::Start, SMALL, "", &number);
         }
         if gaps {
             let mut d = String::new();
             rectangle(&mut d, (left, bottom + 16.0, right, bottom + 34.0));
             let _ = writeln!(out, "<path d=\"{d}\" fill=\"{NONE}\" stroke=\"#222\"/>");
-            text(out, (right + 9.0, bottom + 29.3), "start", SMALL, "", "none");
+            out.text((right + 9.0, bottom + 29.3), Anchor::Start, SMALL, "", "none");
         }
         path(out, &marks, "stroke=\"#222\" stroke-width=\"1\"");
         vertical_text(out, WIDTH - 14.0, top + height / 2.0, &ruler.label(&self.colour));
@@ -186,8 +182,8 @@ fn rectangle(d: &mut String, (left, top, right, bottom): (f64, f64, f64, f64)) {
     }
 }
 
-fn vertical_text(out: &mut String, x: f64, y: f64, words: &str) {
-    text(out, (x, y), "middle", TEXT, &format!("transform=\"rotate(-90 {x} {y:.1})\""), words);
+fn vertical_text(out: &mut Drawing, x: f64, y: f64, words: &str) {
+    out.text((x, y), Anchor::Middle, TEXT, &format!("transform=\"rotate(-90 {x} {y:.1})\""), words);
 }
 
 /// The colour at `place`, 0 to 1 from low to high values.

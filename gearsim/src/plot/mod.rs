@@ -10,12 +10,15 @@ mod heat;
 pub mod map;
 pub mod modes;
 mod motion;
+mod picture;
 mod spectrum;
+mod text;
 mod ticks;
 pub mod waterfall;
 pub mod work_precision;
 
 pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
+pub use picture::Picture;
 
 use crate::analysis::spectrum::SpectrumError;
 use crate::sweep::folder::Rows;
@@ -35,8 +38,8 @@ pub struct SweepPlot {
     pub name: &'static str,
     /// One line saying what it shows.
     pub doc: &'static str,
-    /// Draws the plot and returns the SVG text.
-    pub draw: fn(&SweepResults<'_>) -> Result<String, PlotError>,
+    /// Draws it.
+    pub draw: fn(&SweepResults<'_>) -> Result<Picture, PlotError>,
 }
 
 /// The results of a sweep, and the quantity to draw.

@@ -135,8 +135,8 @@ fn plots_of_sweeps_have_their_labels_and_units() {
             spectra: vec![spectrum(point)],
         };
         let rows: Rows = (0..manifest.points).map(|point| (point, row(point))).collect();
-        let svg = (plot.draw)(&SweepResults { scene: "case", layout: &layout, rows: &rows, quantity });
-        svg.inspect(|svg| assert!(!svg.contains("NaN") && !svg.contains("inf")))
+        let picture = (plot.draw)(&SweepResults { scene: "case", layout: &layout, rows: &rows, quantity });
+        picture.inspect(|picture| assert!(!picture.svg().contains("NaN") && !picture.svg().contains("inf")))
     };
     let (torque, speed) = ("parameters.T0=log:1:1000:4", "start.speed=100 rpm:300 rpm:3");
     /// The varied keys, number of samples, quantity drawn, plot, and the texts that must occur in the SVG.
@@ -161,11 +161,11 @@ fn plots_of_sweeps_have_their_labels_and_units() {
         (&["parameters.zeta=0.1,0.2,0.4"], None, "residual", &map::PLOT, &["zeta", "Energy unaccounted for"]),
     ];
     for (vary, samples, quantity, plot, words) in cases {
-        let svg = drawn(vary, samples, quantity, plot).unwrap();
+        let picture = drawn(vary, samples, quantity, plot).unwrap();
         for word in words {
-            assert!(svg.contains(word), "{vary:?} {quantity}: no `{word}`");
+            assert!(picture.svg().contains(word), "{vary:?} {quantity}: no `{word}`");
         }
-        assert_eq!(&figure::png(&svg, "test").unwrap()[1..4], b"PNG");
+        assert_eq!(&picture.png().unwrap()[1..4], b"PNG");
     }
     for (vary, quantity, plot) in [(&[torque, speed], "phi", &waterfall::PLOT), (&[torque, speed], "chi", &map::PLOT)] {
         assert!(matches!(drawn(vary, None, quantity, plot), Err(PlotError::Nothing { .. })), "{quantity}");

@@ -3,7 +3,7 @@
 use super::figure::{Axis, Scale, extremes};
 use super::heat::{HeatMap, Marks, edges};
 use super::map::{places, subtitle, varied};
-use super::{PlotError, SweepPlot, SweepResults, symbol};
+use super::{Picture, PlotError, SweepPlot, SweepResults, symbol};
 use crate::sweep::spectra::NamedSpectrum;
 
 /// The entry in [`super::SWEEP_PLOTS`].
@@ -20,7 +20,7 @@ const SHOWN: f64 = 1e-5;
 /// Number of cells along the frequency axis, 2 SVG units each: more would not be visible.
 const ROWS: usize = 215;
 
-fn draw(results: &SweepResults<'_>) -> Result<String, PlotError> {
+fn draw(results: &SweepResults<'_>) -> Result<Picture, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     if results.layout.plan.axes.len() != 1 {
         return Err(nothing("it needs exactly one varied quantity".into()));
@@ -67,7 +67,7 @@ fn draw(results: &SweepResults<'_>) -> Result<String, PlotError> {
         colour,
         marks: Marks::Cells { x, y, values },
     }
-    .svg())
+    .picture())
 }
 
 /// The highest density of a spectrum between two frequencies. If it has no line between them, the next line above, or the last one.

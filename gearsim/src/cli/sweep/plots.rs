@@ -7,7 +7,7 @@ use clap::Args;
 use crate::cli::failure::Failure;
 use crate::cli::terminal;
 use crate::output::{OutputError, OutputFolder};
-use crate::plot::{self, PlotError, SweepResults};
+use crate::plot::{self, SweepResults};
 use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
@@ -81,9 +81,9 @@ impl PlotOptions {
         for (plot, quantity) in jobs {
             let name = format!("{}_{quantity}", plot.name);
             let results = SweepResults { scene: &manifest.scene, layout, rows, quantity: &quantity };
-            match svg_and_png(plot, &results) {
-                Ok((svg, png)) => {
-                    folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
+            match (plot.draw)(&results).and_then(|picture| Ok((picture.png()?, picture))) {
+                Ok((png, picture)) => {
+                    folder.write_bytes(&format!("{name}.svg"), picture.svg().as_bytes())?;
                     folder.write_bytes(&format!("{name}.png"), &png)?;
                 }
                 Err(error) => {
@@ -106,10 +106,4 @@ fn default(layout: &Layout) -> Option<String> {
 /// Whether a map can be drawn: there are one or two axes, and all their values are numbers.
 fn drawable(plan: &Plan) -> bool {
     (1..=2).contains(&plan.axes.len()) && plan.axes.iter().all(|axis| axis.is_numeric())
-}
-
-fn svg_and_png(plot: &plot::SweepPlot, results: &SweepResults<'_>) -> Result<(String, Vec<u8>), PlotError> {
-    let svg = (plot.draw)(results)?;
-    let png = plot::figure::png(&svg, plot.name)?;
-    Ok((svg, png))
 }

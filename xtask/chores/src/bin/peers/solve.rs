@@ -77,7 +77,7 @@ fn engine(scene: &Scene) -> anyhow::Result<Value> {
 
 /// The events of the engine's run, from the recorded states just before and just after each.
 fn events(scene: &Scene) -> anyhow::Result<Vec<Value>> {
-    let run = Entry::new::<gear_pair::GearPair, 2>().run(scene, &mut |_| {})?;
+    let run = Entry::new::<gear_pair::GearPair>().run(scene, &mut |_| {})?;
     let (t, mut cell) = (run.trajectory, 0);
     let befores = (0..t.len()).filter(|&i| t.moment[i] == Moment::Before);
     Ok(befores

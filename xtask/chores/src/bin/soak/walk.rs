@@ -7,6 +7,7 @@ use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::record::Recorder;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
+use gearsim::run::Entry;
 use gearsim::scene::{Precision, Scene};
 use gearsim::trajectory::Moment;
 
@@ -58,9 +59,9 @@ impl Walk {
         let begun = Instant::now();
         let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
         if scene.solver.precision == Precision::Compensated {
-            gearsim::run::compensate::<GearPair, 2>(&mut simulation, &scene)?;
+            Entry::new::<GearPair>().compensate(&mut simulation, &scene)?;
         }
-        let (start, k) = (simulation.state, simulation.levels().to_vec());
+        let (start, k) = (simulation.state.clone(), simulation.levels().to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), start, &k);
         let mut seconds_an_event = 1e-3;
         let mut walk = Walk { events: vec![], error: vec![], reflections: 0, model_time: 0.0, elapsed: Duration::ZERO };
