@@ -1,11 +1,12 @@
-//! The six-step solver again, written for speed: the yardstick for the cost of a cell change.
+//! The gear pair written by hand for speed, with no record of events: the yardstick for the cost of a cell change.
 //!
-//! theta' = u + (M1/M2) phi', u = theta'_0 - (M1/M2) phi'_0, and |phi'| never exceeds its envelope of the cell's start.
-//! Where |u| exceeds that by a margin, theta is monotone and only one end of the cell can be met: Halley's iteration
-//! from the linear guess, with sin, cos and exp evaluated once and then turned by the small corrections. Anything
-//! else takes the safe path of [`super::solver`].
+//! In a cell, with x = phi - T0/k and r = M1/M2: x = e^{-sigma t} (a cos wt + b sin wt), phi' = e^{-sigma t} (v cos wt + q sin wt),
+//! theta = theta_0 + (theta'_0 - r phi'_0) t + r (x - a). One event: sin, cos and exp once, at the time that the mean speed
+//! gives; the time of the boundary by the reversed Taylor series of theta; sin and cos there by the Taylor series of the
+//! small turn. `tests/peers/c/gear_pair.c` is the same program in C.
 
-use super::solver::Motion;
+use std::f64::consts::PI;
+
 use super::{GearPair, State};
 
 /// End of a motion and its counts, without a record of events.
@@ -21,87 +22,151 @@ pub struct Fast {
     pub cell_changes: u64,
     /// number of reflections
     pub reflections: u64,
-    /// number of cells that needed the safe path
+    /// number of cells in which theta could turn, so that the exit had to be searched for
     pub safe: u64,
 }
 
-/// What a cell of one stiffness needs, computed once.
-#[derive(Clone, Copy)]
-struct Constants {
-    k: f64,
+/// Constants of a cell and of the pair.
+struct Cell {
+    ratio: f64,
+    sigma: f64,
+    /// T0/k \[rad\]
     rest: f64,
+    /// M2 k \[1/s^2\]
     w2: f64,
     w: f64,
     per_w: f64,
     width: f64,
-    /// M2 (k of the other cells - k)
+    /// M2 (k of the other cells - k) \[1/s^2\]
     step: f64,
+    /// e^{-sigma pi/w}: decay from one zero of theta'' to the next
+    half_period: f64,
 }
 
-/// The exit of a monotone cell.
-struct Exit {
+/// A motion in a cell: x = a c + b s, phi' = v c + q s.
+struct Motion<'c> {
+    cell: &'c Cell,
+    a: f64,
+    b: f64,
+    v: f64,
+    q: f64,
+    /// theta' - r phi' \[rad/s\], constant
+    drift: f64,
+    theta: f64,
+}
+
+/// A time \[s\], and c, s = e^{-sigma t} (cos wt, sin wt) there.
+#[derive(Clone, Copy)]
+struct Point {
     t: f64,
-    upwards: bool,
-    state: State,
+    c: f64,
+    s: f64,
 }
 
-/// e^{-s} (cos y, sin y) for |s|, |y| < 1/8, to rounding.
-fn small_turn(s: f64, y: f64) -> (f64, f64) {
-    let z = y * y;
-    let sin = y * (1.0 - z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0 * (1.0 - z / 72.0 * (1.0 - z / 110.0)))));
-    let cos = 1.0 - z / 2.0 * (1.0 - z / 12.0 * (1.0 - z / 30.0 * (1.0 - z / 56.0 * (1.0 - z / 90.0))));
-    let low = 1.0 - s / 5.0 * (1.0 - s / 6.0 * (1.0 - s / 7.0 * (1.0 - s / 8.0 * (1.0 - s / 9.0))));
-    let exp = 1.0 - s * (1.0 - s / 2.0 * (1.0 - s / 3.0 * (1.0 - s / 4.0 * low)));
-    (exp * cos, exp * sin)
-}
+impl<'c> Motion<'c> {
+    #[inline(always)]
+    fn new(cell: &'c Cell, from: &State) -> Self {
+        let (a, v) = (from.phi - cell.rest, from.phi_dot);
+        let b = (v + cell.sigma * a) * cell.per_w;
+        let q = -(cell.sigma * v + cell.w2 * a) * cell.per_w;
+        Motion { cell, a, b, v, q, drift: from.theta_dot - cell.ratio * v, theta: from.theta }
+    }
 
-impl Constants {
-    /// The exit of a cell in which theta is certain to be monotone; `None` where that is not certain.
-    #[inline]
-    fn exit(&self, sigma: f64, ratio: f64, from: &State) -> Option<Exit> {
-        let (a, v) = (from.phi - self.rest, from.phi_dot);
-        let b = (v + sigma * a) * self.per_w;
-        let q = -(sigma * v + self.w2 * a) * self.per_w;
-        let drift = from.theta_dot - ratio * v;
-        if drift * drift < 1.5 * ratio * ratio * (v * v + q * q) {
-            return None;
-        }
-        let upwards = drift > 0.0;
-        let distance = if upwards { self.width - from.theta } else { -from.theta };
-        let mut t = distance / drift;
-        let (sin, cos) = (self.w * t).sin_cos();
-        let decay = if sigma == 0.0 { 1.0 } else { (-sigma * t).exp() };
-        let (mut c, mut s) = (decay * cos, decay * sin);
-        for _ in 0..6 {
-            let (x, phi_dot) = (a * c + b * s, v * c + q * s);
-            let gap = drift * t + ratio * (x - a) - distance;
-            let slope = drift + ratio * phi_dot;
-            let curvature = -ratio * (2.0 * sigma * phi_dot + self.w2 * x);
-            // Halley
-            let dt = -2.0 * gap * slope / (2.0 * slope * slope - gap * curvature);
+    #[inline(always)]
+    fn at(&self, t: f64) -> Point {
+        let (sin, cos) = (self.cell.w * t).sin_cos();
+        let decay = (-self.cell.sigma * t).exp();
+        Point { t, c: decay * cos, s: decay * sin }
+    }
+
+    #[inline(always)]
+    fn state(&self, Point { t, c, s }: Point) -> State {
+        let (x, phi_dot) = (self.a * c + self.b * s, self.v * c + self.q * s);
+        let theta = self.theta + (self.drift * t + self.cell.ratio * (x - self.a));
+        State { theta, theta_dot: self.drift + self.cell.ratio * phi_dot, phi: self.cell.rest + x, phi_dot }
+    }
+
+    /// Goes from a point near it to where theta is `bound`; `None` if theta turns or the time passes `last` before that.
+    #[inline(always)]
+    fn meet(&self, bound: f64, last: f64, from: Point) -> Option<Point> {
+        let Cell { ratio, sigma, w2, w, .. } = *self.cell;
+        let (Point { mut t, mut c, mut s }, distance, mut first) = (from, bound - self.theta, 0.0);
+        for _ in 0..50 {
+            let (x, v) = (self.a * c + self.b * s, self.v * c + self.q * s);
+            let acceleration = -2.0 * sigma * v - w2 * x;
+            let jerk = -2.0 * sigma * acceleration - w2 * v;
+            let snap = -2.0 * sigma * jerk - w2 * acceleration;
+            let lacking = distance - self.drift * t - ratio * (x - self.a);
+            let per_slope = 1.0 / (self.drift + ratio * v);
+            if first * per_slope < 0.0 || t > last {
+                return None;
+            }
+            first = per_slope;
+            // The root of the Taylor polynomial by reversion where it is near, else Newton's step.
+            let h = lacking * per_slope;
+            let g = ratio * per_slope * h;
+            let (a2, a3, a4) = (acceleration * 0.5 * g, jerk * (1.0 / 6.0) * g * h, snap * (1.0 / 24.0) * g * h * h);
+            let small = a2 * a2 + a3.abs();
+            let series = h * (1.0 - a2 + (2.0 * a2 * a2 - a3) - (5.0 * a2 * (a2 * a2 - a3) + a4));
+            let dt = if small < 1e-2 { series } else { h };
             t += dt;
-            let (turn, small) = (self.w * dt, self.w.max(sigma) * dt.abs());
-            if small < 1e-5 {
-                // the next correction would be of order turn^3: below rounding
-                let (dc, ds) =
-                    (1.0 - sigma * dt * (1.0 - sigma * dt / 2.0) - turn * turn / 2.0, turn * (1.0 - sigma * dt));
-                (c, s) = (c * dc - s * ds, s * dc + c * ds);
-                let phi_dot = v * c + q * s;
-                let theta = if upwards { self.width } else { 0.0 };
-                let state =
-                    State { theta, theta_dot: drift + ratio * phi_dot, phi: self.rest + a * c + b * s, phi_dot };
-                return Some(Exit { t, upwards, state });
+            let (y, z) = (w * dt, sigma * dt);
+            let (y2, z2) = (y * y, z * z);
+            if y2 >= 2e-2 {
+                Point { c, s, .. } = self.at(t);
+                continue;
             }
-            if small < 0.125 {
-                let (dc, ds) = small_turn(sigma * dt, turn);
-                (c, s) = (c * dc - s * ds, s * dc + c * ds);
+            let (cos, sin, decay) = if y2 < 4e-4 {
+                let cos = 1.0 - y2 * (0.5 - y2 * (1.0 / 24.0 - y2 * (1.0 / 720.0)));
+                let sin = y * (1.0 - y2 * (1.0 / 6.0 - y2 * (1.0 / 120.0 - y2 * (1.0 / 5040.0))));
+                (cos, sin, 1.0 - z + z2 * ((0.5 - z * (1.0 / 6.0)) + z2 * (1.0 / 24.0 - z * (1.0 / 120.0))))
             } else {
-                let (sin, cos) = (self.w * t).sin_cos();
-                let decay = (-sigma * t).exp();
-                (c, s) = (decay * cos, decay * sin);
+                let cos = y2 * (1.0 / 720.0 - y2 * (1.0 / 40_320.0 - y2 * (1.0 / 3_628_800.0)));
+                let sin = y2 * (1.0 / 5040.0 - y2 * (1.0 / 362_880.0));
+                let cos = 1.0 - y2 * (0.5 - y2 * (1.0 / 24.0 - cos));
+                (cos, y * (1.0 - y2 * (1.0 / 6.0 - y2 * (1.0 / 120.0 - sin))), (-z).exp())
+            };
+            (c, s) = (decay * (c * cos - s * sin), decay * (s * cos + c * sin));
+            let beyond = 14.0 * small * small + a4.abs() * (y.abs() + 6.0 * a2.abs());
+            if y2 < 4e-4 && beyond * dt.abs() <= f64::EPSILON * t {
+                break;
             }
         }
-        None
+        Some(Point { t, c, s })
+    }
+
+    /// The exit of a cell in which theta may turn, and whether upwards; `None` if there is none until `left`. Between zeros
+    /// of theta'' theta is convex or concave: Newton's method from one of them, or from the other, never passes the root.
+    fn search(&self, left: f64) -> Option<(Point, bool)> {
+        let cell = self.cell;
+        let a = -2.0 * cell.sigma * self.v - cell.w2 * self.a;
+        let b = -(cell.sigma * a + cell.w2 * self.v) * cell.per_w;
+        let phase = (-a).atan2(b);
+        let mut from = Point { t: 0.0, c: 1.0, s: 0.0 };
+        let mut to = self.at(if phase <= 0.0 { phase + PI } else { phase } * cell.per_w);
+        let mut bends = if a > 0.0 || (a == 0.0 && b > 0.0) { 1.0 } else { -1.0 };
+        let mut first = self.state(from);
+        loop {
+            let last = self.state(to);
+            let (edge, other) = if bends < 0.0 { (cell.width, 0.0) } else { (0.0, cell.width) };
+            if first.theta_dot * bends < 0.0 {
+                // Towards `edge` and back: no further than where the tangents at both ends meet.
+                let rise = last.theta - first.theta - last.theta_dot * (to.t - from.t);
+                let peak = first.theta + first.theta_dot * rise / (first.theta_dot - last.theta_dot);
+                let found = if (peak - edge) * bends < 0.0 { self.meet(edge, to.t, from) } else { None };
+                if let Some(point) = found {
+                    return Some((point, bends < 0.0));
+                }
+            }
+            if (last.theta - other) * bends > 0.0 {
+                return self.meet(other, f64::INFINITY, to).map(|point| (point, bends > 0.0));
+            }
+            if to.t > left {
+                return None;
+            }
+            (from, first, bends) = (to, last, -bends);
+            to = Point { t: to.t + PI * cell.per_w, c: -cell.half_period * to.c, s: -cell.half_period * to.s };
+        }
     }
 }
 
@@ -110,51 +175,52 @@ impl GearPair {
     pub fn solve_fast(&self, theta0: f64, theta_dot0: f64, phi0: f64, phi_dot0: f64, t_end: f64) -> Fast {
         let (m2, ratio, sigma) = (self.m2(), self.m1() / self.m2(), self.zeta * self.w0());
         assert!(m2 * self.k1.min(self.k2) > sigma * sigma, "underdamped cells only: {self:?}");
-        let constants = |cell: i64| {
-            let k = self.k(cell);
-            let w = (m2 * k - sigma * sigma).sqrt();
-            let step = m2 * (self.k(cell + 1) - k);
-            Constants { k, rest: self.t0 / k, w2: m2 * k, w, per_w: 1.0 / w, width: self.width(cell), step }
-        };
-        let cells = [constants(0), constants(1)];
+        let cells = [0, 1].map(|i| {
+            let (k, w2) = (self.k(i), m2 * self.k(i));
+            let (w, step) = ((w2 - sigma * sigma).sqrt(), m2 * (self.k(i + 1) - k));
+            let (per_w, half_period) = (1.0 / w, (-sigma * PI / w).exp());
+            Cell { ratio, sigma, rest: self.t0 / k, w2, w, per_w, width: self.width(i), step, half_period }
+        });
         let (mut cell, theta) = self.locate(theta0);
-        let mut state = State { theta, theta_dot: theta_dot0, phi: phi0, phi_dot: phi_dot0 };
+        let mut now = State { theta, theta_dot: theta_dot0, phi: phi0, phi_dot: phi_dot0 };
         let mut left = t_end;
         let (mut cell_changes, mut reflections, mut safe) = (0, 0, 0);
         loop {
+            // Solve.
             let here = &cells[(cell & 1) as usize];
-            let exit = match here.exit(sigma, ratio, &state) {
-                Some(exit) => Some(exit).filter(|e| e.t <= left),
-                None => {
-                    safe += 1;
-                    let motion = Motion::new(self, here.k, here.width, state);
-                    motion.exit(left).map(|(t, upwards)| Exit { t, upwards, state: motion.at(t) })
-                }
+            let motion = Motion::new(here, &now);
+            let Motion { v, q, drift, .. } = motion;
+            // Locate: theta is monotone where |drift| exceeds all that r phi' can reach.
+            let exit = if drift * drift > 1.001 * ratio * ratio * (v * v + q * q) {
+                let bound = if drift > 0.0 { here.width } else { 0.0 };
+                let guess = motion.at((bound - now.theta) / drift);
+                motion.meet(bound, f64::INFINITY, guess).map(|point| (point, drift > 0.0))
+            } else {
+                safe += 1;
+                motion.search(left)
             };
-            let Some(exit) = exit else {
-                let mut end = self.closed_form(here.k, state, left);
+            let Some((point, up)) = exit.filter(|(point, _)| point.t <= left) else {
+                let mut end = motion.state(motion.at(left));
                 let end_local = end.theta;
                 end.theta = self.unwrap(cell, end_local);
                 return Fast { end, end_cell: cell, end_local, cell_changes, reflections, safe };
             };
-            left -= exit.t;
-            let before = exit.state;
-            let work = here.step * before.phi * before.phi;
-            let square = before.theta_dot * before.theta_dot - work;
-            state = before;
+            left -= point.t;
+            // Jump, Eqs. (9), (11), or back where the energy does not suffice.
+            let State { theta_dot, phi, phi_dot, .. } = motion.state(point);
+            let work = here.step * phi * phi;
+            let square = theta_dot * theta_dot - work;
             if square < 0.0 {
                 reflections += 1;
-                state.theta = if exit.upwards { here.width } else { 0.0 };
-                state.theta_dot = -before.theta_dot;
-                state.phi_dot -= 2.0 * ratio * before.theta_dot;
+                let theta = if up { here.width } else { 0.0 };
+                now = State { theta, theta_dot: -theta_dot, phi, phi_dot: phi_dot - 2.0 * ratio * theta_dot };
                 continue;
             }
             cell_changes += 1;
-            cell += if exit.upwards { 1 } else { -1 };
-            state.theta = if exit.upwards { 0.0 } else { cells[(cell & 1) as usize].width };
-            state.theta_dot = square.sqrt().copysign(before.theta_dot);
-            let sum = state.theta_dot + before.theta_dot;
-            state.phi_dot -= if sum == 0.0 { 0.0 } else { ratio * work / sum };
+            cell += if up { 1 } else { -1 };
+            let beyond = square.sqrt().copysign(theta_dot);
+            let theta = if up { 0.0 } else { cells[(cell & 1) as usize].width };
+            now = State { theta, theta_dot: beyond, phi, phi_dot: phi_dot - ratio * work / (beyond + theta_dot) };
         }
     }
 }
