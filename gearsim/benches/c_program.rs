@@ -104,33 +104,33 @@ fn scene(file: &str, changes: &[String]) -> Scene {
     Scene::load(path.as_ref(), changes, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
-fn equations(scene: &Scene) -> Box<dyn Equations<2>> {
+fn equations(scene: &Scene) -> Box<dyn Equations> {
     let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
     equations.expect("the scene was checked")
 }
 
-fn prepare<'a>(scene: &Scene, equations: &'a dyn Equations<2>) -> Simulation<'a, 2> {
+fn prepare<'a>(scene: &Scene, equations: &'a dyn Equations) -> Simulation<'a> {
     Simulation::new(scene.model, equations, scene).expect("the scene is sound")
 }
 
-fn unrecorded(simulation: &mut Simulation<'_, 2>) {
+fn unrecorded(simulation: &mut Simulation<'_>) {
     let mut results = ensemble::run(std::slice::from_mut(simulation));
     results.pop().expect("there is one").expect("the run ends");
 }
 
-fn recordable(simulation: &mut Simulation<'_, 2>) {
+fn recordable(simulation: &mut Simulation<'_>) {
     simulation.run(None, &mut |_| {}).expect("the run ends");
 }
 
-fn without_rows(scene: &Scene, simulation: &mut Simulation<'_, 2>) {
-    let (lengths, start, levels) = (simulation.turn_lengths(), simulation.state, simulation.levels().to_vec());
+fn without_rows(scene: &Scene, simulation: &mut Simulation<'_>) {
+    let (lengths, start, levels) = (simulation.turn_lengths(), simulation.state.clone(), simulation.levels().to_vec());
     let mut recorder = Recorder::new(scene.model, simulation.equations(), lengths, start, &levels);
     let rate = 1e-3 / scene.t_end;
     simulation.run(Some((&mut recorder, rate, false)), &mut |_| {}).expect("the run ends");
 }
 
 /// Where a simulation stands.
-fn end(simulation: &Simulation<'_, 2>) -> End {
+fn end(simulation: &Simulation<'_>) -> End {
     let (counts, state, law) = (&simulation.counts, &simulation.state, &simulation.laws[0]);
     let cell = 2 * state.turns[0] + law.cell as i64;
     let counts = [counts.cell_changes as i64, counts.reflections as i64, cell];
@@ -179,7 +179,7 @@ fn singles(c: Option<&PathBuf>) -> Option<f64> {
         let events = (reference.counts[0] + reference.counts[1]) as f64;
         // The ends of all.
         let mut ends = vec![];
-        for run in [&unrecorded as &dyn Fn(&mut Simulation<'_, 2>), &recordable, &|s| without_rows(&scene, s)] {
+        for run in [&unrecorded as &dyn Fn(&mut Simulation<'_>), &recordable, &|s| without_rows(&scene, s)] {
             let mut simulation = prepare(&scene, &*equations);
             run(&mut simulation);
             ends.push(end(&simulation));
@@ -236,7 +236,7 @@ fn batches(c: Option<f64>) {
         "| scenes, {EVENTS} events each | whole batch, ns an event | beside C | lanes alone, ns an event | beside C |"
     );
     println!("| --- | --- | --- | --- | --- |");
-    let entry = Entry::new::<GearPair, 2>();
+    let entry = Entry::new::<GearPair>();
     let one = |i: usize, of: usize| {
         let (part, rpm) = (i as f64 / of as f64, 4000.0 + 1280.0 * i as f64 / of as f64);
         let changes = [
@@ -252,7 +252,7 @@ fn batches(c: Option<f64>) {
         let (mut whole, mut lanes, mut events) = (f64::INFINITY, f64::INFINITY, 0);
         for _ in 0..ROUNDS {
             let start = Instant::now();
-            let outcomes = (entry.ends)(black_box(&scenes));
+            let outcomes = entry.ends(black_box(&scenes));
             whole = whole.min(start.elapsed().as_nanos() as f64);
             let outcomes = outcomes.into_iter().map(|outcome| outcome.expect("the scene is sound"));
             events = outcomes.map(|outcome| outcome.counts.events()).sum();

@@ -25,13 +25,14 @@ pub mod pack;
 use crate::engine::mode::NEAR;
 use cells::Cells;
 use elementary::LARGEST_ANGLE;
-use flight::{Flight, Point};
+use flight::{Flight, Point, Response, responses};
 use pack::{Mask, Pack};
 
 /// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
 pub const LARGEST: usize = 6;
 
-/// The state of L simulations, in arrays.
+/// The state of L simulations, in arrays. Aligned as its vectors are.
+#[repr(align(64))]
 pub struct Lanes<const N: usize, const L: usize> {
     /// The cells, by their place in the pitch.
     pub tables: Vec<Cells<N, L>>,
@@ -62,8 +63,60 @@ pub struct Lanes<const N: usize, const L: usize> {
     pub turns: [i64; L],
     /// Cell changes since then.
     pub changes: [u64; L],
-    /// How much longer each cell took than its steady part alone, when last passed.
-    pub lateness: Vec<Pack<L>>,
+    /// What is expected of the next passage of each cell.
+    pub expected: Vec<Expected<N, L>>,
+}
+
+/// What is expected of the next passage of a cell: how long it takes, and the responses after that time. They are computed when
+/// the cell has been passed. The next passage then does not wait for sine, cosine and exponential.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub struct Expected<const N: usize, const L: usize> {
+    /// How much longer the last passage took than at the steady part of the speed [s].
+    lateness: Pack<L>,
+    /// How long the last passage took [s]; 0 if there was none.
+    last: Pack<L>,
+    /// How long the next one may take [s].
+    t: Pack<L>,
+    /// The responses after that time.
+    responses: [Response<L>; N],
+}
+
+impl<const N: usize, const L: usize> Expected<N, L> {
+    /// Of a cell that was not passed yet.
+    pub const NOTHING: Expected<N, L> = {
+        let zero = Pack([0.0; L]);
+        Expected { lateness: zero, last: zero, t: zero, responses: [Response::NONE; N] }
+    };
+
+    /// Has a lane forget its passages.
+    pub fn forget(&mut self, lane: usize) {
+        *self = Self::NOTHING.or(Mask::of(|i| i == lane), self);
+    }
+
+    /// This where `mask` says so, the other elsewhere.
+    #[inline(always)]
+    fn or(&self, mask: Mask<L>, other: &Self) -> Self {
+        let mut responses = self.responses;
+        for i in 0..N {
+            responses[i] = responses[i].or(mask, &other.responses[i]);
+        }
+        Expected {
+            lateness: self.lateness.or(mask, other.lateness),
+            last: self.last.or(mask, other.last),
+            t: self.t.or(mask, other.t),
+            responses,
+        }
+    }
+
+    /// The same of the passage after one that took the time `taken`, `steady` at the steady part of the speed: its time is
+    /// extrapolated linearly from the last two.
+    #[inline(always)]
+    fn next(&self, cells: &Cells<N, L>, rigid: &[bool; N], taken: Pack<L>, steady: Pack<L>) -> Self {
+        let trend = (taken - self.last).zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
+        let t = taken + trend;
+        Expected { lateness: taken - steady, last: taken, t, responses: responses(cells, rigid, t) }
+    }
 }
 
 /// Where the phase of each lane goes.
@@ -92,8 +145,8 @@ pub struct Attempt<const N: usize, const L: usize> {
     up: Mask<L>,
     /// Times that the motion was evaluated.
     pub evaluations: usize,
-    /// How much longer the cell took than its steady part alone [s].
-    lateness: Pack<L>,
+    /// What is expected of the next passage of this cell.
+    next: Expected<N, L>,
     /// The coordinates and speeds with which the phase arrives.
     pub arrival: [[Pack<L>; N]; 2],
     /// The state beyond the step.
@@ -106,13 +159,15 @@ pub struct Attempt<const N: usize, const L: usize> {
 }
 
 /// The steps that lanes come to.
-struct Located<const L: usize> {
+struct Located<const N: usize, const L: usize> {
     /// The lanes that certainly reach theirs.
     sure: Mask<L>,
     /// Time to it [s].
     t: Pack<L>,
     /// Times that the motion was evaluated.
     evaluations: usize,
+    /// What is expected of the next passage of this cell.
+    next: Expected<N, L>,
     /// The cell of all active lanes, if it is the same.
     common: Option<usize>,
 }
@@ -143,30 +198,42 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             gathered = Cells::gather(&self.tables, &self.at);
             &gathered
         };
+        let expected = self.expected(together, first);
         // Solve.
         let flight = Flight::new(cells, &self.q, &self.q_dot);
         // Locate.
         let way = self.way(cells, &flight);
         let sure = active.and(way.monotone);
-        let (sure, t, points, evaluations) = self.locate(cells, &flight, &way, self.lateness(together, first), sure);
+        let (sure, t, points, evaluations) = self.locate(cells, &flight, &way, &expected, sure);
+        let next = expected.next(cells, &self.rigid, t, way.steady);
         // Jump.
         let common = together.then_some(first);
-        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, common })
+        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, next, common })
     }
 
     /// Takes over the steps of an attempt, where they are plain.
     #[inline(always)]
     pub fn take(&mut self, attempt: &Attempt<N, L>) {
-        let Attempt { sure, t, up, lateness, common, .. } = *attempt;
+        // It nearly always holds everywhere: a branch, so that the next flight does not wait for the mask.
+        if attempt.sure.everywhere() {
+            self.keep(attempt, Mask::of(|_| true));
+        } else {
+            self.keep(attempt, attempt.sure);
+        }
+        self.enter(attempt.up, attempt.sure);
+    }
+
+    /// Goes over to the state beyond the step in the lanes that are `sure`.
+    #[inline(always)]
+    fn keep(&mut self, attempt: &Attempt<N, L>, sure: Mask<L>) {
         for i in 0..N {
             self.q[i] = attempt.q[i].or(sure, self.q[i]);
             self.q_dot[i] = attempt.q_dot[i].or(sure, self.q_dot[i]);
             self.lost[i] = attempt.lost[i].or(sure, self.lost[i]);
         }
         self.dissipated = attempt.dissipated.or(sure, self.dissipated);
-        self.advance(t, sure);
-        self.remember(lateness, sure, common);
-        self.enter(up, sure);
+        self.advance(attempt.t, sure);
+        self.expect(&attempt.next, sure, attempt.common);
     }
 
     /// Which boundary the phase goes to, and whether it is sure to: the steady part of its speed outweighs all that the
@@ -184,26 +251,36 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             }
         }
         let up = drift.compare(drift, |d, _| d > 0.0);
-        let sign = Pack::all(1.0).or(up, Pack::all(-1.0));
-        let boundary = cells.bounds[1].or(up, cells.bounds[0]);
+        let sign = Pack::all(1.0).mostly(up, Pack::all(-1.0));
+        let boundary = cells.bounds[1].mostly(up, cells.bounds[0]);
         let gap = sign * (boundary - self.q[self.phase]);
         let monotone = rolls.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
         Way { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
     }
 
-    /// When the phase is there, and the modes then: Newton's method, from the time that the cell took last. Each lane's result
-    /// is that of its first good step, however long the others take.
+    /// When the phase is there, the modes then, and how often the motion was evaluated: Newton's method from the expected time. Each
+    /// lane's result is that of its first good step, however long the others take.
     #[inline(always)]
     fn locate(
         &self,
         cells: &Cells<N, L>,
         flight: &Flight<'_, N, L>,
         way: &Way<L>,
-        lateness: Pack<L>,
+        expected: &Expected<N, L>,
         sure: Mask<L>,
     ) -> (Mask<L>, Pack<L>, [Point<L>; N], usize) {
-        let mut t = (way.steady + lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
-        let mut near = flight.all_at(&self.rigid, t);
+        let guess = (way.steady + expected.lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
+        // Also where the angle is not a number.
+        let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= NEAR);
+        let elsewhere = Mask::of(|_| true).without(near_enough);
+        let (mut t, mut near) = (expected.t, flight.all_after(&expected.responses));
+        if elsewhere.meets(sure) {
+            t = guess.or(elsewhere, t);
+            let anew = flight.all_after(&responses(cells, &self.rigid, guess));
+            for i in 0..N {
+                near[i] = anew[i].or(elsewhere, &near[i]);
+            }
+        }
         let (mut points, mut taken, mut done, mut evaluations) = (near, t, Mask::of(|_| false), 0);
         for round in 1..=MOST {
             evaluations = round;
@@ -230,7 +307,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 break;
             }
             t = t + dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
-            near = flight.all_at(&self.rigid, t);
+            near = flight.all_after(&responses(cells, &self.rigid, t));
         }
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
@@ -246,7 +323,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         flight: &Flight<'_, N, L>,
         way: &Way<L>,
         points: &[Point<L>; N],
-        Located { sure, t, evaluations, common }: Located<L>,
+        Located { sure, t, evaluations, next, common }: Located<N, L>,
     ) -> Attempt<N, L> {
         let (mut q, mut q_dot, mut lost, mut dissipated) = (self.q, self.q_dot, self.lost, self.dissipated);
         let mut gained = [Pack::all(0.0); N];
@@ -270,7 +347,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let mut dv = Pack::all(0.0);
         for i in 0..N {
             for j in 0..N {
-                dv = dv + cells.step[1][i][j].or(way.up, cells.step[0][i][j]) * q[i] * q[j];
+                dv = dv + cells.step[1][i][j].mostly(way.up, cells.step[0][i][j]) * q[i] * q[j];
             }
         }
         let v = q_dot[self.phase] + gained[self.phase];
@@ -280,10 +357,10 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         for i in 0..N {
             [q_dot[i], lost[i]] = two_sum(q_dot[i], (gained[i] + lost[i]) + self.direction[i] * gain);
         }
-        q[self.phase] = cells.entered[1].or(way.up, cells.entered[0]);
+        q[self.phase] = cells.entered[1].mostly(way.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        let (sure, up, lateness) = (sure.and(passes), way.up, t - way.steady);
-        Attempt { sure, t, up, evaluations, lateness, arrival, q, q_dot, lost, dissipated, common }
+        let (sure, up) = (sure.and(passes), way.up);
+        Attempt { sure, t, up, evaluations, next, arrival, q, q_dot, lost, dissipated, common }
     }
 
     /// The phase's way, in the direction of its boundary, and its derivatives.
@@ -319,23 +396,26 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         two_sum(high, t + low)
     }
 
+    /// What is expected in the cell of each lane.
     #[inline(always)]
-    fn lateness(&self, together: bool, first: usize) -> Pack<L> {
-        if together {
-            return self.lateness[first];
+    fn expected(&self, together: bool, first: usize) -> Expected<N, L> {
+        let mut all = self.expected[first];
+        if !together {
+            for (place, expected) in self.expected.iter().enumerate() {
+                all = expected.or(Mask::of(|lane| self.at[lane] == place), &all);
+            }
         }
-        Pack(std::array::from_fn(|lane| self.lateness[self.at[lane]].0[lane]))
+        all
     }
 
     #[inline(always)]
-    fn remember(&mut self, lateness: Pack<L>, sure: Mask<L>, common: Option<usize>) {
+    fn expect(&mut self, next: &Expected<N, L>, sure: Mask<L>, common: Option<usize>) {
         if let Some(first) = common {
-            let kept = &mut self.lateness[first];
-            *kept = lateness.or(sure, *kept);
+            self.expected[first] = next.or(sure, &self.expected[first]);
             return;
         }
-        for lane in (0..L).filter(|lane| sure.says(*lane)) {
-            self.lateness[self.at[lane]].0[lane] = lateness.0[lane];
+        for (place, expected) in self.expected.iter_mut().enumerate() {
+            *expected = next.or(sure.and(Mask::of(|lane| self.at[lane] == place)), expected);
         }
     }
 

@@ -14,6 +14,55 @@ pub struct Flight<'a, const N: usize, const L: usize> {
     force: [Pack<L>; N],
 }
 
+/// S1(t), S2(t) and e^{-sigma t} - 1 of one mode. They depend on the cell and the time, not on the state.
+#[derive(Debug, Clone, Copy)]
+pub struct Response<const L: usize> {
+    pub s1: Pack<L>,
+    pub s2: Pack<L>,
+    pub decay: Pack<L>,
+}
+
+impl<const L: usize> Response<L> {
+    /// At the time 0.
+    pub const NONE: Response<L> = {
+        let zero = Pack([0.0; L]);
+        Response { s1: zero, s2: zero, decay: zero }
+    };
+
+    /// This where `mask` says so, the other elsewhere.
+    #[inline(always)]
+    pub fn or(self, mask: Mask<L>, other: &Response<L>) -> Response<L> {
+        Response {
+            s1: self.s1.or(mask, other.s1),
+            s2: self.s2.or(mask, other.s2),
+            decay: self.decay.or(mask, other.decay),
+        }
+    }
+}
+
+/// The responses of every mode after the time `t`. Loops, not `array::from_fn`: what is not inlined is compiled for any processor.
+#[inline(always)]
+pub fn responses<const N: usize, const L: usize>(
+    cells: &Cells<N, L>,
+    rigid: &[bool; N],
+    t: Pack<L>,
+) -> [Response<L>; N] {
+    let mut all = [Response::NONE; N];
+    for i in 0..N {
+        if rigid[i] {
+            all[i] = Response { s1: t, s2: 0.5 * t * t, decay: Pack::all(0.0) };
+            continue;
+        }
+        let Modes { sigma, w, per_w, per_omega2, .. } = cells.modes[i];
+        let decay = exp_m1(-(sigma * t));
+        let (h, c) = sin_cos(0.5 * w * t);
+        let e = 1.0 + decay;
+        let s1 = 2.0 * h * c * e * per_w;
+        all[i] = Response { s1, s2: (2.0 * h * h * e - decay - sigma * s1) * per_omega2, decay };
+    }
+    all
+}
+
 /// What one mode answers, and how far it has moved.
 #[derive(Clone, Copy)]
 pub struct Point<const L: usize> {
@@ -65,12 +114,13 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         self.force[i] - 2.0 * self.cells.modes[i].sigma * self.speed[i]
     }
 
-    /// Every mode after the time `t`. Loops, not `array::from_fn`: what is not inlined is compiled for any processor.
+    /// Every mode where its responses are known.
     #[inline(always)]
-    pub fn all_at(&self, rigid: &[bool; N], t: Pack<L>) -> [Point<L>; N] {
+    pub fn all_after(&self, responses: &[Response<L>; N]) -> [Point<L>; N] {
         let mut points = [Point::STILL; N];
         for i in 0..N {
-            points[i] = self.at(i, rigid[i], t);
+            let Response { s1, s2, decay } = responses[i];
+            points[i] = self.point(i, s1, s2, decay);
         }
         points
     }
@@ -85,24 +135,11 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         points
     }
 
-    /// Mode `i` after the time `t`; rigid where `rigid`.
-    #[inline(always)]
-    fn at(&self, i: usize, rigid: bool, t: Pack<L>) -> Point<L> {
-        let Modes { sigma, w, per_w, per_omega2, .. } = self.cells.modes[i];
-        if rigid {
-            return self.point(i, t, 0.5 * t * t, Pack::all(0.0));
-        }
-        let decay = exp_m1(-(sigma * t));
-        let (h, c) = sin_cos(0.5 * w * t);
-        let e = 1.0 + decay;
-        let s1 = 2.0 * h * c * e * per_w;
-        self.point(i, s1, (2.0 * h * h * e - decay - sigma * s1) * per_omega2, decay)
-    }
-
     #[inline(always)]
     fn shifted(&self, i: usize, rigid: bool, at: &Point<L>, t: Pack<L>, dt: Pack<L>) -> Point<L> {
         if rigid {
-            return self.at(i, true, t + dt);
+            let t = t + dt;
+            return self.point(i, t, 0.5 * t * t, Pack::all(0.0));
         }
         let Modes { sigma, omega2, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
         let (a, b) = (2.0 * sigma, omega2);

@@ -3,10 +3,10 @@
 use xprec::Df64;
 
 use crate::engine::equations::Switching;
-use crate::engine::lanes::Lanes;
 use crate::engine::lanes::cells::Cells;
 use crate::engine::lanes::kind::Kind;
 use crate::engine::lanes::pack::Pack;
+use crate::engine::lanes::{Expected, Lanes};
 use crate::engine::simulate::Simulation;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
@@ -31,7 +31,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             at: [0; L],
             turns: [0; L],
             changes: [0; L],
-            lateness: vec![zero; places],
+            expected: vec![Expected::NOTHING; places],
         }
     }
 
@@ -40,7 +40,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let law = &simulation.laws[0];
         if new {
             self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
-            self.lateness.iter_mut().for_each(|lateness| lateness.0[lane] = 0.0);
+            self.expected.iter_mut().for_each(|expected| expected.forget(lane));
             let impulse = law.switching == Switching::WithJump;
             self.compliance.0[lane] = if impulse { law.surface.compliance } else { 0.0 };
             (0..simulation.state.q.len()).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);

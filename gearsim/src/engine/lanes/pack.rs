@@ -2,8 +2,10 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number for each of L lanes.
+/// A number for each of L lanes. With one lane, numbers that follow each other in memory are apart by the alignment: else the
+/// compiler makes pairs of the coordinates' numbers, and a single motion waits for the shuffles between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(16))]
 pub struct Pack<const L: usize>(pub [f64; L]);
 
 /// A yes or no for each lane: all bits, or none, as processors have it.
@@ -57,6 +59,26 @@ impl<const L: usize> Mask<L> {
         Mask(result)
     }
 
+    /// Whether every lane says yes.
+    #[inline(always)]
+    pub fn everywhere(self) -> bool {
+        let mut all = u64::MAX;
+        for i in 0..L {
+            all &= self.0[i];
+        }
+        all == u64::MAX
+    }
+
+    /// Whether some lane is one of both.
+    #[inline(always)]
+    pub fn meets(self, other: Self) -> bool {
+        let mut common = 0;
+        for i in 0..L {
+            common |= self.0[i] & other.0[i];
+        }
+        common != 0
+    }
+
     /// Whether every lane of `other` is one of these.
     #[inline(always)]
     pub fn covers(self, other: Self) -> bool {
@@ -107,6 +129,13 @@ impl<const L: usize> Pack<L> {
     #[inline(always)]
     pub fn compare(self, other: Self, test: impl Fn(f64, f64) -> bool) -> Mask<L> {
         Mask::of(|i| test(self.0[i], other.0[i]))
+    }
+
+    /// The same as [`Pack::or`] for a mask that is nearly always the same in every lane: the processor predicts the branch, so
+    /// that what follows does not wait for the mask.
+    #[inline(always)]
+    pub fn mostly(self, mask: Mask<L>, other: Self) -> Self {
+        if mask.everywhere() { self } else { self.or(mask, other) }
     }
 
     /// This where `mask` says so, the other elsewhere.

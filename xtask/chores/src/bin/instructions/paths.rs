@@ -105,10 +105,10 @@ fn equations(scene: &Scene) -> &'static dyn Equations {
     Box::leak(equations.expect("the scene was checked"))
 }
 
-fn simulation(scene: &Scene) -> Simulation<'static, 2> {
+fn simulation(scene: &Scene) -> Simulation<'static> {
     let mut simulation = Simulation::new(scene.model, equations(scene), scene).expect("the scene is sound");
     if scene.solver.precision == gearsim::scene::Precision::Compensated {
-        gearsim::run::compensate::<GearPair, 2>(&mut simulation, scene).expect("its damping is modal");
+        Entry::new::<GearPair>().compensate(&mut simulation, scene).expect("its damping is modal");
     }
     simulation
 }
