@@ -238,6 +238,24 @@ impl<'a> Flight<'a> {
         (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v)
     }
 
+    /// Each mode with its speed and acceleration at the start.
+    #[inline]
+    pub fn motions_at_start(&self) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
+        let start = self.speed.iter().zip(&*self.force);
+        self.cell.modes.iter().zip(start).map(|(mode, (v, f))| (mode, *v, f - 2.0 * mode.sigma * v))
+    }
+
+    /// Each mode with its speed and acceleration at a `point` of the flight.
+    #[inline]
+    pub fn motions(&self, point: &Point) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
+        let start = self.speed.iter().zip(&*self.force);
+        let since = point.moved.iter().zip(&*point.gained);
+        self.cell.modes.iter().zip(start.zip(since)).map(|(mode, ((v, f), (moved, gained)))| {
+            let v = v + gained;
+            (mode, v, f - mode.omega2 * moved - 2.0 * mode.sigma * v)
+        })
+    }
+
     /// Where it begins.
     #[inline]
     pub fn begin(&self) -> Point {
@@ -258,29 +276,28 @@ impl<'a> Flight<'a> {
     #[inline]
     pub fn go(&self, point: &mut Point, t: f64) {
         point.t = t;
-        for i in 0..self.speed.len() {
-            point.responses[i] = self.cell.modes[i].response(t);
-            self.place(point, i);
-        }
+        self.place(point, |mode, _| mode.response(t));
     }
 
     /// Moves `point` a short time `dt` on, or back: |`dt`| * rate <= [`NEAR`](crate::engine::mode::NEAR).
     #[inline]
     pub fn shift(&self, point: &mut Point, dt: f64) {
         point.t += dt;
-        for i in 0..self.speed.len() {
-            point.responses[i] = self.cell.modes[i].shifted(&point.responses[i], dt);
-            self.place(point, i);
-        }
+        self.place(point, |mode, response| mode.shifted(response, dt));
     }
 
+    /// Sets `point` to where each mode is by its response, as `respond` gives it.
     #[inline(always)]
-    fn place(&self, point: &mut Point, i: usize) {
-        let Mode { sigma, omega2, .. } = self.cell.modes[i];
-        let Response { s1, s2, .. } = point.responses[i];
-        let (v, f) = (self.speed[i], self.force[i]);
-        point.moved[i] = v * s1 + f * s2;
-        point.gained[i] = (f - 2.0 * sigma * v) * s1 - omega2 * s2 * v;
+    fn place(&self, point: &mut Point, respond: impl Fn(&Mode, &Response) -> Response) {
+        let Point { responses, moved, gained, .. } = point;
+        let start = self.speed.iter().zip(&*self.force);
+        let places = responses.iter_mut().zip(moved.iter_mut().zip(gained.iter_mut()));
+        for ((mode, (v, f)), (response, (moved, gained))) in self.cell.modes.iter().zip(start).zip(places) {
+            *response = respond(mode, response);
+            let Response { s1, s2, .. } = *response;
+            *moved = v * s1 + f * s2;
+            *gained = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * s2 * v;
+        }
     }
 
     /// Bound on the rates of its modes [1/s].

@@ -117,7 +117,7 @@ impl Search<'_> {
 
     /// The crossing that Newton's method alone leads to, from the same guess: no bound, no certificate that it is the first,
     /// no bracket that binds. For measuring what the guarantee costs.
-    pub(super) fn unguarded(&self, lateness: &mut Lateness, point: &mut Point, cost: &mut Cost) -> Option<Side> {
+    pub fn newton_alone(&self, lateness: &mut Lateness, point: &mut Point, cost: &mut Cost) -> Option<Side> {
         let drift = self.signal.drift_and_wobble().0;
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let steady = gap / drift.abs();

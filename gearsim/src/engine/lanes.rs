@@ -145,8 +145,8 @@ pub struct Attempt<const N: usize, const L: usize> {
     up: Mask<L>,
     /// Times that the motion was evaluated.
     pub evaluations: usize,
-    /// What is expected of the next passage of this cell.
-    next: Expected<N, L>,
+    /// What it would be at the steady part of the speed [s].
+    steady: Pack<L>,
     /// The coordinates and speeds with which the phase arrives.
     pub arrival: [[Pack<L>; N]; 2],
     /// The state beyond the step.
@@ -159,15 +159,13 @@ pub struct Attempt<const N: usize, const L: usize> {
 }
 
 /// The steps that lanes come to.
-struct Located<const N: usize, const L: usize> {
+struct Located<const L: usize> {
     /// The lanes that certainly reach theirs.
     sure: Mask<L>,
     /// Time to it [s].
     t: Pack<L>,
     /// Times that the motion was evaluated.
     evaluations: usize,
-    /// What is expected of the next passage of this cell.
-    next: Expected<N, L>,
     /// The cell of all active lanes, if it is the same.
     common: Option<usize>,
 }
@@ -205,27 +203,36 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let way = self.way(cells, &flight);
         let sure = active.and(way.monotone);
         let (sure, t, points, evaluations) = self.locate(cells, &flight, &way, &expected, sure);
-        let next = expected.next(cells, &self.rigid, t, way.steady);
         // Jump.
         let common = together.then_some(first);
-        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, next, common })
+        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, common })
     }
 
     /// Takes over the steps of an attempt, where they are plain.
     #[inline(always)]
     pub fn take(&mut self, attempt: &Attempt<N, L>) {
+        let gathered;
+        let cells = match attempt.common {
+            Some(first) => &self.tables[first],
+            None => {
+                gathered = Cells::gather(&self.tables, &self.at);
+                &gathered
+            }
+        };
+        let expected = self.expected(attempt.common.is_some(), attempt.common.unwrap_or(0));
+        let next = expected.next(cells, &self.rigid, attempt.t, attempt.steady);
         // It nearly always holds everywhere: a branch, so that the next flight does not wait for the mask.
         if attempt.sure.everywhere() {
-            self.keep(attempt, Mask::of(|_| true));
+            self.keep(attempt, &next, Mask::of(|_| true));
         } else {
-            self.keep(attempt, attempt.sure);
+            self.keep(attempt, &next, attempt.sure);
         }
         self.enter(attempt.up, attempt.sure);
     }
 
     /// Goes over to the state beyond the step in the lanes that are `sure`.
     #[inline(always)]
-    fn keep(&mut self, attempt: &Attempt<N, L>, sure: Mask<L>) {
+    fn keep(&mut self, attempt: &Attempt<N, L>, next: &Expected<N, L>, sure: Mask<L>) {
         for i in 0..N {
             self.q[i] = attempt.q[i].or(sure, self.q[i]);
             self.q_dot[i] = attempt.q_dot[i].or(sure, self.q_dot[i]);
@@ -233,7 +240,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         self.dissipated = attempt.dissipated.or(sure, self.dissipated);
         self.advance(attempt.t, sure);
-        self.expect(&attempt.next, sure, attempt.common);
+        self.expect(next, sure, attempt.common);
     }
 
     /// Which boundary the phase goes to, and whether it is sure to: the steady part of its speed outweighs all that the
@@ -323,7 +330,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         flight: &Flight<'_, N, L>,
         way: &Way<L>,
         points: &[Point<L>; N],
-        Located { sure, t, evaluations, next, common }: Located<N, L>,
+        Located { sure, t, evaluations, common }: Located<L>,
     ) -> Attempt<N, L> {
         let (mut q, mut q_dot, mut lost, mut dissipated) = (self.q, self.q_dot, self.lost, self.dissipated);
         let mut gained = [Pack::all(0.0); N];
@@ -359,8 +366,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         q[self.phase] = cells.entered[1].mostly(way.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        let (sure, up) = (sure.and(passes), way.up);
-        Attempt { sure, t, up, evaluations, next, arrival, q, q_dot, lost, dissipated, common }
+        let (sure, up, steady) = (sure.and(passes), way.up, way.steady);
+        Attempt { sure, t, up, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
     }
 
     /// The phase's way, in the direction of its boundary, and its derivatives.

@@ -40,11 +40,11 @@ impl State {
     /// is large beside what it gains at an event: rounded away, that adds up, and angles drift by it.
     #[inline]
     pub fn gain(&mut self, dv: &Vector) {
-        for i in 0..self.q.len() {
-            let (v, dv) = (self.q_dot[i], dv[i] + self.lost[i]);
+        for ((speed, lost), dv) in self.q_dot.iter_mut().zip(self.lost.iter_mut()).zip(&**dv) {
+            let (v, dv) = (*speed, dv + *lost);
             let sum = v + dv;
             let part = sum - v;
-            (self.q_dot[i], self.lost[i]) = (sum, (v - (sum - part)) + (dv - part));
+            (*speed, *lost) = (sum, (v - (sum - part)) + (dv - part));
         }
     }
 
@@ -52,10 +52,7 @@ impl State {
     #[inline]
     pub fn is_finite(&self) -> bool {
         // What is not finite stays so in a sum; where the sum alone is beyond numbers, one by one.
-        let mut sum = 0.0;
-        for i in 0..self.q.len() {
-            sum += self.q[i] + self.q_dot[i];
-        }
+        let sum: f64 = self.q.iter().zip(&*self.q_dot).map(|(q, v)| q + v).sum();
         sum.is_finite() || self.q.iter().chain(self.q_dot.iter()).all(|x| x.is_finite())
     }
 

@@ -2,7 +2,7 @@
 
 use crate::engine::cell::{Flight, Point};
 use crate::engine::mode::Mode;
-use crate::engine::vector::Vector;
+use crate::engine::vector::dot;
 
 /// s(t) = c.dxi(t) + d.dxi'(t).
 #[derive(Debug, Clone, Copy)]
@@ -10,9 +10,9 @@ pub struct Signal<'a> {
     /// The motion.
     pub flight: &'a Flight<'a>,
     /// c: what each mode contributes by its displacement (N).
-    pub on_moved: &'a Vector,
+    pub on_moved: &'a [f64],
     /// d: what it contributes by its speed (N), if it does.
-    pub on_speed: Option<&'a Vector>,
+    pub on_speed: Option<&'a [f64]>,
 }
 
 /// A signal as a steady course and what swings about it, from a point on.
@@ -73,23 +73,21 @@ impl Signal<'_> {
     /// Its value at a point.
     #[inline]
     pub fn value(&self, point: &Point) -> f64 {
-        self.on_moved.dot(&point.moved) + self.on_speed.map_or(0.0, |d| d.dot(&point.gained))
+        dot(self.on_moved, &point.moved) + self.on_speed.map_or(0.0, |d| dot(d, &point.gained))
     }
 
     /// Steady part of its rate, and a cheap bound on the rest.
     #[inline]
     pub fn drift_and_wobble(&self) -> (f64, f64) {
         let (mut drift, mut wobble) = (0.0, 0.0);
-        for i in 0..self.flight.modes().len() {
-            let (c, mode) = (self.on_moved[i], &self.flight.modes()[i]);
-            let (v, a) = self.flight.rates_at_start(i);
+        for ((mode, v, a), c) in self.flight.motions_at_start().zip(self.on_moved) {
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
             } else if mode.omega2 == 0.0 && mode.sigma > 0.0 {
                 let excess = -a / (2.0 * mode.sigma);
                 drift += c * (v - excess);
                 wobble += (c * excess).abs();
-            } else if c != 0.0 {
+            } else if *c != 0.0 {
                 wobble += c.abs() * mode.rough_bound(v, a);
             }
         }
@@ -101,7 +99,7 @@ impl Signal<'_> {
 
     /// The bound on what the accelerations of the modes add to its rate.
     #[cold]
-    fn wobble_by_speeds(&self, d: &Vector) -> f64 {
+    fn wobble_by_speeds(&self, d: &[f64]) -> f64 {
         let bound = |(i, mode): (usize, &Mode)| {
             let (v, a) = self.flight.rates_at_start(i);
             if d[i] == 0.0 { 0.0 } else { d[i].abs() * mode.rough_bound(a, mode.next(v, a)) }
@@ -113,11 +111,10 @@ impl Signal<'_> {
     #[inline]
     pub fn derivatives(&self, point: &Point) -> [f64; 5] {
         let mut sum = [0.0; 5];
-        for i in 0..self.flight.modes().len() {
-            let (c, mode) = (self.on_moved[i], &self.flight.modes()[i]);
-            let (v, a) = self.flight.rates(i, point);
+        let motions = self.flight.motions(point).zip(&*point.moved).zip(self.on_moved);
+        for (((mode, v, a), moved), c) in motions {
             let jerk = mode.next(v, a);
-            let derivatives = [point.moved[i], v, a, jerk, mode.next(a, jerk)];
+            let derivatives = [*moved, v, a, jerk, mode.next(a, jerk)];
             for k in 0..5 {
                 sum[k] += c * derivatives[k];
             }
@@ -130,7 +127,7 @@ impl Signal<'_> {
 
     /// What the speeds of the modes add to it and its derivatives.
     #[cold]
-    fn add_by_speeds(&self, d: &Vector, point: &Point, sum: &mut [f64; 5]) {
+    fn add_by_speeds(&self, d: &[f64], point: &Point, sum: &mut [f64; 5]) {
         for (i, mode) in self.flight.modes().iter().enumerate() {
             let (v, a) = self.flight.rates(i, point);
             let jerk = mode.next(v, a);
@@ -144,15 +141,13 @@ impl Signal<'_> {
     /// Bounds on its second, third and fourth derivative from a point on.
     pub fn bounds(&self, point: &Point) -> [f64; 3] {
         let mut sum = [0.0; 3];
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let (v, a) = self.flight.rates(i, point);
+        for (i, ((mode, v, a), c)) in self.flight.motions(point).zip(self.on_moved).enumerate() {
             let jerk = mode.next(v, a);
             let snap = mode.next(a, jerk);
             let crackle = mode.next(jerk, snap);
-            let c = self.on_moved[i];
             let derivatives = [a, jerk, snap, crackle, mode.next(snap, crackle)];
             for (k, sum) in sum.iter_mut().enumerate() {
-                if c != 0.0 {
+                if *c != 0.0 {
                     *sum += c.abs() * mode.bound(derivatives[k], derivatives[k + 1]);
                 }
                 if let Some(d) = self.on_speed.map(|d| d[i]).filter(|d| *d != 0.0) {
@@ -166,9 +161,10 @@ impl Signal<'_> {
     /// What it and its first derivatives at a point may be off by rounding: of what they are the sum of, now and at the start.
     pub fn rounding(&self, point: &Point) -> Rounding {
         let mut sum = [0.0; 4];
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let mut sizes = mode.sizes(self.flight.rates_at_start(i));
-            sizes.iter_mut().zip(mode.sizes(self.flight.rates(i, point))).for_each(|(size, now)| *size += now);
+        let motions = self.flight.motions_at_start().zip(self.flight.motions(point));
+        for (i, ((mode, v, a), (_, v_now, a_now))) in motions.enumerate() {
+            let mut sizes = mode.sizes((v, a));
+            sizes.iter_mut().zip(mode.sizes((v_now, a_now))).for_each(|(size, now)| *size += now);
             let (c, d) = (self.on_moved[i].abs(), self.on_speed.map_or(0.0, |d| d[i].abs()));
             sum[0] += ROUNDINGS * (c * point.moved[i].abs() + d * point.gained[i].abs());
             for k in 0..3 {
@@ -182,9 +178,9 @@ impl Signal<'_> {
     /// It about its start.
     pub fn series(&self) -> Series {
         let mut series = Series { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));
-            let (mut v, mut a) = self.flight.rates_at_start(i);
+        for (i, ((mode, v, a), c)) in self.flight.motions_at_start().zip(self.on_moved).enumerate() {
+            let (c, d) = (*c, self.on_speed.map_or(0.0, |d| d[i]));
+            let (mut v, mut a) = (v, a);
             let [mut v_size, mut a_size, ..] = mode.sizes((v, a));
             for k in 0..TERMS {
                 let (jerk, jerk_size) = (mode.next(v, a), 2.0 * mode.sigma * a_size + mode.omega2 * v_size);
@@ -207,9 +203,8 @@ impl Signal<'_> {
     /// How far the oscillations carry it about its steady course, from a point on.
     pub fn reach(&self, point: &Point) -> Reach {
         let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
-        for (i, mode) in self.flight.modes().iter().enumerate() {
-            let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));
-            let (v, a) = self.flight.rates(i, point);
+        for (i, ((mode, v, a), c)) in self.flight.motions(point).zip(self.on_moved).enumerate() {
+            let (c, d) = (*c, self.on_speed.map_or(0.0, |d| d[i]));
             if (c == 0.0 && d == 0.0) || (v == 0.0 && a == 0.0) {
                 continue;
             }

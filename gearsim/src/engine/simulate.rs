@@ -88,9 +88,6 @@ pub struct Simulation<'a> {
     pub ignored: f64,
     /// What happened so far.
     pub counts: Counts,
-    /// Leaves out the guarantee of crossings, to measure what it costs: `benches/guarantee.rs`. Never set otherwise.
-    #[doc(hidden)]
-    pub unguarded: bool,
 }
 
 /// How a flight ends.
@@ -178,7 +175,6 @@ impl<'a> Simulation<'a> {
             dissipated: 0.0,
             ignored: 0.0,
             counts: Counts::default(),
-            unguarded: false,
         })
     }
 

@@ -50,7 +50,7 @@ impl Watch {
         cost: &mut Cost,
     ) -> Result<bool, Lost> {
         let (down, up) = if value >= 0.0 { (value, f64::INFINITY) } else { (f64::INFINITY, -value) };
-        let signal = Signal { flight, on_moved: &self.modal.0, on_speed: self.modal.1.as_ref() };
+        let signal = Signal { flight, on_moved: &self.modal.0, on_speed: self.modal.1.as_deref() };
         let search = Search { signal, rate: signal.derivatives(point)[1], down, up, horizon };
         Ok(search.first(point, cost)?.is_some())
     }

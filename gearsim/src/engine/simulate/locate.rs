@@ -42,32 +42,29 @@ impl Simulation<'_> {
             if law.switching == Switching::Never || self.contact.as_ref().is_some_and(|c| c.holds(i)) {
                 continue;
             }
-            let mut trial = flight.begin();
             if let Some((t, side)) = law.next_switch() {
                 let t = self.clock.until(t).max(0.0);
                 if t < horizon {
-                    flight.go(&mut trial, t);
-                    (*point, end, horizon) = (trial, End::Step(i, side), t);
+                    (*point, end, horizon) = (flight.at(t), End::Step(i, side), t);
                 }
                 continue;
             }
             let (lower, upper) = law.bounds();
             let s = self.state.q[law.phase];
-            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: here.on_speed[i].as_ref() };
+            let signal = Signal { flight, on_moved: &here.participation[i], on_speed: here.on_speed[i].as_deref() };
             let rate = law.surface.normal.dot(&self.state.q_dot);
             let search = Search { signal, rate, down: s - lower, up: upper - s, horizon };
             // The first law's search moves the point itself: mostly there is no other.
-            let (place, lateness) =
-                if i == 0 { (&mut *point, &mut *lateness) } else { (&mut trial, &mut Lateness::default()) };
-            let met = match self.unguarded {
-                false => search.first_near(lateness, place, cost).map_err(lost)?,
-                true => search.unguarded(lateness, place, cost),
-            };
-            if let Some(side) = met {
-                (end, horizon) = (End::Step(i, side), place.t);
-                if i > 0 {
-                    *point = trial;
+            if i == 0 {
+                if let Some(side) = search.first_near(lateness, point, cost).map_err(lost)? {
+                    (end, horizon) = (End::Step(i, side), point.t);
                 }
+                continue;
+            }
+            let mut trial = flight.begin();
+            if let Some(side) = search.first(&mut trial, cost).map_err(lost)? {
+                (end, horizon) = (End::Step(i, side), trial.t);
+                *point = trial;
             }
         }
         if !here.bands.is_empty() || self.contact.is_some() {
