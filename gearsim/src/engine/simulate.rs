@@ -224,6 +224,18 @@ impl<'a> Simulation<'a> {
         if self.is_plain() && self.pass_plain(recorder, sample) {
             return Ok(false);
         }
+        self.step_in_general(recorder, sample)
+    }
+
+    /// The same without the kernel of plain events.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::run`].
+    pub(crate) fn step_in_general(
+        &mut self,
+        recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>,
+        sample: &mut u64,
+    ) -> Result<bool, Stop> {
         if self.forcing.as_ref().is_some_and(|forcing| !forcing.is_flat()) {
             return self.step_in_window(recorder, sample);
         }

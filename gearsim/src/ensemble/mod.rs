@@ -72,7 +72,10 @@ impl Ensemble<'_, '_> {
             for lane in (0..L).filter(|lane| left.says(*lane)) {
                 if let Some(which) = held[lane].take() {
                     lanes.unload(lane, &mut self.simulations[which]);
-                    if !self.step(which) && self.ready(which) {
+                    // The kernel has just left this event to the general loop.
+                    let simulation: &mut Simulation<'_> = &mut self.simulations[which];
+                    let step = simulation.step_in_general(&mut None, &mut 0);
+                    if !self.is_over(which, step) && self.ready::<L>(which) {
                         lanes.load(lane, &self.simulations[which], false);
                         held[lane] = Some(which);
                     }
@@ -80,7 +83,7 @@ impl Ensemble<'_, '_> {
                 while held[lane].is_none()
                     && let Some(which) = members.next()
                 {
-                    if self.ready(which) {
+                    if self.ready::<L>(which) {
                         lanes.load(lane, &self.simulations[which], true);
                         held[lane] = Some(which);
                     }
@@ -96,10 +99,10 @@ impl Ensemble<'_, '_> {
         }
     }
 
-    /// Takes a simulation to the beginning of a pitch, where it can join the others, or to its end, or at least to where its
+    /// Takes a simulation to the beginning of a pitch, where it can join the others in L lanes, or to its end, or at least to where its
     /// next event could be a plain one; tells whether it goes on from there.
-    fn ready(&mut self, which: usize) -> bool {
-        let mut patience = self.simulations[which].laws[0].pitch.cells();
+    fn ready<const L: usize>(&mut self, which: usize) -> bool {
+        let mut patience = if L > 1 { self.simulations[which].laws[0].pitch.cells() } else { 0 };
         loop {
             let simulation = &self.simulations[which];
             if simulation.is_plain() && (patience == 0 || simulation.laws[0].cell == 0) {
@@ -115,6 +118,11 @@ impl Ensemble<'_, '_> {
     /// One event of a simulation; tells whether it has come to its end.
     fn step(&mut self, which: usize) -> bool {
         let step = self.simulations[which].step(&mut None, &mut 0);
+        self.is_over(which, step)
+    }
+
+    /// Whether a simulation has come to its end with a step, by itself or for a reason, which is noted.
+    fn is_over(&mut self, which: usize, step: Result<bool, Stop>) -> bool {
         step.unwrap_or_else(|stop| {
             self.results[which] = Err(stop);
             true

@@ -4,6 +4,7 @@ use gearsim::engine::equations::{Derived, Equations};
 use gearsim::engine::simulate::Simulation;
 use gearsim::ensemble;
 use gearsim::generated::gear_pair::GearPair;
+use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
 
