@@ -70,7 +70,7 @@ pub fn emit(m: &Model) -> TokenStream {
         struct Equations {
             numbers: Numbers<f64>,
             effects: u32,
-            force: fn(&Numbers<f64>, &[f64; #n], &[f64; #n], &[f64], &[f64]) -> [f64; #n],
+            force: fn(&Numbers<f64>, &[f64; #n], &[f64; #n], &[f64], &[f64], &mut [f64; #n]),
             dissipation: fn(&Numbers<f64>, &[f64; #n], &[f64]) -> f64,
             step: fn(&Numbers<f64>, usize, &[f64; #n], &[f64], f64) -> f64,
         }
@@ -108,7 +108,7 @@ pub fn emit(m: &Model) -> TokenStream {
             fn coordinates(&self) -> usize { #n }
             fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
                 let (q, q_dot) = (equations::array(q), equations::array(q_dot));
-                force.copy_from_slice(&(self.force)(&self.numbers, q, q_dot, k, dk));
+                (self.force)(&self.numbers, q, q_dot, k, dk, equations::array_mut(force));
             }
             fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
                 (self.dissipation)(&self.numbers, equations::array(q_dot), k)

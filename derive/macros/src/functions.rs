@@ -57,7 +57,9 @@ pub fn functions(m: &Model) -> TokenStream {
     let step = step(m);
     let functions = quote! {
         fn dissipation<const E: u32>(&self, q_dot: &#vector, k: &[f64]) -> f64 { #dissipation }
-        fn force<const E: u32>(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64]) -> #vector { #force }
+        fn force<const E: u32>(&self, q: &#vector, q_dot: &#vector, k: &[f64], dk: &[f64], force: &mut #vector) {
+            *force = { #force };
+        }
         fn step<const E: u32>(&self, law: usize, q: &#vector, k: &[f64], dk: f64) -> f64 { #step }
         #(#shared)*
     };

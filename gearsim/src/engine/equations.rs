@@ -226,6 +226,16 @@ pub fn array<const N: usize>(numbers: &[f64]) -> &[f64; N] {
     numbers.try_into().unwrap_or_else(|_| wrong_length(N, numbers.len()))
 }
 
+/// The same, to be written to.
+///
+/// # Panics
+/// Those of [`array`].
+#[inline]
+pub fn array_mut<const N: usize>(numbers: &mut [f64]) -> &mut [f64; N] {
+    let given = numbers.len();
+    numbers.try_into().unwrap_or_else(|_| wrong_length(N, given))
+}
+
 #[cold]
 fn wrong_length(n: usize, given: usize) -> ! {
     panic!("the model has {n} coordinates, not {given}")

@@ -26,10 +26,16 @@ impl Dense {
         let mut c = vec![zero.clone(); f.len() + 1];
         for (i, f) in f.iter().enumerate().rev() {
             c[0].add(1.0, f);
-            // Times x, or times 1 - x.
-            for j in (0..c.len()).rev() {
-                let below = if j > 0 { c[j - 1].clone() } else { zero.clone() };
-                c[j] = if i % 2 == 0 { below } else { c[j].plus(-1.0, &below) };
+            if i % 2 == 0 {
+                // Times x.
+                c.rotate_right(1);
+                c[0].clone_from(&zero);
+            } else {
+                // Times 1 - x.
+                for j in (1..c.len() - i).rev() {
+                    let (below, c) = c.split_at_mut(j);
+                    c[0].add(-1.0, &below[j - 1]);
+                }
             }
         }
         c[0].add(1.0, start);

@@ -2,6 +2,8 @@
 //!
 //! k_i = f(t + c_i h, y + h sum_j a_ij k_j). The stage `last` is where the step ends, so that its k is the first of the next.
 
+use smallvec::SmallVec;
+
 use super::dense::Dense;
 use super::field::Field;
 use super::flow::{Flow, Scale};
@@ -60,20 +62,45 @@ pub enum Interpolant {
 #[derive(Debug, Clone)]
 pub struct Explicit {
     tableau: Tableau,
-    /// The rates of the stages.
-    k: Vec<Flow>,
+    /// Coordinates.
+    n: usize,
+    /// The rates k_i of the stages, one after another: q', v' and the power lost of each (2n + 1).
+    k: Vec<f64>,
 }
 
 impl Explicit {
     /// The method of a tableau.
     pub fn new(tableau: Tableau) -> Self {
-        Explicit { tableau, k: vec![Flow::zero(0); tableau.rows.len()] }
+        Explicit { tableau, n: 0, k: vec![] }
     }
 
     fn sum(&self, row: Row) -> Flow {
-        let mut sum = Flow::zero(self.k[0].q.len());
-        row.iter().for_each(|(j, a)| sum.add(*a, &self.k[*j]));
-        sum
+        let mut sum: SmallVec<[f64; 32]> = SmallVec::from_elem(0.0, self.width());
+        for (j, a) in row {
+            sum.iter_mut().zip(self.stage(*j)).for_each(|(sum, k)| *sum += a * k);
+        }
+        self.flow(&sum)
+    }
+
+    /// Numbers of a stage.
+    fn width(&self) -> usize {
+        2 * self.n + 1
+    }
+
+    fn stage(&self, i: usize) -> &[f64] {
+        &self.k[i * self.width()..][..self.width()]
+    }
+
+    fn flow(&self, stage: &[f64]) -> Flow {
+        Flow { q: stage[..self.n].into(), v: stage[self.n..2 * self.n].into(), lost: stage[2 * self.n] }
+    }
+
+    fn set(&mut self, i: usize, rate: &Flow) {
+        let (n, width) = (self.n, self.width());
+        let stage = &mut self.k[i * width..][..width];
+        stage[..n].copy_from_slice(&rate.q);
+        stage[n..2 * n].copy_from_slice(&rate.v);
+        stage[2 * n] = rate.lost;
     }
 
     fn error(&self, h: f64, scale: &Scale) -> f64 {
@@ -104,18 +131,22 @@ impl Method for Explicit {
 
     fn attempt(&mut self, field: &mut Field<'_>, start: &Flow, rate: &Flow, h: f64, scale: &Scale) -> Option<Trial> {
         let Tableau { rows, nodes, last, .. } = self.tableau;
-        self.k[0] = rate.clone();
+        self.n = start.q.len();
+        self.k.resize(rows.len() * self.width(), 0.0);
+        self.set(0, rate);
+        let mut at_end = rate.clone();
         let (mut end, mut before) = (start.clone(), start.clone());
         for i in 1..=last {
             before = end;
             end = start.plus(h, &self.sum(rows[i]));
-            self.k[i] = field.rate(nodes[i] * h, &end);
+            at_end = field.rate(nodes[i] * h, &end);
+            self.set(i, &at_end);
         }
         // |df| / |dy| of the two stages that end at t + h.
-        let (df, dy) = (self.k[last].plus(-1.0, &self.k[last - 1]), end.plus(-1.0, &before));
+        let (df, dy) = (at_end.plus(-1.0, &self.flow(self.stage(last - 1))), end.plus(-1.0, &before));
         let (df, dy) = (scale.norm(&df), scale.norm(&dy));
         let stiffness = if dy > 0.0 { h * df / dy } else { 0.0 };
-        Some(Trial { end, rate: self.k[last].clone(), error: self.error(h, scale), stiffness })
+        Some(Trial { end, rate: at_end, error: self.error(h, scale), stiffness })
     }
 
     fn dense(&mut self, field: &mut Field<'_>, start: &Flow, h: f64, trial: &Trial) -> Dense {
@@ -125,7 +156,7 @@ impl Method for Explicit {
                 c[0] = start.clone();
                 for (i, powers) in factors {
                     for (c, p) in c[1..].iter_mut().zip(powers) {
-                        c.add(h * p, &self.k[*i]);
+                        c.add(h * p, &self.flow(self.stage(*i)));
                     }
                 }
                 Dense::new(c)
@@ -133,14 +164,15 @@ impl Method for Explicit {
             Interpolant::Nested(rows) => {
                 for i in self.tableau.last + 1..self.tableau.rows.len() {
                     let argument = start.plus(h, &self.sum(self.tableau.rows[i]));
-                    self.k[i] = field.rate(self.tableau.nodes[i] * h, &argument);
+                    let rate = field.rate(self.tableau.nodes[i] * h, &argument);
+                    self.set(i, &rate);
                 }
                 let rise = trial.end.plus(-1.0, start);
-                let zero = Flow::zero(start.q.len());
+                let (zero, first) = (Flow::zero(start.q.len()), self.flow(self.stage(0)));
                 let mut f = vec![
                     rise.clone(),
-                    zero.plus(h, &self.k[0]).plus(-1.0, &rise),
-                    zero.plus(2.0, &rise).plus(-h, &trial.rate).plus(-h, &self.k[0]),
+                    zero.plus(h, &first).plus(-1.0, &rise),
+                    zero.plus(2.0, &rise).plus(-h, &trial.rate).plus(-h, &first),
                 ];
                 f.extend(rows.iter().map(|row| zero.plus(h, &self.sum(row))));
                 Dense::nested(start, &f)
