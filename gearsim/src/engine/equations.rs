@@ -147,15 +147,20 @@ pub struct Matrices<R> {
     pub load: DVector<R>,
 }
 
+/// [`Derived::equations`] of a model.
+pub type EquationsOf = fn(u32, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
+/// [`Derived::matrices`] of a model, in numbers of type R.
+pub type MatricesOf<R> = fn(u32, &[R], &[R], &[R]) -> Matrices<R>;
+
 /// A derived model as a value: the engine is compiled once, and calls the functions of any model by pointer.
 #[derive(Debug, Clone, Copy)]
 pub struct DerivedModel {
     /// What scenes and people read.
     pub model: &'static Model,
     /// [`Derived::equations`].
-    pub equations: fn(u32, &[f64], &[f64]) -> Option<Box<dyn Equations>>,
+    pub equations: EquationsOf,
     /// [`Derived::matrices`] in double-double numbers.
-    pub exactly: fn(u32, &[Df64], &[Df64], &[Df64]) -> Matrices<Df64>,
+    pub exactly: MatricesOf<Df64>,
 }
 
 impl DerivedModel {

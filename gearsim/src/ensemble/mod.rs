@@ -75,7 +75,7 @@ impl Ensemble<'_, '_> {
                     // The kernel has just left this event to the general loop.
                     let simulation: &mut Simulation<'_> = &mut self.simulations[which];
                     let step = simulation.step_in_general(&mut None, &mut 0);
-                    if !self.is_over(which, step) && self.ready::<L>(which) {
+                    if !self.is_over(which, step) && self.ready(which) {
                         lanes.load(lane, &self.simulations[which], false);
                         held[lane] = Some(which);
                     }
@@ -83,7 +83,7 @@ impl Ensemble<'_, '_> {
                 while held[lane].is_none()
                     && let Some(which) = members.next()
                 {
-                    if self.ready::<L>(which) {
+                    if self.ready(which) {
                         lanes.load(lane, &self.simulations[which], true);
                         held[lane] = Some(which);
                     }
@@ -99,10 +99,11 @@ impl Ensemble<'_, '_> {
         }
     }
 
-    /// Takes a simulation to the beginning of a pitch, where it can join the others in L lanes, or to its end, or at least to where its
-    /// next event could be a plain one; tells whether it goes on from there.
-    fn ready<const L: usize>(&mut self, which: usize) -> bool {
-        let mut patience = if L > 1 { self.simulations[which].laws[0].pitch.cells() } else { 0 };
+    /// Takes a simulation to the beginning of a pitch, where it can join the others, or to its end, or at least to where its next event
+    /// could be a plain one; tells whether it goes on from there. Also where there are no others: a simulation must take the same way to
+    /// the same bits with any neighbours.
+    fn ready(&mut self, which: usize) -> bool {
+        let mut patience = self.simulations[which].laws[0].pitch.cells();
         loop {
             let simulation = &self.simulations[which];
             if simulation.is_plain() && (patience == 0 || simulation.laws[0].cell == 0) {
