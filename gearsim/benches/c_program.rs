@@ -110,7 +110,7 @@ fn equations(scene: &Scene) -> Box<dyn Equations> {
 }
 
 fn prepare<'a>(scene: &Scene, equations: &'a dyn Equations) -> Simulation<'a> {
-    Simulation::new(scene.model, equations, scene).expect("the scene is sound")
+    Simulation::new(equations, scene).expect("the scene is sound")
 }
 
 fn unrecorded(simulation: &mut Simulation<'_>) {
@@ -123,7 +123,8 @@ fn recordable(simulation: &mut Simulation<'_>) {
 }
 
 fn without_rows(scene: &Scene, simulation: &mut Simulation<'_>) {
-    let (lengths, start, levels) = (simulation.turn_lengths(), simulation.state.clone(), simulation.levels().to_vec());
+    let (lengths, start, levels) =
+        (simulation.turn_lengths(), simulation.now.state.clone(), simulation.now.k[..].to_vec());
     let mut recorder = Recorder::new(scene.model, simulation.equations(), lengths, start, &levels);
     let rate = 1e-3 / scene.t_end;
     simulation.run(Some((&mut recorder, rate, false)), &mut |_| {}).expect("the run ends");
@@ -131,7 +132,7 @@ fn without_rows(scene: &Scene, simulation: &mut Simulation<'_>) {
 
 /// Where a simulation stands.
 fn end(simulation: &Simulation<'_>) -> End {
-    let (counts, state, law) = (&simulation.counts, &simulation.state, &simulation.laws[0]);
+    let (counts, state, law) = (&simulation.now.counts, &simulation.now.state, &simulation.now.laws[0]);
     let cell = 2 * state.turns[0] + law.cell as i64;
     let counts = [counts.cell_changes as i64, counts.reflections as i64, cell];
     End { counts, state: [state.q[0] - law.bounds().0, state.q_dot[0], state.q[1], state.q_dot[1]] }
@@ -260,7 +261,7 @@ fn batches(c: Option<f64>) {
             let start = Instant::now();
             assert!(ensemble::run(black_box(&mut simulations)).iter().all(Result::is_ok));
             lanes = lanes.min(start.elapsed().as_nanos() as f64);
-            assert_eq!(simulations.iter().map(|s| s.counts.events()).sum::<u64>(), events, "not the same events");
+            assert_eq!(simulations.iter().map(|s| s.now.counts.events()).sum::<u64>(), events, "not the same events");
         }
         let [whole, lanes] = [whole, lanes].map(|time| time / events as f64);
         let beside = |time: f64| c.map_or(String::new(), |c| format!("{:.2}", time / c));

@@ -32,10 +32,10 @@ fn engine(bencher: Bencher, extra: &[&str]) {
     let mids = [scene.laws[0].mid()];
     let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
     bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("the scene is sound");
+        let mut simulation = Simulation::new(&*equations, &scene).expect("the scene is sound");
         simulation.run(None, &mut |_| {}).expect("the run ends");
-        assert!(simulation.counts.cell_changes.abs_diff(CHANGES) < 40, "{}", simulation.counts.cell_changes);
-        simulation.state
+        assert!(simulation.now.counts.cell_changes.abs_diff(CHANGES) < 40, "{}", simulation.now.counts.cell_changes);
+        simulation.now.state
     });
 }
 
@@ -51,10 +51,14 @@ fn engine_unwatched(bencher: Bencher) {
     let mids = [scene.laws[0].mid()];
     let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
     bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
-        let mut simulation = [Simulation::new(scene.model, &*equations, &scene).expect("the scene is sound")];
+        let mut simulation = [Simulation::new(&*equations, &scene).expect("the scene is sound")];
         ensemble::run(&mut simulation).pop().expect("there is one").expect("the run ends");
-        assert!(simulation[0].counts.cell_changes.abs_diff(CHANGES) < 40, "{}", simulation[0].counts.cell_changes);
-        simulation[0].state.clone()
+        assert!(
+            simulation[0].now.counts.cell_changes.abs_diff(CHANGES) < 40,
+            "{}",
+            simulation[0].now.counts.cell_changes
+        );
+        simulation[0].now.state.clone()
     });
 }
 

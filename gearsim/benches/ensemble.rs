@@ -38,11 +38,11 @@ fn scenes() -> Vec<(Scene, Box<dyn Equations>)> {
 }
 
 fn simulations(scenes: &[(Scene, Box<dyn Equations>)]) -> Vec<Simulation<'_>> {
-    scenes.iter().map(|(scene, e)| Simulation::new(scene.model, &**e, scene).expect("the scene is sound")).collect()
+    scenes.iter().map(|(scene, e)| Simulation::new(&**e, scene).expect("the scene is sound")).collect()
 }
 
 fn changes(simulations: &[Simulation<'_>]) -> u64 {
-    simulations.iter().map(|s| s.counts.cell_changes).sum()
+    simulations.iter().map(|s| s.now.counts.cell_changes).sum()
 }
 
 fn bench(bencher: Bencher, run: impl Fn(&mut [Simulation<'_>])) {

@@ -58,13 +58,13 @@ fn measure(bencher: Bencher, (name, span): (&str, &str), guaranteed: bool) {
     let scene = scene(name, span);
     let mids = [scene.laws[0].mid()];
     let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
-    let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("the scene is sound");
+    let mut simulation = Simulation::new(&*equations, &scene).expect("the scene is sound");
     let mut starts = vec![];
     loop {
-        let law = &simulation.laws[0];
-        let (q, q_dot) = (simulation.state.q.clone(), simulation.state.q_dot.clone());
+        let law = &simulation.now.laws[0];
+        let (q, q_dot) = (simulation.now.state.q.clone(), simulation.now.state.q_dot.clone());
         starts.push(Start { cell: law.cell, q, q_dot, bounds: law.bounds() });
-        if simulation.step(&mut None, &mut 0).expect("the run goes on") {
+        if simulation.step(&mut None).expect("the run goes on") {
             break;
         }
     }

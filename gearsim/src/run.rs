@@ -1,6 +1,7 @@
 //! A whole run of a scene, from its equations to its account.
 
 pub mod account;
+mod together;
 
 pub use account::Account;
 
@@ -13,14 +14,14 @@ use crate::engine::cell::Cell;
 use crate::engine::equations::{Derived, DerivedModel, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
+use crate::engine::hybrid::{Counts, Hybrid};
+use crate::engine::motion::Effort;
 use crate::engine::record::Recorder;
-use crate::engine::simulate::{Counts, Simulation};
-use crate::engine::start::{self, Begun};
+use crate::engine::simulate::Simulation;
+use crate::engine::start;
 use crate::engine::system::System;
-use crate::ensemble;
-use crate::methods;
-use crate::methods::advance::{Advance, Settings};
 use crate::methods::choice::{self, Choice};
+use crate::methods::steps::BySteps;
 use crate::model::Model;
 use crate::scene::{Precision, Scene};
 use crate::trajectory::{Moment, Trajectory};
@@ -93,15 +94,22 @@ impl Entry {
     /// # Errors
     /// Where the scene cannot be run.
     pub fn run(&self, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
-        run(&self.derived, scene, watch)
+        let equations = self.equations(scene)?;
+        Ok(Prepared::new(&self.derived, scene, &*equations)?.run(watch))
     }
 
-    /// Runs scenes side by side ([`ensemble`]); of each, the start and the end are recorded and nothing between.
+    /// Runs scenes side by side ([`ensemble`]); of those with linear cells and constant torques, the start and the end are recorded
+    /// and nothing between.
     ///
     /// # Errors
     /// For each, those of [`Entry::run`].
     pub fn ends(&self, scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
-        side_by_side(&self.derived, scenes)
+        let equations: Vec<_> = scenes.iter().map(|scene| self.equations(scene)).collect();
+        let prepared = scenes.iter().zip(&equations).map(|(scene, equations)| match equations {
+            Ok(equations) => Prepared::new(&self.derived, scene, &**equations),
+            Err(refusal) => Err(refusal.clone()),
+        });
+        together::run(prepared.collect())
     }
 
     /// The equations of a scene, for analyses.
@@ -120,185 +128,118 @@ impl Entry {
         self.derived.equations(scene)
     }
 
-    /// Has a simulation carry state and time in twice the digits.
+    /// A simulation of `scene` with state and time in twice the digits.
     ///
     /// # Errors
-    /// Where damping couples the modes of a cell.
-    pub fn compensate(&self, simulation: &mut Simulation<'_>, scene: &Scene) -> Result<(), Refusal> {
+    /// Where its cells cannot be solved in twice the digits.
+    pub fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &Scene) -> Result<Simulation<'a>, Refusal> {
         compensate(&self.derived, simulation, scene)
     }
 }
 
-fn compensate(derived: &DerivedModel, simulation: &mut Simulation<'_>, scene: &Scene) -> Result<(), Refusal> {
+fn compensate<'a>(
+    derived: &DerivedModel,
+    simulation: Simulation<'a>,
+    scene: &Scene,
+) -> Result<Simulation<'a>, Refusal> {
     let parameters: Vec<Df64> = scene.parameters.iter().copied().map(Df64::from).collect();
     let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
     simulation.compensate(&|k| (derived.exactly)(scene.effects.0, &parameters, &mids, k))
 }
 
-fn run(derived: &DerivedModel, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
-    let equations = derived.equations(scene)?;
-    let begun = start::begin(&*equations, scene)?;
-    let choice = choice::of(scene, &begun.laws)?;
-    let (others, closes) = (begun.others.clone(), account::closes(&begun.laws));
-    let outcome = match choice::numerical(&choice, scene) {
-        None => exact(derived, scene, &*equations, begun, choice, watch),
-        Some(_) if scene.solver.precision == Precision::Compensated => Err(Refusal::CompensatedNumerical(choice.why)),
-        Some((method, settings)) => {
-            let forcing = Forcing::of(derived, scene);
-            Ok(numerical(scene, &*equations, begun, choice, (method, settings, forcing), watch))
-        }
-    }?;
-    let refuted = Account::of(&outcome, scene).filter(|account| closes && account.refutes());
-    Ok(Outcome { refuted, remarks: others.into_iter().chain(outcome.remarks).collect(), ..outcome })
+/// A scene that is ready to be run.
+struct Prepared<'a> {
+    simulation: Simulation<'a>,
+    plan: Plan<'a>,
 }
 
-/// By the exact engine.
-fn exact(
-    derived: &DerivedModel,
-    scene: &Scene,
-    equations: &dyn Equations,
-    begun: Begun,
+/// What is run, and how.
+struct Plan<'a> {
+    scene: &'a Scene,
     choice: Choice,
-    watch: &mut dyn FnMut(f64),
-) -> Result<Outcome, Refusal> {
-    let mut simulation = Simulation::begun(scene.model, equations, scene, begun, Forcing::of(derived, scene))?;
-    if scene.solver.precision == Precision::Compensated {
-        if let Some(torques) = scene.varying() {
-            return Err(Refusal::CompensatedVarying { torques });
-        }
-        compensate(derived, &mut simulation, scene)?;
-    }
-    let mut recorder = recorder(scene, equations, &simulation);
-    let begin = ThreadTime::now();
-    let stopped_by = simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
-    let cpu_seconds = since(begin);
-    if stopped_by.is_some() {
-        simulation.note(&mut recorder, Moment::Sample);
-    }
-    Ok(ended(scene, equations, choice, &simulation, recorder, stopped_by, cpu_seconds))
+    /// Other static equilibria at the start, in words.
+    others: Option<String>,
 }
 
-/// Those that are exact and plain in lanes, the others by themselves.
-fn side_by_side(derived: &DerivedModel, scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
-    let prepare = |scene: &Scene| -> Result<_, Refusal> {
-        let equations = derived.equations(scene)?;
-        let begun = start::begin(&*equations, scene)?;
+impl<'a> Prepared<'a> {
+    fn new(derived: &DerivedModel, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Self, Refusal> {
+        let begun = start::begin(equations, scene)?;
         let choice = choice::of(scene, &begun.laws)?;
-        Ok((equations, begun, choice))
-    };
-    let prepared: Vec<_> = scenes.iter().map(prepare).collect();
-    let plain = |scene: &Scene, choice: &Choice| {
-        scene.solver.precision == Precision::Plain && choice::numerical(choice, scene).is_none()
-    };
-    // Those that are exact and plain, side by side.
-    let (mut which, mut simulations) = (vec![], vec![]);
-    for (i, (scene, prepared)) in scenes.iter().zip(&prepared).enumerate() {
-        if let Ok((equations, begun, choice)) = prepared
-            && plain(scene, choice)
-            && scene.varying().is_none()
-            && let Ok(simulation) = Simulation::begun(scene.model, &**equations, scene, begun.clone(), None)
-        {
-            which.push(i);
-            simulations.push(simulation);
-        }
+        let (others, forcing) = (begun.others.clone(), Forcing::of(derived, scene));
+        let compensated = scene.solver.precision == Precision::Compensated;
+        let simulation = match choice::numerical(&choice, scene) {
+            None if compensated => match scene.varying() {
+                Some(torques) => Err(Refusal::CompensatedVarying { torques }),
+                None => compensate(derived, Simulation::exact(equations, scene, begun, None)?, scene),
+            },
+            None => Simulation::exact(equations, scene, begun, forcing),
+            Some(_) if compensated => Err(Refusal::CompensatedNumerical(choice.why.clone())),
+            Some((method, settings)) => {
+                let now = Hybrid::new(equations, scene, begun, forcing);
+                let solver = BySteps::new(&now, method, settings);
+                Simulation::with(now, Box::new(solver))
+            }
+        }?;
+        Ok(Prepared { simulation, plan: Plan { scene, choice, others } })
     }
-    let recorders = which.iter().zip(&simulations).map(|(&i, simulation)| {
-        let mut recorder = recorder(&scenes[i], simulation.equations(), simulation);
-        simulation.note(&mut recorder, Moment::Sample);
+
+    /// Runs it to the end, or to where it must stop.
+    fn run(self, watch: &mut dyn FnMut(f64)) -> Outcome {
+        let Prepared { mut simulation, plan } = self;
+        let mut recorder = plan.recorder(&simulation);
+        let begin = ThreadTime::now();
+        let output = &plan.scene.output;
+        let stopped_by = simulation.run(Some((&mut recorder, output.rate, output.events)), watch).err();
+        let cpu_seconds = since(begin);
+        if stopped_by.is_some() {
+            simulation.now.note(&mut recorder, Moment::Sample);
+        }
+        plan.outcome(simulation, recorder, stopped_by, cpu_seconds)
+    }
+}
+
+impl<'a> Plan<'a> {
+    /// A recorder of a run from the present state of its simulation.
+    fn recorder(&self, simulation: &Simulation<'a>) -> Recorder<'a> {
+        let (now, lengths) = (&simulation.now, simulation.turn_lengths());
+        let mut recorder = Recorder::new(self.scene.model, now.equations, lengths, now.state.clone(), &now.k);
+        recorder.most_rows = self.scene.output.most_rows;
         recorder
-    });
-    let recorders: Vec<_> = recorders.collect();
-    let begin = ThreadTime::now();
-    let results = ensemble::run(&mut simulations);
-    let each = since(begin) / simulations.len().max(1) as f64;
-    let mut done: Vec<Option<Outcome>> = vec![None; scenes.len()];
-    for (((&i, simulation), mut recorder), result) in which.iter().zip(&simulations).zip(recorders).zip(results) {
-        simulation.note(&mut recorder, Moment::Sample);
-        if let Ok((equations, begun, choice)) = &prepared[i] {
-            let outcome = ended(&scenes[i], &**equations, choice.clone(), simulation, recorder, result.err(), each);
-            let refuted = Account::of(&outcome, &scenes[i]);
-            let refuted = refuted.filter(|account| account::closes(&simulation.laws) && account.refutes());
-            let remarks = begun.others.iter().cloned().collect();
-            done[i] = Some(Outcome { refuted, remarks, ..outcome });
-        }
     }
-    // The others by themselves.
-    let one = |(done, scene): (Option<Outcome>, &Scene)| done.map_or_else(|| run(derived, scene, &mut |_| {}), Ok);
-    done.into_iter().zip(scenes).map(one).collect()
-}
 
-fn recorder<'e>(scene: &Scene, equations: &'e dyn Equations, simulation: &Simulation<'_>) -> Recorder<'e> {
-    let (lengths, state, levels) = (simulation.turn_lengths(), simulation.state.clone(), simulation.levels());
-    let mut recorder = Recorder::new(scene.model, equations, lengths, state, levels);
-    recorder.most_rows = scene.output.most_rows;
-    recorder
-}
-
-/// What a simulation came to.
-fn ended(
-    scene: &Scene,
-    equations: &dyn Equations,
-    choice: Choice,
-    simulation: &Simulation<'_>,
-    recorder: Recorder<'_>,
-    stopped_by: Option<Stop>,
-    cpu_seconds: f64,
-) -> Outcome {
-    Outcome {
-        energy_at_start: recorder.energy_at_start,
-        trajectory: recorder.trajectory,
-        ignored: simulation.ignored,
-        counts: simulation.counts.clone(),
-        solver: Solver { method: choice.method.name(), why: choice.why, steps: 0, rejected: 0 },
-        stopped_by,
-        reference_frequency: reference_frequency(scene, equations),
-        cpu_seconds,
-        refuted: None,
-        digits: None,
-        remarks: vec![],
-    }
-}
-
-/// By a numerical method.
-fn numerical(
-    scene: &Scene,
-    equations: &dyn Equations,
-    begun: Begun,
-    choice: Choice,
-    (method, settings, forcing): (Box<dyn methods::Method>, Settings, Option<Forcing>),
-    watch: &mut dyn FnMut(f64),
-) -> Outcome {
-    let mut advance = Advance::begun(equations, scene, begun, method, settings, forcing);
-    let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
-    let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
-    recorder.most_rows = scene.output.most_rows;
-    let begin = ThreadTime::now();
-    let stopped_by = advance.run(Some((&mut recorder, scene.output.rate, scene.output.events)), watch).err();
-    let cpu_seconds = since(begin);
-    if stopped_by.is_some() {
-        advance.note(&mut recorder, Moment::Sample);
-    }
-    let (method, why) = match advance.gave_way {
-        Some(t) => {
-            let first = choice.method.name();
-            let why = format!("{}; {first} until t = {t} s, where the cell proved stiff for it", choice.why);
-            (advance.method(), why)
-        }
-        None => (choice.method.name(), choice.why),
-    };
-    let (steps, rejected) = advance.steps;
-    Outcome {
-        energy_at_start: recorder.energy_at_start,
-        trajectory: recorder.trajectory,
-        ignored: 0.0,
-        counts: advance.counts.clone(),
-        solver: Solver { method, why, steps, rejected },
-        stopped_by,
-        reference_frequency: reference_frequency(scene, equations),
-        cpu_seconds,
-        refuted: None,
-        digits: None,
-        remarks: vec![],
+    /// What the simulation came to.
+    fn outcome(
+        self,
+        simulation: Simulation<'_>,
+        recorder: Recorder<'_>,
+        stopped_by: Option<Stop>,
+        cpu_seconds: f64,
+    ) -> Outcome {
+        let Plan { scene, choice, others } = self;
+        let Effort { steps, rejected, replaced } = simulation.effort();
+        let first = choice.method.name();
+        let (method, why) = match replaced {
+            Some((t, method)) => {
+                (method, format!("{}; {first} until t = {t} s, where the cell proved stiff for it", choice.why))
+            }
+            None => (first, choice.why),
+        };
+        let mut outcome = Outcome {
+            energy_at_start: recorder.energy_at_start,
+            trajectory: recorder.trajectory,
+            ignored: simulation.now.ignored,
+            solver: Solver { method, why, steps, rejected },
+            stopped_by,
+            reference_frequency: reference_frequency(scene, simulation.now.equations),
+            cpu_seconds,
+            refuted: None,
+            digits: None,
+            remarks: others.into_iter().collect(),
+            counts: simulation.now.counts,
+        };
+        let closes = account::closes(&simulation.now.laws);
+        outcome.refuted = Account::of(&outcome, scene).filter(|account| closes && account.refutes());
+        outcome
     }
 }
 

@@ -42,12 +42,12 @@ fn scene(name: &str, speed: &str, theta: f64, span: f64) -> Scene {
 /// of its events.
 fn run(scene: &Scene, now: f64, more: i64) -> (State, Vec<f64>) {
     let equations = DerivedModel::of::<GearPair>().equations(scene).unwrap();
-    let mut simulation = Simulation::new(scene.model, &*equations, scene).unwrap();
-    simulation.clock.set(now);
-    simulation.state.turns[0] += more;
+    let mut simulation = Simulation::new(&*equations, scene).unwrap();
+    simulation.now.clock.set(now);
+    simulation.now.state.turns[0] += more;
     let mut times = vec![];
     simulation.run(None, &mut |t| times.push(t)).unwrap();
-    (simulation.state, times)
+    (simulation.now.state, times)
 }
 
 #[test]

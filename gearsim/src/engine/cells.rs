@@ -3,12 +3,13 @@
 
 use std::collections::HashMap;
 
+use smallvec::SmallVec;
+
 use crate::engine::cell::Cell;
-use crate::engine::dead_band::{DeadBand, Elastic, REGIMES, Regime};
+use crate::engine::dead_band::{DeadBand, Elastic, REGIMES};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::Law;
-use crate::engine::record::State;
 use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
 
@@ -33,17 +34,10 @@ pub struct Prepared {
     pub participation: Vec<Vector>,
     /// n.Y of each law, where damping couples the modes: how the phase follows their speeds.
     pub on_speed: Vec<Option<Vector>>,
-    /// Of each dead band, its contact and what can end its regime.
-    pub bands: Vec<Banded>,
-}
-
-/// A dead band in a cell.
-#[derive(Debug, Clone)]
-pub struct Banded {
-    /// Spring and damper of its contact.
-    pub elastic: Elastic,
-    /// What can end its regime, and the one after it.
-    pub exits: Vec<(Regime, Watch)>,
+    /// Spring and damper of the contact of each dead band.
+    pub elastic: Vec<Elastic>,
+    /// How the modes take part in each exit of each dead band.
+    pub exits: Vec<SmallVec<[Watch; 2]>>,
 }
 
 /// What cells are combinations of.
@@ -69,7 +63,7 @@ impl Cells {
             let (mut laws, mut bands) = (laws.to_vec(), bands.to_vec());
             stand(&mut laws, &mut bands, i);
             let mut k = k.to_vec();
-            write(&laws, &mut bands, &mut k);
+            write_levels((&laws, &mut bands), &mut k);
             let cell = Cell::new(equations, &k)?.conserving(equations, &k, motions);
             Ok(Prepared::new(cell, equations, (&laws, &bands, &k)))
         };
@@ -113,12 +107,12 @@ impl Prepared {
     /// A cell with the laws' participation and the exits of the dead bands.
     pub fn new(cell: Cell, equations: &dyn Equations, (laws, bands, k): Stand<'_>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
-        let banded = |band: &DeadBand| {
-            let elastic = band.elastic(equations, k);
-            Banded { elastic, exits: band.exits(&cell, elastic) }
+        let elastic: Vec<Elastic> = bands.iter().map(|band| band.elastic(equations, k)).collect();
+        let watches = |(band, elastic): (&DeadBand, &Elastic)| {
+            band.exits(*elastic).into_iter().map(|exit| Watch::new(&cell, exit.slopes(band))).collect()
         };
-        let bands = bands.iter().map(banded).collect();
-        Prepared { participation, on_speed, bands, cell }
+        let exits = bands.iter().zip(&elastic).map(watches).collect();
+        Prepared { participation, on_speed, elastic, exits, cell }
     }
 }
 
@@ -140,9 +134,19 @@ fn stand(laws: &mut [Law], bands: &mut [DeadBand], mut index: usize) {
     bands.iter_mut().for_each(|band| band.regime = REGIMES[digit(REGIMES.len())]);
 }
 
-/// Writes the present values of laws and dead bands, which follow the laws, to where they belong in `k`.
+/// Writes the law values at the coordinates `q` and the time `t` \[s\], and those of the dead bands, which follow them, to where
+/// they belong in `k`.
 #[inline]
-pub fn write(laws: &[Law], bands: &mut [DeadBand], k: &mut [f64]) {
+pub fn write((laws, bands): (&[Law], &mut [DeadBand]), (q, t): (&[f64], f64), k: &mut [f64]) {
+    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
+    for band in bands {
+        band.follow(k);
+        band.write(k);
+    }
+}
+
+/// The same of laws that are constant within their cells.
+fn write_levels((laws, bands): (&[Law], &mut [DeadBand]), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
     for band in bands {
         band.follow(k);
@@ -150,16 +154,17 @@ pub fn write(laws: &[Law], bands: &mut [DeadBand], k: &mut [f64]) {
     }
 }
 
-/// Has dead bands follow steps of transmission errors, to `laws` where they stand now; tells how many flanks have met.
-pub fn displace((laws, bands): (&[Law], &mut [DeadBand]), k: &mut [f64], state: &State) -> u64 {
-    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
-    bands.iter_mut().map(|band| u64::from(band.displace(k, &state.q))).sum()
+/// Moves the edges of dead bands with steps of transmission errors, at the coordinates `q` and the time `t` \[s\]. Returns how
+/// many flanks have met.
+pub fn displace((laws, bands): (&[Law], &mut [DeadBand]), (q, t): (&[f64], f64), k: &mut [f64]) -> u64 {
+    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
+    bands.iter_mut().map(|band| u64::from(band.displace(k, q))).sum()
 }
 
 /// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.
 pub fn levels(laws: &[Law], index: usize, rest: &[f64]) -> Vec<f64> {
     let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
     stand(&mut laws, &mut [], index);
-    write(&laws, &mut [], &mut k);
+    write_levels((&laws, &mut []), &mut k);
     k
 }

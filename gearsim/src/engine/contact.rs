@@ -7,20 +7,20 @@
 //! - R pulls, by [`RELEASE`] of the forces that make it up: the phase leaves the step it came from;
 //! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it part;
 //! - a step of another stiffness gives an impulse: what is held is let go, and bounces or leaves.
+//!
+//! With the outward normals n of the held phases as columns of N, the motion that is left has the mobility
+//! P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F.
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::engine::cell::{Cell, Flight, Point};
-use crate::engine::cells::{Prepared, Stand};
-use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::cells::Stand;
+use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
-use crate::engine::forcing::linear::Linear;
-use crate::engine::forcing::window::Window;
+use crate::engine::hybrid::Hybrid;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector};
-use crate::engine::watch::Watch;
 
 /// Energy of the normal motion, relative to T + V, below which a pressed phase is held.
 pub const HOLD: f64 = 1e-12;
@@ -32,7 +32,7 @@ pub const RELEASE: f64 = 1e-9;
 /// Relative difference that is rounding.
 const SAME: f64 = 1e-10;
 
-/// What ends a hold of one law.
+/// What ends the hold of a law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
     /// The reaction pulls: the phase leaves.
@@ -41,28 +41,47 @@ pub enum Ending {
     Slip,
 }
 
-/// Phases held at steps, and the motion that is left.
+/// Phases held at steps.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// The laws held, and at which side of their cell.
     pub laws: Vec<(usize, Side)>,
-    /// The motion with the phases held.
-    pub left: Prepared,
-    /// The same, where torques vary.
-    pub linear: Linear,
-    /// Forces beside the equations' load as the hold began (N).
-    further: Vector,
-    watches: Vec<Ends>,
+    /// N, their outward normals (n, one a column).
+    pub normals: DMatrix<f64>,
+    /// P, the mobility that is left (n x n).
+    pub mobility: Matrix,
+    /// What can end the hold of each.
+    pub watches: Vec<Watch>,
 }
 
-/// What can end the hold of a law.
+/// A function of the state whose zero ends the hold of a law.
 #[derive(Debug, Clone)]
-struct Ends {
-    law: usize,
-    ending: Ending,
-    watch: Watch,
-    /// How its value changes with the load.
-    on_load: Vector,
+pub struct Watch {
+    /// The law.
+    pub law: usize,
+    /// What then happens.
+    pub ending: Ending,
+    /// The function.
+    pub form: Form,
+}
+
+/// The functions that end holds.
+#[derive(Debug, Clone)]
+pub enum Form {
+    /// The reaction plus what it may pull: the generalised forces times a row (n), and a margin.
+    Reaction(Vector, f64),
+    /// A deflection less the value at which the step vanishes: the coordinates times its gradient (n), less that.
+    Deflection(Vector, f64),
+}
+
+impl Form {
+    /// Its value in a state with the coordinates `q` and the generalised forces that `force` gives (n each).
+    pub fn value(&self, q: &[f64], force: impl FnOnce() -> Vector) -> f64 {
+        match self {
+            Form::Reaction(row, margin) => row.dot(&force()) + margin,
+            Form::Deflection(gradient, at) => gradient.dot(q) - at,
+        }
+    }
 }
 
 /// Whether a phase that was just turned back at `side` is pressed against the step so hard, and bounces so little, that
@@ -74,73 +93,47 @@ pub fn presses(law: &Law, side: Side, state: &State, acceleration: &Vector, rate
 }
 
 impl Contact {
-    /// Holds the phases of `held`, those of them whose reactions press; `None` if none does. Brings the normal speeds
-    /// to rest and gives the energy that this ignores [J].
+    /// Holds the phases of `held`, those of them whose reactions press; `None` if none does. Brings their normal speeds
+    /// to rest and gives the energy that this ignores \[J\].
     ///
     /// # Errors
-    /// Where the motion that is left has no modes.
-    pub fn begin(
-        equations: &dyn Equations,
-        (laws, bands, k): Stand<'_>,
-        mut held: Vec<(usize, Side)>,
-        state: &mut State,
-        further: &Vector,
-    ) -> Result<(Option<Self>, f64), Refusal> {
+    /// Where the mass matrix is not positive definite.
+    pub fn begin(now: &mut Hybrid<'_>, mut held: Vec<(usize, Side)>) -> Result<(Option<Self>, f64), Refusal> {
+        let (equations, force) = (now.equations, now.force());
         loop {
             if held.is_empty() {
                 return Ok((None, 0.0));
             }
-            // Outward normals, and the reactions (nᵀM⁻¹n)⁻¹ nᵀM⁻¹ (f - K q - C q') along them.
-            let n = state.q.len();
+            let n = now.state.q.len();
             let normals = DMatrix::from_fn(n, held.len(), |i, c| {
                 let (law, side) = held[c];
-                side.sign() * laws[law].surface.normal[i]
+                side.sign() * now.laws[law].surface.normal[i]
             });
             let mass = equations.mass().cholesky().ok_or(Refusal::Mass)?;
+            // M⁻¹N, (NᵀM⁻¹N)⁻¹ and R per F.
             let mobility = mass.solve(&normals);
             let compliance = (normals.transpose() * &mobility).cholesky().ok_or(Refusal::Mass)?;
             let to_reactions = compliance.solve(&mobility.transpose());
-            let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
-            let load = equations.load(k);
-            let load = DVector::from(&(load + further));
 
-            let (cell, linear) = Cell::held(equations, k, &normals)?;
-            let reactions: Vec<_> = held
-                .iter()
-                .enumerate()
-                .map(|(c, &(law, _))| {
-                    let w = to_reactions.rows(c, 1);
-                    let row = |m: Matrix| Vector::from_fn(n, |i| -m[(0, i)]);
-                    let (on_q, on_speed) = (row(w * &stiffness), row(w * &damping));
-                    let loaded = (w * &load)[0];
-                    let forces = loaded.abs() + on_q.abs().dot(&state.q.abs()) + on_speed.abs().dot(&state.q_dot.abs());
-                    // Its zero is where it pulls by RELEASE.
-                    let constant = loaded + RELEASE * forces;
-                    let on_load = Vector::from_fn(n, |i| w[(0, i)]);
-                    let watch = Watch::new(&cell, constant, on_q, on_speed);
-                    Ends { law, ending: Ending::Release, watch, on_load }
-                })
-                .collect();
-            if let Some(pulls) = reactions.iter().position(|w| w.watch.value(state) <= 0.0) {
+            let reactions = reactions(now, &held, &to_reactions);
+            let pulls = |watch: &Watch| watch.form.value(&now.state.q, || force.clone()) <= 0.0;
+            if let Some(pulls) = reactions.iter().position(pulls) {
                 held.remove(pulls);
                 continue;
             }
-
-            let speeds = normals.transpose() * DVector::from(&state.q_dot);
-            let impulses = compliance.solve(&speeds);
-            let change = mobility * &impulses;
-            state.q_dot -= &Vector::from(&change);
-            state.lost = Vector::zeros(n);
-            let ignored = 0.5 * speeds.dot(&impulses);
-
             let slips = held.iter().flat_map(|&(law, side)| {
-                let watches = barriers(equations, (laws, bands, k), &cell, law, side, state).into_iter();
-                watches.map(move |watch| Ends { law, ending: Ending::Slip, watch, on_load: Vector::zeros(n) })
+                let zeros = barriers(equations, (&now.laws, &now.bands, &now.k), law, side, &now.state);
+                zeros.into_iter().map(move |form| Watch { law, ending: Ending::Slip, form })
             });
             let watches = reactions.into_iter().chain(slips).collect();
-            let left = Prepared::new(cell, equations, (laws, bands, k));
-            let contact = Contact { laws: held, left, linear, further: further.clone(), watches };
-            return Ok((Some(contact), ignored));
+
+            let speeds = normals.transpose() * DVector::from(&now.state.q_dot);
+            let impulses = compliance.solve(&speeds);
+            now.state.q_dot -= &Vector::from(&(&mobility * &impulses));
+            now.state.lost = Vector::zeros(n);
+            let ignored = 0.5 * speeds.dot(&impulses);
+            let mobility = equations.mobility() - &mobility * &to_reactions;
+            return Ok((Some(Contact { laws: held, normals, mobility, watches }), ignored));
         }
     }
 
@@ -148,49 +141,23 @@ impl Contact {
     pub fn holds(&self, law: usize) -> bool {
         self.laws.iter().any(|l| l.0 == law)
     }
+}
 
-    /// The first end of a hold before the horizon, with `point` moved there.
-    ///
-    /// # Errors
-    /// Where the search does not end, or leaves the numbers.
-    pub fn first_ending(
-        &self,
-        flight: &Flight<'_>,
-        state: &State,
-        mut horizon: f64,
-        point: &mut Point,
-        cost: &mut Cost,
-    ) -> Result<Option<(usize, Ending)>, Lost> {
-        let mut first = None;
-        for Ends { law, ending, watch, .. } in &self.watches {
-            let mut trial = flight.begin();
-            if watch.first_zero(watch.value(state), flight, horizon, &mut trial, cost)? {
-                (horizon, first) = (trial.t, Some((*law, *ending)));
-                *point = trial;
-            }
-        }
-        Ok(first)
-    }
-
-    /// The first end of a hold in a window, before its part `until`: where, and which.
-    pub fn first_in(
-        &self,
-        window: &Window<'_>,
-        state: &State,
-        load: &Vector,
-        mut until: f64,
-        cost: &mut Cost,
-    ) -> Option<(f64, usize, Ending)> {
-        let mut first = None;
-        for Ends { law, ending, watch, on_load } in &self.watches {
-            let value = watch.value(state) + on_load.dot(&(load - &self.further));
-            let zero = watch.first_zero_in(value, on_load, window, cost);
-            if let Some(x) = zero.filter(|x| *x < until) {
-                (until, first) = (x, Some((x, *law, *ending)));
-            }
-        }
-        first
-    }
+/// The reactions of held phases, each with what it may pull; `to_reactions` gives them from generalised forces.
+fn reactions(now: &Hybrid<'_>, held: &[(usize, Side)], to_reactions: &DMatrix<f64>) -> Vec<Watch> {
+    let (equations, k, State { q, q_dot, .. }) = (now.equations, &now.k, &now.state);
+    let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
+    let load = DVector::from(&(equations.load(k) + &now.further_load()));
+    let n = q.len();
+    let reaction = |(c, &(law, _)): (usize, &(usize, Side))| {
+        let w = to_reactions.rows(c, 1);
+        let row = |m: Matrix| Vector::from_fn(n, |i| m[(0, i)]);
+        let (on_q, on_speed) = (row(w * &stiffness), row(w * &damping));
+        let forces = (w * &load)[0].abs() + on_q.abs().dot(&q.abs()) + on_speed.abs().dot(&q_dot.abs());
+        let row = Vector::from_fn(n, |i| w[(0, i)]);
+        Watch { law, ending: Ending::Release, form: Form::Reaction(row, RELEASE * forces) }
+    };
+    held.iter().enumerate().map(reaction).collect()
 }
 
 /// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
@@ -204,15 +171,9 @@ pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize,
 /// - that of the stiffness of one deflection x = d.q, c x²/2 - g x + h with dK = c d dᵀ and df = g d, each of its zeros; of a
 ///   mere stiffness it is c (x - e)²/2.
 ///
-/// Nothing where the law strains more than one deflection: they do not vanish together.
-fn barriers(
-    equations: &dyn Equations,
-    stand: Stand<'_>,
-    cell: &Cell,
-    law: usize,
-    side: Side,
-    state: &State,
-) -> Vec<Watch> {
+/// Nothing where the law strains more than one deflection: they do not vanish together. Laws of other phases are taken at their
+/// present values.
+fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<Form> {
     let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
     let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
     let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
@@ -221,7 +182,7 @@ fn barriers(
     let still = Vector::zeros(n);
     let h = equations.potential(&still, &beyond) - equations.potential(&still, k);
     if stiffness.amax() == 0.0 {
-        return vec![Watch::new(cell, h, -load, still)];
+        return vec![Form::Deflection(-load, -h)];
     }
     let diagonal = stiffness.diagonal();
     let row = diagonal.iamax();
@@ -235,7 +196,7 @@ fn barriers(
         return vec![];
     }
     let (middle, square) = (g / c, (g / c).powi(2) - 2.0 * h / c);
-    let at = |x: f64| Watch::new(cell, -x, d.clone(), still.clone());
+    let at = |x: f64| Form::Deflection(d.clone(), x);
     match square.abs() <= SAME * middle.powi(2) {
         true => vec![at(middle)],
         false if square < 0.0 => vec![],

@@ -15,11 +15,11 @@
 //! A transmission error e moves both edges. Where it steps, flanks may part or meet at once, and V steps with the regime: an
 //! impulse like any other ([`law::barrier`](crate::engine::law::barrier)).
 
-use crate::engine::cell::Cell;
+use smallvec::{SmallVec, smallvec};
+
 use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Matrix, Vector};
-use crate::engine::watch::Watch;
 use crate::model::Model;
 
 /// Where a dead band stands.
@@ -46,6 +46,11 @@ use Grip::{Hit, Loose, Touch};
 use Regime::{Contact, Free};
 
 impl Grip {
+    /// Whether the spring limits the force of the damper.
+    pub fn is_clipped(self) -> bool {
+        self != Touch
+    }
+
     /// The force of a clipped damper, in units of the spring's.
     fn clip(self) -> f64 {
         match self {
@@ -97,6 +102,34 @@ pub struct Elastic {
     pub damper: f64,
 }
 
+/// What ends a regime: a x + b x' = 0, with the depth x beyond the edge at a side and its rate x'.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exit {
+    /// The regime after it.
+    pub beyond: Regime,
+    /// The side of the edge.
+    pub side: Side,
+    /// a.
+    pub on_depth: f64,
+    /// b.
+    pub on_rate: f64,
+    /// What the value may be below zero where rounding decides.
+    pub slack: f64,
+}
+
+impl Exit {
+    /// a x + b x' at the coordinates `q` and speeds `q_dot`.
+    pub fn value(&self, band: &DeadBand, q: &[f64], q_dot: &[f64]) -> f64 {
+        let [on_q, on_speed] = self.slopes(band);
+        self.on_depth * band.depth_at_zero(self.side) + on_q.dot(q) + on_speed.dot(q_dot)
+    }
+
+    /// The slopes of that value along the coordinates and along the speeds (N each).
+    pub fn slopes(&self, band: &DeadBand) -> [Vector; 2] {
+        [self.on_depth, self.on_rate].map(|by| &band.normal * (self.side.sign() * by))
+    }
+}
+
 impl DeadBand {
     /// The dead bands of a model that its effects ask for, free of contact.
     pub fn all(equations: &dyn Equations, model: &Model) -> Vec<DeadBand> {
@@ -130,9 +163,9 @@ impl DeadBand {
         side.sign() * (self.normal.dot(q) + self.offset) - self.half
     }
 
-    /// The same as a function of the coordinates: what it is where they are zero, and its slopes along them (N).
-    pub fn depth_along(&self, side: Side) -> (f64, Vector) {
-        (side.sign() * self.offset - self.half, &self.normal * side.sign())
+    /// The same where all coordinates are zero.
+    fn depth_at_zero(&self, side: Side) -> f64 {
+        side.sign() * self.offset - self.half
     }
 
     /// Follows the transmission errors among the law values `k`.
@@ -177,8 +210,13 @@ impl DeadBand {
     }
 
     /// Its regime with the grip that the forces at `state` ask for; where they are equal, it keeps its grip.
-    pub fn gripped(&self, Elastic { spring, damper }: Elastic, q: &[f64], q_dot: &[f64]) -> Regime {
-        let Contact(side, grip) = self.regime else { return Free };
+    pub fn gripped(&self, elastic: Elastic, q: &[f64], q_dot: &[f64]) -> Regime {
+        self.gripped_at(self.regime, elastic, q, q_dot)
+    }
+
+    /// The same of another regime than its own.
+    pub fn gripped_at(&self, regime: Regime, Elastic { spring, damper }: Elastic, q: &[f64], q_dot: &[f64]) -> Regime {
+        let Contact(side, grip) = regime else { return Free };
         if damper == 0.0 {
             return Contact(side, Touch);
         }
@@ -195,30 +233,26 @@ impl DeadBand {
         )
     }
 
-    /// What can end its present regime in `cell`, and the regime after it. Each watch is >= 0 until then.
-    pub fn exits(&self, cell: &Cell, Elastic { spring, damper }: Elastic) -> Vec<(Regime, Watch)> {
-        // a x + b x' beyond the edge at `side`.
-        let watch = |side: Side, a: f64, b: f64| {
-            let (constant, slopes) = self.depth_along(side);
-            let slack = a.abs() * ROUNDINGS * f64::EPSILON * (self.half + self.offset.abs());
-            let mut watch = Watch::new(cell, a * constant, &slopes * a, &slopes * b);
-            watch.slack = slack;
-            watch
+    /// What can end its present regime. Each value is >= 0 until then.
+    pub fn exits(&self, Elastic { spring, damper }: Elastic) -> SmallVec<[Exit; 2]> {
+        let exit = |beyond, side, on_depth: f64, on_rate| {
+            let slack = on_depth.abs() * ROUNDINGS * f64::EPSILON * (self.half + self.offset.abs());
+            Exit { beyond, side, on_depth, on_rate, slack }
         };
         let enter = |side| {
             let grip = if damper > 0.0 { Hit } else { Touch };
-            (Contact(side, grip), watch(side, -1.0, 0.0))
+            exit(Contact(side, grip), side, -1.0, 0.0)
         };
         match self.regime {
-            Free => vec![enter(Side::Upper), enter(Side::Lower)],
-            Contact(side, _) if damper == 0.0 => vec![(Free, watch(side, 1.0, 0.0))],
-            Contact(side, Touch) => vec![
-                (Contact(side, Loose), watch(side, spring, damper)),
-                (Contact(side, Hit), watch(side, spring, -damper)),
+            Free => smallvec![enter(Side::Upper), enter(Side::Lower)],
+            Contact(side, _) if damper == 0.0 => smallvec![exit(Free, side, 1.0, 0.0)],
+            Contact(side, Touch) => smallvec![
+                exit(Contact(side, Loose), side, spring, damper),
+                exit(Contact(side, Hit), side, spring, -damper),
             ],
-            Contact(side, Hit) => vec![(Contact(side, Touch), watch(side, -spring, damper))],
+            Contact(side, Hit) => smallvec![exit(Contact(side, Touch), side, -spring, damper)],
             Contact(side, Loose) => {
-                vec![(Free, watch(side, 1.0, 0.0)), (Contact(side, Touch), watch(side, -spring, -damper))]
+                smallvec![exit(Free, side, 1.0, 0.0), exit(Contact(side, Touch), side, -spring, -damper)]
             }
         }
     }

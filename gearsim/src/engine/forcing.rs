@@ -4,6 +4,9 @@
 //! load ([`Forcing::load`]); where one is straight or harmonic, the motion goes on in windows of a power series
 //! ([`window`]). A breakpoint of a course is an event: the next piece is state, as the cell of a stiffness is.
 
+use std::sync::Arc;
+
+use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::clock::Clock;
@@ -19,9 +22,11 @@ use window::TERMS;
 /// What varies.
 #[derive(Debug, Clone)]
 pub struct Forcing {
-    drives: Vec<Drive>,
-    /// Work of each torque beyond that of its value at the start, so far [J].
-    pub work: Vec<f64>,
+    drives: Arc<[Drive]>,
+    /// The piece of its time history in which each parameter is. State: never computed from the time.
+    pieces: SmallVec<[usize; 4]>,
+    /// Number of external torques of the model.
+    torques: usize,
 }
 
 /// A parameter that varies.
@@ -34,8 +39,6 @@ struct Drive {
     load: Vector,
     /// Power of each torque at a unit, by the speeds (N each).
     power: Vec<Vector>,
-    /// The piece of its course. State: never computed from the time.
-    piece: usize,
 }
 
 impl Forcing {
@@ -61,32 +64,33 @@ impl Forcing {
                 unit.torque_work(i, &unit_dq) - none.torque_work(i, &unit_dq)
             };
             let power = (0..scene.model.torques.len()).map(|i| Vector::from_fn(n, |j| along(i, j))).collect();
-            let (course, piece) = (course.clone(), course.piece(0.0));
-            let at_start = course.at(piece, 0.0);
-            (load.amax() > 0.0).then_some(Drive { course, at_start, load, power, piece })
+            let at_start = course.at(course.piece(0.0), 0.0);
+            (load.amax() > 0.0).then(|| Drive { course: course.clone(), at_start, load, power })
         };
-        let drives: Vec<_> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
-        (!drives.is_empty()).then(|| Forcing { drives, work: vec![0.0; scene.model.torques.len()] })
+        let drives: Arc<[_]> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
+        let pieces = drives.iter().map(|d| d.course.piece(0.0)).collect();
+        (!drives.is_empty()).then(|| Forcing { drives, pieces, torques: scene.model.torques.len() })
     }
 
     /// When a course next breaks \[s\]; infinite where none does.
     pub fn next(&self) -> f64 {
-        let next = |d: &Drive| d.course.pieces.get(d.piece + 1).map_or(f64::INFINITY, |piece| piece.begin);
-        self.drives.iter().map(next).fold(f64::INFINITY, f64::min)
+        let next =
+            |(d, piece): (&Drive, usize)| d.course.pieces.get(piece + 1).map_or(f64::INFINITY, |piece| piece.begin);
+        self.in_pieces().map(next).fold(f64::INFINITY, f64::min)
     }
 
     /// Goes on into the pieces that begin by the time `t` \[s\].
     pub fn enter(&mut self, t: f64) {
-        for drive in &mut self.drives {
-            while drive.course.pieces.get(drive.piece + 1).is_some_and(|piece| piece.begin <= t) {
-                drive.piece += 1;
+        for (drive, piece) in self.drives.iter().zip(&mut self.pieces) {
+            while drive.course.pieces.get(*piece + 1).is_some_and(|piece| piece.begin <= t) {
+                *piece += 1;
             }
         }
     }
 
     /// Whether all that varies is constant until the next breakpoint.
     pub fn is_flat(&self) -> bool {
-        self.drives.iter().all(|d| d.course.harmonics.is_empty() && d.course.pieces[d.piece].slope == 0.0)
+        self.in_pieces().all(|(d, piece)| d.course.harmonics.is_empty() && d.course.pieces[piece].slope == 0.0)
     }
 
     /// The fastest angular frequency of a harmonic \[rad/s\].
@@ -96,7 +100,12 @@ impl Forcing {
 
     /// T_p(t) - T_p(0) of each.
     fn changes(&self, t: f64) -> impl Iterator<Item = (&Drive, f64)> {
-        self.drives.iter().map(move |d| (d, d.course.at(d.piece, t) - d.at_start))
+        self.in_pieces().map(move |(d, piece)| (d, d.course.at(piece, t) - d.at_start))
+    }
+
+    /// What varies, each with the piece in which it is.
+    fn in_pieces(&self) -> impl Iterator<Item = (&Drive, usize)> {
+        self.drives.iter().zip(self.pieces.iter().copied())
     }
 
     /// The generalised forces beyond those of the start at the time `t` \[s\] (N).
@@ -110,21 +119,16 @@ impl Forcing {
 
     /// Power of each torque beyond that of its value at the start, at the speeds `q_dot` \[W\].
     pub fn power(&self, t: f64, q_dot: &Vector) -> Vec<f64> {
-        let mut power = vec![0.0; self.work.len()];
+        let mut power = vec![0.0; self.torques];
         for (d, change) in self.changes(t) {
             power.iter_mut().zip(&d.power).for_each(|(sum, row)| *sum += change * row.dot(q_dot));
         }
         power
     }
 
-    /// [`Forcing::work`] after a further displacement `dq` from the time `t` on, while all is flat.
-    pub fn work_after(&self, t: f64, dq: &Vector) -> Vec<f64> {
-        self.work.iter().zip(self.power(t, dq)).map(|(work, more)| work + more).collect()
-    }
-
     /// Power series of T_p(t) - T_p(0) about the clock's time, in parts of `width` \[s\].
     fn series(&self, clock: &Clock, width: f64) -> Vec<[f64; TERMS]> {
-        self.drives.iter().map(|d| d.series(clock, width)).collect()
+        self.in_pieces().map(|(d, piece)| d.series(piece, clock, width)).collect()
     }
 }
 
@@ -132,9 +136,9 @@ impl Forcing {
 const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
 
 impl Drive {
-    fn series(&self, clock: &Clock, width: f64) -> [f64; TERMS] {
+    fn series(&self, piece: usize, clock: &Clock, width: f64) -> [f64; TERMS] {
         let mut c = [0.0; TERMS];
-        let piece = self.course.pieces[self.piece];
+        let piece = self.course.pieces[piece];
         c[0] = piece.value - self.at_start + piece.slope * (clock.0 - piece.begin).hi();
         c[1] = piece.slope * width;
         for h in &self.course.harmonics {

@@ -197,7 +197,7 @@ impl Law {
     #[inline]
     pub fn snap(&self, side: Side, state: &mut State) {
         if self.frozen.is_none() {
-            state.q[self.phase] = self.boundary(side);
+            state.put(self.phase, self.boundary(side));
         }
     }
 
@@ -207,7 +207,7 @@ impl Law {
         let (beyond, entered, turn) = self.pitch.beyond(self.cell, side);
         self.cell = beyond;
         if self.turns && self.frozen.is_none() {
-            state.q[self.phase] = entered;
+            state.put(self.phase, entered);
             state.turns[self.phase] += turn;
             return turn;
         }

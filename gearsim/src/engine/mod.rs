@@ -6,6 +6,7 @@
 //! (torques that vary in time), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
 //! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `root` (the first root of a polynomial), `simulate` (the loop), `system` (equations of any number of coordinates, as analyses see them).
 
+pub mod cascade;
 pub mod cell;
 pub mod cells;
 pub mod clock;
@@ -17,13 +18,16 @@ pub mod crossing;
 pub mod dead_band;
 pub mod equations;
 pub mod error;
+pub mod exact;
 pub mod forcing;
-pub mod guard;
+pub mod hybrid;
 pub mod jump;
 pub mod lanes;
 pub mod law;
 pub mod modal;
 pub mod mode;
+pub mod motion;
+pub mod order;
 pub mod phase;
 pub mod real;
 pub mod record;

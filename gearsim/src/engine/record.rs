@@ -22,13 +22,24 @@ pub struct State {
     pub turns: Turns,
     /// What the speeds have lost to rounding since they were set (N), see [`State::gain`].
     pub lost: Vector,
+    /// What the coordinates lack to the numbers with twice the digits (N); empty in plain numbers.
+    pub low: Vector,
 }
 
 impl State {
     /// A state with no turns counted yet.
     pub fn new(q: Vector, q_dot: Vector) -> Self {
         let (turns, lost) = (SmallVec::from_elem(0, q.len()), Vector::zeros(q.len()));
-        State { q, q_dot, turns, lost }
+        State { q, q_dot, turns, lost, low: Vector::zeros(0) }
+    }
+
+    /// Sets coordinate `i` to `x` exactly.
+    #[inline]
+    pub fn put(&mut self, i: usize, x: f64) {
+        self.q[i] = x;
+        if let Some(low) = self.low.get_mut(i) {
+            *low = 0.0;
+        }
     }
 
     /// The state after the increments `dq` and `dv` (n each).

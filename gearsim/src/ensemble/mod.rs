@@ -74,7 +74,7 @@ impl Ensemble<'_, '_> {
                     lanes.unload(lane, &mut self.simulations[which]);
                     // The kernel has just left this event to the general loop.
                     let simulation: &mut Simulation<'_> = &mut self.simulations[which];
-                    let step = simulation.step_in_general(&mut None, &mut 0);
+                    let step = simulation.step_in_general(&mut None);
                     if !self.is_over(which, step) && self.ready(which) {
                         lanes.load(lane, &self.simulations[which], false);
                         held[lane] = Some(which);
@@ -103,10 +103,10 @@ impl Ensemble<'_, '_> {
     /// could be a plain one; tells whether it goes on from there. Also where there are no others: a simulation must take the same way to
     /// the same bits with any neighbours.
     fn ready(&mut self, which: usize) -> bool {
-        let mut patience = self.simulations[which].laws[0].pitch.cells();
+        let mut patience = self.simulations[which].now.laws[0].pitch.cells();
         loop {
             let simulation = &self.simulations[which];
-            if simulation.is_plain() && (patience == 0 || simulation.laws[0].cell == 0) {
+            if simulation.is_plain() && (patience == 0 || simulation.now.laws[0].cell == 0) {
                 return true;
             }
             patience = patience.saturating_sub(1);
@@ -118,7 +118,7 @@ impl Ensemble<'_, '_> {
 
     /// One event of a simulation; tells whether it has come to its end.
     fn step(&mut self, which: usize) -> bool {
-        let step = self.simulations[which].step(&mut None, &mut 0);
+        let step = self.simulations[which].step(&mut None);
         self.is_over(which, step)
     }
 

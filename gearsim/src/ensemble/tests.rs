@@ -30,7 +30,7 @@ fn prepare(overrides: &[String]) -> Prepared {
 }
 
 fn simulations(scenes: &[Prepared]) -> Vec<Simulation<'_>> {
-    scenes.iter().map(|(scene, e)| Simulation::new(scene.model, &**e, scene).unwrap()).collect()
+    scenes.iter().map(|(scene, e)| Simulation::new(&**e, scene).unwrap()).collect()
 }
 
 /// Runs scenes both ways; same events, and states that differ by at most `tolerance` of their sizes.
@@ -39,15 +39,15 @@ fn check(scenes: &[Prepared], tolerance: f64) {
     let ended: Vec<_> = alone.iter_mut().map(|s| s.run(None, &mut |_| {})).collect();
     assert_eq!(run(&mut together), ended);
     for ((alone, together), (scene, _)) in alone.iter().zip(&together).zip(scenes) {
-        let (a, b) = (&alone.counts, &together.counts);
+        let (a, b) = (&alone.now.counts, &together.now.counts);
         assert_eq!((a.cell_changes, a.reflections, a.holds), (b.cell_changes, b.reflections, b.holds), "{scene:?}");
-        assert_eq!((&alone.state.turns, alone.clock), (&together.state.turns, together.clock));
-        let speeds = alone.state.q_dot.amax();
+        assert_eq!((&alone.now.state.turns, alone.now.clock), (&together.now.state.turns, together.now.clock));
+        let speeds = alone.now.state.q_dot.amax();
         let apart = [
-            (alone.state.q[0] - together.state.q[0]).abs(),
-            (alone.state.q[1] - together.state.q[1]).abs() / 0.01,
-            (&alone.state.q_dot - &together.state.q_dot).amax() / speeds,
-            (alone.dissipated - together.dissipated).abs() / (alone.dissipated + 1.0),
+            (alone.now.state.q[0] - together.now.state.q[0]).abs(),
+            (alone.now.state.q[1] - together.now.state.q[1]).abs() / 0.01,
+            (&alone.now.state.q_dot - &together.now.state.q_dot).amax() / speeds,
+            (alone.now.dissipated - together.now.dissipated).abs() / (alone.now.dissipated + 1.0),
         ];
         assert!(apart.iter().all(|x| *x <= tolerance), "{apart:?} of {scene:?}");
     }
@@ -94,12 +94,12 @@ fn a_lane_does_not_feel_its_neighbours() {
         let mut one = simulations(&scenes[i..=i]);
         run(&mut one);
         assert_eq!(
-            (&one[0].state.q, &one[0].state.q_dot),
-            (&together.state.q, &together.state.q_dot),
+            (&one[0].now.state.q, &one[0].now.state.q_dot),
+            (&together.now.state.q, &together.now.state.q_dot),
             "{} rpm",
             speeds[i]
         );
-        assert_eq!((one[0].clock, one[0].dissipated), (together.clock, together.dissipated));
+        assert_eq!((one[0].now.clock, one[0].now.dissipated), (together.now.clock, together.now.dissipated));
     }
 }
 

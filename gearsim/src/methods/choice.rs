@@ -6,13 +6,13 @@ use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
 
 use super::Method;
-use super::advance::{Events, Settings};
 use super::control::Steps;
 use super::dop853::DOP853;
 use super::dopri5::DOPRI5;
 use super::explicit::Explicit;
 use super::radau::Radau;
 use super::rk4::RK4;
+use super::steps::{Events, Settings};
 
 /// The method of a run.
 #[derive(Debug, Clone, PartialEq)]

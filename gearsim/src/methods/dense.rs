@@ -57,11 +57,11 @@ impl Dense {
         gap
     }
 
-    /// Coefficients of constant + slopes.q.
-    pub fn along(&self, constant: f64, slopes: &Vector) -> Polynomial {
-        let mut along: Polynomial = self.coefficients.iter().map(|c| slopes.dot(&c.q)).collect();
-        along[0] += constant;
-        along
+    /// Coefficients of a linear function of the state, with slopes along coordinates and speeds, that begins with `value`.
+    pub fn from(&self, value: f64, [on_q, on_speed]: &[Vector; 2]) -> Polynomial {
+        let mut from: Polynomial = self.coefficients.iter().map(|c| on_q.dot(&c.q) + on_speed.dot(&c.v)).collect();
+        from[0] = value;
+        from
     }
 }
 

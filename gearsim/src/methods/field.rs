@@ -1,26 +1,29 @@
-//! The right-hand side that methods integrate, smooth within a cell: q'' = M⁻¹F(q, q', k(s), dk/ds, t), and what damping takes.
+//! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and what damping takes.
+//!
+//! P = M⁻¹, or what held phases leave of it. The regimes of dead bands are those of the mode: a step may go beyond the end of its
+//! mode, and the forces go on smoothly there.
 
-use crate::engine::cells;
-use crate::engine::dead_band::{DeadBand, Elastic};
+use crate::engine::contact::Form;
+use crate::engine::crossing::Side;
+use crate::engine::dead_band::{DeadBand, Regime};
 use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
+use crate::engine::hybrid::Hybrid;
 use crate::engine::law::Law;
+use crate::engine::motion::Guard;
 use crate::engine::vector::{Matrix, Vector};
 use crate::methods::flow::Flow;
-use crate::model::Model;
 
-/// The equations of a scene with its laws where they stand.
+/// The equations of a run in its present mode.
 pub struct Field<'a> {
     /// The equations.
-    pub equations: &'a dyn Equations,
-    /// Where the stiffnesses stand.
-    pub laws: Vec<Law>,
-    /// Where the dead bands stand; what their dampers do is asked of each state.
-    pub bands: Vec<DeadBand>,
-    elastic: Vec<Elastic>,
-    /// What varies in time, if anything does.
-    pub forcing: Option<Box<Forcing>>,
-    /// M⁻¹ (N x N).
+    pub equations: &'a (dyn Equations + 'a),
+    laws: Vec<Law>,
+    bands: Vec<DeadBand>,
+    forcing: Option<Box<Forcing>>,
+    /// The functions that end holds.
+    holds: Vec<Form>,
+    /// P (N x N).
     mobility: Matrix,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
@@ -28,77 +31,95 @@ pub struct Field<'a> {
     pub evaluations: u64,
     /// Whether no law is curved: then k changes at events only.
     steps_only: bool,
+    /// Where it was last evaluated: the law values, and their first and second derivatives by the phase.
     k: Vec<f64>,
     dk: Vec<f64>,
     ddk: Vec<f64>,
 }
 
 impl<'a> Field<'a> {
-    /// The field of `equations` with `laws`.
-    pub fn new(
-        model: &Model,
-        equations: &'a dyn Equations,
-        (laws, bands): (Vec<Law>, Vec<DeadBand>),
-        forcing: Option<Forcing>,
-    ) -> Self {
-        let none = vec![0.0; laws.len()];
-        let in_contact = model.in_contact(none.iter().copied());
-        let steps_only = laws.iter().all(|law| law.pitch.steps_only());
-        let (k, dk, ddk) = (in_contact, none.clone(), none);
+    /// The equations of a run in the mode of `now`.
+    pub fn new(now: &Hybrid<'a>) -> Self {
+        let none = vec![0.0; now.laws.len()];
         let mut field = Field {
-            equations,
-            laws,
-            bands,
-            elastic: vec![],
-            forcing: forcing.map(Box::new),
-            mobility: equations.mobility(),
-            begins: 0.0,
+            equations: now.equations,
+            laws: vec![],
+            bands: vec![],
+            forcing: None,
+            holds: vec![],
+            mobility: Matrix::zeros(0, 0),
+            begins: now.clock.now(),
             evaluations: 0,
-            steps_only,
-            k,
-            dk,
-            ddk,
+            steps_only: now.steps_only(),
+            k: vec![],
+            dk: none.clone(),
+            ddk: none,
         };
-        field.enter();
+        field.enter(now);
         field
     }
 
-    /// Takes note that laws and dead bands have gone on into other cells.
-    pub fn enter(&mut self) {
-        cells::write(&self.laws, &mut self.bands, &mut self.k);
-        self.stretch();
-    }
-
-    /// The contacts of the dead bands with the present stiffnesses.
-    fn stretch(&mut self) {
-        let (equations, k) = (self.equations, &self.k);
-        self.elastic.clear();
-        self.elastic.extend(self.bands.iter().map(|band| band.elastic(equations, k)));
-    }
-
-    /// The law values where they were last evaluated.
-    pub fn k(&self) -> &[f64] {
-        &self.k
-    }
-
-    /// The laws' values at `y`, the time `t` after the step began.
-    pub fn levels(&mut self, t: f64, y: &Flow) -> &[f64] {
-        self.set(t, y);
-        &self.k
+    /// Goes on to the mode of `now`.
+    pub fn enter(&mut self, now: &Hybrid<'_>) {
+        self.laws.clone_from(&now.laws);
+        self.bands.clone_from(&now.bands);
+        self.k.clone_from(&now.k);
+        self.forcing.clone_from(&now.forcing);
+        let watches = now.contact.iter().flat_map(|contact| &contact.watches);
+        self.holds = watches.map(|watch| watch.form.clone()).collect();
+        let free = || self.equations.mobility();
+        self.mobility = now.contact.as_ref().map_or_else(free, |contact| contact.mobility.clone());
     }
 
     /// y' at `y`, the time `t` after the step began.
     #[inline]
     pub fn rate(&mut self, t: f64, y: &Flow) -> Flow {
         self.evaluations += 1;
+        let force = self.force(t, y);
+        Flow { q: y.v.clone(), v: &self.mobility * &force, lost: self.loss(y) }
+    }
+
+    /// The generalised forces at `y`, the time `t` after the step began (N).
+    #[inline]
+    fn force(&mut self, t: f64, y: &Flow) -> Vector {
         self.set(t, y);
         let mut force = self.equations.force(&y.q, &y.v, &self.k, &self.dk);
         if let Some(forcing) = &self.forcing {
             force += &forcing.load(self.begins + t);
         }
-        let a: Vector = &self.mobility * &force;
-        let dissipation = self.equations.dissipation(&y.v, &self.k);
-        Flow { q: y.v.clone(), v: a, lost: 2.0 * dissipation + self.clipped(y) }
+        force
+    }
+
+    /// The power that damping takes at `y`, the time `t` after the step began \[W\]; without clipped dampers, where their loss follows
+    /// from the displacement ([`Hybrid::clipped`]).
+    pub fn lost(&mut self, t: f64, y: &Flow) -> f64 {
+        self.set(t, y);
+        self.loss(y)
+    }
+
+    /// The same where the field was last evaluated.
+    #[inline]
+    fn loss(&self, y: &Flow) -> f64 {
+        let rayleigh = 2.0 * self.equations.dissipation(&y.v, &self.k);
+        if self.steps_only {
+            return rayleigh;
+        }
+        let clipped = |band: &DeadBand| match band.regime {
+            // The elastic contact costs two matrices: it is asked for only where a damper is clipped.
+            Regime::Contact(_, grip) if grip.is_clipped() => {
+                band.clipped_power(band.elastic(self.equations, &self.k), &y.q, &y.v)
+            }
+            _ => 0.0,
+        };
+        rayleigh + self.bands.iter().map(clipped).sum::<f64>()
+    }
+
+    /// The power of each torque, as far as it is not constant, at `y`, the time `t` after the step began \[W\].
+    pub fn power(&mut self, t: f64, y: &Flow, torques: usize) -> Vec<f64> {
+        self.set(t, y);
+        let varying = self.forcing.as_ref().map(|forcing| forcing.power(self.begins + t, &y.v));
+        let of_state = |i| self.equations.torque_power(i, &y.q, &y.v, &self.k);
+        (0..torques).map(|i| of_state(i) + varying.as_ref().map_or(0.0, |varying| varying[i])).collect()
     }
 
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
@@ -108,33 +129,35 @@ impl<'a> Field<'a> {
         accelerated(&self.mobility, of_force)
     }
 
+    /// What is left until `guard` is met at `side`, at `y`, the time `t` after the step began; positive before that.
+    pub fn left(&mut self, guard: Guard, side: Side, t: f64, y: &Flow) -> f64 {
+        match guard {
+            Guard::Phase(i) => side.sign() * (self.laws[i].boundary(side) - y.q[self.laws[i].phase]),
+            Guard::Exit(i, which, exit) => {
+                self.set(t, y);
+                // With curved laws, spring and damper of the contact change within the mode.
+                let exit = match self.steps_only {
+                    true => exit,
+                    false => self.bands[i].exits(self.bands[i].elastic(self.equations, &self.k))[which],
+                };
+                exit.value(&self.bands[i], &y.q, &y.v)
+            }
+            Guard::Hold(which) => {
+                let form = self.holds[which].clone();
+                -side.sign() * form.value(&y.q, || self.force(t, y))
+            }
+        }
+    }
+
+    /// Evaluates the laws at `y`, the time `t` after the step began.
     #[inline]
     fn set(&mut self, t: f64, y: &Flow) {
-        if !self.steps_only {
-            for (i, law) in self.laws.iter().enumerate() {
-                [self.k[i], self.dk[i], self.ddk[i]] = law.course(y.q[law.phase], self.begins + t);
-            }
-            self.stretch();
+        if self.steps_only {
+            return;
         }
-        for (band, elastic) in self.bands.iter_mut().zip(&self.elastic) {
-            if wanders(band, &self.laws) {
-                band.follow(&self.k);
-                band.regime = band.met(&y.q);
-            }
-            band.regime = band.gripped(*elastic, &y.q, &y.v);
-            band.write(&mut self.k);
+        for (i, law) in self.laws.iter().enumerate() {
+            [self.k[i], self.dk[i], self.ddk[i]] = law.course(y.q[law.phase], self.begins + t);
         }
+        self.bands.iter_mut().for_each(|band| band.follow(&self.k));
     }
-
-    /// Power that the clipped dampers take at `y`, where the field was last evaluated \[W\].
-    #[inline]
-    fn clipped(&self, y: &Flow) -> f64 {
-        self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped_power(*elastic, &y.q, &y.v)).sum()
-    }
-}
-
-/// Whether the edges of a dead band move along curves. Flanks then part and meet within steps, where their force has a kink,
-/// for the control of the step to deal with.
-pub fn wanders(band: &DeadBand, laws: &[Law]) -> bool {
-    band.errors.iter().any(|&(law, _)| laws.get(law).is_some_and(|law| !law.pitch.steps_only()))
 }

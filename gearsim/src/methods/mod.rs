@@ -1,14 +1,12 @@
 //! Numerical integration of cells, for what has no closed form, and for comparison.
 //!
 //! A method carries y' = f(t, y), smooth in a cell, one step on, with an estimate of its error and a polynomial for what
-//! is between: one trait, one file a method. Round them, and the same for all: `field` (the right-hand side), `control`
-//! (how long a step is), `advance` (from step to step and jump to jump, with the laws, jumps, account and search for the first boundary of
-//! [`crate::engine`]), `choice` (which method runs a scene, and why).
+//! is between: one trait, one file a method. Around them, and the same for all: `field` (the right-hand side), `control`
+//! (how long a step is), `steps` (the solver that the hybrid loop of [`crate::engine`] calls), `choice` (which method runs a scene, and why).
 //!
 //! Our own tableaux rather than a library's: the search for events needs the coefficients of the dense output, to rule roots
 //! out between the samples that a library's interpolation would give, and to land on a surface by the method itself.
 
-pub mod advance;
 pub mod choice;
 pub mod control;
 pub mod dense;
@@ -19,6 +17,7 @@ pub mod field;
 pub mod flow;
 pub mod radau;
 pub mod rk4;
+pub mod steps;
 #[cfg(test)]
 pub(crate) mod tests;
 

@@ -140,8 +140,7 @@ impl Radau {
             }
         }
         // The quadrature, by the collocation's own weights: Z = h A f.
-        let lost: [f64; 3] =
-            std::array::from_fn(|i| 2.0 * field.equations.dissipation(&(&start.v + &z[i].v), field.k()));
+        let lost: [f64; 3] = std::array::from_fn(|i| field.lost(nodes[i] * h, &start.plus(1.0, &z[i])));
         for (z, row) in z.iter_mut().zip(weights()) {
             z.lost = h * (0..3).map(|j| row[j] * lost[j]).sum::<f64>();
         }

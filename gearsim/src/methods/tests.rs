@@ -2,7 +2,10 @@
 
 use crate::engine::equations::DerivedModel;
 use crate::engine::equations::Equations;
+use crate::engine::hybrid::Hybrid;
 use crate::engine::record::Recorder;
+use crate::engine::simulate::Simulation;
+use crate::engine::start;
 use crate::engine::{Refusal, Stop};
 use crate::generated::MODELS;
 use crate::generated::gear_pair::GearPair;
@@ -12,16 +15,17 @@ use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
 
 mod nonlinear;
+mod play;
 mod smooth;
 
 use super::Method;
-use super::advance::{Advance, Events, Settings};
 use super::control::Steps;
 use super::dop853::DOP853;
 use super::dopri5::DOPRI5;
 use super::explicit::Explicit;
 use super::radau::Radau;
 use super::rk4::RK4;
+use super::steps::{BySteps, Events, Settings};
 
 /// The paper's gear pair, 0.02 s of it.
 const SCENE: &str = r#"
@@ -84,14 +88,26 @@ fn methods() -> Vec<(Box<dyn Method>, u32)> {
     ]
 }
 
+/// A simulation of a scene by a method.
+pub(super) fn by_steps<'a>(
+    equations: &'a dyn Equations,
+    scene: &Scene,
+    method: Box<dyn Method>,
+    settings: Settings,
+) -> Simulation<'a> {
+    let now = Hybrid::new(equations, scene, start::begin(equations, scene).unwrap(), None);
+    let solver = BySteps::new(&now, method, settings);
+    Simulation::with(now, Box::new(solver)).unwrap()
+}
+
 /// A run by `method` in steps of length `h`, with the end row alone or with samples.
 fn fixed(equations: &dyn Equations, scene: &Scene, method: Box<dyn Method>, h: f64) -> Trajectory {
     let (steps, events) = (Steps::Fixed(h), Events::Located);
     let settings = Settings { steps, events, give_way: false, most_steps: u64::MAX };
-    let mut advance = Advance::new(equations, scene, method, settings, None).unwrap();
-    let (lengths, state, levels) = (advance.turn_lengths(), advance.state(), advance.levels());
-    let mut recorder = Recorder::new(scene.model, equations, lengths, state, &levels);
-    advance.run(Some((&mut recorder, scene.output.rate, scene.output.events)), &mut |_| {}).unwrap();
+    let mut simulation = by_steps(equations, scene, method, settings);
+    let (lengths, now) = (simulation.turn_lengths(), &simulation.now);
+    let mut recorder = Recorder::new(scene.model, equations, lengths, now.state.clone(), &now.k);
+    simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), &mut |_| {}).unwrap();
     recorder.trajectory
 }
 
@@ -236,8 +252,8 @@ fn ends_are_named() {
     let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
     let equations: Box<dyn Equations> = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };
-    let mut advance = Advance::new(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings, None).unwrap();
-    let stop = advance.run(None, &mut |_| {}).unwrap_err();
+    let mut simulation = by_steps(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings);
+    let stop = simulation.run(None, &mut |_| {}).unwrap_err();
     assert!(matches!(stop, Stop::Steps { steps: 20, .. }), "{stop}");
     // Numbers at which the motion overflows.
     let outcome = try_run(&["run.method=\"dop853\"", "start.phi_dot=\"1e300 rad/s\""]);

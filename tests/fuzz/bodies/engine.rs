@@ -72,9 +72,10 @@ pub fn check(data: &[u8]) {
     let Some(scene) = scene(&mut numbers) else { return };
     let equations =
         DerivedModel::of::<GearPair>().equations(&scene).expect("the effects do not contradict one another");
-    let Ok(mut simulation) = Simulation::new(scene.model, &*equations, &scene) else { return };
+    let Ok(mut simulation) = Simulation::new(&*equations, &scene) else { return };
     let lengths = simulation.turn_lengths();
-    let mut recorder = Recorder::new(scene.model, &*equations, lengths, simulation.state.clone(), simulation.levels());
+    let mut recorder =
+        Recorder::new(scene.model, &*equations, lengths, simulation.now.state.clone(), &simulation.now.k);
     let (mut events, mut half) = (0, 0.0);
     let run = AssertUnwindSafe(|| {
         simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |t| {
@@ -92,15 +93,15 @@ pub fn check(data: &[u8]) {
         Ok(done) => Some(done),
     };
     // One search after every event, and one at the start.
-    let most = if simulation.bands.is_empty() { STEPS } else { STEPS_WITH_PLAY };
-    let counts = &simulation.counts;
+    let most = if simulation.now.bands.is_empty() { STEPS } else { STEPS_WITH_PLAY };
+    let counts = &simulation.now.counts;
     assert!(counts.cost.steps <= most * (u64::from(events) + 1), "{events} events, {counts:?}");
     let Some(done) = done else { return };
     if let Err(stop) = done {
         assert!(!stop.to_string().is_empty());
         return;
     }
-    let state = &simulation.state;
+    let state = &simulation.now.state;
     assert!(state.q.iter().chain(state.q_dot.iter()).all(|x| x.is_finite()), "{state:?}");
     // Energies are squares and may overflow where no state does, so only states and times must be finite.
     let rows = recorder.trajectory;
@@ -111,7 +112,11 @@ pub fn check(data: &[u8]) {
     // either sign.
     let largest = rows.kinetic.iter().chain(&rows.strain).fold(0.0, |m: f64, x| m.max(*x));
     let overflows = rows.kinetic.iter().chain(&rows.strain).any(|x| !x.is_finite()) || largest > 1e290;
-    assert!(overflows || simulation.dissipated >= -1e-12 * largest, "damping adds {:e} J", -simulation.dissipated);
+    assert!(
+        overflows || simulation.now.dissipated >= -1e-12 * largest,
+        "damping adds {:e} J",
+        -simulation.now.dissipated
+    );
 }
 
 /// The scene that the bytes describe, if it is valid.

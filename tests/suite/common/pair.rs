@@ -4,9 +4,10 @@
 
 use gearsim::engine::Stop;
 use gearsim::engine::equations::DerivedModel;
+use gearsim::engine::hybrid::Counts;
 use gearsim::engine::law::Law;
 use gearsim::engine::record::{Recorder, State};
-use gearsim::engine::simulate::{Counts, Simulation};
+use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::model::Start;
 use gearsim::profile::{Profile, Step};
@@ -94,15 +95,19 @@ impl Pair {
     fn run_from(&self, from: Option<&Ran>) -> Ran {
         let scene = self.scene();
         let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("effects that go together");
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("numbers that make a system");
-        simulation.state.q[1] = self.q[1];
+        let mut simulation = Simulation::new(&*equations, &scene).expect("numbers that make a system");
+        simulation.now.state.q[1] = self.q[1];
         if let Some(from) = from {
             simulation.go_on_from(from.state.clone(), from.laws.clone(), vec![]).expect("a cell of the same scene");
         }
         let mut times = vec![];
         let stop = simulation.run(None, &mut |t| times.push(t)).err();
-        let (state, cell, laws, counts) =
-            (simulation.state.clone(), simulation.cell(), simulation.laws.clone(), simulation.counts.clone());
+        let (state, cell, laws, counts) = (
+            simulation.now.state.clone(),
+            simulation.now.cell(),
+            simulation.now.laws.clone(),
+            simulation.now.counts.clone(),
+        );
         Ran { state, cell, laws, times, counts, stop }
     }
 
@@ -110,9 +115,9 @@ impl Pair {
     pub fn recorded(&self) -> Trajectory {
         let scene = self.scene();
         let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("effects that go together");
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("numbers that make a system");
-        simulation.state.q[1] = self.q[1];
-        let (state, k) = (simulation.state.clone(), simulation.levels().to_vec());
+        let mut simulation = Simulation::new(&*equations, &scene).expect("numbers that make a system");
+        simulation.now.state.q[1] = self.q[1];
+        let (state, k) = (simulation.now.state.clone(), simulation.now.k[..].to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k);
         let _ = simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |_| {});
         recorder.trajectory

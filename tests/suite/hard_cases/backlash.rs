@@ -226,19 +226,19 @@ fn pulls(note: &mut String) -> f64 {
         let scene = rattling(&mut noise, &[]);
         let zeta = scene.parameter("zeta").expect("a parameter");
         let equations = DerivedModel::of::<gear_pair::GearPair>().equations(&scene).expect("effects that go together");
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene).expect("a system");
+        let mut simulation = Simulation::new(&*equations, &scene).expect("a system");
         let (_, _, c) = constants(zeta);
         let c = c * (scene.laws[0].mid() / ((1430.0 + 2780.0) / 2.0)).sqrt();
         let mut worst = 0.0f64;
         let mut over = false;
         while !over {
-            over = simulation.step(&mut None, &mut 0).expect("a run");
+            over = simulation.step(&mut None).expect("a run");
             events += 1;
-            let ([k, .., damp, clip], band) = (simulation.levels(), &simulation.bands[0]) else { unreachable!() };
+            let ([k, .., damp, clip], band) = (&simulation.now.k[..], &simulation.now.bands[0]) else { unreachable!() };
             regimes.insert(format!("{:?}", band.regime));
             let Regime::Contact(side, grip) = band.regime else { continue };
-            let x = band.depth(side, &simulation.state.q);
-            let (spring, damper) = (k * x, c * side.sign() * simulation.state.q_dot[1]);
+            let x = band.depth(side, &simulation.now.state.q);
+            let (spring, damper) = (k * x, c * side.sign() * simulation.now.state.q_dot[1]);
             // The contact force by its definition, and by the law values that the engine uses.
             let force = spring + damper.clamp(-spring.abs(), spring.abs());
             let ours = k * x * (1.0 + clip) + damp * damper;
@@ -260,7 +260,7 @@ fn pulls(note: &mut String) -> f64 {
 fn accounted(note: &mut String) -> f64 {
     let mut noise = Noise::new(1102);
     let outcomes: Vec<_> = (0..60).map(|_| common::run(&rattling(&mut noise, &[]))).collect();
-    let total = |of: fn(&gearsim::engine::simulate::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
+    let total = |of: fn(&gearsim::engine::hybrid::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
     let (impacts, reflections, holds) = (total(|c| c.impacts), total(|c| c.reflections), total(|c| c.holds));
     *note = format!("60 scenes, {impacts} impacts, {reflections} reflections, {holds} holds");
     largest(outcomes.iter().map(residual))

@@ -44,7 +44,7 @@ fn release() -> f64 {
     let (free, held, _) = frequencies(K);
     let after = 0.3 / free;
     let outcome = at_rest(10.0, 3.0 * REST, std::f64::consts::FRAC_PI_2 / held + after);
-    Freed { phi: REST, speed: -2.0 * REST * held, k: K, rest: REST, after }.off(&outcome, (1, 0))
+    Freed { phi: REST, speed: -2.0 * REST * held, k: K, rest: REST, after }.off(&outcome, (1, 0), 1e-14)
 }
 
 /// phi swings about -REST, the static deflection under -10 N m, and reaches the middle of the two errors before the reaction pulls.
@@ -55,5 +55,5 @@ fn slip() -> f64 {
     let cos = (middle + REST) / size;
     let outcome = at_rest(-10.0, start, cos.acos() / held + after);
     let speed = -size * held * (1.0 - cos * cos).sqrt();
-    Freed { phi: middle, speed, k: K, rest: BELOW - REST, after }.off(&outcome, (1, 1))
+    Freed { phi: middle, speed, k: K, rest: BELOW - REST, after }.off(&outcome, (1, 1), 1e-14)
 }

@@ -15,23 +15,25 @@ mod mode;
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
-use crate::engine::cells::{Cells, levels};
-use crate::engine::crossing::Side;
+use crate::engine::cells::{self, levels};
+use crate::engine::crossing::{Cost, Lost, Side};
 use crate::engine::equations::Matrices;
-use crate::engine::error::Refusal;
+use crate::engine::error::{Refusal, Stop};
+use crate::engine::hybrid::Hybrid;
 use crate::engine::jump::Passage;
-use crate::engine::law::Law;
+use crate::engine::law;
+use crate::engine::motion::{End, Guard, Motion, Reached, Solver};
 use crate::engine::record;
+use crate::engine::vector::Vector;
 
 use cell::Cell;
 use flight::{Flight, State};
 
-/// The cells of a scene and its state, in twice the digits.
-#[derive(Debug, Clone)]
-pub struct Compensated {
+/// A solver in plain numbers, whose results it works out anew in twice the digits.
+pub struct Compensated<'a> {
+    plain: Box<dyn Solver + 'a>,
     cells: Vec<Cell>,
     surfaces: Vec<Surface>,
-    state: State,
 }
 
 /// One law's steps.
@@ -47,19 +49,22 @@ struct Surface {
     stiffness: DMatrix<Df64>,
 }
 
-impl Compensated {
-    /// Takes the plain `cells`, `laws` and `state` on from their digits; `matrices` are those of a cell with given law
-    /// values, of which `rest` stand behind those of the laws.
+impl<'a> Compensated<'a> {
+    /// Continues the cells of the solver `plain` and the state `now` from their digits; `matrices` are those of a cell with
+    /// given law values.
     ///
     /// # Errors
-    /// Where damping couples the modes.
+    /// Where there is play or a transmission error, where there are too many cells, or where damping couples the modes.
     pub fn new(
         matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>,
-        cells: &Cells,
-        (laws, rest): (&[Law], &[f64]),
-        state: &record::State,
+        plain: Box<dyn Solver + 'a>,
+        now: &mut Hybrid<'_>,
     ) -> Result<Self, Refusal> {
-        let cells = cells.all().ok_or(Refusal::CompensatedCells)?;
+        let laws = &now.laws;
+        let cells = plain.cells().and_then(cells::Cells::all);
+        let cells = cells.filter(|_| now.bands.is_empty() && !laws.iter().any(|law| law.is_error));
+        let cells = cells.ok_or(Refusal::CompensatedCells)?;
+        let rest = &now.k[laws.len()..];
         let wide = |k: Vec<f64>| k.into_iter().map(Df64::from).collect::<Vec<_>>();
         let cell = |i: usize| Cell::new(&matrices(&wide(levels(laws, i, rest))), &cells[i].cell);
         let done = (0..cells.len()).map(cell).collect::<Result<Vec<_>, _>>()?;
@@ -81,65 +86,111 @@ impl Compensated {
             }
         };
         let surfaces = (0..laws.len()).map(surface).collect();
-        Ok(Compensated { cells: done, surfaces, state: State::of(state) })
+        now.state.low = Vector::zeros(now.state.q.len());
+        Ok(Compensated { plain, cells: done, surfaces })
+    }
+}
+
+impl Solver for Compensated<'_> {
+    fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
+        self.plain.enter(now)
     }
 
-    /// Takes on a state in plain numbers.
-    pub fn set(&mut self, state: &record::State) {
-        self.state = State::of(state);
+    fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
+        let Compensated { plain, cells, surfaces } = self;
+        let plain = plain.solve(now, horizon)?;
+        // While a phase is held, the motion is in plain numbers.
+        if now.contact.is_some() {
+            return Ok(plain);
+        }
+        let flight = Flight::new(&cells[now.cell()], State::of(&now.state));
+        Ok(Box::new(Refined { plain, now, flight, surfaces }))
     }
 
-    /// Puts the phase of a law where the plain state has it, exactly.
-    pub fn place(&mut self, law: usize, state: &record::State) {
-        let phase = self.surfaces[law].phase;
-        self.state.q[phase] = Df64::from(state.q[phase]);
+    fn rate(&self) -> f64 {
+        self.plain.rate()
     }
 
-    /// Rounds to plain numbers.
-    pub fn round(&self, state: &mut record::State) {
-        state.q.iter_mut().zip(&self.state.q).for_each(|(q, exact)| *q = exact.hi());
-        state.q_dot.iter_mut().zip(&self.state.q_dot).for_each(|(v, exact)| *v = exact.hi());
-    }
-
-    /// Moves on in a cell for the time `t` [s]; gives the time.
-    pub fn go(&mut self, cell: usize, t: Df64) -> Df64 {
-        self.state = Flight::new(&self.cells[cell], self.state.clone()).at(t);
-        t
-    }
-
-    /// Moves on in a cell to where the phase of a law is at `boundary`, which is after about the time `t` [s]; gives the time.
-    pub fn meet(&mut self, cell: usize, law: usize, boundary: f64, t: f64) -> Df64 {
-        let flight = Flight::new(&self.cells[cell], self.state.clone());
-        let (t, state) = flight.meet(self.surfaces[law].phase, boundary, t);
-        self.state = state;
-        t
-    }
-
-    /// Changes the speeds at the step of `law` met on the way to `side`, as [`crate::engine::jump::Surface::pass`] does;
-    /// `steps` are the laws that step there, and by how much.
-    pub fn pass(&mut self, law: usize, side: Side, steps: impl Iterator<Item = (usize, Df64)>) -> Passage {
-        let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
-        let q = &self.state.q;
+    /// As [`Hybrid::jump`] does.
+    fn jump(&self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
+        let mut state = State::of(&now.state);
+        let steps = law::met(&now.laws, law, side, &now.state).map(|i| (i, now.laws[i].exact_step(side)));
         // V is a quadratic form in q between two steps, and linear in the laws.
+        let q = &state.q;
         let dv = steps.fold(Df64::from(0.0), |sum, (l, dk)| sum + q.dot(&(&self.surfaces[l].stiffness * q)) * dk * 0.5);
-        let v = self.state.q_dot[*phase];
+        let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
+        let v = state.q_dot[*phase];
         let lost = *compliance * dv * 2.0;
         let square = v * v - lost;
-        if square.hi() < 0.0 {
-            self.state.q_dot += direction * (v * -2.0);
-            return Passage::Reflected;
-        }
-        let after = square.sqrt();
-        if after.hi() > 0.0 || v.hi() != 0.0 {
-            self.state.q_dot += direction * (-lost * side.sign() / (after + v.abs()));
-        }
-        Passage::Transmitted
+        let (passage, gained) = if square.hi() < 0.0 {
+            (Passage::Reflected, v * -2.0)
+        } else {
+            let after = square.sqrt();
+            let moves = after.hi() > 0.0 || v.hi() != 0.0;
+            let gained = if moves { -lost * side.sign() / (after + v.abs()) } else { Df64::from(0.0) };
+            (Passage::Transmitted, gained)
+        };
+        state.q_dot += direction * gained;
+        state.write(&mut now.state);
+        passage
+    }
+}
+
+/// A plain motion whose end is worked out anew in twice the digits.
+struct Refined<'s> {
+    plain: Box<dyn Motion + 's>,
+    now: &'s Hybrid<'s>,
+    flight: Flight<'s>,
+    surfaces: &'s [Surface],
+}
+
+impl Motion for Refined<'_> {
+    fn length(&self) -> f64 {
+        self.plain.length()
+    }
+
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+        self.plain.first(guard, until, cost)
+    }
+
+    fn at(&mut self, t: f64) -> Reached {
+        self.plain.at(t)
+    }
+
+    fn arrive(&mut self, t: f64, end: End, cost: &mut Cost) -> (Df64, Reached) {
+        let (_, mut reached) = self.plain.arrive(t, end, cost);
+        let clock = &self.now.clock;
+        let at = |t: Df64| (t, self.flight.at(t));
+        let (t, state) = match end {
+            End::Step(i, side) => {
+                let law = &self.now.laws[i];
+                match law.next_switch() {
+                    None => self.flight.meet(self.surfaces[i].phase, law.boundary(side), t),
+                    Some((switch, _)) => at(clock.exactly_until(switch)),
+                }
+            }
+            End::Run => at(clock.exactly_until(self.now.t_end)),
+            End::Open | End::Hold(..) | End::Flank(..) | End::Breakpoint => at(t.into()),
+        };
+        state.write(&mut reached.state);
+        (t, reached)
     }
 }
 
 impl State {
+    /// A state of a run, with all its digits.
     fn of(state: &record::State) -> State {
-        let exact = |x: &[f64]| DVector::from_iterator(x.len(), x.iter().copied().map(Df64::from));
-        State { q: exact(&state.q), q_dot: exact(&state.q_dot) }
+        let exact = |x: &[f64], low: &[f64]| {
+            DVector::from_iterator(x.len(), x.iter().zip(low).map(|(x, low)| Df64::from(*x) + *low))
+        };
+        State { q: exact(&state.q, &state.low), q_dot: exact(&state.q_dot, &state.lost) }
+    }
+
+    /// Writes it to a state of a run: the rounded numbers, and what these lack.
+    fn write(&self, state: &mut record::State) {
+        for i in 0..self.q.len() {
+            (state.q[i], state.low[i]) = (self.q[i].hi(), self.q[i].lo());
+            (state.q_dot[i], state.lost[i]) = (self.q_dot[i].hi(), self.q_dot[i].lo());
+        }
     }
 }

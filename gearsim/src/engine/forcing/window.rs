@@ -163,7 +163,7 @@ impl<'a> Window<'a> {
                 }
             }
         }
-        let mut work = vec![0.0; forcing.work.len()];
+        let mut work = vec![0.0; forcing.torques];
         for (drive, swept) in forcing.drives.iter().zip(swept) {
             let swept = &self.linear.shapes * &swept * (0.5 * x);
             work.iter_mut().zip(&drive.power).for_each(|(sum, row)| *sum += row.dot(&swept));

@@ -66,8 +66,8 @@ impl<const N: usize> Alone for Lane<N> {
         let Some(attempt) = self.next.take() else { return };
         self.lanes.take(&attempt);
         self.lanes.unload(0, simulation);
-        simulation.counts.cost.evaluations += attempt.evaluations as u64;
-        simulation.counts.cost.steps += attempt.evaluations as u64;
+        simulation.now.counts.cost.evaluations += attempt.evaluations as u64;
+        simulation.now.counts.cost.steps += attempt.evaluations as u64;
     }
 }
 

@@ -83,8 +83,8 @@ impl<const N: usize, const L: usize> Cells<N, L> {
 
     /// Fills a lane with cell `place` of the only law of a simulation.
     pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_>, place: usize) {
-        let (law, cells) = (&simulation.laws[0], simulation.cells());
-        let prepared = &cells.all().expect("a plain simulation has few cells")[place];
+        let (law, cells) = (&simulation.now.laws[0], simulation.cells());
+        let prepared = &cells.and_then(|cells| cells.all()).expect("a plain simulation has few cells")[place];
         let cell: &Cell = &prepared.cell;
         let n = cell.modes.len();
         let matrix = |to: &mut [[Pack<L>; N]; N], of: &dyn Fn(usize, usize) -> f64| {
@@ -106,7 +106,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
             self.bounds[i].0[lane] = bound;
             self.entered[i].0[lane] = entered;
             let stiffness = |place| {
-                let mut k = simulation.levels().to_vec();
+                let mut k = simulation.now.k[..].to_vec();
                 k[0] = law.pitch.level(place);
                 simulation.equations().stiffness(&k)
             };

@@ -37,36 +37,36 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
 
     /// Puts a simulation into a lane; its cells only if it is `new` there.
     pub fn load(&mut self, lane: usize, simulation: &Simulation<'_>, new: bool) {
-        let law = &simulation.laws[0];
+        let law = &simulation.now.laws[0];
         if new {
             self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
             self.expected.iter_mut().for_each(|expected| expected.forget(lane));
             let impulse = law.switching == Switching::WithJump;
             self.compliance.0[lane] = if impulse { law.surface.compliance } else { 0.0 };
-            (0..simulation.state.q.len()).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
+            (0..simulation.now.state.q.len()).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
         }
-        for i in 0..simulation.state.q.len() {
-            self.q[i].0[lane] = simulation.state.q[i];
-            self.q_dot[i].0[lane] = simulation.state.q_dot[i];
-            self.lost[i].0[lane] = simulation.state.lost[i];
+        for i in 0..simulation.now.state.q.len() {
+            self.q[i].0[lane] = simulation.now.state.q[i];
+            self.q_dot[i].0[lane] = simulation.now.state.q_dot[i];
+            self.lost[i].0[lane] = simulation.now.state.lost[i];
         }
-        (self.clock[0].0[lane], self.clock[1].0[lane]) = (simulation.clock.0.hi(), simulation.clock.0.lo());
-        self.end.0[lane] = simulation.t_end;
-        self.dissipated.0[lane] = simulation.dissipated;
+        (self.clock[0].0[lane], self.clock[1].0[lane]) = (simulation.now.clock.0.hi(), simulation.now.clock.0.lo());
+        self.end.0[lane] = simulation.now.t_end;
+        self.dissipated.0[lane] = simulation.now.dissipated;
         (self.at[lane], self.turns[lane], self.changes[lane]) = (law.cell, 0, 0);
     }
 
     /// Hands its state back to a simulation.
     pub fn unload(&self, lane: usize, simulation: &mut Simulation<'_>) {
-        for i in 0..simulation.state.q.len() {
-            simulation.state.q[i] = self.q[i].0[lane];
-            simulation.state.q_dot[i] = self.q_dot[i].0[lane];
-            simulation.state.lost[i] = self.lost[i].0[lane];
+        for i in 0..simulation.now.state.q.len() {
+            simulation.now.state.q[i] = self.q[i].0[lane];
+            simulation.now.state.q_dot[i] = self.q_dot[i].0[lane];
+            simulation.now.state.lost[i] = self.lost[i].0[lane];
         }
-        simulation.state.turns[self.phase] += self.turns[lane];
+        simulation.now.state.turns[self.phase] += self.turns[lane];
         simulation.stand_in(self.at[lane]);
-        simulation.clock.0 = Df64::new_full(self.clock[0].0[lane], self.clock[1].0[lane]);
-        simulation.dissipated = self.dissipated.0[lane];
-        simulation.counts.cell_changes += self.changes[lane];
+        simulation.now.clock.0 = Df64::new_full(self.clock[0].0[lane], self.clock[1].0[lane]);
+        simulation.now.dissipated = self.dissipated.0[lane];
+        simulation.now.counts.cell_changes += self.changes[lane];
     }
 }

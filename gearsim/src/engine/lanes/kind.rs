@@ -20,8 +20,9 @@ impl Kind {
     /// That of a simulation; `None` if it can be in no lane: it has too many coordinates, its events are never plain, or a mode is rigid in some cells
     /// only, damped beyond oscillating, or coupled to others by damping.
     pub fn of(simulation: &Simulation<'_>) -> Option<Self> {
-        let law = simulation.laws.first().filter(|_| simulation.is_plain() && simulation.state.q.len() <= LARGEST)?;
-        let cells = simulation.cells().all()?;
+        let law =
+            simulation.now.laws.first().filter(|_| simulation.is_plain() && simulation.now.state.q.len() <= LARGEST)?;
+        let cells = simulation.cells()?.all()?;
         let rigid: Vec<bool> = cells[0].cell.modes.iter().map(Mode::is_rigid).collect();
         let oscillates = |mode: &Mode| mode.damped_frequency() > 0.1 * mode.sigma;
         let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };

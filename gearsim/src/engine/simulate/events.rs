@@ -1,87 +1,72 @@
-//! What happens where a flight ends: steps are passed or turn the motion back, phases are held, flanks meet.
+//! What happens where a motion ends: steps are passed or turn the motion back, phases are held, flanks meet.
 
-use crate::engine::cells::{self, Banded, Stand};
+use crate::engine::cells::{self, Stand};
 use crate::engine::contact::{self, Contact, Ending};
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::{DeadBand, Regime};
+use crate::engine::dead_band::Regime;
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
-use crate::engine::guard;
 use crate::engine::jump::Passage;
-use crate::engine::law;
-use crate::engine::record::Recorder;
+use crate::engine::law::{self, Law};
+use crate::engine::motion::End;
+use crate::engine::order;
 use crate::trajectory::Moment;
 
-use super::{End, Simulation};
+use super::{Recording, Simulation};
 
 impl Simulation<'_> {
     /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
-    pub(super) fn meet_at_the_end(
-        &mut self,
-        recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>,
-    ) -> Result<(), Stop> {
-        for i in 0..self.laws.len() {
-            let v = self.laws[i].surface.normal.dot(&self.state.q_dot);
+    pub(super) fn meet_at_the_end(&mut self, recording: &mut Option<Recording<'_, '_>>) -> Result<(), Stop> {
+        for i in 0..self.now.laws.len() {
+            let (law, state) = (&self.now.laws[i], &self.now.state);
+            let v = law.surface.normal.dot(&state.q_dot);
             let side = if v > 0.0 { Side::Upper } else { Side::Lower };
-            let held = self.contact.as_ref().is_some_and(|c| c.holds(i));
             // A time of an event, as a number, is half a unit of its last place off; so far the phase goes in it.
-            let slack = v.abs() * 0.5 * (self.t_end.next_up() - self.t_end) + 2.0 * self.laws[i].rounding();
-            if v != 0.0 && !held && self.laws[i].is_at(side, &self.state, slack) {
-                self.pass(End::Step(i, side), recorder)?;
-                self.demand_numbers()?;
+            let slack = v.abs() * 0.5 * (self.now.t_end.next_up() - self.now.t_end) + 2.0 * law.rounding();
+            if v != 0.0 && !self.now.holds(i) && law.is_at(side, state, slack) {
+                self.pass(End::Step(i, side), recording)?;
+                self.now.require_finite()?;
             }
         }
         Ok(())
     }
 
     /// An event, its left and right limits noted.
-    #[inline(always)]
-    pub(super) fn pass(&mut self, end: End, recorder: &mut Option<(&mut Recorder<'_>, f64, bool)>) -> Result<(), Stop> {
-        self.arrive(end);
-        if end == End::Break {
-            return self.act(end);
+    #[inline]
+    pub(super) fn pass(&mut self, end: End, recording: &mut Option<Recording<'_, '_>>) -> Result<(), Stop> {
+        let mut seen = end != End::Breakpoint;
+        if let End::Step(i, side) = end {
+            let law = &self.now.laws[i];
+            if self.solver.locates() {
+                law.snap(side, &mut self.now.state);
+            }
+            // A kink is a boundary of a curve, and no event to people.
+            seen = !is_kink(law, side);
         }
-        let Some((recorder, _, true)) = recorder else { return self.act(end) };
-        self.note(recorder, Moment::Before);
+        let recorder = recording.as_mut().filter(|_| seen).and_then(Recording::of_events);
+        let Some(recorder) = recorder else { return self.act(end) };
+        self.now.note(recorder, Moment::Before);
         self.act(end)?;
-        self.note(recorder, Moment::After);
+        self.now.note(recorder, Moment::After);
         Ok(())
-    }
-
-    /// Puts the phase that met a step exactly on it.
-    #[inline]
-    pub(super) fn arrive(&mut self, end: End) {
-        if let End::Step(law, side) = end {
-            self.laws[law].snap(side, &mut self.state);
-            self.place(law);
-        }
-    }
-
-    /// Has the state in twice the digits follow the plain one, whose phase has been put on a boundary.
-    #[inline]
-    pub(super) fn place(&mut self, law: usize) {
-        if let Some(compensated) = &mut self.compensated
-            && self.laws[law].next_switch().is_none()
-        {
-            compensated.place(law, &self.state);
-        }
     }
 
     /// What happens at an event.
     #[inline]
-    pub(super) fn act(&mut self, end: End) -> Result<(), Stop> {
+    fn act(&mut self, end: End) -> Result<(), Stop> {
         match end {
             End::Step(law, side) => {
-                if self.laws.len() > 1 {
-                    let ambiguous = guard::order_matters(self.equations, self.stand(), &self.state, law, side);
-                    self.counts.ambiguous += u64::from(ambiguous);
+                if self.now.laws.len() > 1 {
+                    let (equations, state) = (self.now.equations, &self.now.state);
+                    let ambiguous = order::matters(equations, self.stand(), state, law, side);
+                    self.now.counts.ambiguous += u64::from(ambiguous);
                 }
                 // An impulse ends what is held, which bounces or leaves.
-                self.contact = None;
+                self.now.contact = None;
                 self.jump(law, side)
             }
             End::Hold(law, ending) => {
-                let mut held = self.contact.take().map_or(vec![], |contact| contact.laws);
+                let mut held = self.now.contact.take().map_or(vec![], |contact| contact.laws);
                 let side = held.iter().find(|l| l.0 == law).map_or(Side::Upper, |l| l.1);
                 held.retain(|l| l.0 != law);
                 if ending == Ending::Slip {
@@ -91,53 +76,54 @@ impl Simulation<'_> {
             }
             End::Flank(band, regime) => {
                 let free = |regime| regime == Regime::Free;
-                self.counts.impacts += u64::from(free(self.bands[band].regime) && !free(regime));
-                self.bands[band].regime = regime;
-                let now = self.clock.now();
-                self.rattle = if now == self.rattle.0 { (now, self.rattle.1 + 1) } else { (now, 0) };
-                self.change_cell()?;
+                let now = &mut self.now;
+                now.counts.impacts += u64::from(free(now.bands[band].regime) && !free(regime));
+                now.bands[band].regime = regime;
+                let t = now.clock.now();
+                now.rattle = if t == now.rattle.0 { (t, now.rattle.1 + 1) } else { (t, 0) };
                 // What is held now presses otherwise, or against nothing.
-                let held = self.contact.take().map_or(vec![], |contact| contact.laws);
-                let void = |held: &(usize, Side)| contact::is_void(self.equations, self.stand(), *held, &self.state);
+                let held = now.contact.take().map_or(vec![], |contact| contact.laws);
+                self.change_mode()?;
+                let void =
+                    |held: &(usize, Side)| contact::is_void(self.now.equations, self.stand(), *held, &self.now.state);
                 let (void, held): (Vec<_>, Vec<_>) = held.into_iter().partition(void);
                 void.into_iter().try_for_each(|(law, side)| self.enter(law, side))?;
                 self.hold(held)
             }
-            End::Break => self.enter_course(),
-            End::Run => Ok(()),
+            End::Breakpoint => {
+                if let Some(forcing) = &mut self.now.forcing {
+                    let t = forcing.next();
+                    self.now.clock.set(t);
+                    forcing.enter(t);
+                }
+                // What is held may be pulled off by the new torque.
+                let held = self.now.contact.take().map_or(vec![], |contact| contact.laws);
+                self.change_mode()?;
+                self.hold(held)
+            }
+            End::Open | End::Run => Ok(()),
         }
     }
 
-    /// Where laws and dead bands stand.
+    /// The laws, the dead bands and their values.
     #[inline]
     fn stand(&self) -> Stand<'_> {
-        (&self.laws, &self.bands, &self.k)
+        (&self.now.laws, &self.now.bands, &self.now.k)
     }
 
     /// Passes a step, or is turned back by it.
     #[inline]
     fn jump(&mut self, law: usize, side: Side) -> Result<(), Stop> {
-        let passage = match self.laws[law].switching {
-            Switching::WithJump => match &mut self.compensated {
-                None => {
-                    let dv = law::barrier(self.equations, self.stand(), law, side, &self.state);
-                    let (passage, gained) = self.laws[law].surface.jump(&self.state.q_dot, side, dv);
-                    self.state.gain(&gained);
-                    passage
-                }
-                Some(compensated) => {
-                    let met = law::met(&self.laws, law, side, &self.state);
-                    let passage = compensated.pass(law, side, met.map(|i| (i, self.laws[i].exact_step(side))));
-                    compensated.round(&mut self.state);
-                    passage
-                }
-            },
+        self.now.set_levels();
+        let passage = match self.now.laws[law].switching {
+            Switching::WithJump => self.solver.jump(&mut self.now, law, side),
             _ => Passage::Transmitted,
         };
         if passage == Passage::Transmitted {
             return self.enter(law, side);
         }
-        self.counts.reflections += 1;
+        self.now.counts.reflections += 1;
+        self.change_mode()?;
         self.grip()?;
         self.press(law, side)
     }
@@ -145,70 +131,64 @@ impl Simulation<'_> {
     /// Goes on into the cell beyond.
     #[inline]
     fn enter(&mut self, law: usize, side: Side) -> Result<(), Stop> {
-        self.counts.cell_changes += 1;
-        match &mut self.laws[..] {
+        let now = &mut self.now;
+        now.counts.cell_changes += u64::from(!is_kink(&now.laws[law], side));
+        match &mut now.laws[..] {
             [only] => {
-                only.enter(side, &mut self.state);
+                only.enter(side, &mut now.state);
             }
-            laws => law::enter(laws, law, side, &mut self.state),
+            laws => law::enter(laws, law, side, &mut now.state),
         }
-        if !self.bands.is_empty() {
-            self.counts.impacts += cells::displace((&self.laws, &mut self.bands), &mut self.k, &self.state);
+        if !now.bands.is_empty() {
+            let place = (&now.state.q[..], now.clock.now());
+            now.counts.impacts += cells::displace((&now.laws, &mut now.bands), place, &mut now.k);
         }
-        self.place(law);
-        self.change_cell()?;
+        self.change_mode()?;
         self.grip()
     }
 
     /// Has the dampers of contacts follow a step of the forces.
     #[inline]
-    pub(super) fn grip(&mut self) -> Result<(), Stop> {
-        if self.bands.is_empty() {
+    fn grip(&mut self) -> Result<(), Stop> {
+        if self.now.bands.is_empty() {
             return Ok(());
         }
-        let here = self.cells.here();
-        let gripped =
-            |(band, banded): (&DeadBand, &Banded)| band.gripped(banded.elastic, &self.state.q, &self.state.q_dot);
-        let regimes: Vec<Regime> = self.bands.iter().zip(&here.bands).map(gripped).collect();
-        if self.bands.iter().zip(&regimes).all(|(band, regime)| band.regime == *regime) {
-            return Ok(());
+        let (state, mut changed) = (&self.now.state, false);
+        for (band, elastic) in self.now.bands.iter_mut().zip(&self.now.elastic) {
+            let regime = band.gripped(*elastic, &state.q, &state.q_dot);
+            changed |= regime != band.regime;
+            band.regime = regime;
         }
-        self.bands.iter_mut().zip(regimes).for_each(|(band, regime)| band.regime = regime);
-        self.change_cell()
+        if changed { self.change_mode() } else { Ok(()) }
     }
 
     /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
     fn press(&mut self, law: usize, side: Side) -> Result<(), Stop> {
-        let (q, v, k) = (&self.state.q, &self.state.q_dot, &self.k);
-        let energy = self.equations.kinetic(v) + self.equations.potential(q, k);
-        let mut acceleration = self.equations.acceleration(q, v, k, &vec![0.0; self.laws.len()]);
-        if self.forcing.is_some() {
-            acceleration += &self.further_acceleration();
-        }
-        let rate = self.cells.here().cell.rate;
-        if !contact::presses(&self.laws[law], side, &self.state, &acceleration, rate, energy) {
+        let (equations, state, k) = (self.now.equations, &self.now.state, &self.now.k);
+        let energy = equations.kinetic(&state.q_dot) + equations.potential(&state.q, k);
+        let acceleration = &equations.mobility() * &self.now.force();
+        if !contact::presses(&self.now.laws[law], side, state, &acceleration, self.solver.rate(), energy) {
             return Ok(());
         }
-        self.counts.holds += 1;
+        self.now.counts.holds += 1;
         self.hold(vec![(law, side)])
     }
 
     /// Holds phases at their steps, those of them that press.
-    pub(super) fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
-        let further = self.further_load();
-        let stand = (&self.laws[..], &self.bands[..], &self.k[..]);
-        let begun = Contact::begin(self.equations, stand, held, &mut self.state, &further);
-        let (contact, ignored) = begun.map_err(|reason| Stop::Held {
-            t: self.clock.now(),
-            state: self.state.describe(),
-            cell: self.cell(),
-            reason,
-        })?;
-        self.contact = contact.map(Box::new);
-        if let Some(compensated) = &mut self.compensated {
-            compensated.set(&self.state);
-        }
-        self.ignored += ignored;
-        Ok(())
+    fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
+        let begun = Contact::begin(&mut self.now, held).and_then(|(contact, ignored)| {
+            self.now.contact = contact.map(Box::new);
+            self.now.ignored += ignored;
+            self.solver.enter(&mut self.now)
+        });
+        begun.map_err(|reason| {
+            let (t, state) = (self.now.clock.now(), self.now.state.describe());
+            Stop::Held { t, state, cell: self.now.cell(), reason }
+        })
     }
+}
+
+/// Whether a boundary of a cell is a kink of a curve: its value does not step there.
+fn is_kink(law: &Law, side: Side) -> bool {
+    !law.pitch.steps_only() && law.step(side) == 0.0
 }

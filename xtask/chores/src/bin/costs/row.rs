@@ -80,15 +80,15 @@ impl Row {
     pub fn of(scene: &Scene, equations: &dyn Equations) -> anyhow::Result<Row> {
         let before = memory()?;
         let begun = ThreadTime::now();
-        let mut simulation = Simulation::new(scene.model, equations, scene)?;
+        let mut simulation = Simulation::new(equations, scene)?;
         let prepare = begun.elapsed().as_secs_f64();
         let mut part = |changes: u64| -> anyhow::Result<(Duration, u64, u64)> {
-            let (counts, begun) = (simulation.counts.clone(), ThreadTime::now());
-            simulation.t_end = f64::MAX;
-            while simulation.counts.cell_changes < counts.cell_changes + changes {
-                simulation.step(&mut None, &mut 0)?;
+            let (counts, begun) = (simulation.now.counts.clone(), ThreadTime::now());
+            simulation.now.t_end = f64::MAX;
+            while simulation.now.counts.cell_changes < counts.cell_changes + changes {
+                simulation.step(&mut None)?;
             }
-            let (elapsed, now) = (begun.elapsed(), &simulation.counts);
+            let (elapsed, now) = (begun.elapsed(), &simulation.now.counts);
             let evaluations = now.cost.evaluations - counts.cost.evaluations;
             Ok((elapsed, now.cell_changes - counts.cell_changes, evaluations))
         };

@@ -107,9 +107,9 @@ fn equations(scene: &Scene) -> &'static dyn Equations {
 }
 
 fn simulation(scene: &Scene) -> Simulation<'static> {
-    let mut simulation = Simulation::new(scene.model, equations(scene), scene).expect("the scene is sound");
+    let mut simulation = Simulation::new(equations(scene), scene).expect("the scene is sound");
     if scene.solver.precision == gearsim::scene::Precision::Compensated {
-        Entry::new::<GearPair>().compensate(&mut simulation, scene).expect("its damping is modal");
+        simulation = Entry::new::<GearPair>().compensate(simulation, scene).expect("its damping is modal");
     }
     simulation
 }
@@ -118,7 +118,7 @@ fn cells(name: &str, overrides: &[&str]) -> Job {
     let mut simulation = simulation(&scene(name, overrides));
     Box::new(move || {
         simulation.run(None, &mut |_| {}).expect("the run ends");
-        simulation.counts.cell_changes
+        simulation.now.counts.cell_changes
     })
 }
 
@@ -133,7 +133,7 @@ fn unwatched() -> Job {
     let mut simulation = [simulation(&scene("spectrum_4500rpm_exact", &[]))];
     Box::new(move || {
         assert!(ensemble::run(&mut simulation).iter().all(Result::is_ok));
-        simulation[0].counts.cell_changes
+        simulation[0].now.counts.cell_changes
     })
 }
 
@@ -143,6 +143,6 @@ fn lanes() -> Job {
     let mut all: Vec<_> = torques.map(|scene| simulation(&scene)).collect();
     Box::new(move || {
         assert!(ensemble::run(&mut all).iter().all(Result::is_ok));
-        all.iter().map(|simulation| simulation.counts.cell_changes).sum()
+        all.iter().map(|simulation| simulation.now.counts.cell_changes).sum()
     })
 }

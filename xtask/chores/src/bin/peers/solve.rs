@@ -60,10 +60,10 @@ fn engine(scene: &Scene) -> anyhow::Result<Value> {
     let equations = DerivedModel::of::<gear_pair::GearPair>().equations(scene)?;
     let prepare = begun.elapsed().as_secs_f64();
     let solve = || -> anyhow::Result<_> {
-        let mut alone = [Simulation::new(scene.model, &*equations, black_box(scene))?];
+        let mut alone = [Simulation::new(&*equations, black_box(scene))?];
         ensemble::run(&mut alone).into_iter().collect::<Result<(), _>>()?;
         let [simulation] = alone;
-        Ok((simulation.state, simulation.laws[0].cell, simulation.laws[0].bounds().0))
+        Ok((simulation.now.state, simulation.now.laws[0].cell, simulation.now.laws[0].bounds().0))
     };
     let (state, cell, below) = solve()?;
     let cpu = times(|| {

@@ -57,20 +57,20 @@ impl Walk {
         let scene = scene(precision)?;
         let equations = DerivedModel::of::<GearPair>().equations(&scene)?;
         let begun = Instant::now();
-        let mut simulation = Simulation::new(scene.model, &*equations, &scene)?;
+        let mut simulation = Simulation::new(&*equations, &scene)?;
         if scene.solver.precision == Precision::Compensated {
-            Entry::new::<GearPair>().compensate(&mut simulation, &scene)?;
+            simulation = Entry::new::<GearPair>().compensate(simulation, &scene)?;
         }
-        let (start, k) = (simulation.state.clone(), simulation.levels().to_vec());
+        let (start, k) = (simulation.now.state.clone(), simulation.now.k[..].to_vec());
         let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), start, &k);
         let mut seconds_an_event = 1e-3;
         let mut walk = Walk { events: vec![], error: vec![], reflections: 0, model_time: 0.0, elapsed: Duration::ZERO };
         let (mut done, mut quiet) = (0, 0);
         while done < events {
             // One interval after another; the energy is recorded at the end of each in which there was an event.
-            simulation.t_end += (done / 16).clamp(1, (events / SAMPLES).max(1)) as f64 * seconds_an_event;
+            simulation.now.t_end += (done / 16).clamp(1, (events / SAMPLES).max(1)) as f64 * seconds_an_event;
             simulation.run(None, &mut |_| {}).with_context(|| format!("after {done} events"))?;
-            let counts = &simulation.counts;
+            let counts = &simulation.now.counts;
             let new = counts.events() - done;
             quiet = if new == 0 { quiet + 1 } else { 0 };
             if quiet > QUIET {
@@ -78,20 +78,20 @@ impl Walk {
             }
             if new > 0 {
                 (done, walk.reflections) = (done + new, counts.reflections);
-                seconds_an_event = simulation.t_end / done as f64;
+                seconds_an_event = simulation.now.t_end / done as f64;
                 recorder.row(
-                    simulation.t_end,
+                    simulation.now.t_end,
                     Moment::Sample,
-                    &simulation.state,
-                    simulation.levels(),
-                    (0.0, simulation.ignored),
+                    &simulation.now.state,
+                    &simulation.now.k,
+                    (0.0, simulation.now.ignored),
                 );
                 let residual = recorder.trajectory.residual.last().context("a row was written")?;
                 walk.events.push(done);
                 walk.error.push(residual / recorder.energy_at_start);
             }
         }
-        Ok(Walk { model_time: simulation.t_end, elapsed: begun.elapsed(), ..walk })
+        Ok(Walk { model_time: simulation.now.t_end, elapsed: begun.elapsed(), ..walk })
     }
 }
 

@@ -1,59 +1,19 @@
-//! Watches the events go by: those that come ever faster, and those that come together.
+//! Steps of several laws that are met together: whether their order matters.
 
 use crate::engine::cells::Stand;
-use crate::engine::clock::Clock;
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
-use crate::engine::error::Stop;
 use crate::engine::jump::Passage;
 use crate::engine::law;
 use crate::engine::record::State;
 use crate::engine::vector::Vector;
 
-/// What was seen of the events so far.
-#[derive(Debug, Clone, Default)]
-pub struct Guard {
-    /// Time at which a cascade was seen to begin, and events since.
-    cascade: (f64, u64),
-}
-
-/// Events within this part of the cell's fastest time, one after another, are a cascade.
-const CASCADE_SPAN: f64 = 1e-6;
-/// Events of a cascade that end the run.
-const CASCADE_EVENTS: u64 = 100_000;
 /// Relative difference of speeds above which the order of two steps matters.
 const ORDER: f64 = 1e-9;
 
-impl Guard {
-    /// Ends a run whose events come ever faster.
-    ///
-    /// # Errors
-    /// [`Stop::Cascade`].
-    #[inline]
-    pub fn against_cascades(&mut self, clock: &Clock, rate: f64, state: &State, cell: usize) -> Result<(), Stop> {
-        let (since, events) = &mut self.cascade;
-        let span = clock.until_about(*since).abs();
-        if span * rate > CASCADE_SPAN {
-            (*since, *events) = (clock.now(), 0);
-            return Ok(());
-        }
-        *events += 1;
-        if *events < CASCADE_EVENTS {
-            return Ok(());
-        }
-        Err(Stop::Cascade { t: clock.now(), events: *events as usize, span, state: state.describe(), cell })
-    }
-}
-
 /// Whether `law`, at its boundary, meets it together with another law of another phase, and the two give other speeds in
 /// the opposite order: the motion beyond is then one of several.
-pub fn order_matters(
-    equations: &dyn Equations,
-    (laws, bands, k): Stand<'_>,
-    state: &State,
-    law: usize,
-    side: Side,
-) -> bool {
+pub fn matters(equations: &dyn Equations, (laws, bands, k): Stand<'_>, state: &State, law: usize, side: Side) -> bool {
     let pass = |(l, side): (usize, Side), (speeds, k): &mut (Vector, Vec<f64>)| {
         // The second step is met only if the first leaves the phase on its way to it.
         if side.sign() * laws[l].surface.normal.dot(speeds) <= 0.0 {

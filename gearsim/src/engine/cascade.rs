@@ -1,0 +1,39 @@
+//! Events that come ever faster, which end a run.
+
+use crate::engine::error::Stop;
+use crate::engine::hybrid::Hybrid;
+
+/// A sequence of events that hardly passes time.
+#[derive(Debug, Clone, Default)]
+pub struct Cascade {
+    /// When it began \[s\].
+    since: f64,
+    /// Events since then.
+    events: u64,
+}
+
+/// Events within this part of the fastest time of the motion, one after another, are a cascade.
+const CASCADE_SPAN: f64 = 1e-6;
+/// Events of a cascade that end the run.
+const CASCADE_EVENTS: u64 = 100_000;
+
+impl Cascade {
+    /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\].
+    ///
+    /// # Errors
+    /// [`Stop::Cascade`].
+    #[inline]
+    pub fn require_progress(&mut self, now: &Hybrid<'_>, rate: f64) -> Result<(), Stop> {
+        let span = now.clock.until_about(self.since).abs();
+        if span * rate > CASCADE_SPAN {
+            (self.since, self.events) = (now.clock.now(), 0);
+            return Ok(());
+        }
+        self.events += 1;
+        if self.events < CASCADE_EVENTS {
+            return Ok(());
+        }
+        let (t, state, cell) = (now.clock.now(), now.state.describe(), now.cell());
+        Err(Stop::Cascade { t, events: self.events as usize, span, state, cell })
+    }
+}

@@ -1,0 +1,146 @@
+//! The exact solver: linear cells, in closed form where torques are constant, else in windows of a power series.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use crate::engine::cell::Cell;
+use crate::engine::cells::{Cells, Prepared};
+use crate::engine::contact::{Contact, Form};
+use crate::engine::crossing::Lateness;
+use crate::engine::error::{Refusal, Stop};
+use crate::engine::forcing::linear::Linear;
+use crate::engine::hybrid::Hybrid;
+use crate::engine::law;
+use crate::engine::motion::{Motion, Solver};
+use crate::engine::vector::{Vector, transposed};
+use crate::engine::watch::Watch;
+use crate::scene::Scene;
+
+mod flight;
+mod window;
+
+use flight::InFlight;
+use window::InWindow;
+
+/// The solver of runs whose cells are linear.
+#[derive(Debug, Clone)]
+pub struct Exact {
+    cells: Cells,
+    /// The cells in their undamped modes, for windows, by their numbers.
+    linear: HashMap<usize, Linear>,
+    /// The present cell with phases held in it.
+    held: Option<Box<Held>>,
+    /// How late the phase was in each cell of a pitch, when it was last there; of a single law, whose motion repeats itself.
+    lateness: Vec<Lateness>,
+}
+
+/// A cell in which phases are held.
+#[derive(Debug, Clone)]
+struct Held {
+    cell: Prepared,
+    linear: Linear,
+    /// The functions that end the holds, in the order of the contact's.
+    watches: Vec<Watch>,
+}
+
+impl Exact {
+    /// The solver of a run of `scene` that begins with `now`.
+    ///
+    /// # Errors
+    /// Where a cell is not linear, or has no modes.
+    pub fn new(scene: &Scene, now: &Hybrid<'_>) -> Result<Self, Refusal> {
+        let terms = scene.effects.nonlinear(scene.model);
+        if !terms.is_empty() {
+            return Err(Refusal::Nonlinear { terms });
+        }
+        if let Some(terms) = law::curved(scene.model, &now.laws) {
+            return Err(Refusal::Nonlinear { terms });
+        }
+        let cells = Cells::new(now.equations, scene.model.motions.len(), (&now.laws, &now.bands, &now.k))?;
+        let lateness = vec![Lateness::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
+        Ok(Exact { cells, linear: HashMap::new(), held: None, lateness })
+    }
+
+    /// The present cell, with what is held in it.
+    #[inline]
+    fn here(&self, now: &Hybrid<'_>) -> (&Prepared, &[Watch]) {
+        match &self.held {
+            Some(held) if now.contact.is_some() => (&held.cell, &held.watches),
+            _ => (self.cells.here(), &[]),
+        }
+    }
+}
+
+impl Solver for Exact {
+    #[inline]
+    fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
+        self.cells.meet(now.equations, (&now.laws, &now.bands, &now.k))?;
+        if now.forcing.is_some()
+            && let Entry::Vacant(place) = self.linear.entry(now.cell())
+        {
+            place.insert(Linear::new(now.equations, &now.k)?);
+        }
+        self.held = match &now.contact {
+            Some(contact) => Some(Box::new(Held::new(now, contact)?)),
+            None => None,
+        };
+        if !now.bands.is_empty() {
+            now.elastic.clone_from(&self.here(now).0.elastic);
+        }
+        Ok(())
+    }
+
+    fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
+        if let Some(forcing) = &now.forcing
+            && !forcing.is_flat()
+        {
+            let (here, held) = self.here(now);
+            let linear = match &self.held {
+                Some(held) if now.contact.is_some() => &held.linear,
+                _ => &self.linear[&now.cell()],
+            };
+            return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, held), horizon)));
+        }
+        // The other fields stay free for the note of how late the phase is.
+        let Exact { cells, held, lateness, .. } = self;
+        let (here, watches): (&Prepared, &[Watch]) = match held {
+            Some(held) if now.contact.is_some() => (&held.cell, &held.watches),
+            _ => (cells.here(), &[]),
+        };
+        let mut flight = here.cell.flight(&now.state.q, &now.state.q_dot);
+        if now.forcing.is_some() {
+            flight = here.cell.pushed(flight, &now.further_load());
+        }
+        let lateness = match &now.laws[..] {
+            [law] => Some(&mut lateness[law.cell]),
+            _ => None,
+        };
+        Ok(Box::new(InFlight::new(now, here, watches, flight, lateness)))
+    }
+
+    fn rate(&self) -> f64 {
+        self.cells.here().cell.rate
+    }
+
+    fn cells(&self) -> Option<&Cells> {
+        Some(&self.cells)
+    }
+}
+
+impl Held {
+    fn new(now: &Hybrid<'_>, contact: &Contact) -> Result<Self, Refusal> {
+        let (equations, k) = (now.equations, &now.k);
+        let (cell, linear) = Cell::held(equations, k, &contact.normals)?;
+        let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
+        let slopes = |form: &Form| match form {
+            Form::Reaction(row, _) => [-transposed(&stiffness, row), -transposed(&damping, row), row.clone()],
+            Form::Deflection(gradient, _) => {
+                let none = Vector::zeros(gradient.len());
+                [gradient.clone(), none.clone(), none]
+            }
+        };
+        let watches = contact.watches.iter().map(|watch| Watch::loaded(&cell, slopes(&watch.form))).collect();
+        let cell = Prepared::new(cell, equations, (&now.laws, &now.bands, k));
+        Ok(Held { cell, linear, watches })
+    }
+}

@@ -1,0 +1,106 @@
+//! The motion in closed form, in a linear cell under constant torques.
+
+use xprec::Df64;
+
+use crate::engine::cell::{Flight, Point};
+use crate::engine::cells::Prepared;
+use crate::engine::crossing::{Cost, Lateness, Lost, Search, Side};
+use crate::engine::hybrid::Hybrid;
+use crate::engine::motion::{End, Guard, Motion, Reached};
+use crate::engine::record::State;
+use crate::engine::signal::Signal;
+use crate::engine::vector::Vector;
+use crate::engine::watch::Watch;
+
+/// A flight from the state of `now`.
+pub struct InFlight<'s> {
+    now: &'s Hybrid<'s>,
+    here: &'s Prepared,
+    /// The functions that end the holds.
+    held: &'s [Watch],
+    flight: Flight<'s>,
+    /// How late the phase was in this cell before, where there is a single law.
+    lateness: Option<&'s mut Lateness>,
+    /// The event that was found last.
+    found: Option<Point>,
+}
+
+impl<'s> InFlight<'s> {
+    #[inline]
+    pub fn new(
+        now: &'s Hybrid<'s>,
+        here: &'s Prepared,
+        held: &'s [Watch],
+        flight: Flight<'s>,
+        lateness: Option<&'s mut Lateness>,
+    ) -> Self {
+        InFlight { now, here, held, flight, lateness, found: None }
+    }
+
+    fn reached(&self, point: &Point, state: impl FnOnce(&State, &Vector, &Vector) -> State) -> Reached {
+        let (dq, dv) = self.flight.increments(point);
+        let dissipated = self.flight.dissipated(point) + self.now.clipped(&dq);
+        let work = self.now.forcing.as_ref().map(|forcing| forcing.power(self.now.clock.now(), &dq));
+        Reached { state: state(&self.now.state, &dq, &dv), dissipated, work: work.unwrap_or_default() }
+    }
+}
+
+impl Motion for InFlight<'_> {
+    fn length(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    #[inline]
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+        let InFlight { now, here, flight, .. } = self;
+        let mut point = flight.begin();
+        let side = match guard {
+            Guard::Phase(i) => {
+                let law = &now.laws[i];
+                let (lower, upper) = law.bounds();
+                let s = now.state.q[law.phase];
+                let signal = Signal { flight, on_moved: &here.participation[i], on_speed: here.on_speed[i].as_deref() };
+                let rate = law.surface.normal.dot(&now.state.q_dot);
+                let search = Search { signal, rate, down: s - lower, up: upper - s, horizon: until };
+                match &mut self.lateness {
+                    Some(lateness) => search.first_near(lateness, &mut point, cost)?,
+                    None => search.first(&mut point, cost)?,
+                }
+            }
+            Guard::Exit(band, which, exit) => {
+                let value = now.left_to(band, &exit);
+                here.exits[band][which].first_zero(value, flight, until, &mut point, cost)?
+            }
+            Guard::Hold(which) => {
+                let value = now.left_of_hold(which);
+                self.held[which].first_zero(value, flight, until, &mut point, cost)?
+            }
+        };
+        let Some(side) = side else { return Ok(None) };
+        let t = point.t;
+        self.found = Some(point);
+        Ok(Some((t, side)))
+    }
+
+    fn at(&mut self, t: f64) -> Reached {
+        self.reached(&self.flight.at(t), |state, dq, dv| state.moved(dq, dv))
+    }
+
+    #[inline]
+    fn arrive(&mut self, t: f64, _: End, cost: &mut Cost) -> (Df64, Reached) {
+        let point = match self.found.take().filter(|point| point.t == t) {
+            Some(point) => point,
+            None => {
+                cost.evaluations += 1;
+                self.flight.at(t)
+            }
+        };
+        let reached = self.reached(&point, |state, dq, dv| {
+            let mut state = state.clone();
+            state.q += dq;
+            state.gain(dv);
+            state
+        });
+        (t.into(), reached)
+    }
+}

@@ -1,0 +1,235 @@
+//! The hybrid state of a run: coordinates and speeds, and the mode in which they move.
+
+use xprec::Df64;
+
+use crate::engine::cells;
+use crate::engine::clock::Clock;
+use crate::engine::contact::Contact;
+use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::dead_band::{DeadBand, Elastic, Exit};
+use crate::engine::equations::{Equations, Switching};
+use crate::engine::error::Stop;
+use crate::engine::forcing::Forcing;
+use crate::engine::jump::Passage;
+use crate::engine::law::{self, Law};
+use crate::engine::motion::Reached;
+use crate::engine::record::State;
+use crate::engine::start::Begun;
+use crate::engine::vector::Vector;
+use crate::scene::Scene;
+
+/// Event counts and search cost of a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Counts {
+    /// Steps of a stiffness that were passed.
+    pub cell_changes: u64,
+    /// Steps at which the motion turned back.
+    pub reflections: u64,
+    /// Times that a phase was held at a step.
+    pub holds: u64,
+    /// Times that flanks met across their play.
+    pub impacts: u64,
+    /// Steps met together, where the order in which they are taken changes the speeds: the result is one of several.
+    pub ambiguous: u64,
+    /// What the searches for crossings cost.
+    pub cost: Cost,
+}
+
+impl Counts {
+    /// Steps of a stiffness met: passed, or turned back from.
+    pub fn events(&self) -> u64 {
+        self.cell_changes + self.reflections
+    }
+}
+
+/// The state of a run.
+#[derive(Clone)]
+pub struct Hybrid<'a> {
+    /// The equations.
+    pub equations: &'a (dyn Equations + 'a),
+    /// Time.
+    pub clock: Clock,
+    /// End of the run \[s\]. It may be set to a later time, and the run goes on.
+    pub t_end: f64,
+    /// Coordinates and speeds.
+    pub state: State,
+    /// The laws, each in its cell.
+    pub laws: Vec<Law>,
+    /// The dead bands, each in its regime.
+    pub bands: Vec<DeadBand>,
+    /// Spring and damper of each dead band's contact, in the present mode.
+    pub elastic: Vec<Elastic>,
+    /// The law values: of the laws, then touch, edge, damp, clip of each dead band of the model.
+    pub k: Vec<f64>,
+    /// Phases that are held at steps.
+    pub contact: Option<Box<Contact>>,
+    /// Torques that vary in time, if any does.
+    pub forcing: Option<Box<Forcing>>,
+    /// When flanks last met or parted \[s\], and how often since then without passing time.
+    pub rattle: (f64, u32),
+
+    /// Energy that damping has taken so far \[J\].
+    pub dissipated: f64,
+    /// Energy of bounces that were not followed to their ends, so far \[J\].
+    pub ignored: f64,
+    /// Work of each torque so far, as far as it is not constant \[J\]; empty where all are.
+    pub work: Vec<f64>,
+    /// Events so far.
+    pub counts: Counts,
+}
+
+/// Events of flanks at one time that are more than contacts and grips that change together.
+const RATTLES: u32 = 16;
+
+impl<'a> Hybrid<'a> {
+    /// The state at the start of a run of `scene`.
+    pub fn new(equations: &'a dyn Equations, scene: &Scene, begun: Begun, forcing: Option<Forcing>) -> Self {
+        let Begun { state, laws, bands, .. } = begun;
+        let varying = forcing.is_some() || equations.has_powers();
+        let mut now = Hybrid {
+            equations,
+            clock: Clock::default(),
+            t_end: scene.t_end,
+            k: scene.model.in_contact(laws.iter().map(Law::level)),
+            state,
+            laws,
+            elastic: vec![],
+            bands,
+            contact: None,
+            forcing: forcing.map(Box::new),
+            rattle: (f64::NAN, 0),
+            dissipated: 0.0,
+            ignored: 0.0,
+            work: vec![0.0; if varying { scene.model.torques.len() } else { 0 }],
+            counts: Counts::default(),
+        };
+        now.set_levels();
+        now
+    }
+}
+
+impl Hybrid<'_> {
+    /// The number of the cell: the first law's cell counts fastest, then the other laws', then the regimes of the dead bands.
+    pub fn cell(&self) -> usize {
+        cells::index(&self.laws, &self.bands)
+    }
+
+    /// Updates the law values from the laws, at the present state and time, and the dead bands.
+    #[inline]
+    pub fn set_levels(&mut self) {
+        cells::write((&self.laws, &mut self.bands), (&self.state.q, self.clock.now()), &mut self.k);
+    }
+
+    /// The law values in a `state` of the present mode at the time `t` \[s\].
+    pub fn levels_at(&self, state: &State, t: f64) -> Vec<f64> {
+        let (mut bands, mut k) = (self.bands.clone(), self.k.clone());
+        if !self.steps_only() {
+            cells::write((&self.laws, &mut bands), (&state.q, t), &mut k);
+        }
+        k
+    }
+
+    /// Whether every law is constant within its cells.
+    pub fn steps_only(&self) -> bool {
+        self.laws.iter().all(|law| law.pitch.steps_only())
+    }
+
+    /// Whether the phase of a law can meet a boundary of its cell by its motion.
+    #[inline]
+    pub fn watches(&self, law: usize) -> bool {
+        let Law { switching, pitch, .. } = &self.laws[law];
+        let changes = *switching != Switching::Never || !pitch.steps_only();
+        changes && self.laws[law].next_switch().is_none() && !self.holds(law)
+    }
+
+    /// Whether the phase of a law is held.
+    #[inline]
+    pub fn holds(&self, law: usize) -> bool {
+        self.contact.as_ref().is_some_and(|contact| contact.holds(law))
+    }
+
+    /// What is left to an exit of a dead band. Less than nothing is rounding: the value is not negative until the exit.
+    ///
+    /// A train that starts from rest moves at first by less than the roundings of its state. Where these make flanks meet
+    /// and part again and again without passing time, they do so only once they are beyond by more than that.
+    pub fn left_to(&self, band: usize, exit: &Exit) -> f64 {
+        exit.value(&self.bands[band], &self.state.q, &self.state.q_dot).max(0.0) + self.slack_of(exit)
+    }
+
+    /// What is added to the value of an exit while flanks rattle.
+    pub fn slack_of(&self, exit: &Exit) -> f64 {
+        if self.rattle.1 >= RATTLES { exit.slack } else { 0.0 }
+    }
+
+    /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.
+    pub fn left_of_hold(&self, which: usize) -> f64 {
+        let watch = self.contact.as_ref().and_then(|contact| contact.watches.get(which));
+        watch.map_or(f64::INFINITY, |watch| watch.form.value(&self.state.q, || self.force()))
+    }
+
+    /// Generalised forces of the torques that vary, beyond those of the start (N).
+    #[cold]
+    pub fn further_load(&self) -> Vector {
+        let none = || Vector::zeros(self.state.q.len());
+        self.forcing.as_ref().map_or_else(none, |forcing| forcing.load(self.clock.now()))
+    }
+
+    /// All generalised forces (N).
+    pub fn force(&self) -> Vector {
+        let State { q, q_dot, .. } = &self.state;
+        let slopes: Vec<f64> = self.laws.iter().map(|law| law.course(q[law.phase], self.clock.now())[1]).collect();
+        let mut force = self.equations.force(q, q_dot, &self.k, &slopes);
+        if self.forcing.is_some() {
+            force += &self.further_load();
+        }
+        force
+    }
+
+    /// What the clipped dampers of dead bands take where the coordinates move on by `dq` \[J\].
+    #[inline]
+    pub fn clipped(&self, dq: &Vector) -> f64 {
+        self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped(*elastic, &self.state.q, dq)).sum()
+    }
+
+    /// Changes the speeds at the step of `law` met at `side`.
+    pub fn jump(&mut self, law: usize, side: Side) -> Passage {
+        let dv = law::barrier(self.equations, (&self.laws, &self.bands, &self.k), law, side, &self.state);
+        let (passage, gained) = self.laws[law].surface.jump(&self.state.q_dot, side, dv);
+        self.state.gain(&gained);
+        passage
+    }
+
+    /// Moves to where a motion has come to in the time `t` \[s\].
+    #[inline]
+    pub fn take(&mut self, t: Df64, reached: Reached) {
+        self.clock.advance(t);
+        self.state = reached.state;
+        self.dissipated += reached.dissipated;
+        self.work.iter_mut().zip(reached.work).for_each(|(work, more)| *work += more);
+        if !self.steps_only() {
+            self.set_levels();
+        }
+    }
+
+    /// Ends a run whose state is not finite.
+    ///
+    /// # Errors
+    /// [`Stop::NotFinite`].
+    #[inline(always)]
+    pub fn require_finite(&self) -> Result<(), Stop> {
+        if self.state.is_finite() {
+            return Ok(());
+        }
+        Err(Stop::NotFinite { t: self.clock.now(), state: self.state.describe(), cell: self.cell() })
+    }
+
+    /// Why a search without an answer ends the run.
+    #[cold]
+    pub fn lost(&self, lost: Lost) -> Stop {
+        let (t, state, cell) = (self.clock.now(), self.state.describe(), self.cell());
+        match lost {
+            Lost::Stuck(steps) => Stop::Search { t, steps: steps as usize, state, cell },
+            Lost::Overflow => Stop::NotFinite { t, state, cell },
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! What the hybrid loop asks of a solver: the motion between two events.
+//!
+//! There are three kinds of motion: a flight in closed form through a linear cell ([`linear`](crate::engine::linear)), a window
+//! of a power series where torques vary in time, and a step of a numerical method with its dense output
+//! ([`steps`](crate::methods::steps)). The loop ([`simulate`](crate::engine::simulate)) is the same for all.
+
+use xprec::Df64;
+
+use crate::engine::cells::Cells;
+use crate::engine::contact::Ending;
+use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::dead_band::{Exit, Regime};
+use crate::engine::error::{Refusal, Stop};
+use crate::engine::hybrid::Hybrid;
+use crate::engine::jump::Passage;
+use crate::engine::record::State;
+
+/// A way to find the motion in a mode.
+pub trait Solver {
+    /// Takes note of the mode of `now`: its laws, dead bands, held phases and torques. Sets the springs and dampers of its contacts.
+    ///
+    /// # Errors
+    /// Where the equations of the mode cannot be solved.
+    fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal>;
+
+    /// The motion from the state of `now`, for at most the time `horizon` \[s\].
+    ///
+    /// # Errors
+    /// Where there is none.
+    fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop>;
+
+    /// A bound on the rates of the motion in the present mode \[1/s\].
+    fn rate(&self) -> f64;
+
+    /// Changes the speeds at the step of `law` that is met at `side`.
+    fn jump(&self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
+        now.jump(law, side)
+    }
+
+    /// Whether events are located. If not, they are taken after the step in which they happened.
+    fn locates(&self) -> bool {
+        true
+    }
+
+    /// The linear cells, where the solver has them in plain numbers.
+    fn cells(&self) -> Option<&Cells> {
+        None
+    }
+
+    /// What the solver did so far.
+    fn effort(&self) -> Effort {
+        Effort::default()
+    }
+}
+
+/// The motion from one state of a run, in one mode.
+pub trait Motion {
+    /// For how long it is known \[s\].
+    fn length(&self) -> f64;
+
+    /// The first time \[s\] before `until` at which `guard` is met, and at which side.
+    ///
+    /// # Errors
+    /// Where the search does not end, or leaves the range of numbers.
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost>;
+
+    /// The state after the time `t` \[s\], which is at most its length.
+    fn at(&mut self, t: f64) -> Reached;
+
+    /// The state at its end, which `end` brings at about the time `t` \[s\], and that time as exactly as it is known.
+    fn arrive(&mut self, t: f64, end: End, cost: &mut Cost) -> (Df64, Reached);
+}
+
+/// A function of the state whose first zero ends a motion.
+#[derive(Debug, Clone, Copy)]
+pub enum Guard {
+    /// The distances of the phase of a law to the two boundaries of its cell.
+    Phase(usize),
+    /// A function that ends the regime of a dead band: the band, which of its exits, and that.
+    Exit(usize, usize, Exit),
+    /// A function that ends the hold of a phase: which ending of the contact.
+    Hold(usize),
+}
+
+/// How a motion ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// It is not known any further; nothing happens.
+    Open,
+    /// A law meets a boundary of its cell.
+    Step(usize, Side),
+    /// The hold of a law ends.
+    Hold(usize, Ending),
+    /// A dead band changes its regime.
+    Flank(usize, Regime),
+    /// The time history of a torque has a breakpoint.
+    Breakpoint,
+    /// The run is over.
+    Run,
+}
+
+/// Where a motion has come to.
+#[derive(Debug, Clone)]
+pub struct Reached {
+    /// The state.
+    pub state: State,
+    /// Energy that damping has taken since the motion began \[J\].
+    pub dissipated: f64,
+    /// Work of each torque since then, as far as it is not constant \[J\]; empty where all are.
+    pub work: Vec<f64>,
+}
+
+/// What a method by steps did.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Effort {
+    /// Steps taken.
+    pub steps: u64,
+    /// Steps that were rejected.
+    pub rejected: u64,
+    /// When the method was replaced by an implicit one \[s\], and by which.
+    pub replaced: Option<(f64, &'static str)>,
+}

@@ -1,0 +1,90 @@
+//! What is written down of a run.
+
+use crate::engine::error::Stop;
+use crate::engine::hybrid::Hybrid;
+use crate::engine::motion::Motion;
+use crate::engine::record::Recorder;
+use crate::trajectory::Moment;
+
+/// A recorder at work: samples at a rate, and the limits at events if asked for.
+pub struct Recording<'r, 'e> {
+    recorder: &'r mut Recorder<'e>,
+    /// Samples a second \[1/s\].
+    rate: f64,
+    /// Whether the left and right limits at events are noted.
+    pub events: bool,
+    /// The number of the next sample.
+    next: u64,
+}
+
+impl<'r, 'e> Recording<'r, 'e> {
+    /// Records by `recorder` samples at `rate` \[1/s\] and, if `events`, the limits at events.
+    pub fn new(recorder: &'r mut Recorder<'e>, rate: f64, events: bool) -> Self {
+        Recording { recorder, rate, events, next: 0 }
+    }
+
+    /// The recorder, where events are noted.
+    pub fn of_events(&mut self) -> Option<&mut Recorder<'e>> {
+        self.events.then_some(&mut *self.recorder)
+    }
+
+    /// When the next sample is due \[s\].
+    pub fn due(&self) -> f64 {
+        self.next as f64 / self.rate
+    }
+
+    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`. The end of the run is noted by itself; a sample at an event belongs to the motion that ends there.
+    pub fn samples(&mut self, now: &Hybrid<'_>, motion: &mut dyn Motion, t: f64) {
+        let mut end = now.clock;
+        end.advance(t);
+        loop {
+            let at = self.due();
+            let tau = now.clock.until(at);
+            if tau > t || at >= now.t_end {
+                return;
+            }
+            let reached = motion.at(tau.max(0.0));
+            self.recorder.beyond = now.work.iter().zip(reached.work).map(|(work, more)| work + more).collect();
+            let lost = (now.dissipated + reached.dissipated, now.ignored);
+            // A sample a rounding before the event that ends the motion is not noted after it.
+            let at = at.min(end.now());
+            match now.steps_only() {
+                true => self.recorder.row(at, Moment::Sample, &reached.state, &now.k, lost),
+                false => {
+                    let k = now.levels_at(&reached.state, at);
+                    self.recorder.row(at, Moment::Sample, &reached.state, &k, lost);
+                }
+            }
+            self.next += 1;
+        }
+    }
+
+    /// Adds a row with the present state.
+    pub fn note(&mut self, now: &Hybrid<'_>, moment: Moment) {
+        now.note(self.recorder, moment);
+    }
+
+    /// Ends a run that has recorded as many rows as it may.
+    ///
+    /// # Errors
+    /// [`Stop::Rows`].
+    #[inline]
+    pub fn require_room(&self) -> Result<(), Stop> {
+        self.recorder.demand_room()
+    }
+}
+
+impl Hybrid<'_> {
+    /// Adds a row with the present state to a recorder.
+    pub fn note(&self, recorder: &mut Recorder<'_>, moment: Moment) {
+        recorder.beyond.clone_from(&self.work);
+        let lost = (self.dissipated, self.ignored);
+        match self.steps_only() {
+            true => recorder.row(self.clock.now(), moment, &self.state, &self.k, lost),
+            false => {
+                let k = self.levels_at(&self.state, self.clock.now());
+                recorder.row(self.clock.now(), moment, &self.state, &k, lost);
+            }
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! The solver by steps: a numerical method, the control of its steps, and its dense output.
+//!
+//! A step goes as far as its error allows. Its dense output tells for certain which guard it meets first
+//! ([`crate::engine::root`]). The step is then taken again, as long as to there, so that states at events are as accurate as
+//! steps, not as their interpolation.
+
+use crate::engine::error::{Refusal, Stop};
+use crate::engine::forcing::Forcing;
+use crate::engine::hybrid::Hybrid;
+use crate::engine::motion::{Effort, Motion, Solver};
+use crate::engine::vector::{Matrix, Vector};
+
+use super::control::{Control, Steps};
+use super::dense::Dense;
+use super::field::Field;
+use super::flow::Flow;
+use super::radau::Radau;
+use super::{Method, Trial};
+
+mod guards;
+mod landing;
+mod motion;
+
+use motion::Step;
+
+/// Where events are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Events {
+    /// Where they happen.
+    Located,
+    /// After the step in which they happened, as programs do that know of none: for comparison.
+    AfterStep,
+}
+
+/// How a run is integrated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// How long steps are.
+    pub steps: Steps,
+    /// Where events are taken.
+    pub events: Events,
+    /// Whether an explicit method may be replaced by an implicit one where stability limits its steps.
+    pub give_way: bool,
+    /// Steps after which a run is given up.
+    pub most_steps: u64,
+}
+
+/// Steps limited by stability, one after another, that show a stiff mode.
+const STIFF_STEPS: u32 = 15;
+/// Rejections of one step that end a run.
+const MOST_REJECTED: u32 = 100;
+
+/// A solver by a numerical method.
+pub struct BySteps<'a> {
+    field: Field<'a>,
+    method: Box<dyn Method>,
+    settings: Settings,
+    control: Control,
+    /// The fastest rate of the motion at the start \[1/s\].
+    fastest: f64,
+    /// The rate at the end of the last step, and where that was; `None` in a new mode.
+    last: Option<(Flow, Flow)>,
+    /// Steps limited by stability, one after another.
+    stiff: u32,
+    effort: Effort,
+}
+
+impl<'a> BySteps<'a> {
+    /// The solver of a run that begins with `now`, by `method`.
+    pub fn new(now: &Hybrid<'a>, method: Box<dyn Method>, settings: Settings) -> Self {
+        let equations = now.equations;
+        let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
+        let mut field = Field::new(now);
+        let rate = field.rate(0.0, &y);
+        // Speeds that the energy at the start allows, or the forces soon give; the fastest of the motion.
+        let energy = equations.kinetic(&y.v) + equations.potential(&y.q, &now.k);
+        let [by_q, by_v] = field.jacobian(0.0, &y);
+        let sum = |a: &Matrix| a.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
+        let swings = now.forcing.as_ref().map_or(0.0, |forcing| Forcing::fastest(forcing));
+        let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(swings).max(1.0 / now.t_end);
+        let mobility = equations.mobility();
+        let speeds =
+            Vector::from_fn(y.q.len(), |i| (2.0 * energy * mobility[(i, i)]).sqrt().max(rate.v[i].abs() / fastest));
+        let control = Control::new(settings.steps, &y, &speeds, fastest, method.exponent(), now.t_end);
+        let effort = Effort::default();
+        BySteps { field, method, settings, control, fastest, last: Some((y, rate)), stiff: 0, effort }
+    }
+
+    /// A step from `y`, where the rate is `rate`, of at most `horizon` \[s\], whose error is small enough: how long, and where it
+    /// leads.
+    fn attempt(&mut self, now: &Hybrid<'_>, y: &Flow, rate: &Flow, horizon: f64) -> Result<(f64, Trial), Stop> {
+        let exponent = self.method.exponent();
+        if horizon <= 0.0 {
+            return Ok((0.0, Trial { end: y.clone(), rate: rate.clone(), error: 0.0, stiffness: 0.0 }));
+        }
+        let t = now.clock.now();
+        for _ in 0..MOST_REJECTED {
+            let h = self.control.step(horizon);
+            if h < horizon && t + h <= t.next_up() && t > 0.0 {
+                break;
+            }
+            if self.effort.steps + self.effort.rejected >= self.settings.most_steps {
+                let (steps, state, cell) = (self.settings.most_steps, now.state.describe(), now.cell());
+                return Err(Stop::Steps { t, steps, state, cell });
+            }
+            let trial = self.method.attempt(&mut self.field, y, rate, h, &self.control.allowed());
+            // A step that leads nowhere is as bad as one whose error is not a number.
+            let usable = trial.filter(|trial| trial.end.is_finite() && trial.rate.is_finite());
+            let error = usable.as_ref().map_or(f64::NAN, |trial| trial.error);
+            if self.control.accepts(h, error, exponent) {
+                let Some(trial) = usable else { break };
+                self.effort.steps += 1;
+                return Ok((h, trial));
+            }
+            self.effort.rejected += 1;
+        }
+        let (h, method) = (self.control.h, self.method.name());
+        Err(Stop::Step { t, h, method, state: now.state.describe(), cell: now.cell() })
+    }
+
+    /// Replaces the method by an implicit one once stability, step after step, limits it.
+    fn watch_stiffness(&mut self, t: f64, stiffness: f64) {
+        let Steps::Adaptive(tolerance) = self.settings.steps else { return };
+        if !self.settings.give_way || self.effort.replaced.is_some() {
+            return;
+        }
+        self.stiff = if stiffness > self.method.stability() { self.stiff + 1 } else { 0 };
+        if self.stiff >= STIFF_STEPS {
+            self.method = Box::new(Radau::new(tolerance));
+            self.effort.replaced = Some((t, self.method.name()));
+        }
+    }
+}
+
+impl Solver for BySteps<'_> {
+    fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
+        now.elastic = now.bands.iter().map(|band| band.elastic(now.equations, &now.k)).collect();
+        self.field.enter(now);
+        self.last = None;
+        Ok(())
+    }
+
+    fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
+        let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
+        self.field.begins = now.clock.now();
+        let rate = match self.last.take() {
+            Some((at, rate)) if at.q == y.q && at.v == y.v => rate,
+            _ => self.field.rate(0.0, &y),
+        };
+        let (h, trial) = self.attempt(now, &y, &rate, horizon)?;
+        let dense = match h > 0.0 {
+            true => self.method.dense(&mut self.field, &y, h, &trial),
+            false => Dense::new(vec![y.clone()]),
+        };
+        Ok(Box::new(Step { solver: self, now, start: y, rate, h, trial, dense, found: None }))
+    }
+
+    fn rate(&self) -> f64 {
+        self.fastest
+    }
+
+    fn locates(&self) -> bool {
+        self.settings.events == Events::Located
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort
+    }
+}

@@ -1,0 +1,79 @@
+//! Guards along the dense output of a step.
+
+use std::sync::LazyLock;
+
+use smallvec::SmallVec;
+
+use crate::engine::crossing::{Cost, Side};
+use crate::engine::motion::Guard;
+use crate::engine::root::{self, Found};
+use crate::engine::vector::Matrix;
+use crate::methods::dense::Polynomial;
+
+use super::motion::Step;
+
+/// Values by which a guard that is not linear in the state is interpolated: as many as a dense output has coefficients at most.
+const NODES: usize = 8;
+
+/// Where they are taken: Chebyshev's points of the interval \[0, 1\], its ends among them.
+fn node(i: usize) -> f64 {
+    0.5 * (1.0 - (std::f64::consts::PI * i as f64 / (NODES - 1) as f64).cos())
+}
+
+/// The coefficients of the polynomial through values at the nodes (NODES x NODES).
+static THROUGH: LazyLock<Matrix> = LazyLock::new(|| {
+    let powers = Matrix::from_fn(NODES, NODES, |i, j| node(i).powi(j as i32));
+    powers.try_inverse().expect("the nodes are distinct")
+});
+
+impl Step<'_, '_> {
+    /// Where a guard is met in the step: sides, and parts of the step.
+    pub(super) fn crossings(&mut self, guard: Guard, cost: &mut Cost) -> SmallVec<[(Side, f64); 2]> {
+        let mut crossings = SmallVec::new();
+        let mut note = |side, found: Found| {
+            (cost.steps, cost.grazes) = (cost.steps + found.steps, cost.grazes + found.grazes);
+            crossings.extend(found.root.map(|x| (side, x)));
+        };
+        match guard {
+            Guard::Phase(i) => {
+                let law = &self.now.laws[i];
+                let slack = self.solver.control.slack()[law.phase];
+                for side in [Side::Upper, Side::Lower] {
+                    let gap = self.dense.gap(law.phase, law.boundary(side), side.sign());
+                    note(side, root::first_known_to(&gap, 4.0 * law.rounding(), slack));
+                }
+            }
+            Guard::Exit(i, _, exit) => {
+                let side = Side::Lower;
+                let gap = if self.now.steps_only() {
+                    self.dense.from(self.now.left_to(i, &exit), &exit.slopes(&self.now.bands[i]))
+                } else {
+                    let left = self.solver.field.left(guard, side, 0.0, &self.start);
+                    self.interpolated(guard, side, left.max(0.0) + self.now.slack_of(&exit))
+                };
+                // The slack of an exit is sixteen roundings of its value.
+                note(side, root::first(&gap, 0.25 * exit.slack));
+            }
+            Guard::Hold(which) => {
+                let left = self.now.left_of_hold(which);
+                let side = if left >= 0.0 { Side::Lower } else { Side::Upper };
+                let gap = self.interpolated(guard, side, left.abs());
+                note(side, root::first(&gap, 4.0 * f64::EPSILON * left.abs()));
+            }
+        }
+        crossings
+    }
+
+    /// What is left until a guard is met at a side, `left` at the start of the step, as a polynomial in the part of the step.
+    fn interpolated(&mut self, guard: Guard, side: Side, left: f64) -> Polynomial {
+        let mut values = [left; NODES];
+        for (i, value) in values.iter_mut().enumerate() {
+            let x = node(i);
+            *value = self.solver.field.left(guard, side, x * self.h, &self.dense.at(x));
+        }
+        let row = |j: usize| (0..NODES).map(|i| THROUGH[(j, i)] * values[i]).sum();
+        let mut through: Polynomial = (0..NODES).map(row).collect();
+        through[0] = left;
+        through
+    }
+}

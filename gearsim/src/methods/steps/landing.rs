@@ -1,0 +1,82 @@
+//! Landing: the step that meets a guard is taken again, as long as to there.
+
+use crate::engine::motion::Guard;
+use crate::methods::Trial;
+use crate::methods::flow::Flow;
+
+use super::motion::{Found, Step};
+
+/// Trials of a landing.
+const MOST_TRIALS: usize = 8;
+
+impl Step<'_, '_> {
+    /// The step that ends at an event: how long \[s\], and where it leads.
+    pub(super) fn land(&mut self, found: Found) -> (f64, Trial) {
+        let Found { guard, side, x, t } = found;
+        let still = |y: &Flow, rate: &Flow| Trial { end: y.clone(), rate: rate.clone(), error: 0.0, stiffness: 0.0 };
+        if x == 0.0 {
+            return (0.0, still(&self.start, &self.rate));
+        }
+        let allowed = self.solver.control.allowed();
+        let mut taken = t;
+        for _ in 0..MOST_TRIALS {
+            let super::BySteps { field, method, .. } = &mut *self.solver;
+            let Some(mut trial) = method.attempt(field, &self.start, &self.rate, taken, &allowed) else { break };
+            let left = field.left(guard, side, taken, &trial.end);
+            if left.abs() <= self.rounding(guard) {
+                return (taken, trial);
+            }
+            let slope = self.slope(found, taken, left, &trial);
+            let dt = -left / slope;
+            // It turns there, or is not met there at all: the dense output decides.
+            if !(slope < 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * self.h) {
+                break;
+            }
+            // So near that two terms of Taylor's series do.
+            if dt.abs() * self.solver.fastest < 1e-6 {
+                trial = self.moved_on(trial, taken, dt);
+                return (taken + dt, trial);
+            }
+            taken += dt;
+        }
+        let end = self.dense.at(x);
+        let rate = self.solver.field.rate(t, &end);
+        (t, Trial { end, rate, error: 0.0, stiffness: 0.0 })
+    }
+
+    /// A trial that ended after the time `t`, the short time `dt` later or earlier \[s\].
+    fn moved_on(&mut self, mut trial: Trial, t: f64, dt: f64) -> Trial {
+        let Flow { q, v, lost } = &mut trial.end;
+        q.add_times(dt, v);
+        q.add_times(0.5 * dt * dt, &trial.rate.v);
+        v.add_times(dt, &trial.rate.v);
+        *lost += trial.rate.lost * dt;
+        trial.rate = self.solver.field.rate(t + dt, &trial.end);
+        trial
+    }
+
+    /// How fast what is `left` until an event changes at the end of a trial that took the time `t` \[per s\]: for a phase its speed, else
+    /// by a difference along the motion.
+    fn slope(&mut self, found: Found, t: f64, left: f64, trial: &Trial) -> f64 {
+        if let Guard::Phase(law) = found.guard {
+            return -found.side.sign() * self.now.laws[law].surface.normal.dot(&trial.end.v);
+        }
+        let dt = 1e-6 / self.solver.fastest;
+        let Flow { q, v, .. } = &trial.end;
+        let mut later = trial.end.clone();
+        later.q.add_times(dt, v);
+        later.q.add_times(0.5 * dt * dt, &trial.rate.v);
+        later.v.add_times(dt, &trial.rate.v);
+        debug_assert_eq!(q.len(), v.len());
+        (self.solver.field.left(found.guard, found.side, t + dt, &later) - left) / dt
+    }
+
+    /// What a guard is known to.
+    fn rounding(&self, guard: Guard) -> f64 {
+        match guard {
+            Guard::Phase(law) => self.now.laws[law].rounding(),
+            Guard::Exit(_, _, exit) => exit.slack / 16.0,
+            Guard::Hold(which) => f64::EPSILON * self.now.left_of_hold(which).abs(),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! A step as a motion: guards on its dense output, landing by the method itself.
+
+use xprec::Df64;
+
+use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::hybrid::Hybrid;
+use crate::engine::mode::GAUSS_16;
+use crate::engine::motion::{End, Guard, Motion, Reached};
+use crate::engine::record::State;
+use crate::methods::Trial;
+use crate::methods::dense::Dense;
+use crate::methods::flow::Flow;
+
+use super::{BySteps, Events};
+
+/// A step from the state of `now`.
+pub struct Step<'s, 'f> {
+    pub solver: &'s mut BySteps<'f>,
+    pub now: &'s Hybrid<'s>,
+    /// The state as the method has it, and its rate.
+    pub start: Flow,
+    pub rate: Flow,
+    /// Length of the step \[s\], where it leads, and the motion within it.
+    pub h: f64,
+    pub trial: Trial,
+    pub dense: Dense,
+    /// The event that was found last.
+    pub found: Option<Found>,
+}
+
+/// An event in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Found {
+    pub guard: Guard,
+    pub side: Side,
+    /// Part of the step, and time \[s\].
+    pub x: f64,
+    pub t: f64,
+}
+
+impl Step<'_, '_> {
+    /// The state of the run at `y`, which the method has reached after the time `t` \[s\].
+    fn reached(&mut self, y: Flow, t: f64) -> Reached {
+        let mut dissipated = y.lost;
+        if self.now.steps_only() {
+            dissipated += self.now.clipped(&(&y.q - &self.start.q));
+        }
+        let work = self.work(t);
+        Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }
+    }
+
+    /// The work of each torque, as far as it is not constant, until the time `t` \[s\], by integration of its power \[J\].
+    fn work(&mut self, t: f64) -> Vec<f64> {
+        let mut work = vec![0.0; self.now.work.len()];
+        if work.is_empty() || t <= 0.0 {
+            return work;
+        }
+        for (node, weight) in GAUSS_16 {
+            for node in [-node, node] {
+                let at = 0.5 * t * (1.0 + node);
+                let power = self.solver.field.power(at, &self.dense.at(at / self.h), work.len());
+                work.iter_mut().zip(power).for_each(|(work, power)| *work += 0.5 * t * weight * power);
+            }
+        }
+        work
+    }
+}
+
+impl Motion for Step<'_, '_> {
+    fn length(&self) -> f64 {
+        self.h
+    }
+
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+        if self.solver.settings.events == Events::AfterStep {
+            return Ok(None);
+        }
+        let mut first = None;
+        for (side, x) in self.crossings(guard, cost) {
+            let t = x * self.h;
+            if t < first.unwrap_or(until) {
+                first = Some(t);
+                self.found = Some(Found { guard, side, x, t });
+            }
+        }
+        Ok(first.and(self.found.map(|found| (found.t, found.side))))
+    }
+
+    fn at(&mut self, t: f64) -> Reached {
+        let y = if self.h > 0.0 { self.dense.at((t / self.h).clamp(0.0, 1.0)) } else { self.start.clone() };
+        self.reached(y, t)
+    }
+
+    fn arrive(&mut self, t: f64, _: End, cost: &mut Cost) -> (Df64, Reached) {
+        let (taken, trial) = match self.found.filter(|found| found.t == t) {
+            Some(found) => self.land(found),
+            None => (t, self.trial.clone()),
+        };
+        let end = trial.end;
+        self.solver.control.reach(&end);
+        self.solver.last = Some((end.clone(), trial.rate));
+        self.solver.watch_stiffness(self.now.clock.now(), self.trial.stiffness);
+        let reached = self.reached(end, taken);
+        cost.evaluations = self.solver.field.evaluations;
+        (taken.into(), reached)
+    }
+}
