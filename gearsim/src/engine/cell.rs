@@ -279,7 +279,7 @@ impl<'a> Flight<'a> {
         self.place(point, |mode, _| mode.response(t));
     }
 
-    /// Moves `point` a short time `dt` on, or back: |`dt`| * rate <= [`NEAR`](crate::engine::mode::NEAR).
+    /// Moves `point` a short time `dt` on, or back: |`dt`| * rate <= [`SHIFT_SPAN`](crate::tolerance::modes::SHIFT_SPAN).
     #[inline]
     pub fn shift(&self, point: &mut Point, dt: f64) {
         point.t += dt;

@@ -8,6 +8,7 @@ use xprec::Df64;
 
 use crate::engine::cell::Cell;
 use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::modes::NO_FORCE;
 
 /// A rigid motion in a cell.
 #[derive(Debug, Clone)]
@@ -20,15 +21,12 @@ pub struct Conserved {
     pub on_further: Option<Vector>,
 }
 
-/// Roundings, of what they are sums of, in forces that are none.
-const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
-
 impl Conserved {
     /// The motion `z` in a cell with M, C, K; `None` where it meets with forces there, or numbers overflow.
     pub fn of(z: Vector, cell: &Cell, [m, c, k]: [&Matrix; 3]) -> Option<Self> {
         let free = |a: &Matrix| {
             let (force, sum) = (a * &z, &a.abs() * &z.abs());
-            force.iter().zip(&*sum).all(|(force, sum)| force.abs() <= ROUNDINGS * sum)
+            force.iter().zip(&*sum).all(|(force, sum)| force.abs() <= NO_FORCE * sum)
         };
         if !free(c) || !free(k) {
             return None;

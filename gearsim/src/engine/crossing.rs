@@ -19,8 +19,9 @@ mod march;
 mod step;
 
 use crate::engine::cell::Point;
-use crate::engine::mode::NEAR;
 use crate::engine::signal::Signal;
+use crate::tolerance::events;
+use crate::tolerance::modes::SHIFT_SPAN;
 
 pub use lateness::Lateness;
 
@@ -109,7 +110,7 @@ impl Search<'_> {
         cost: &mut Cost,
     ) -> Result<Option<Side>, Lost> {
         let (drift, wobble) = self.signal.drift_and_wobble();
-        if drift.abs() > wobble * (1.0 + 1e-12) {
+        if drift.abs() > wobble * (1.0 + events::BOUND_MARGIN) {
             return Ok(self.monotone(drift, wobble, lateness, point, cost));
         }
         self.march(point, cost)
@@ -130,7 +131,7 @@ impl Search<'_> {
     /// Depth to which a touch is told from a crossing [unit of the signal].
     pub fn tolerance(&self) -> f64 {
         let width = [self.up, self.down].into_iter().filter(|x| x.is_finite()).sum::<f64>();
-        4.0 * f64::EPSILON * width
+        events::GRAZE_DEPTH * width
     }
 
     /// The only crossing of a monotone phase: Newton from where it is expected, in a bracket.
@@ -145,7 +146,7 @@ impl Search<'_> {
     ) -> Option<Side> {
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let (slowest, fastest) = (drift.abs() - wobble, drift.abs() + wobble);
-        let bracket = (gap / fastest * (1.0 - 1e-15), gap / slowest * (1.0 + 1e-15));
+        let bracket = (gap / fastest * (1.0 - events::BRACKET_MARGIN), gap / slowest * (1.0 + events::BRACKET_MARGIN));
         if bracket.0 >= self.horizon {
             return None;
         }
@@ -180,16 +181,16 @@ impl Search<'_> {
             let (a, j, snap) =
                 (a * inverse * h * 0.5, j * inverse * h * h * (1.0 / 6.0), snap * inverse * h * h * h * (1.0 / 24.0));
             let dt = h * (1.0 - a + (2.0 * a * a - j) - (5.0 * a * (a * a - j) + snap));
-            let inside = t + dt >= low && t + dt <= high && a.abs() < 0.1;
+            let inside = t + dt >= low && t + dt <= high && a.abs() < events::REVERSION_LIMIT;
             let angle = dt.abs() * self.signal.flight.rate();
-            if inside && angle <= NEAR {
+            if inside && angle <= SHIFT_SPAN {
                 self.signal.flight.shift(point, dt);
                 // What the next terms of the series could add is below rounding.
                 let next = a * a + j.abs();
-                if (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs() <= f64::EPSILON * t {
+                if (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs() <= events::ROOT_ERROR * t {
                     break;
                 }
-            } else if high - low <= 4.0 * f64::EPSILON * high {
+            } else if high - low <= events::BRACKET_WIDTH * high {
                 break;
             } else {
                 self.go(point, if inside { t + dt } else { 0.5 * (low + high) }, cost);

@@ -22,7 +22,8 @@ mod handover;
 pub mod kind;
 pub mod pack;
 
-use crate::engine::mode::NEAR;
+use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR};
+use crate::tolerance::modes::{SERIES_SPAN, SHIFT_SPAN};
 use cells::Cells;
 use elementary::LARGEST_ANGLE;
 use flight::{Flight, Point, Response, responses};
@@ -170,8 +171,6 @@ struct Located<const L: usize> {
     common: Option<usize>,
 }
 
-/// Below this product of rate and time the closed forms cancel digits: such short flights are for the scalar engine.
-const SHORT: f64 = 0.5;
 /// Evaluations of the motion beyond which a lane is left to the scalar engine.
 const MOST: usize = 3;
 
@@ -261,7 +260,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let sign = Pack::all(1.0).mostly(up, Pack::all(-1.0));
         let boundary = cells.bounds[1].mostly(up, cells.bounds[0]);
         let gap = sign * (boundary - self.q[self.phase]);
-        let monotone = rolls.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
+        let monotone = rolls.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + BOUND_MARGIN)));
         Way { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
     }
 
@@ -278,7 +277,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     ) -> (Mask<L>, Pack<L>, [Point<L>; N], usize) {
         let guess = (way.steady + expected.lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
         // Also where the angle is not a number.
-        let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= NEAR);
+        let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= SHIFT_SPAN);
         let elsewhere = Mask::of(|_| true).without(near_enough);
         let (mut t, mut near) = (expected.t, flight.all_after(&expected.responses));
         if elsewhere.meets(sure) {
@@ -302,8 +301,10 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             let angle = dt.abs() * cells.rate;
             let next = a * a + j.abs();
             let lacking = (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs();
-            let good = angle.compare(a, |angle, a| (angle <= NEAR) & (a.abs() < 0.1)).and(r.compare(r, |r, _| r > 0.0));
-            let good = good.and(lacking.compare(t, |l, t| l <= f64::EPSILON * t)).without(done);
+            let good = angle
+                .compare(a, |angle, a| (angle <= SHIFT_SPAN) & (a.abs() < REVERSION_LIMIT))
+                .and(r.compare(r, |r, _| r > 0.0));
+            let good = good.and(lacking.compare(t, |l, t| l <= ROOT_ERROR * t)).without(done);
             let shifted = flight.all_shifted(&self.rigid, &near, t, dt);
             for i in 0..N {
                 points[i] = shifted[i].or(good, &points[i]);
@@ -318,7 +319,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
-        let resolved = angle.compare(angle, |angle, _| (angle >= SHORT) & (angle < LARGEST_ANGLE));
+        let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < LARGEST_ANGLE));
         (sure.and(done).and(in_time).and(resolved), taken, points, evaluations)
     }
 

@@ -13,6 +13,7 @@ use crate::engine::record::State;
 use crate::engine::vector::Vector;
 use crate::model::{Model, Role};
 use crate::scene::Scene;
+use crate::tolerance::phases;
 
 /// A stepping law: what it is, and where it stands.
 #[derive(Debug, Clone)]
@@ -39,9 +40,6 @@ pub struct Law {
     /// Pitches that its cell is beyond the turns counted off the coordinate; all of them, where none are counted.
     ahead: i64,
 }
-
-/// Pitches beyond which an angle, as a number, does not say where in a pitch it is.
-const FARTHEST: f64 = 1e15;
 
 /// The phase that runs by time alone.
 #[derive(Debug, Clone, Copy)]
@@ -74,7 +72,7 @@ impl Law {
                 _ => Pitch::counted(given, period, times * given.pitches),
             };
             let speed = state.q_dot[phase];
-            if (absolute[phase] / law.period).abs() > FARTHEST {
+            if (absolute[phase] / law.period).abs() > phases::FARTHEST_START {
                 return Err(Refusal::Far { coordinate: law.phase });
             }
             let (pitches, rest, mut cell) = pitch.locate(absolute[phase], speed);
@@ -155,14 +153,13 @@ impl Law {
     /// Whether this law's phase is at that side of its cell too, on the way of `other`, which met it: one step for both.
     #[inline]
     pub fn joins(&self, other: &Law, side: Side, state: &State) -> bool {
-        self.phase == other.phase && self.is_at(side, state, 4.0 * self.rounding())
+        self.phase == other.phase && self.is_at(side, state, phases::SAME_BOUNDARY * self.pitch.width(self.cell))
     }
 
     /// One rounding of a phase in the present cell.
     #[inline]
     pub fn rounding(&self) -> f64 {
-        let (lower, upper) = self.pitch.bounds(self.cell);
-        f64::EPSILON * (upper - lower)
+        f64::EPSILON * self.pitch.width(self.cell)
     }
 
     /// Whether the phase is at that side of its cell, to within `slack`.

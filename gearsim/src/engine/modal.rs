@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
+use crate::tolerance::modes::{COUPLED_MODES, EQUAL_FREQUENCIES, JACOBI, MODAL_DAMPING_ROUNDINGS, RIGID, UNDAMPED};
 
 pub mod coupled;
 mod pairs;
@@ -47,17 +48,6 @@ pub struct Modal {
     /// The modes that move by themselves, where damping couples those above.
     pub coupled: Option<Coupled>,
 }
-
-/// Eigenvalues of K, scaled to a unit diagonal, below this are rounding.
-const RIGID: f64 = 1e-13;
-/// Frequencies closer than this, relative, share their modes: any rotation of them will do, and damping chooses.
-const COINCIDENT: f64 = 1e-12;
-/// Damping below this fraction of the strongest is rounding.
-const UNDAMPED: f64 = 1e-15;
-/// Largest damping between two modes, relative to that within them, taken for rounding.
-const COUPLED: f64 = 1e-10;
-/// Roundings of X, each, in the damping between two modes.
-const ROUNDINGS: f64 = 64.0;
 
 impl Modal {
     /// The modes of a cell.
@@ -105,7 +95,8 @@ impl Modal {
         rotate_coincident(&omega2, &m.damping, &mut shapes, &mut momentum);
 
         let damping = shapes.transpose() * &m.damping * &shapes;
-        let rounding = ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
+        let rounding =
+            MODAL_DAMPING_ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
         let above = above(&omega2, &damping, &rounding);
         let modes = damped(&omega2, &above)?;
         let coupled = if couples(&above) { Some(Coupled::of(&omega2, &above)?) } else { None };
@@ -120,7 +111,7 @@ impl Modal {
 fn rotate_coincident(omega2: &[f64], damping: &DMatrix<f64>, shapes: &mut DMatrix<f64>, momentum: &mut DMatrix<f64>) {
     let mut first = 0;
     for i in 1..=omega2.len() {
-        if i < omega2.len() && omega2[i] <= omega2[first] * (1.0 + COINCIDENT) {
+        if i < omega2.len() && omega2[i] <= omega2[first] * (1.0 + EQUAL_FREQUENCIES) {
             continue;
         }
         let size = i - first;
@@ -140,7 +131,7 @@ fn couples(damping: &DMatrix<f64>) -> bool {
     let n = damping.nrows();
     (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).any(|(i, j)| {
         let within = (damping[(i, i)] * damping[(j, j)]).abs().sqrt();
-        damping[(i, j)].abs() > COUPLED * within
+        damping[(i, j)].abs() > COUPLED_MODES * within
     })
 }
 
@@ -153,7 +144,7 @@ fn above(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMa
     let n = damping.nrows();
     let mixed = (n as f64 * f64::EPSILON).powi(2) * damping.diagonal().amax();
     let turned = |i: usize| {
-        let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= COINCIDENT * omega2[i];
+        let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= EQUAL_FREQUENCIES * omega2[i];
         n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
     };
     let lost = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
@@ -199,7 +190,7 @@ fn eigen(mut a: DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
             for q in p + 1..n {
                 let (app, aqq, apq) = (a[(p, p)], a[(q, q)], 0.5 * (a[(p, q)] + a[(q, p)]));
                 // Relative to both, not to the largest: small eigenvalues keep their digits.
-                if apq.abs() <= 0.1 * f64::EPSILON * (app * aqq).abs().sqrt() {
+                if apq.abs() <= JACOBI * (app * aqq).abs().sqrt() {
                     continue;
                 }
                 turned = true;

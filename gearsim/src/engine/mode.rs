@@ -11,6 +11,8 @@
 //! does not change carries no rounding. The branches below are ways to evaluate these same two functions without
 //! cancellation: oscillating, aperiodic, series for short times; they meet to rounding.
 
+use crate::tolerance::modes::{CRITICAL_DAMPING, OVERDAMPED, SERIES_SPAN, SERIES_TERM};
+
 /// Constants of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mode {
@@ -56,13 +58,6 @@ pub struct Response {
     pub decay: f64,
 }
 
-/// Below this product of fastest rate and time the series is used.
-pub(in crate::engine) const SHORT: f64 = 0.5;
-/// Up to this product of rate and time six terms of the series suffice: the seventh is below 1e-16 of the first.
-pub const NEAR: f64 = 8e-3;
-/// Relative distance from critical damping within which the root of omega² - sigma² is expanded instead.
-const NEAR_CRITICAL: f64 = 1e-10;
-
 impl Mode {
     /// The mode with damping `sigma` >= 0 [1/s] and stiffness `omega2` >= 0 [1/s²].
     pub fn new(sigma: f64, omega2: f64) -> Mode {
@@ -72,7 +67,7 @@ impl Mode {
             Kind::Rigid
         } else if sigma == 0.0 {
             Kind::Undamped { w: omega }
-        } else if d.abs() <= NEAR_CRITICAL * omega2 {
+        } else if d.abs() <= CRITICAL_DAMPING * omega2 {
             Kind::Critical { d }
         } else if d > 0.0 {
             Kind::Under { w: d.sqrt(), per_w: 1.0 / d.sqrt() }
@@ -139,7 +134,7 @@ impl Mode {
                 let u = h / w;
                 Response { s1: 2.0 * u * c, s2: 2.0 * u * u, decay: 0.0 }
             }
-            Kind::Under { w, per_w } if self.rate * t >= SHORT => {
+            Kind::Under { w, per_w } if self.rate * t >= SERIES_SPAN => {
                 let decay = (-self.sigma * t).exp_m1();
                 let (h, c) = (0.5 * w * t).sin_cos();
                 let e = 2.0 * h * (1.0 + decay);
@@ -156,7 +151,7 @@ impl Mode {
     }
 
     fn heavily_damped_or_short(&self, t: f64) -> Response {
-        if self.rate * t < SHORT {
+        if self.rate * t < SERIES_SPAN {
             return self.by_series(t);
         }
         match self.kind {
@@ -167,7 +162,7 @@ impl Mode {
             }
             Kind::Over { kappa, slow, fast } => {
                 let s1 = (-slow * t).exp() * -(-2.0 * kappa * t).exp_m1() / (2.0 * kappa);
-                if kappa > 0.5 * self.sigma {
+                if kappa > OVERDAMPED * self.sigma {
                     return Response { s1, s2: (decayed(slow, t) - decayed(fast, t)) / (2.0 * kappa), decay: 0.0 };
                 }
                 self.by_increments(0.5 * ((-slow * t).exp_m1() + (-fast * t).exp_m1()), s1, 0.0)
@@ -187,7 +182,7 @@ impl Mode {
             (previous, term) = (term, next);
             s1 += term;
             s2 += term * t / (k + 2.0);
-            if term.abs() + previous.abs() <= 1e-19 * t {
+            if term.abs() + previous.abs() <= SERIES_TERM * t {
                 break;
             }
         }
@@ -198,7 +193,7 @@ impl Mode {
         matches!(self.kind, Kind::Under { .. })
     }
 
-    /// The response at t + `dt`, from that at t, where |`dt`| * rate <= [`NEAR`]: the flight goes on from its point at
+    /// The response at t + `dt`, from that at t, where |`dt`| * rate <= [`SHIFT_SPAN`](crate::tolerance::modes::SHIFT_SPAN): the flight goes on from its point at
     /// t by the series of S1(dt), S2(dt), whose next terms are below rounding.
     #[inline]
     pub fn shifted(&self, at: &Response, dt: f64) -> Response {

@@ -7,6 +7,7 @@ use xprec::Df64;
 
 use crate::engine::crossing::Side;
 use crate::profile::{Curve, Profile};
+use crate::tolerance::phases;
 
 /// One law's pitch, or pitches: boundaries and levels.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +52,7 @@ impl Pitch {
         // A boundary within rounding of a whole pitch, such as a pitch point worked out from tooth data, is at the pitch.
         let near_whole = |x: f64| {
             let whole = (x / period).round() * period;
-            if (x - whole).abs() <= 8.0 * f64::EPSILON * period { whole } else { x }
+            if (x - whole).abs() <= phases::WHOLE_PITCH * period { whole } else { x }
         };
         let span = |ends: &[Df64]| {
             let [lower, upper] = [ends[0] + origin, ends[1] + origin];
@@ -141,8 +142,8 @@ impl Pitch {
     fn step_of_curves(&self, cell: usize, beyond: usize, side: Side) -> f64 {
         let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, side.opposite()));
         // Curves that meet do so to rounding, of their values and of the boundaries.
-        let places = 16.0 * f64::EPSILON * self.length() * (slope.abs() + beyond.abs());
-        let rounding = places + 1e-12 * here.abs().max(there.abs());
+        let places = phases::CURVE_PLACE * self.length() * (slope.abs() + beyond.abs());
+        let rounding = places + phases::CURVE_VALUE * here.abs().max(there.abs());
         if (there - here).abs() <= rounding { 0.0 } else { there - here }
     }
 
@@ -150,6 +151,12 @@ impl Pitch {
     #[inline]
     pub fn bounds(&self, cell: usize) -> (f64, f64) {
         (self.spans[cell].lower, self.spans[cell].upper)
+    }
+
+    /// Width of a cell [unit of the phase].
+    #[inline]
+    pub fn width(&self, cell: usize) -> f64 {
+        self.spans[cell].upper - self.spans[cell].lower
     }
 
     /// Pitch count, remainder and cell of an absolute phase that moves on at `speed`. On a boundary the motion
@@ -194,7 +201,7 @@ impl Pitch {
     pub fn locate_from(&self, turns: i64, rest: f64, speed: f64) -> (i64, usize) {
         let within = |cell: usize, ahead: i64| {
             let Span { lower, upper, .. } = self.spans[cell];
-            let (x, slack) = (rest - ahead as f64 * self.period, 4.0 * f64::EPSILON * (upper - lower));
+            let (x, slack) = (rest - ahead as f64 * self.period, phases::SAME_BOUNDARY * (upper - lower));
             let (on_lower, on_upper) = ((x - lower).abs() <= slack, (x - upper).abs() <= slack);
             (x > lower && x < upper && !on_lower && !on_upper) || if speed < 0.0 { on_upper } else { on_lower }
         };

@@ -5,12 +5,10 @@
 //! Otherwise the interval is halved (de Casteljau) and the left half looked at first. Double roots are found, or ruled out, as
 //! any other; a touch that does not pass by more than the tolerance is a graze: no root, counted.
 
+use crate::tolerance::events::{DENSE_NOISE, ROOT_ERROR, ROOT_HALVINGS};
+
 /// Coefficients of a method's dense output, at most.
 const DENSE: usize = 8;
-/// Rounding of the states, as coefficients of dense outputs have it: differences of these, times numbers up to some tens.
-const NOISE: f64 = 16.0;
-/// Halvings after which an interval is a point.
-const DEEPEST: u32 = 52;
 
 /// What a search has met.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -62,7 +60,7 @@ pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Foun
     // A root at 0 is taken out: what is left has the same sign from there on.
     let Some(order) = c.iter().position(|c| *c != 0.0) else { return Found::default() };
     // A step that is all within the rounding of its values tells nothing but whether it ends beyond.
-    if c.iter().all(|c| c.abs() <= NOISE * tolerance) && evaluate(&c, 1.0) >= -tolerance {
+    if c.iter().all(|c| c.abs() <= DENSE_NOISE * tolerance) && evaluate(&c, 1.0) >= -tolerance {
         return Found { root: None, steps: 1, grazes: 0 };
     }
     if c[order] < 0.0 {
@@ -99,7 +97,7 @@ fn search<const MOST: usize>(b: &[f64; MOST], c: &[f64], order: i32, tolerance: 
         }
         // The depth in the polynomial itself, of which `order` roots at 0 were taken out.
         let depth_here = b_of.iter().fold(0.0f64, |m, b| m.max(b.abs())) * high.powi(order);
-        if depth == DEEPEST || depth_here <= tolerance {
+        if depth == ROOT_HALVINGS || depth_here <= tolerance {
             if b[n - 1] < 0.0 && (depth_here > tolerance || evaluate(c, high) < 0.0 && leads_out(c, high)) {
                 found.root = Some(high);
                 return found;
@@ -168,7 +166,7 @@ fn bisect(c: &[f64], mut low: f64, mut high: f64, steps: &mut u64) -> f64 {
         }
         let newton = x - f / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() <= f64::EPSILON * x || high - low <= f64::EPSILON * high {
+        if (next - x).abs() <= ROOT_ERROR * x || high - low <= ROOT_ERROR * high {
             return next;
         }
         x = next;

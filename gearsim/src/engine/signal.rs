@@ -3,6 +3,7 @@
 use crate::engine::cell::{Flight, Point};
 use crate::engine::mode::Mode;
 use crate::engine::vector::dot;
+use crate::tolerance::events;
 
 /// s(t) = c.dxi(t) + d.dxi'(t).
 #[derive(Debug, Clone, Copy)]
@@ -52,15 +53,13 @@ pub struct Series {
 
 /// Derivatives of a [`Series`], from the second on.
 pub const TERMS: usize = 12;
-/// Roundings of a derivative.
-const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
 impl Reach {
     /// Time before which a boundary at distance `gap` in the direction `sign` is out of reach.
     pub fn time(&self, gap: f64, sign: f64) -> f64 {
         // Beside a wide swing a gap is known to the roundings of the swing only.
-        let rounding = 16.0 * f64::EPSILON * (gap + self.amplitude + self.deviation.abs());
-        let clear = (gap + sign * self.deviation - self.amplitude - rounding) * (1.0 - 1e-12);
+        let rounding = events::REACH_ROUNDING * (gap + self.amplitude + self.deviation.abs());
+        let clear = (gap + sign * self.deviation - self.amplitude - rounding) * (1.0 - events::BOUND_MARGIN);
         match (clear > 0.0, sign * self.drift > 0.0) {
             (true, true) => clear / self.drift.abs(),
             (true, false) => f64::INFINITY,
@@ -155,7 +154,7 @@ impl Signal<'_> {
                 }
             }
         }
-        sum.map(|bound| bound * (1.0 + 1e-12))
+        sum.map(|bound| bound * (1.0 + events::BOUND_MARGIN))
     }
 
     /// What it and its first derivatives at a point may be off by rounding: of what they are the sum of, now and at the start.
@@ -166,9 +165,9 @@ impl Signal<'_> {
             let mut sizes = mode.sizes((v, a));
             sizes.iter_mut().zip(mode.sizes((v_now, a_now))).for_each(|(size, now)| *size += now);
             let (c, d) = (self.on_moved[i].abs(), self.on_speed.map_or(0.0, |d| d[i].abs()));
-            sum[0] += ROUNDINGS * (c * point.moved[i].abs() + d * point.gained[i].abs());
+            sum[0] += events::SIGNAL_ROUNDING * (c * point.moved[i].abs() + d * point.gained[i].abs());
             for k in 0..3 {
-                sum[k + 1] += ROUNDINGS * (c * sizes[k] + d * sizes[k + 1]);
+                sum[k + 1] += events::SIGNAL_ROUNDING * (c * sizes[k] + d * sizes[k + 1]);
             }
         }
         let [value, rate, acceleration, jerk] = sum;
@@ -185,7 +184,7 @@ impl Signal<'_> {
             for k in 0..TERMS {
                 let (jerk, jerk_size) = (mode.next(v, a), 2.0 * mode.sigma * a_size + mode.omega2 * v_size);
                 series.derivatives[k] += c * a + d * jerk;
-                series.rounding[k] += ROUNDINGS * (c.abs() * a_size + d.abs() * jerk_size);
+                series.rounding[k] += events::SIGNAL_ROUNDING * (c.abs() * a_size + d.abs() * jerk_size);
                 (v, a, v_size, a_size) = (a, jerk, a_size, jerk_size);
             }
             let next = mode.next(v, a);

@@ -10,6 +10,7 @@ use crate::engine::cell;
 use crate::engine::compensated::mode::Mode;
 use crate::engine::equations::Matrices;
 use crate::engine::error::Refusal;
+use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI};
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -26,10 +27,6 @@ pub struct Cell {
     pub rate: f64,
 }
 
-/// Damping between two modes above this fraction of the strongest is no rounding.
-const COUPLED: f64 = 1e-18;
-/// What is left of XᵀKX beside its diagonal, relative to it.
-const DIAGONAL: f64 = 1e-31;
 /// From nearly diagonal, Jacobi's method converges in two sweeps.
 const MOST_SWEEPS: usize = 20;
 
@@ -50,7 +47,7 @@ impl Cell {
         let strongest = (0..n).map(|i| modal[(i, i)].hi().abs()).fold(0.0, f64::max);
         let pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
         let coupling = pairs.map(|at| modal[at].hi().abs()).fold(0.0, f64::max);
-        if plain.coupling.is_some() || coupling > COUPLED * strongest {
+        if plain.coupling.is_some() || coupling > COMPENSATED_COUPLED * strongest {
             return Err(Refusal::CompensatedCoupling);
         }
         let mode = |i: usize| {
@@ -82,7 +79,7 @@ fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>) -> Vec<Df64> {
         let mut turned = false;
         for (p, q) in (0..n).flat_map(|p| (p + 1..n).map(move |q| (p, q))) {
             let (app, aqq, apq) = (a[(p, p)], a[(q, q)], (a[(p, q)] + a[(q, p)]) * 0.5);
-            if apq.hi().abs() <= DIAGONAL * app.hi().abs().max(aqq.hi().abs()) {
+            if apq.hi().abs() <= COMPENSATED_JACOBI * app.hi().abs().max(aqq.hi().abs()) {
                 continue;
             }
             turned = true;

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 use xprec::Df64;
 
 use crate::engine::compensated::cell::Cell;
+use crate::tolerance::events::COMPENSATED_TAYLOR;
 
 /// A state in twice the digits.
 #[derive(Debug, Clone)]
@@ -26,9 +27,6 @@ pub struct Flight<'a> {
 
 /// Newton's method from 16 digits needs one step; near a graze a few.
 const MOST_STEPS: usize = 8;
-/// A step this short, in the fastest time of the cell and of the approach, is taken by the Taylor polynomial of second
-/// order: its cube is 1e-30.
-const NEAR: f64 = 1e-10;
 
 impl<'a> Flight<'a> {
     /// The motion from `start` on.
@@ -90,7 +88,7 @@ impl<'a> Flight<'a> {
             if !dt.hi().is_finite() {
                 break;
             }
-            if dt.hi().abs() * self.cell.rate <= NEAR && lacking.abs() <= NEAR {
+            if dt.hi().abs() * self.cell.rate <= COMPENSATED_TAYLOR && lacking.abs() <= COMPENSATED_TAYLOR {
                 moved += (v + &a * (dt * 0.5)) * dt;
                 gained += (a + jerk * (dt * 0.5)) * dt;
                 return (t + dt, self.state(&moved, &gained));

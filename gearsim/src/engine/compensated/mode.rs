@@ -3,6 +3,8 @@
 
 use xprec::Df64;
 
+use crate::tolerance::modes::{COMPENSATED_SERIES_SPAN, COMPENSATED_SERIES_TERM, OVERDAMPED};
+
 /// Constants of a mode.
 #[derive(Debug, Clone, Copy)]
 pub struct Mode {
@@ -26,9 +28,6 @@ enum Kind {
     /// sigma > omega: decay rates slow = sigma - kappa (may be 0), fast = sigma + kappa.
     Over { kappa: Df64, slow: Df64, fast: Df64 },
 }
-
-/// Below this product of rate and time the closed forms cancel more digits than there are to spare.
-const SHORT: f64 = 1e-2;
 
 impl Mode {
     /// The mode with damping `sigma` >= 0 [1/s] and stiffness `omega2` >= 0 [1/s²].
@@ -54,7 +53,7 @@ impl Mode {
         if let Kind::Rigid = kind {
             return (t, t * t * 0.5);
         }
-        if (omega2.hi().sqrt() + 2.0 * sigma.hi()) * t.hi() < SHORT {
+        if (omega2.hi().sqrt() + 2.0 * sigma.hi()) * t.hi() < COMPENSATED_SERIES_SPAN {
             return self.series(t);
         }
         let decay = (-sigma * t).exp_m1();
@@ -70,7 +69,7 @@ impl Mode {
             Kind::Critical => by_increments(decay, (decay + 1.0) * t),
             Kind::Over { kappa, slow, fast } => {
                 let s1 = -(-slow * t).exp() * (-kappa * t * 2.0).exp_m1() / (kappa * 2.0);
-                if kappa.hi() > 0.5 * sigma.hi() {
+                if kappa.hi() > OVERDAMPED * sigma.hi() {
                     return (s1, (decayed(slow, t) - decayed(fast, t)) / (kappa * 2.0));
                 }
                 by_increments(((-slow * t).exp_m1() + (-fast * t).exp_m1()) * 0.5, s1)
@@ -89,7 +88,7 @@ impl Mode {
             (previous, term) = (term, next);
             s1 += term;
             s2 += term * t / (k + 2.0);
-            if term.hi().abs() + previous.hi().abs() <= 1e-36 * t.hi() {
+            if term.hi().abs() + previous.hi().abs() <= COMPENSATED_SERIES_TERM * t.hi() {
                 break;
             }
         }

@@ -14,7 +14,8 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::engine::modal::Coupled;
-use crate::engine::mode::{GAUSS_16, Mode, SHORT};
+use crate::engine::mode::{GAUSS_16, Mode};
+use crate::tolerance::modes::{DECAYED, EIGENVALUES_APART, QUADRATURE_PANEL, SERIES_SPAN};
 
 /// The damped modes of one cell.
 #[derive(Debug, Clone)]
@@ -38,9 +39,6 @@ struct Closed {
     weights: DMatrix<Complex<f64>>,
 }
 
-/// Eigenvalues closer than this part of their size are not taken apart.
-const APART: f64 = 0.1;
-
 impl Loss {
     pub fn new(coupled: &Coupled) -> Loss {
         let Coupled { modes, by_speed, by_acceleration, damping, .. } = coupled;
@@ -62,7 +60,7 @@ impl Loss {
     /// The integral until `t` \[s\] from the speeds a' and accelerations a'' of the modes at the start.
     pub fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
         match &self.closed {
-            Some(closed) if self.rate * t >= SHORT => closed.until(rates, t),
+            Some(closed) if self.rate * t >= SERIES_SPAN => closed.until(rates, t),
             _ => self.by_quadrature(rates, t),
         }
     }
@@ -71,9 +69,9 @@ impl Loss {
     fn by_quadrature(&self, rates: &[(f64, f64)], t: f64) -> f64 {
         let (mut begin, mut sum) = (0.0, 0.0);
         while begin < t {
-            let alive = |mode: &&Mode| slowest(mode) * begin < 40.0;
+            let alive = |mode: &&Mode| slowest(mode) * begin < DECAYED;
             let rate = self.modes.iter().filter(alive).map(|mode| mode.rate).fold(0.0, f64::max);
-            let end = if rate > 0.0 { t.min(begin + 2.0 / rate) } else { t };
+            let end = if rate > 0.0 { t.min(begin + QUADRATURE_PANEL / rate) } else { t };
             if end <= begin {
                 break;
             }
@@ -120,7 +118,7 @@ impl Closed {
             let Mode { sigma, omega2, .. } = coupled.modes[k];
             let omega = omega2.sqrt();
             let d = (omega - sigma) * (omega + sigma);
-            if d.abs() < APART * APART * omega2.max(sigma * sigma) {
+            if d.abs() < EIGENVALUES_APART * EIGENVALUES_APART * omega2.max(sigma * sigma) {
                 return None;
             }
             let (first, second) = if d > 0.0 {

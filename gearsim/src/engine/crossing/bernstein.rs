@@ -3,6 +3,8 @@
 //! p(t) = sum b_i C(n, i) u^i (1 - u)^(n-i), u = t/T: the basis is positive within (0, T), so that p is where all b_i are, and falls
 //! where they do. De Casteljau's halving gives the coefficients of either half; they are means, which cost no digits.
 
+use crate::tolerance::events::BERNSTEIN_ROUNDING;
+
 /// Coefficients over an interval of length 1, the first at its beginning.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bernstein<const K: usize>([f64; K]);
@@ -18,16 +20,13 @@ pub(super) enum First {
     Open(f64),
 }
 
-/// What the coefficients themselves may be off, of their size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
 impl<const K: usize> Bernstein<K> {
     /// Those of sum c_k t^k over [0, `until`], lowered by rounding.
     pub fn of(c: [f64; K], until: f64) -> Self {
         let mut scaled = c;
         let mut power = 1.0;
         for c in &mut scaled {
-            *c = (*c - ROUNDING * c.abs()) * power;
+            *c = (*c - BERNSTEIN_ROUNDING * c.abs()) * power;
             power *= until;
         }
         // b_i = sum over k <= i of C(i, k)/C(n, k) c_k

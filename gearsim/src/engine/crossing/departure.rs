@@ -14,6 +14,7 @@ use super::bernstein::{Bernstein, First};
 use super::{Search, Side};
 use crate::engine::cell::Point;
 use crate::engine::signal::{Series, TERMS};
+use crate::tolerance::events;
 
 /// What becomes of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,8 +25,6 @@ pub(super) enum Departure {
     Clear { until: f64 },
 }
 
-/// The series is used while time times the fastest rate is below this.
-const NEAR: f64 = 0.25;
 /// Halvings to separate the return from what comes after.
 const HALVINGS: u32 = 60;
 /// Newton's steps to the return, at most.
@@ -42,7 +41,9 @@ impl Search<'_> {
         let (r, bound) = (self.rate.abs(), self.signal.bounds(start)[0]);
         // Before this it meets neither boundary.
         let away = 2.0 * other / (r + (r * r + 2.0 * bound * other).sqrt());
-        let until = (NEAR / self.signal.flight.rate()).min(self.horizon).min(away * (1.0 - 1e-12));
+        let until = (events::DEPARTURE_SPAN / self.signal.flight.rate())
+            .min(self.horizon)
+            .min(away * (1.0 - events::BOUND_MARGIN));
         if !until.is_finite() || 2.0 * r / bound > until {
             return None;
         }
@@ -52,7 +53,9 @@ impl Search<'_> {
             First::None => Some(Departure::Clear { until }),
             First::Single(from, to) => match away.root(from * until, to * until) {
                 // Beside what a rounding of the modes makes of s/t the remainder is nothing.
-                Some(t) if away.remainder(&series, t) <= f64::EPSILON * r => Some(Departure::Back { side, t }),
+                Some(t) if away.remainder(&series, t) <= events::DEPARTURE_REMAINDER * r => {
+                    Some(Departure::Back { side, t })
+                }
                 _ => clear(from * until),
             },
             First::Open(from) => clear(from * until),
@@ -105,7 +108,7 @@ impl Away {
                 low = t
             }
             let next = t - y / slope;
-            if (next - t).abs() <= f64::EPSILON * t {
+            if (next - t).abs() <= events::ROOT_ERROR * t {
                 return Some(next);
             }
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };

@@ -5,9 +5,7 @@ use super::departure::Departure;
 use super::step::Approach;
 use super::{Cost, Lost, Search, Side};
 use crate::engine::cell::Point;
-
-/// More steps than this mean that the search is stuck.
-const MOST_STEPS: u64 = 1_000_000;
+use crate::tolerance::events::SEARCH_STEPS;
 
 impl Search<'_> {
     /// Marches by steps that cannot pass a crossing.
@@ -22,7 +20,7 @@ impl Search<'_> {
         }
         let tolerance = self.tolerance();
         let mut approached = [false; 2];
-        for _ in 0..MOST_STEPS {
+        for _ in 0..SEARCH_STEPS {
             cost.steps += 1;
             let t = point.t;
             let [moved, rates @ ..] = self.signal.derivatives(point);
@@ -77,7 +75,7 @@ impl Search<'_> {
             }
             self.go(point, if next > t { next } else { t.next_up() }, cost);
         }
-        Err(Lost::Stuck(MOST_STEPS))
+        Err(Lost::Stuck(SEARCH_STEPS))
     }
 
     fn sides(&self) -> [(Side, f64); 2] {

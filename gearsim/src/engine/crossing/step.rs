@@ -14,6 +14,7 @@
 
 use super::super::signal::Rounding;
 use super::bernstein::{Bernstein, First};
+use crate::tolerance::events::SINGLE_ROOT;
 
 /// The last step is sought up to so many times the others.
 const REACH: f64 = 64.0;
@@ -46,7 +47,7 @@ impl Approach {
         // Until the latest time |s''| is below this.
         let span = 2.0 * (gap + tolerance) / r;
         let bound = b2.min(a.abs() + span * (j.abs() + 0.5 * span * b4));
-        (2.0 * bound * (gap + tolerance) < 0.99 * r * r)
+        (2.0 * bound * (gap + tolerance) < SINGLE_ROOT * r * r)
             .then(|| (2.0 * gap / (r + (r * r + 2.0 * bound * gap).sqrt()), 2.0 * gap / r))
     }
 

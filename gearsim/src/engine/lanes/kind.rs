@@ -4,6 +4,7 @@ use crate::engine::cell::Cell;
 use crate::engine::lanes::LARGEST;
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
+use crate::tolerance::modes::EIGENVALUES_APART;
 
 /// What simulations must have in common to be side by side.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,7 +24,7 @@ impl Kind {
         let law = simulation.laws.first().filter(|_| simulation.is_plain() && simulation.state.q.len() <= LARGEST)?;
         let cells = simulation.cells().all()?;
         let rigid: Vec<bool> = cells[0].cell.modes.iter().map(Mode::is_rigid).collect();
-        let oscillates = |mode: &Mode| mode.damped_frequency() > 0.1 * mode.sigma;
+        let oscillates = |mode: &Mode| mode.damped_frequency() > EIGENVALUES_APART * mode.sigma;
         let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };
         let fits = |cell: &Cell| cell.coupling.is_none() && cell.modes.iter().zip(&rigid).all(plain);
         let fits = cells.iter().all(|prepared| fits(&prepared.cell));

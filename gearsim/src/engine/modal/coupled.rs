@@ -20,6 +20,7 @@ use super::pairs::{Pair, eigenpairs};
 use super::{refine, subspace};
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
+use crate::tolerance::modes::{BIORTHOGONAL, CONDITION, MISSED};
 
 /// The modes of a damped system in those of the undamped one, all n x n, a mode a column of X1, X2 and a row of the others.
 #[derive(Debug, Clone)]
@@ -37,12 +38,6 @@ pub struct Coupled {
     /// G.
     pub damping: DMatrix<f64>,
 }
-
-/// Largest condition number c of a pair among the others: parts of the motion are up to c times its size, and their
-/// phases turn by c roundings, which leaves 8 digits.
-const WORST: f64 = 1e4;
-/// Largest part of a motion that its modes may miss.
-const INCOMPLETE: f64 = 1e-8;
 
 impl Coupled {
     /// The modes of xi'' + G xi' + diag(omega2) xi = g.
@@ -162,7 +157,7 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
 /// What is left between pairs that nearly share their eigenvalues taken out: the rows W with W Z = 1.
 fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f64>, Refusal> {
     let size = rows.nrows();
-    let noise = 64.0 * f64::EPSILON * (rows.abs() * columns.abs());
+    let noise = BIORTHOGONAL * (rows.abs() * columns.abs());
     let product = rows * columns;
     let between = DMatrix::from_fn(size, size, |i, j| {
         let excess = product[(i, j)] - f64::from(u8::from(i == j));
@@ -186,6 +181,6 @@ fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<
     let whole = columns * rows;
     let missed =
         DMatrix::from_fn(2 * n, 2 * n, |i, j| (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i));
-    let complete = missed.iter().all(|x| x.abs() <= INCOMPLETE);
-    if complete && condition <= WORST { Ok(()) } else { Err(Refusal::Defective { condition }) }
+    let complete = missed.iter().all(|x| x.abs() <= MISSED);
+    if complete && condition <= CONDITION { Ok(()) } else { Err(Refusal::Defective { condition }) }
 }

@@ -10,6 +10,7 @@
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use crate::engine::error::Refusal;
+use crate::tolerance::modes::{EQUAL_PAIRS, NEARLY_REAL, QR, QR_ITERATIONS};
 
 /// A mode: xi' = X1 a' + X2 a'', a'' + s a' + b a = const.
 #[derive(Debug, Clone)]
@@ -32,11 +33,6 @@ impl Pair {
         self.b.sqrt().max(self.s)
     }
 }
-
-/// Imaginary parts below this part of the real ones may be rounding of two real eigenvalues that nearly meet.
-const NEARLY_REAL: f64 = 1e-6;
-/// Pairs closer than this, relative to the fastest, are one cluster.
-const COINCIDENT: f64 = 1e-11;
 
 /// Clusters of pairs (s, b) that cannot be told apart; of the modes with `omega2`, rising, and the damping `g`.
 ///
@@ -83,8 +79,7 @@ fn eigenvalues(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Re
         _ => 0.0,
     });
     let size = a.amax();
-    let schur =
-        Schur::try_new(a / size, f64::EPSILON, 100_000).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+    let schur = Schur::try_new(a / size, QR, QR_ITERATIONS).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     Ok(schur.complex_eigenvalues().iter().map(|z| z * size).collect())
 }
 
@@ -127,7 +122,7 @@ fn clusters(mut pairs: Vec<(f64, f64)>, fastest: f64) -> Vec<Vec<(f64, f64)>> {
     pairs.sort_by(|x, y| y.partial_cmp(x).unwrap_or(std::cmp::Ordering::Equal));
     for (s, b) in pairs {
         let near = |&(t, c): &(f64, f64)| {
-            let near = COINCIDENT * fastest;
+            let near = EQUAL_PAIRS * fastest;
             (s - t).abs() <= near && (b - c).abs() <= near * b.max(c).sqrt().max(near)
         };
         match clusters.iter_mut().find(|cluster| cluster.iter().any(near)) {

@@ -4,11 +4,10 @@ use nalgebra::{DMatrix, DVector};
 
 use super::pairs::Pair;
 use super::subspace::{image, pencil, quadratic, row_scale};
+use crate::tolerance::modes::UNDAMPED_PAIR;
 
 /// Newton's method doubles the digits; more steps than this do not help.
 const STEPS: usize = 8;
-/// Damping below this part of what makes it up is rounding.
-const UNDAMPED: f64 = 1e-14;
 
 /// The pair near `start`; as it was where no step makes it better.
 pub fn newton(omega2: &[f64], g: &DMatrix<f64>, start: Pair) -> Pair {
@@ -25,7 +24,7 @@ pub fn newton(omega2: &[f64], g: &DMatrix<f64>, start: Pair) -> Pair {
     }
     // A pair whose shapes no damper sees keeps its energy.
     let seen = best.x1.abs().dot(&(g.abs() * best.x1.abs())) / best.x1.norm_squared();
-    if best.s.abs() <= UNDAMPED * seen {
+    if best.s.abs() <= UNDAMPED_PAIR * seen {
         best.s = 0.0;
     }
     best

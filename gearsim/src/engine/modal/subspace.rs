@@ -5,10 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::pairs::Pair;
 use crate::engine::error::Refusal;
-
-/// Singular values of the scaled matrix that count as zero, at most: beyond, no two-dimensional space is invariant, and
-/// the eigenvalue that the pairs share is defective.
-const NULL: f64 = 1e-7;
+use crate::tolerance::modes::NULL_SPACE;
 
 /// Elements of `all` at `group`.
 pub fn pick(all: &[f64], group: &[usize]) -> Vec<f64> {
@@ -68,7 +65,7 @@ pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec
         let best = candidates.into_iter().max_by(|x, y| aside(x).norm().total_cmp(&aside(y).norm()));
         let y = best.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
         let other = aside(&y);
-        if other.norm() < NULL {
+        if other.norm() < NULL_SPACE {
             return Err(Refusal::Defective { condition: 1.0 / other.norm() });
         }
         left = without(&left, &[y.clone(), other.normalize()]);
@@ -127,7 +124,7 @@ fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal
     let mut order: Vec<usize> = (0..v.nrows()).collect();
     order.sort_by(|&i, &j| svd.singular_values[i].total_cmp(&svd.singular_values[j]));
     let largest = svd.singular_values[order[size - 1]];
-    if largest.is_nan() || largest > NULL {
+    if largest.is_nan() || largest > NULL_SPACE {
         return Err(Refusal::Defective { condition: 1.0 / largest });
     }
     Ok(order[..size].iter().map(|&i| v.row(i).transpose()).collect())

@@ -1,6 +1,7 @@
 //! What damping takes from a mode: the integral of its power, in closed form.
 
-use super::{Kind, Mode, Response, SHORT, decayed};
+use super::{Kind, Mode, Response, decayed};
+use crate::tolerance::modes::{DECAYED, EIGENVALUES_APART, SERIES_SPAN};
 
 impl Mode {
     /// The energy lost, ∫ 2 sigma xi'² dt over [0, `t`], from initial speed `v` and acceleration `a`, with the `response` at
@@ -8,12 +9,12 @@ impl Mode {
     #[inline]
     pub fn lost(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
         let Mode { sigma, omega2, per_omega2, kind, .. } = *self;
-        if self.rate * t < SHORT {
+        if self.rate * t < SERIES_SPAN {
             // The closed forms below are small differences there.
             return 2.0 * sigma * self.by_quadrature(v, a, t);
         }
         match kind {
-            Kind::Under { w, per_w } if w > 0.1 * sigma => {
+            Kind::Under { w, per_w } if w > EIGENVALUES_APART * sigma => {
                 // xi' = e^{-sigma t} (v cos wt + b sin wt). Decayed sine and cosine of wt come from S1 and S2, those
                 // of 2 wt from them: x1 = e² sin 2wt, x2 = 1 - e² cos 2wt with e = e^{-sigma t}.
                 let b = (a + sigma * v) * per_w;
@@ -24,7 +25,7 @@ impl Mode {
                 let (cosines, sines) = (part * (sigma * x2 + w * x1), part * (w * x2 - sigma * x1));
                 0.5 * (v * v + b * b) * flat + 0.5 * (v * v - b * b) * cosines + v * b * sines
             }
-            Kind::Over { kappa, slow, fast } if kappa > 0.1 * sigma => {
+            Kind::Over { kappa, slow, fast } if kappa > EIGENVALUES_APART * sigma => {
                 let p = (fast * v + a) / (2.0 * kappa);
                 let q = -(slow * v + a) / (2.0 * kappa);
                 let (pp, pq, qq) = (decayed(2.0 * slow, t), decayed(slow + fast, t), decayed(2.0 * fast, t));
@@ -39,7 +40,7 @@ impl Mode {
     /// decay time.
     fn by_quadrature(&self, v: f64, a: f64, t: f64) -> f64 {
         // Beyond 40 decay times what is left of the square is below 1e-30.
-        let t = if self.sigma > 0.0 { t.min(40.0 / self.sigma) } else { t };
+        let t = if self.sigma > 0.0 { t.min(DECAYED / self.sigma) } else { t };
         let panels = (self.sigma * t).ceil().max(1.0);
         let width = t / panels;
         let mut sum = 0.0;

@@ -4,6 +4,7 @@ use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::number::{Real, Scalar};
 
 use super::*;
+use crate::tolerance::modes::SHIFT_SPAN;
 
 type Digits = Real<192>;
 
@@ -73,7 +74,7 @@ fn a_shifted_response_is_the_later_response() {
     for zeta in [0.0, 1e-6, 0.05, 0.9, 1.0, 1.0 + 1e-12, 1.2, 30.0] {
         let mode = Mode::new(zeta * 2.0, 4.0);
         for tau in [1e-3, 0.1, 1.0, 7.0] {
-            let (t, dt) = (tau / mode.rate, NEAR / mode.rate);
+            let (t, dt) = (tau / mode.rate, SHIFT_SPAN / mode.rate);
             for dt in [dt, -0.7 * dt, 1e-3 * dt, 1e-9 * dt] {
                 if t + dt < 0.0 {
                     continue;

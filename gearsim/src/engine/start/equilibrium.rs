@@ -18,6 +18,7 @@ use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Coordinate;
 use crate::scene::Scene;
+use crate::tolerance::start;
 
 /// The equilibrium of the coordinates `free`, the others as given.
 pub struct Equilibrium<'a> {
@@ -47,17 +48,6 @@ struct Step {
     stable: bool,
 }
 
-/// Steps of the iteration, boundaries included.
-const MOST_STEPS: usize = 200;
-/// Curvature of V, relative to the stiffnesses of the coordinates by themselves, that counts as none.
-const FLAT: f64 = 1e-12;
-/// Step of the iteration, relative to what was reached, that ends it.
-const CONVERGED: f64 = 4.0 * f64::EPSILON;
-/// Relative difference below which two equilibria are the same one.
-const SAME: f64 = 1e-6;
-/// Step below which the iteration ends once it no longer falls: what is left is the rounding of the forces.
-const ROUNDING: f64 = 1e-8;
-
 impl Equilibrium<'_> {
     /// The equilibrium that is found from the coordinates `guess` (N), with the dead bands in their present regimes.
     ///
@@ -71,7 +61,7 @@ impl Equilibrium<'_> {
         let mut held: Vec<usize> = vec![];
         let mut entered: Option<(usize, Side)> = None;
         let (mut reached, mut last) = (Vector::zeros(guess.len()), f64::INFINITY);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..start::STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
             let Step { step, stiffness, stable } =
                 self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.none())?;
@@ -101,7 +91,7 @@ impl Equilibrium<'_> {
                 entered = None;
             }
             let size = energy(&stiffness, &step) / energy(&stiffness, &reached).max(f64::MIN_POSITIVE);
-            if size <= CONVERGED || (size <= ROUNDING && size >= 0.5 * last) {
+            if size <= start::CONVERGED || (size <= start::STALLED && size >= 0.5 * last) {
                 return self.settled(state, laws, stable);
             }
             last = size;
@@ -137,7 +127,7 @@ impl Equilibrium<'_> {
         // Numbers that overflow have no curvatures; they are refused below.
         let curvatures = scaled.iter().all(|x| x.is_finite()).then(|| scaled.symmetric_eigen());
         let least = curvatures.as_ref().map_or(f64::NAN, |curvatures| curvatures.eigenvalues.min());
-        let (stable, concave) = (least > 0.0, curvatures.filter(|_| least < -FLAT));
+        let (stable, concave) = (least > 0.0, curvatures.filter(|_| least < -start::FLAT));
         let solved = match concave {
             Some(curvatures) => {
                 let along = curvatures.eigenvectors.tr_mul(&force.component_div(&unit));
@@ -196,7 +186,7 @@ impl Equilibrium<'_> {
             for step in steps.into_iter().filter(|step| *step != 0.0) {
                 let mut from = at.clone();
                 // Beyond a boundary, not on it.
-                from[i] += 1.001 * step;
+                from[i] += start::BEYOND * step;
                 let other = self.from(&from, bands).ok();
                 found.extend(other.filter(|other| !found.iter().any(|known| self.same(known, other))));
             }
@@ -212,7 +202,7 @@ impl Equilibrium<'_> {
 
     fn same(&self, a: &Settled, b: &Settled) -> bool {
         let (a, b) = (a.absolute(), b.absolute());
-        self.free.iter().all(|&i| (a[i] - b[i]).abs() <= SAME * a[i].abs().max(b[i].abs()))
+        self.free.iter().all(|&i| (a[i] - b[i]).abs() <= start::SAME * a[i].abs().max(b[i].abs()))
     }
 
     /// What there is to say of `found` beside the equilibrium that is taken.
