@@ -8,6 +8,7 @@
 //! The caps on iterations that always converge are not here. They stand beside their loops.
 
 pub(crate) mod events;
+pub(crate) mod methods;
 pub(crate) mod modes;
 pub(crate) mod phases;
 pub(crate) mod start;

@@ -4,6 +4,7 @@ use crate::engine::error::Refusal;
 use crate::engine::law::{Law, curved};
 use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
+use crate::tolerance::methods::HIGH_ORDER;
 
 use super::Method;
 use super::advance::{Events, Settings};
@@ -24,9 +25,6 @@ pub struct Choice {
     /// Why, in words.
     pub why: String,
 }
-
-/// Tolerance below which the method of high order is the cheaper one.
-const HIGH_ORDER: f64 = 1e-7;
 
 /// The method for `scene`, with its laws as they start.
 ///

@@ -2,6 +2,7 @@
 
 use super::flow::{Flow, Scale};
 use crate::engine::vector::Vector;
+use crate::tolerance::methods::{LAST_STEP, SAFETY, SMALLEST_SPEED, STEP_RATIO};
 
 /// How long steps are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,14 +12,6 @@ pub enum Steps {
     /// This long \[s\].
     Fixed(f64),
 }
-
-/// A part of the sizes that energy allows, below which a component counts as zero.
-const FLOOR: f64 = 1e-3;
-/// Of the step that would just do.
-const SAFETY: f64 = 0.9;
-/// How much a step may shrink or grow at once.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 6.0;
 
 /// The control of steps under way.
 #[derive(Debug, Clone)]
@@ -38,7 +31,7 @@ impl Control {
     pub fn new(steps: Steps, start: &Flow, speeds: &Vector, rate: f64, exponent: f64, most: f64) -> Self {
         let rate = rate.max(1.0 / most);
         let size = |v: f64| if v > 0.0 && v.is_finite() { v } else { 1.0 };
-        let v = speeds.map(|speed| FLOOR * size(speed));
+        let v = speeds.map(|speed| SMALLEST_SPEED * size(speed));
         let mut reached = Scale { q: &v * (1.0 / rate), v };
         reached.reach(start);
         let h = match steps {
@@ -68,7 +61,7 @@ impl Control {
     pub fn step(&self, left: f64) -> f64 {
         match self.steps {
             // A last step that is hardly longer is better than a tiny one after it.
-            Steps::Adaptive(_) if self.h * 1.1 >= left => left,
+            Steps::Adaptive(_) if self.h * LAST_STEP >= left => left,
             _ => self.h.min(left),
         }
     }
@@ -81,8 +74,9 @@ impl Control {
         let factor = SAFETY * error.powf(-exponent);
         // Also where the error is not a number.
         let accepted = error <= 1.0;
-        let most = if self.rejected { 1.0 } else { GROW };
-        let factor = if factor.is_nan() { SHRINK } else { factor.clamp(SHRINK, most) };
+        let [least, most] = STEP_RATIO;
+        let most = if self.rejected { 1.0 } else { most };
+        let factor = if factor.is_nan() { least } else { factor.clamp(least, most) };
         // A step cut short by an end says nothing against a longer one.
         self.h = if accepted && h < self.h { (h * factor).max(self.h) } else { h * factor };
         self.rejected = !accepted;

@@ -12,6 +12,7 @@ use super::field::Field;
 use super::flow::{Flow, Scale};
 use super::{Method, Trial};
 use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::methods::{NEWTON, NEWTON_ROUNDING};
 
 /// The eigenvectors of A: Z = T W.
 const T: [[f64; 3]; 3] = [
@@ -69,7 +70,7 @@ impl<T: ComplexField<RealField = f64> + Copy> System<T> {
 impl Radau {
     /// The method at a relative tolerance.
     pub fn new(tolerance: f64) -> Self {
-        let newton = (10.0 * f64::EPSILON / tolerance).max(tolerance.sqrt().min(0.03));
+        let newton = (NEWTON_ROUNDING / tolerance).max(tolerance.sqrt().min(NEWTON));
         Radau { newton, z: std::array::from_fn(|_| Flow::zero(0)) }
     }
 
