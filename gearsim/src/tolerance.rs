@@ -7,6 +7,7 @@
 //!
 //! The caps on iterations that always converge are not here. They stand beside their loops.
 
+pub(crate) mod analysis;
 pub(crate) mod events;
 pub(crate) mod methods;
 pub(crate) mod modes;
