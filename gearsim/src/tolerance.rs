@@ -12,4 +12,5 @@ pub(crate) mod events;
 pub(crate) mod methods;
 pub(crate) mod modes;
 pub(crate) mod phases;
+pub(crate) mod scene;
 pub(crate) mod start;
