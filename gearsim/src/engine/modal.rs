@@ -147,10 +147,10 @@ fn above(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMa
         let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= EQUAL_FREQUENCIES * omega2[i];
         n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
     };
-    let lost = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
+    let is_rounding = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
     DMatrix::from_fn(n, n, |i, j| {
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
-        if mean.abs() <= rounding[(i, j)] || lost(i) || lost(j) { 0.0 } else { mean }
+        if mean.abs() <= rounding[(i, j)] || is_rounding(i) || is_rounding(j) { 0.0 } else { mean }
     })
 }
 

@@ -77,28 +77,28 @@ impl Signal<'_> {
 
     /// Steady part of its rate, and a cheap bound on the rest.
     #[inline]
-    pub fn drift_and_wobble(&self) -> (f64, f64) {
-        let (mut drift, mut wobble) = (0.0, 0.0);
+    pub fn drift_and_oscillation(&self) -> (f64, f64) {
+        let (mut drift, mut oscillation) = (0.0, 0.0);
         for ((mode, v, a), c) in self.flight.motions_at_start().zip(self.on_moved) {
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
             } else if mode.omega2 == 0.0 && mode.sigma > 0.0 {
                 let excess = -a / (2.0 * mode.sigma);
                 drift += c * (v - excess);
-                wobble += (c * excess).abs();
+                oscillation += (c * excess).abs();
             } else if *c != 0.0 {
-                wobble += c.abs() * mode.rough_bound(v, a);
+                oscillation += c.abs() * mode.rough_bound(v, a);
             }
         }
         if let Some(d) = self.on_speed {
-            wobble += self.wobble_by_speeds(d);
+            oscillation += self.oscillation_by_speeds(d);
         }
-        (drift, wobble)
+        (drift, oscillation)
     }
 
     /// The bound on what the accelerations of the modes add to its rate.
     #[cold]
-    fn wobble_by_speeds(&self, d: &[f64]) -> f64 {
+    fn oscillation_by_speeds(&self, d: &[f64]) -> f64 {
         let bound = |(i, mode): (usize, &Mode)| {
             let (v, a) = self.flight.rates_at_start(i);
             if d[i] == 0.0 { 0.0 } else { d[i].abs() * mode.rough_bound(a, mode.next(v, a)) }

@@ -69,7 +69,7 @@ impl Ensemble<'_, '_> {
         let mut waiting = Mask::of(|_| true);
         let mut left = waiting;
         loop {
-            for lane in (0..L).filter(|lane| left.says(*lane)) {
+            for lane in (0..L).filter(|lane| left.is_set(*lane)) {
                 if let Some(which) = held[lane].take() {
                     lanes.unload(lane, &mut self.simulations[which]);
                     // The kernel has just left this event to the general loop.
@@ -148,7 +148,7 @@ impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
         let Advance { lanes, mut active, mut waiting } = self;
         let mut waited = 0;
         loop {
-            let leader = (0..L).find(|lane| active.says(*lane));
+            let leader = (0..L).find(|lane| active.is_set(*lane));
             if leader.is_none_or(|leader| lanes.at[leader] == 0) || waited >= lanes.tables.len() {
                 active = active.with(waiting);
                 waiting = waiting.without(waiting);

@@ -1,7 +1,7 @@
-//! A linear cell in twice the digits: the modes of the plain cell, taken on from its digits.
+//! A linear cell in double-double precision. The modes of the plain cell are refined.
 //!
-//! The plain shapes X are good to 1e-16. One step of X (1 - E/2 + 3 E²/8), E = XᵀMX - 1, makes them orthonormal to
-//! 1e-32, and Jacobi rotations of XᵀKX, which is nearly diagonal, do the rest.
+//! The plain shapes X have an error of 1e-16. Two steps X (1 - E/2 + 3 E²/8), E = XᵀMX - 1, make them orthonormal to 1e-32. XᵀKX
+//! is then nearly diagonal, and Jacobi rotations diagonalise it.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -15,26 +15,26 @@ use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI};
 /// The modes of one cell.
 #[derive(Debug, Clone)]
 pub struct Cell {
-    /// The modes, in the order of the plain cell's.
+    /// The modes, in the order of the plain cell.
     pub modes: Vec<Mode>,
-    /// Mode shapes X, one a column: q = X xi.
+    /// Mode shapes X, one per column: q = X xi.
     pub shapes: DMatrix<Df64>,
-    /// Xᵀ M: modal speeds from speeds.
+    /// Xᵀ M: gives the modal speeds from the speeds.
     pub momentum: DMatrix<Df64>,
-    /// Xᵀ f: modal loads.
+    /// Xᵀ f: the modal loads.
     pub load: DVector<Df64>,
-    /// Bound on the rates of its modes [1/s].
+    /// Upper bound of the rates of its modes [1/s].
     pub rate: f64,
 }
 
-/// From nearly diagonal, Jacobi's method converges in two sweeps.
+/// Maximum number of sweeps. Jacobi's method converges in about two for a nearly diagonal matrix.
 const MOST_SWEEPS: usize = 20;
 
 impl Cell {
-    /// The cell with the given matrices, from the `plain` one.
+    /// The cell with the given matrices, refined from the `plain` one.
     ///
     /// # Errors
-    /// Where damping couples the modes.
+    /// If damping couples the modes.
     pub fn new(matrices: &Matrices<Df64>, plain: &cell::Cell) -> Result<Self, Refusal> {
         let Matrices { mass, damping, stiffness, load, .. } = matrices;
         let n = mass.nrows();
@@ -63,7 +63,7 @@ impl Cell {
     }
 }
 
-/// X with XᵀMX closer to 1 by the cube of what it lacks.
+/// One step towards XᵀMX = 1. The error of the result is the cube of the error of `x`.
 fn orthonormal(mass: &DMatrix<Df64>, x: &DMatrix<Df64>) -> DMatrix<Df64> {
     let n = x.nrows();
     let one = DMatrix::from_diagonal_element(n, n, Df64::from(1.0));
@@ -71,7 +71,7 @@ fn orthonormal(mass: &DMatrix<Df64>, x: &DMatrix<Df64>) -> DMatrix<Df64> {
     x * (&one - &e * Df64::from(0.5) + &e * &e * Df64::from(0.375))
 }
 
-/// The diagonal of a nearly diagonal symmetric matrix after Jacobi's rotations, which turn the columns of `x` too.
+/// The diagonal of a nearly diagonal symmetric matrix after Jacobi rotations. They are applied to the columns of `x` too.
 fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>) -> Vec<Df64> {
     let n = a.nrows();
     let one = Df64::from(1.0);

@@ -1,12 +1,12 @@
-//! The compensated mode: states, times and the constants of cells as double-double numbers, 32 digits.
+//! The compensated mode: states, times and the constants of cells are double-double numbers with 32 digits.
 //!
-//! What limits a run in plain numbers is the rounding of its state at each event, amplified from there on, and that of the
-//! cells' constants, which makes energy drift. The plain engine goes on deciding which boundary is met first, and on which
-//! side; where it is met, the state there and the jump are then worked out anew in twice the digits. The numbers of the
-//! scene are taken as they are read: the constants follow from them by the derived equations in the same arithmetic
+//! Two kinds of error limit a run in plain numbers. The state is rounded at each event, and the motion amplifies these errors.
+//! The constants of the cells are rounded, which makes the energy drift. In the compensated mode the plain engine still decides
+//! which boundary is reached first and on which side. The time of the event, the state there and the jump are then computed again
+//! in double-double precision. The constants follow from the numbers of the scene by the derived equations in the same arithmetic
 //! (Dekker, Numer. Math. 18, 1971; Hida, Li & Bailey, ARITH-15, 2001).
 //!
-//! While a phase is held at a step the run is in plain numbers.
+//! While a phase is held at a step, the run is in plain numbers.
 
 mod cell;
 mod flight;
@@ -26,7 +26,7 @@ use crate::engine::record;
 use cell::Cell;
 use flight::{Flight, State};
 
-/// The cells of a scene and its state, in twice the digits.
+/// The cells of a scene and its state, in double-double precision.
 #[derive(Debug, Clone)]
 pub struct Compensated {
     cells: Vec<Cell>,
@@ -34,25 +34,25 @@ pub struct Compensated {
     state: State,
 }
 
-/// One law's steps.
+/// The geometry of the steps of one law.
 #[derive(Debug, Clone)]
 struct Surface {
-    /// Coordinate that is its phase.
+    /// Index of the coordinate that is its phase.
     phase: usize,
-    /// G.
+    /// G = n.M⁻¹n.
     compliance: Df64,
     /// M⁻¹n / G (N).
     direction: DVector<Df64>,
-    /// K per unit of the law.
+    /// Derivative of K with respect to the value of the law (N x N).
     stiffness: DMatrix<Df64>,
 }
 
 impl Compensated {
-    /// Takes the plain `cells`, `laws` and `state` on from their digits; `matrices` are those of a cell with given law
-    /// values, of which `rest` stand behind those of the laws.
+    /// Refines the plain `cells`, `laws` and `state`. `matrices` gives the matrices of a cell for given law values; `rest` are
+    /// the values that follow those of the laws.
     ///
     /// # Errors
-    /// Where damping couples the modes.
+    /// If damping couples the modes.
     pub fn new(
         matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>,
         cells: &Cells,
@@ -68,7 +68,7 @@ impl Compensated {
         let none = matrices(&wide([&vec![0.0; laws.len()], rest].concat()));
         let surface = |l: usize| {
             let with = matrices(&unit(l));
-            // Column `phase` of M⁻¹ = X Xᵀ: the phase is a coordinate, n its unit vector.
+            // M⁻¹ = X Xᵀ. The phase is a coordinate, so n is a unit vector and M⁻¹n is a column of M⁻¹.
             let phase = laws[l].phase;
             let x = &done[0].shapes;
             let column = DVector::from_fn(x.nrows(), |i, _| x.row(i).dot(&x.row(phase)));
@@ -84,30 +84,30 @@ impl Compensated {
         Ok(Compensated { cells: done, surfaces, state: State::of(state) })
     }
 
-    /// Takes on a state in plain numbers.
+    /// Replaces the state by one in plain numbers.
     pub fn set(&mut self, state: &record::State) {
         self.state = State::of(state);
     }
 
-    /// Puts the phase of a law where the plain state has it, exactly.
+    /// Sets the phase of a law to exactly its value in the plain state.
     pub fn place(&mut self, law: usize, state: &record::State) {
         let phase = self.surfaces[law].phase;
         self.state.q[phase] = Df64::from(state.q[phase]);
     }
 
-    /// Rounds to plain numbers.
+    /// Rounds the state to plain numbers.
     pub fn round(&self, state: &mut record::State) {
         state.q.iter_mut().zip(&self.state.q).for_each(|(q, exact)| *q = exact.hi());
         state.q_dot.iter_mut().zip(&self.state.q_dot).for_each(|(v, exact)| *v = exact.hi());
     }
 
-    /// Moves on in a cell for the time `t` [s]; gives the time.
+    /// Moves the state by the time `t` [s] in a cell; returns `t`.
     pub fn go(&mut self, cell: usize, t: Df64) -> Df64 {
         self.state = Flight::new(&self.cells[cell], self.state.clone()).at(t);
         t
     }
 
-    /// Moves on in a cell to where the phase of a law is at `boundary`, which is after about the time `t` [s]; gives the time.
+    /// Moves the state in a cell until the phase of a law reaches `boundary`, near the time `t` [s]; returns the exact time.
     pub fn meet(&mut self, cell: usize, law: usize, boundary: f64, t: f64) -> Df64 {
         let flight = Flight::new(&self.cells[cell], self.state.clone());
         let (t, state) = flight.meet(self.surfaces[law].phase, boundary, t);
@@ -115,23 +115,24 @@ impl Compensated {
         t
     }
 
-    /// Changes the speeds at the step of `law` met on the way to `side`, as [`crate::engine::jump::Surface::pass`] does;
-    /// `steps` are the laws that step there, and by how much.
+    /// Changes the speeds at the step of `law` towards `side`, as [`crate::engine::jump::Surface::pass`] does. `steps` are the
+    /// indices of the laws that step there, and the sizes of their steps.
     pub fn pass(&mut self, law: usize, side: Side, steps: impl Iterator<Item = (usize, Df64)>) -> Passage {
         let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
         let q = &self.state.q;
-        // V is a quadratic form in q between two steps, and linear in the laws.
+        // Between two steps V is a quadratic form in q and linear in the laws.
         let dv = steps.fold(Df64::from(0.0), |sum, (l, dk)| sum + q.dot(&(&self.surfaces[l].stiffness * q)) * dk * 0.5);
         let v = self.state.q_dot[*phase];
-        let lost = *compliance * dv * 2.0;
-        let square = v * v - lost;
+        // v² - v+².
+        let drop = *compliance * dv * 2.0;
+        let square = v * v - drop;
         if square.hi() < 0.0 {
             self.state.q_dot += direction * (v * -2.0);
             return Passage::Reflected;
         }
         let after = square.sqrt();
         if after.hi() > 0.0 || v.hi() != 0.0 {
-            self.state.q_dot += direction * (-lost * side.sign() / (after + v.abs()));
+            self.state.q_dot += direction * (-drop * side.sign() / (after + v.abs()));
         }
         Passage::Transmitted
     }

@@ -1,5 +1,4 @@
-//! One mode in twice the digits: xi'' + 2 sigma xi' + omega² xi = g, as [`crate::engine::mode`] has it, with S1 and S2 in
-//! double-double numbers.
+//! One mode, xi'' + 2 sigma xi' + omega² xi = g, in double-double precision. The formulas are those of [`crate::engine::mode`].
 
 use xprec::Df64;
 
@@ -12,11 +11,11 @@ pub struct Mode {
     pub sigma: Df64,
     /// Square of the undamped natural angular frequency, omega² [1/s²].
     pub omega2: Df64,
-    /// How it moves.
+    /// The form of its motion.
     kind: Kind,
 }
 
-/// How a mode moves.
+/// The form of a mode's motion.
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     /// sigma = omega = 0: rigid-body motion.
@@ -57,7 +56,7 @@ impl Mode {
             return self.series(t);
         }
         let decay = (-sigma * t).exp_m1();
-        // S2 from the decayed cosine less one and S1, as in the plain mode.
+        // S2 from S1 and e^{-sigma t} cos(wt) - 1, as in the plain mode.
         let by_increments = |cosine_less_one: Df64, s1: Df64| (s1, -(cosine_less_one + sigma * s1) / omega2);
         match kind {
             Kind::Rigid => unreachable!("answered above"),
@@ -77,7 +76,7 @@ impl Mode {
         }
     }
 
-    /// Taylor series: S1'' + 2 sigma S1' + omega² S1 = 0 term by term.
+    /// Taylor series of S1 and S2. The terms follow from S1'' + 2 sigma S1' + omega² S1 = 0.
     fn series(&self, t: Df64) -> (Df64, Df64) {
         let (a, b) = (self.sigma * t * 2.0, self.omega2 * t * t);
         let (mut previous, mut term) = (Df64::from(0.0), t);

@@ -1,5 +1,5 @@
-//! The search where the phase may turn: by steps that are proved not to pass a crossing, until one simple root is proved to lie
-//! ahead, or the phase is at a boundary and passes it.
+//! The search for a crossing if the phase may reverse. It advances by steps that are proved to contain no crossing, until one
+//! simple root is proved to lie ahead, or the phase is at a boundary and passes it.
 
 use super::departure::Departure;
 use super::step::Approach;
@@ -8,7 +8,7 @@ use crate::engine::cell::Point;
 use crate::tolerance::events::SEARCH_STEPS;
 
 impl Search<'_> {
-    /// Marches by steps that cannot pass a crossing.
+    /// Advances by steps that contain no crossing.
     pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         match self.depart(point) {
             Some(Departure::Back { side, t }) => {
@@ -40,7 +40,7 @@ impl Search<'_> {
                 let [r, a, j, _] = rates.map(|x| sign * x);
                 let gap = full - sign * moved;
                 if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
-                    // Here or hereabouts: does it pass, or turn within the tolerance?
+                    // At the boundary, within the tolerance: the phase passes it, or reverses within the tolerance.
                     let turns = a + rounding.acceleration < 0.0;
                     if !turns || gap + r * r / (2.0 * a) <= -tolerance {
                         return Ok(self.here(side, full, [gap, r, a], rounding.value, point, cost));
@@ -50,7 +50,7 @@ impl Search<'_> {
                     h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
                     continue;
                 }
-                // Turned between two steps: was that a touch?
+                // The phase reversed between two steps. If its distance was within the tolerance there, it was a graze.
                 if approached[i] && r < 0.0 && gap <= tolerance + r * r / (2.0 * a.abs()) {
                     cost.grazes += 1;
                 }
@@ -82,7 +82,7 @@ impl Search<'_> {
         [(Side::Upper, self.up), (Side::Lower, self.down)]
     }
 
-    /// The crossing that lies hereabouts, within the tolerance ahead or behind: found as far as the phase is known.
+    /// The crossing of a phase that is at the boundary within the tolerance, before it or beyond it.
     fn here(
         &self,
         side: Side,

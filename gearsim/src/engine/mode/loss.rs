@@ -7,7 +7,7 @@ impl Mode {
     /// The energy lost, ∫ 2 sigma xi'² dt over [0, `t`], from initial speed `v` and acceleration `a`, with the `response` at
     /// `t` known. An integral of the speed, not a difference of energies: the account must not account for itself.
     #[inline]
-    pub fn lost(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
+    pub fn dissipated(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
         let Mode { sigma, omega2, per_omega2, kind, .. } = *self;
         if self.rate * t < SERIES_SPAN {
             // The closed forms below are small differences there.

@@ -102,11 +102,11 @@ fn the_loss_is_the_fall_of_the_modes_energy() {
             let force = -omega2 * y;
             let (moved, gained) = (v * r.s1 + force * r.s2, (force - 2.0 * mode.sigma * v) * r.s1 - omega2 * v * r.s2);
             let fall = -gained * (v + 0.5 * gained) - omega2 * moved * (y + 0.5 * moved);
-            let lost = mode.lost(v, a, t, &r);
+            let dissipated = mode.dissipated(v, a, t, &r);
             let energy = 0.5 * (v * v + omega2 * y * y);
             assert!(
-                (lost - fall).abs() < 2e-14 * energy,
-                "zeta {zeta:e} t {t:e}: {lost:e}, not {fall:e} of {energy:e}"
+                (dissipated - fall).abs() < 2e-14 * energy,
+                "zeta {zeta:e} t {t:e}: {dissipated:e}, not {fall:e} of {energy:e}"
             );
         }
     }
