@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_root_is_not_passed() {
+    fn the_first_root_is_not_missed() {
         for roots in [[0.3, 0.7, 2.0, 3.0], [0.999, 1.5, 2.0, 3.0], [-1.0, 0.01, 0.02, 5.0], [0.5, 0.5001, -2.0, -3.0]]
         {
             let first = roots.into_iter().filter(|r| *r > 0.0).fold(f64::INFINITY, f64::min);
@@ -117,7 +117,7 @@ mod tests {
 
     /// (1 - 2 t)² touches zero. Lowered by its rounding error, it is negative there.
     #[test]
-    fn a_touch_is_not_passed() {
+    fn a_double_root_is_not_missed() {
         let (from, to) = match Bernstein::of([1.0, -4.0, 4.0], 1.0).first(30) {
             First::None => panic!("a touch was passed"),
             First::Single(from, to) => (from, to),
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn a_start_at_a_root_is_not_one() {
+    fn a_root_at_the_start_is_not_reported() {
         assert_eq!(Bernstein::of([0.0, 1.0, -0.5], 1.0).first(30), First::None);
         assert_eq!(Bernstein::of([0.0, 0.0, 1.0], 1.0).first(30), First::None);
     }

@@ -180,7 +180,7 @@ fn cell_and_jump() {
 
 /// Terms of an absent effect are not compiled: NaN and infinity in the quantities they would use do not change the result.
 #[test]
-fn absent_terms_are_absent() {
+fn terms_of_absent_effects_are_not_evaluated() {
     let mut numbers = NUMBERS;
     (numbers[4], numbers[5]) = (f64::NAN, f64::NAN);
     for effects in [0, STIFFNESS_STEP | RIGID_KINEMATICS, STIFFNESS_STEP | FROZEN_PHASE] {
@@ -257,7 +257,7 @@ mod two_masses {
 }
 
 #[test]
-fn a_file_that_says_the_least() {
+fn the_smallest_valid_file() {
     let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
     assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
     assert_eq!((e.kinetic(&[1.0, 1.0]), e.dissipation(&[1.0, 1.0], &[]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
@@ -275,7 +275,7 @@ fn a_file_that_says_the_least() {
 
 /// M = D [[4, 1, 1], [1, 4, 1], [1, 1, 4]] D against its hand-written inverse, with entries of D over 200 decades.
 #[test]
-fn inverse_of_a_mass_matrix_in_odd_units() {
+fn inverse_of_a_badly_scaled_mass_matrix() {
     let d = [1e100, 1.0, 1e-100];
     let scaled = |diagonal: f64, other: f64, d: [f64; 3]| {
         Matrix::from_fn(3, 3, |i, j| if i == j { diagonal * d[i] * d[i] } else { other * d[i] * d[j] })
@@ -286,6 +286,6 @@ fn inverse_of_a_mass_matrix_in_odd_units() {
 }
 
 #[test]
-fn no_inverse_of_an_indefinite_matrix() {
+fn an_indefinite_matrix_has_no_inverse() {
     assert!(mobility(&Matrix::from_row_slice(2, 2, &[-1.0, 0.0, 0.0, 1.0])).iter().all(|x| x.is_nan()));
 }

@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn they_are_those_of_the_standard_library_to_a_rounding_or_two() {
+    fn functions_match_the_standard_library_within_two_ulp() {
         assert!(worst(-600.0, 2.0, exp_m1, f64::exp_m1, true) <= 2.0);
         assert!(worst(-1e-3, 1e-3, exp_m1, f64::exp_m1, true) <= 2.0);
         for end in [1.0, 100.0, LARGEST_ANGLE] {
