@@ -189,7 +189,7 @@ pub fn accelerated(mobility: &Matrix, of_force: [Matrix; 2]) -> [Matrix; 2] {
 /// M⁻¹ (n x n), for models too large for a symbolic inverse. If M is not positive definite, the entries are NaN;
 /// [`Cell::new`](crate::engine::cell::Cell::new) then refuses the scene.
 pub fn mobility(mass: &Matrix) -> Matrix {
-    // Scale M to a unit diagonal, so that no product overflows or underflows whatever the inertias.
+    // Scale M to a unit diagonal, so that no product overflows or underflows.
     let n = mass.nrows();
     let unit: Vec<f64> = (0..n).map(|i| mass[(i, i)].sqrt()).collect();
     let scaled = Matrix::from_fn(n, n, |i, j| mass[(i, j)] / unit[i] / unit[j]);

@@ -123,7 +123,7 @@ impl<const N: usize, const L: usize> Expected<N, L> {
 }
 
 /// The direction in which the phase of each lane moves.
-struct Way<const L: usize> {
+struct Target<const L: usize> {
     /// Whether the phase is proved to be monotone.
     monotone: Mask<L>,
     /// Whether it moves to the upper boundary.
@@ -201,12 +201,12 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         // Solve.
         let flight = Flight::new(cells, &self.q, &self.q_dot);
         // Locate.
-        let way = self.way(cells, &flight);
-        let sure = active.and(way.monotone);
-        let (sure, t, points, evaluations) = self.locate(cells, &flight, &way, &expected, sure);
+        let target = self.target(cells, &flight);
+        let sure = active.and(target.monotone);
+        let (sure, t, points, evaluations) = self.locate(cells, &flight, &target, &expected, sure);
         // Jump.
         let common = together.then_some(first);
-        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, common })
+        self.jump(cells, &flight, &target, &points, Located { sure, t, evaluations, common })
     }
 
     /// Stores the events of an attempt in the lanes in which they are plain.
@@ -247,13 +247,13 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     /// The boundary to which the phase moves, and whether the phase is proved to be monotone: the steady part of its speed
     /// exceeds a bound on the speed of the oscillations.
     #[inline(always)]
-    fn way(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Way<L> {
-        let (mut drift, mut oscillation, mut rolls) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
+    fn target(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Target<L> {
+        let (mut drift, mut oscillation, mut uniform) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
         for i in 0..N {
             let (c, v, a) = (cells.modes[i].part, flight.speed[i], flight.acceleration(i));
             if self.rigid[i] {
                 drift = drift + c * v;
-                rolls = rolls.and((c * a).compare(c, |a, _| a == 0.0));
+                uniform = uniform.and((c * a).compare(c, |a, _| a == 0.0));
             } else {
                 oscillation = oscillation + c.abs() * (v.abs() + a.abs() * cells.modes[i].gain);
             }
@@ -262,8 +262,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let sign = Pack::all(1.0).or_uniform(up, Pack::all(-1.0));
         let boundary = cells.bounds[1].or_uniform(up, cells.bounds[0]);
         let gap = sign * (boundary - self.q[self.phase]);
-        let monotone = rolls.and(drift.abs().compare(oscillation, |d, w| d > w * (1.0 + BOUND_MARGIN)));
-        Way { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
+        let monotone = uniform.and(drift.abs().compare(oscillation, |d, w| d > w * (1.0 + BOUND_MARGIN)));
+        Target { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
     }
 
     /// The time of the crossing, the modes at that time, and the number of evaluations: Newton's method from the predicted time.
@@ -273,11 +273,12 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         &self,
         cells: &Cells<N, L>,
         flight: &Flight<'_, N, L>,
-        way: &Way<L>,
+        target: &Target<L>,
         expected: &Expected<N, L>,
         sure: Mask<L>,
     ) -> (Mask<L>, Pack<L>, [Point<L>; N], usize) {
-        let guess = (way.steady + expected.lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
+        let guess =
+            (target.steady + expected.lateness).zip(target.steady, |t, steady| if t > 0.0 { t } else { steady });
         // The condition is also false for NaN.
         let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= SHIFT_SPAN);
         let elsewhere = Mask::of(|_| true).without(near_enough);
@@ -292,8 +293,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let (mut points, mut taken, mut done, mut evaluations) = (near, t, Mask::of(|_| false), 0);
         for round in 1..=MOST {
             evaluations = round;
-            let [s, r, a, jerk, snap] = self.signal(cells, flight, &near, way.sign);
-            let f = way.gap - s;
+            let [s, r, a, jerk, snap] = self.signal(cells, flight, &near, target.sign);
+            let f = target.gap - s;
             // The root of f - r dt - a dt²/2 - jerk dt³/6 - snap dt⁴/24 by reversion of the series.
             let inverse = 1.0 / r;
             let h = f * inverse;
@@ -331,7 +332,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         &self,
         cells: &Cells<N, L>,
         flight: &Flight<'_, N, L>,
-        way: &Way<L>,
+        target: &Target<L>,
         points: &[Point<L>; N],
         Located { sure, t, evaluations, common }: Located<L>,
     ) -> Attempt<N, L> {
@@ -349,7 +350,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 dissipated = dissipated + flight.dissipated(j, &points[j]);
             }
         }
-        q[self.phase] = way.boundary;
+        q[self.phase] = target.boundary;
         let mut arrival = [q, q_dot];
         for i in 0..N {
             arrival[1][i] = q_dot[i] + (gained[i] + lost[i]);
@@ -357,19 +358,19 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let mut dv = Pack::all(0.0);
         for i in 0..N {
             for j in 0..N {
-                dv = dv + cells.step[1][i][j].or_uniform(way.up, cells.step[0][i][j]) * q[i] * q[j];
+                dv = dv + cells.step[1][i][j].or_uniform(target.up, cells.step[0][i][j]) * q[i] * q[j];
             }
         }
         let v = q_dot[self.phase] + gained[self.phase];
         let lowered = 2.0 * self.compliance * dv;
         let square = v * v - lowered;
-        let gain = -(way.sign * lowered) / (square.sqrt() + v.abs());
+        let gain = -(target.sign * lowered) / (square.sqrt() + v.abs());
         for i in 0..N {
             [q_dot[i], lost[i]] = two_sum(q_dot[i], (gained[i] + lost[i]) + self.direction[i] * gain);
         }
-        q[self.phase] = cells.entered[1].or_uniform(way.up, cells.entered[0]);
+        q[self.phase] = cells.entered[1].or_uniform(target.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        let (sure, up, steady) = (sure.and(passes), way.up, way.steady);
+        let (sure, up, steady) = (sure.and(passes), target.up, target.steady);
         Attempt { sure, t, up, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
     }
 

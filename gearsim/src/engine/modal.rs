@@ -97,9 +97,9 @@ impl Modal {
         let damping = shapes.transpose() * &m.damping * &shapes;
         let rounding =
             MODAL_DAMPING_ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
-        let above = above(&omega2, &damping, &rounding);
-        let modes = damped(&omega2, &above)?;
-        let coupled = if couples(&above) { Some(Coupled::of(&omega2, &above)?) } else { None };
+        let significant = significant(&omega2, &damping, &rounding);
+        let modes = damped(&omega2, &significant)?;
+        let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
         let springs = DMatrix::from_fn(n, n, |i, j| omega2[i] * momentum[(i, j)]);
         let load = shapes.transpose() * &m.load;
@@ -141,7 +141,7 @@ fn couples(damping: &DMatrix<f64>) -> bool {
 /// mode on which no damper acts gets a part eps of the most strongly damped shape; this gives it a damping of eps² and couplings
 /// of eps. Modes of equal frequencies were rotated until damping does not couple them, and their dampings have an error of eps
 /// times the largest among them.
-fn above(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
+fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
     let n = damping.nrows();
     let mixed = (n as f64 * f64::EPSILON).powi(2) * damping.diagonal().amax();
     let turned = |i: usize| {

@@ -109,7 +109,7 @@ impl Ensemble<'_, '_> {
             if simulation.is_plain() && (events_left == 0 || simulation.laws[0].cell == 0) {
                 return true;
             }
-            events_left = patience.saturating_sub(1);
+            events_left = events_left.saturating_sub(1);
             if self.step(which) {
                 return false;
             }

@@ -34,7 +34,7 @@ pub(crate) const STIFFNESS_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A harmonic of the mesh frequency is reported if it is this close to a damped natural frequency [relative].
 pub(crate) const NEAR_RESONANCE: f64 = 0.1;
 
-/// Samples are evenly spaced if their intervals differ by less than this [relative], beside the rounding error of the times.
+/// Samples are evenly spaced if their intervals differ by less than this [relative], in addition to the rounding error of the times.
 /// Times read from a file have six digits or more.
 pub(crate) const EVEN_SPACING: f64 = 1e-6;
 /// Rounding error of the difference of two times [relative to the time].

@@ -49,7 +49,7 @@ pub(crate) const COUPLED_MODES: f64 = 1e-10;
 /// Rounding errors in the damping between two modes [eps, times the sum of the absolute values of its terms]. Each entry of the
 /// mode shapes has some tens of them. Smaller: rounding errors couple modes. Larger: weak couplings are ignored.
 pub(crate) const MODAL_DAMPING_ROUNDINGS: f64 = 64.0;
-/// Jacobi's method ends if every entry beside the diagonal is below this [relative to the geometric mean of the two diagonal
+/// Jacobi's method ends if every off-diagonal entry is below this [relative to the geometric mean of the two diagonal
 /// entries]. A tenth of a rounding keeps the relative accuracy of small eigenvalues (Demmel & Veselic, SIAM J. Matrix Anal. Appl.
 /// 13, 1992).
 pub(crate) const JACOBI: f64 = 0.1 * f64::EPSILON;

@@ -14,7 +14,7 @@
 //! from the rotation, is part of the result.
 
 mod leg;
-mod look;
+mod quantities;
 
 use std::f64::consts::TAU;
 
@@ -164,32 +164,32 @@ impl<'a> Steady<'a> {
     pub fn orbit(&self, factor: f64, jumps: bool) -> Result<Orbit, Unknown> {
         let legs = self.legs(factor)?;
         let size = 2 * self.shapes.ncols();
-        let mut kicks: Vec<DVector<f64>> = legs.iter().map(|_| DVector::zeros(size)).collect();
+        let mut impulses: Vec<DVector<f64>> = legs.iter().map(|_| DVector::zeros(size)).collect();
         let to_return = (DMatrix::identity(size, size) - leg::period(&legs)).lu();
-        let settled = |kicks: &[DVector<f64>]| {
-            let a = legs.iter().zip(kicks).fold(DVector::zeros(size), |y, (leg, kick)| leg.cross(&y) + kick);
+        let settled = |impulses: &[DVector<f64>]| {
+            let a = legs.iter().zip(impulses).fold(DVector::zeros(size), |y, (leg, impulse)| leg.cross(&y) + impulse);
             to_return.solve(&a).ok_or(Unknown::Unsettled)
         };
-        let mut start = settled(&kicks)?;
+        let mut start = settled(&impulses)?;
         let mut strength = 0.0;
         let rounds = if jumps { ROUNDS } else { 0 };
         for _ in 0..rounds {
             let mut y = start;
             strength = 0.0f64;
-            for (leg, kick) in legs.iter().zip(&mut kicks) {
+            for (leg, averaged) in legs.iter().zip(&mut impulses) {
                 y = leg.cross(&y);
                 let (impulse, here) = self.impulse(leg, &y)?;
                 strength = strength.max(here);
                 // Average with the previous iteration: strong impulses would otherwise overshoot.
-                *kick = (&*kick + impulse) * 0.5;
-                y += &*kick;
+                *averaged = (&*averaged + impulse) * 0.5;
+                y += &*averaged;
             }
-            start = settled(&kicks)?;
+            start = settled(&impulses)?;
             if strength >= 1.0 {
                 break;
             }
         }
-        self.look(&legs, &kicks, start, self.period / factor, strength)
+        self.quantities(&legs, &impulses, start, self.period / factor, strength)
     }
 
     fn legs(&self, factor: f64) -> Result<Vec<Leg>, Unknown> {

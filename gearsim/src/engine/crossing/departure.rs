@@ -20,7 +20,7 @@ use crate::tolerance::events;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Departure {
     /// The phase returns to its boundary at the time `t` [s].
-    Back { side: Side, t: f64 },
+    Returns { side: Side, t: f64 },
     /// The phase reaches no boundary before the time `until` [s].
     Clear { until: f64 },
 }
@@ -48,13 +48,13 @@ impl Search<'_> {
             return None;
         }
         let series = self.signal.series();
-        let away = Away::new(-r, side.sign(), &series);
-        match Bernstein::of(away.lowered(&series), until).first(HALVINGS) {
+        let quotient = Quotient::new(-r, side.sign(), &series);
+        match Bernstein::of(quotient.lowered(&series), until).first(HALVINGS) {
             First::None => Some(Departure::Clear { until }),
-            First::Single(from, to) => match away.root(from * until, to * until) {
+            First::Single(from, to) => match quotient.root(from * until, to * until) {
                 // The remainder is below the rounding error of s/t.
-                Some(t) if away.remainder(&series, t) <= events::DEPARTURE_REMAINDER * r => {
-                    Some(Departure::Back { side, t })
+                Some(t) if quotient.remainder(&series, t) <= events::DEPARTURE_REMAINDER * r => {
+                    Some(Departure::Returns { side, t })
                 }
                 _ => clear(from * until),
             },
@@ -68,11 +68,11 @@ fn clear(until: f64) -> Option<Departure> {
 }
 
 /// Coefficients of s(t)/t in the direction of the boundary. The polynomial is negative until the return.
-struct Away([f64; TERMS + 1]);
+struct Quotient([f64; TERMS + 1]);
 
-impl Away {
+impl Quotient {
     fn new(r: f64, sign: f64, series: &Series) -> Self {
-        Away(std::array::from_fn(|k| if k == 0 { r } else { sign * series.derivatives[k - 1] / factorial(k + 1) }))
+        Quotient(std::array::from_fn(|k| if k == 0 { r } else { sign * series.derivatives[k - 1] / factorial(k + 1) }))
     }
 
     /// The coefficients of -s(t)/t, lowered by their rounding errors and by the remainder.

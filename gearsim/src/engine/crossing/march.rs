@@ -11,7 +11,7 @@ impl Search<'_> {
     /// Advances by steps that contain no crossing.
     pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         match self.depart(point) {
-            Some(Departure::Back { side, t }) => {
+            Some(Departure::Returns { side, t }) => {
                 self.go(point, t, cost);
                 return Ok((t < self.horizon).then_some(side));
             }
@@ -43,7 +43,7 @@ impl Search<'_> {
                     // At the boundary, within the tolerance: the phase passes it, or reverses within the tolerance.
                     let turns = a + rounding.acceleration < 0.0;
                     if !turns || gap + r * r / (2.0 * a) <= -tolerance {
-                        return Ok(self.here(side, full, [gap, r, a], rounding.value, point, cost));
+                        return Ok(self.at_boundary(side, full, [gap, r, a], rounding.value, point, cost));
                     }
                     cost.grazes += 1;
                     approached[i] = false;
@@ -83,7 +83,7 @@ impl Search<'_> {
     }
 
     /// The crossing of a phase that is at the boundary within the tolerance, before it or beyond it.
-    fn here(
+    fn at_boundary(
         &self,
         side: Side,
         full: f64,

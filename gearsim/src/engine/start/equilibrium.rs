@@ -64,7 +64,7 @@ impl Equilibrium<'_> {
         for _ in 0..start::STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
             let Step { step, stiffness, stable } =
-                self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.none())?;
+                self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.refusal())?;
             if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
                 // The step is longer than a pitch: restart at its end instead of passing every boundary on the way.
                 let here = Settled { state, laws, stable };
@@ -96,7 +96,7 @@ impl Equilibrium<'_> {
             }
             last = size;
         }
-        Err(self.none())
+        Err(self.refusal())
     }
 
     /// The laws at the start of the motion: a phase on a boundary is in the cell into which it moves.
@@ -229,7 +229,7 @@ impl Equilibrium<'_> {
         })
     }
 
-    fn none(&self) -> Refusal {
+    fn refusal(&self) -> Refusal {
         let names: Vec<_> = self.free.iter().map(|&i| self.scene.model.coordinates[i].name).collect();
         Refusal::NoEquilibrium { coordinates: names.join(", ") }
     }
