@@ -1,26 +1,28 @@
-//! Time per event of gearsim beside programs written by hand for this one system, in C and in Rust, all in one run.
+//! Time per event of gearsim, compared with programs written by hand for this one system in C and in Rust, measured together.
 //!
 //! `cargo bench -p gearsim --bench c_program`. It compiles `tests/peers/c/gear_pair.c` with `gcc -O3` (or `cc`) into a temporary
-//! folder. An event is a cell change or a reflection. All programs take the same scene to the same end state.
+//! folder. An event is a cell change or a reflection. All programs run the same scene to the same end state.
 //!
 //! Rows of the first table:
-//! - **C**, **Rust by hand**: the same method twice (`tests/reference/oh2005/fast.rs`): plain `f64` state, no record, no account.
-//! - **unrecorded**: [`ensemble::run`] with one simulation; what sweeps and end states use. Guarantee and account included.
+//! - **C**, **Rust by hand**: the same method in both languages (`tests/reference/oh2005/fast.rs`), with plain `f64` states,
+//!   without recording and without an energy account.
+//! - **unrecorded**: [`ensemble::run`] with one simulation, as in sweeps and for end states. It includes the guarantee and the
+//!   energy account.
 //! - **recordable**: [`Simulation::run`] without a recorder.
 //! - **recorded, no rows**: [`Simulation::run`] with a recorder, events off and a rate that leaves no samples.
 //!
-//! The times of gearsim do not include [`Simulation::new`], which is the column "preparation". The hand-written programs prepare
-//! their two cells within their times.
+//! The times of gearsim do not include [`Simulation::new`], which is in the column "preparation". The times of the hand-written
+//! programs include the preparation of their two cells.
 //!
-//! The second table is for whole batches: from scene structs to outcomes ([`Entry::ends`], one thread), with equations, starts,
-//! cells, tables of the lanes and energy accounts. "lanes alone" is [`ensemble::run`] on prepared simulations, the figure of
-//! `benches/ensemble.rs`. The difference is start-up: about 12 us a scene, 3 ns an event in runs of 3,600 events, more in shorter ones;
-//! it does not depend on the size of the batch. Both columns also depend on what else the machine does: eight lanes keep the vector
-//! units of a core busy, so that a compiler on the other hardware thread of this core (virtual processors are such threads)
-//! slows them by 1.1 to 1.4. The C program mostly waits for its own results and hardly notices. So the ratio to C is fair only on
-//! an idle machine.
+//! The second table is for whole batches: from scenes to outcomes ([`Entry::ends`], one thread), including equations, starts,
+//! cells, tables of the lanes and energy accounts. "lanes alone" is [`ensemble::run`] on prepared simulations, as in
+//! `benches/ensemble.rs`. The difference between them is the preparation: about 12 us per scene, which is 3 ns per event in runs
+//! of 3,600 events, and more in shorter ones. It does not depend on the size of the batch. Both columns depend on the other load
+//! of the machine. Eight lanes keep the vector units of a core busy, so a compiler on the other hardware thread of this core
+//! slows them down by a factor of 1.1 to 1.4. The C program mostly waits for its own results and is hardly affected. The ratio to
+//! C is therefore meaningful only on an idle machine.
 //!
-//! Every figure is the least of several rounds; programs alternate within a round.
+//! Every figure is the smallest of several rounds. The programs alternate within a round.
 
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -42,16 +44,16 @@ const SCENES: [(&str, &str, f64, f64, f64); 3] = [
     ("600 rpm", "spectrum_600rpm_exact", 600.0, 10.0, 1.0),
     ("stall: 600 rpm, 50 N m", "spectrum_600rpm_exact", 600.0, 50.0, 0.8),
 ];
-/// Rounds, and how long a program runs in each.
+/// Number of rounds, and duration of each program in a round.
 const ROUNDS: usize = 9;
 const SLICE: Duration = Duration::from_millis(30);
-/// Largest difference of end states, see [`apart`].
+/// Largest allowed difference of end states, see [`apart`].
 const TOLERANCE: f64 = 1e-9;
-/// Scenes of a batch, and events of each.
+/// Numbers of scenes in a batch, and events per scene.
 const BATCHES: [usize; 3] = [8, 64, 512];
 const EVENTS: f64 = 3600.0;
 
-/// What a run came to: cell changes, reflections, the cell, and theta above its lower end, theta', phi, phi'.
+/// The result of a run: cell changes, reflections, cell, theta above the lower boundary of the cell, theta', phi and phi'.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct End {
     counts: [i64; 3],
@@ -59,7 +61,7 @@ struct End {
 }
 
 fn main() {
-    // `cargo test --all-targets` starts benches too, without this word.
+    // `cargo test --all-targets` starts benchmarks too, but without this argument.
     if !std::env::args().any(|word| word == "--bench") {
         return println!("nothing is measured without --bench: cargo bench -p gearsim --bench c_program");
     }
@@ -74,7 +76,7 @@ fn main() {
     batches(base);
 }
 
-/// The program in C; `None` where there is no compiler.
+/// Compiles the program in C; `None` if there is no compiler.
 fn compile(to: PathBuf) -> Option<PathBuf> {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/peers/c/gear_pair.c");
     let compiles = |compiler: &str| {
@@ -84,7 +86,7 @@ fn compile(to: PathBuf) -> Option<PathBuf> {
     ["gcc", "cc"].into_iter().any(compiles).then_some(to)
 }
 
-/// Runs the program in C; its end, and its least time of an event [ns].
+/// Runs the program in C; returns its end state and its smallest time per event [ns].
 fn run_c(program: &PathBuf, rpm: f64, torque: f64, t_end: f64, events: f64) -> (End, f64) {
     let repetitions = (SLICE.as_secs_f64() / (events * 1e-7)).ceil();
     let words = [rpm, torque, t_end, repetitions].map(|x| x.to_string());
@@ -98,7 +100,7 @@ fn run_c(program: &PathBuf, rpm: f64, torque: f64, t_end: f64, events: f64) -> (
     (End { counts, state: [theta, theta_dot, phi, phi_dot] }, ns)
 }
 
-/// A scene with changes.
+/// Loads a scene with changes.
 fn scene(file: &str, changes: &[String]) -> Scene {
     let path = format!("{}/../models/scenes/oh2005/{file}.toml", env!("CARGO_MANIFEST_DIR"));
     Scene::load(path.as_ref(), changes, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
@@ -130,7 +132,7 @@ fn without_rows(scene: &Scene, simulation: &mut Simulation<'_>) {
     simulation.run(Some((&mut recorder, rate, false)), &mut |_| {}).expect("the run ends");
 }
 
-/// Where a simulation stands.
+/// The end state of a simulation.
 fn end(simulation: &Simulation<'_>) -> End {
     let (counts, state, law) = (&simulation.now.counts, &simulation.now.state, &simulation.now.laws[0]);
     let cell = 2 * state.turns[0] + law.cell as i64;
@@ -145,7 +147,7 @@ fn apart(pair: &oh2005::GearPair, rpm: f64, a: &End, b: &End) -> f64 {
     (0..4).map(|i| (a.state[i] - b.state[i]).abs() / units[i]).fold(0.0, f64::max)
 }
 
-/// Least time of `run` with what `prepare` makes, for about a slice [ns].
+/// Smallest time of `run` on the result of `prepare`, over about one slice [ns].
 fn least<T>(mut prepare: impl FnMut() -> T, mut run: impl FnMut(&mut T)) -> f64 {
     let (begun, mut least) = (Instant::now(), f64::INFINITY);
     while begun.elapsed() < SLICE {
@@ -157,7 +159,7 @@ fn least<T>(mut prepare: impl FnMut() -> T, mut run: impl FnMut(&mut T)) -> f64 
     least
 }
 
-/// Prints the table of single runs; the time of the C program on the first scene [ns].
+/// Prints the table of single runs; returns the time per event of the C program on the first scene [ns].
 fn singles(c: Option<&PathBuf>) -> Option<f64> {
     println!(
         "| scene | program | ns an event | beside C | events | end state beside Rust by hand | preparation [us] |"
@@ -178,14 +180,14 @@ fn singles(c: Option<&PathBuf>) -> Option<f64> {
         };
         let reference = by_hand();
         let events = (reference.counts[0] + reference.counts[1]) as f64;
-        // The ends of all.
+        // End states of all programs.
         let mut ends = vec![];
         for run in [&unrecorded as &dyn Fn(&mut Simulation<'_>), &recordable, &|s| without_rows(&scene, s)] {
             let mut simulation = prepare(&scene, &*equations);
             run(&mut simulation);
             ends.push(end(&simulation));
         }
-        // The times, one program after the other in each round.
+        // Times of all programs, one after the other in each round.
         let mut times = [f64::INFINITY; 6];
         let mut c_end = None;
         for _ in 0..ROUNDS {
@@ -231,7 +233,7 @@ fn singles(c: Option<&PathBuf>) -> Option<f64> {
     base
 }
 
-/// Prints the table of batches. `c` is the time of an event in C at 4500 rpm [ns].
+/// Prints the table of batches. `c` is the time per event of the C program at 4500 rpm [ns].
 fn batches(c: Option<f64>) {
     println!(
         "| scenes, {EVENTS} events each | whole batch, ns an event | beside C | lanes alone, ns an event | beside C |"

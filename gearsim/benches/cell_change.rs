@@ -1,9 +1,9 @@
-//! Time per cell change on the 4500 rpm scene of the paper, beside a hand-written solver.
+//! Time per cell change on the 4500 rpm scene of the paper, compared with a hand-written solver.
 //!
-//! `cargo bench -p gearsim`. Every row runs 3,600 cell changes or their like, so that rows compare within one run: the
-//! engine with its guarantee and energy account, the hand-written program for this one system, and three exponentials and
-//! sine-cosine pairs, each waiting for the last. The hand-written program needs one pair and one exponential; `benches/c_program.rs`
-//! has it in C too, on three scenes.
+//! `cargo bench -p gearsim`. Every row runs 3,600 cell changes or an equivalent amount of work, so that rows are comparable
+//! within one run: the engine with its guarantee and energy account; the hand-written program for this one system; and three
+//! pairs of exponential and sine-cosine, each of which waits for the last. The hand-written program needs one such pair.
+//! `benches/c_program.rs` measures it in C too, on three scenes.
 
 use divan::{Bencher, black_box};
 use gearsim::engine::equations::Derived;
@@ -13,7 +13,7 @@ use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
 
-/// Cell changes a run.
+/// Number of cell changes in a run.
 const CHANGES: u64 = 3_600;
 
 fn main() {
@@ -44,7 +44,7 @@ fn engine_damped(bencher: Bencher) {
     engine(bencher, &[]);
 }
 
-/// As what records nothing runs it.
+/// The way in which unrecorded runs are simulated.
 #[divan::bench]
 fn engine_unwatched(bencher: Bencher) {
     let scene = scene(&[]);
@@ -83,7 +83,7 @@ fn three_exp_and_sincos(bencher: Bencher) {
     bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
         let mut x = black_box(0.3_f64);
         for _ in 0..3 * CHANGES {
-            // Each depends on the last, as the evaluations of one solution do.
+            // Each depends on the last one, as the evaluations of one solution do.
             let (s, c) = (3.0 + x).sin_cos();
             x = (-0.2 - 1e-3 * x).exp() * (s + 0.5 * c);
         }

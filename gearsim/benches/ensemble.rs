@@ -1,9 +1,10 @@
-//! Time per cell change of many scenes side by side, beside the same scenes one after the other.
+//! Time per cell change of many scenes side by side, compared with the same scenes one after the other.
 //!
-//! `cargo bench -p gearsim --bench ensemble`: 64 gear pairs about the 4500 rpm scene of the paper, one core.
+//! `cargo bench -p gearsim --bench ensemble`: 64 gear pairs near the 4500 rpm scene of the paper, on one core.
 //!
-//! The times are those of prepared simulations: without equations, starts, cells and energy accounts, which are about 12 us a scene
-//! (3 ns a cell change in runs of 3,600). `benches/c_program.rs` has whole batches, and says what else changes these times.
+//! The times are for prepared simulations. They exclude equations, starts, cells and energy accounts, which take about 12 us per
+//! scene (3 ns per cell change in runs of 3,600). `benches/c_program.rs` measures whole batches, and explains what else changes
+//! these times.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -13,14 +14,14 @@ use gearsim::ensemble;
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::scene::Scene;
 
-/// Scenes in the ensemble.
+/// Number of scenes in the ensemble.
 const SCENES: u32 = 64;
 
 fn main() {
     divan::main();
 }
 
-/// Scenes that differ in torque and speed.
+/// Scenes with different torques and speeds.
 fn scenes() -> Vec<(Scene, Box<dyn Equations>)> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/oh2005/spectrum_4500rpm_exact.toml");
     let scene = |i: u32| {

@@ -22,4 +22,5 @@ pub mod profile;
 pub mod run;
 pub mod scene;
 pub mod sweep;
+mod tolerance;
 pub mod trajectory;

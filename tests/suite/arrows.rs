@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules, from the bottom up. A module may use those before it. Unit tests may use any module.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
+    "tolerance",
     "model",
     "profile",
     "gear",

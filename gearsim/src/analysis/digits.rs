@@ -18,22 +18,10 @@ use crate::scene::{Scene, TimeHistory};
 use crate::trajectory::{Moment, Trajectory};
 
 use super::work_precision::{Runner, error};
+use crate::tolerance::analysis;
 
-/// Decimal digits of an f64, and of a number carried in twice the digits (double-double).
-const PLAIN: f64 = 15.95;
-const COMPENSATED: f64 = 31.0;
-/// Relative change of the companion's start and parameters [eps].
-const ROUNDINGS: f64 = 4.0;
-/// The error claimed, over the distance between the two runs: they may come close to each other by chance.
-const MARGIN: f64 = 10.0;
 /// Maximum number of samples at which the two runs are compared.
 const SAMPLES: usize = 512;
-/// The largest difference over this last fraction of the run counts as that at the end, because differences oscillate.
-const END: f64 = 0.02;
-/// Tolerance of the companion of a numerical method, over that of the run.
-const COARSER: f64 = 10.0;
-/// Maximum tolerance of a companion.
-const COARSEST: f64 = 1e-2;
 
 /// The scene of the companion of `run`, a run of `scene`. `ends`: only its end state is needed.
 pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
@@ -50,7 +38,7 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     }
     other.t_end = trajectory.t.last().copied().filter(|t| *t > 0.0).unwrap_or(scene.t_end);
     // The changes have alternating signs. Equal changes of all numbers could cancel, as a change of the unit of mass does.
-    let part = ROUNDINGS * f64::EPSILON;
+    let part = analysis::PERTURBATION * f64::EPSILON;
     let by = |i: usize| if i.is_multiple_of(2) { 1.0 + part } else { 1.0 - part };
     let sizes = error::sizes(trajectory);
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
@@ -75,7 +63,8 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     if let Some(step) = &mut other.solver.step {
         *step *= 2.0;
     }
-    other.solver.tolerance = (COARSER * other.solver.tolerance).min(COARSEST);
+    other.solver.tolerance =
+        (analysis::COMPANION_TOLERANCE * other.solver.tolerance).min(analysis::LARGEST_COMPANION_TOLERANCE);
     other
 }
 
@@ -83,11 +72,12 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
 pub fn left(scene: &Scene, run: &Outcome, companion: &Outcome) -> Digits {
     let (a, b) = (&run.trajectory, &companion.trajectory);
     let curve = differences(a, b);
-    let digits = |difference: f64| -(MARGIN * difference).log10();
+    let digits = |difference: f64| -(analysis::CLAIM_MARGIN * difference).log10();
     let end = curve.last().map_or(0.0, |last| last.0);
     let reached = a.t.last() == b.t.last() || run.stopped_by.is_some();
-    let last = curve.iter().filter(|(t, _)| *t >= (1.0 - END) * end).map(|(_, d)| *d).fold(0.0, f64::max);
-    let plain = if reached { digits(last.max(f64::MIN_POSITIVE)).clamp(0.0, PLAIN) } else { 0.0 };
+    let last =
+        curve.iter().filter(|(t, _)| *t >= (1.0 - analysis::LAST_PART) * end).map(|(_, d)| *d).fold(0.0, f64::max);
+    let plain = if reached { digits(last.max(f64::MIN_POSITIVE)).clamp(0.0, analysis::PLAIN_DIGITS) } else { 0.0 };
     let gone = curve.iter().rposition(|(_, d)| digits(*d) >= 1.0).map_or(0, |i| i + 1);
     let none_from = curve.get(gone).map(|(t, _)| *t).filter(|_| plain < 1.0);
     if scene.solver.precision == Precision::Plain {
@@ -96,13 +86,13 @@ pub fn left(scene: &Scene, run: &Outcome, companion: &Outcome) -> Digits {
     // The companion runs in plain numbers and has their error. A run in twice the digits loses as many digits as the plain one. If
     // the plain run loses all its digits, the rate at which it lost them is extrapolated to the end.
     let lost = match none_from {
-        Some(t) if t > 0.0 => PLAIN * end / t,
-        Some(_) => COMPENSATED,
-        None => PLAIN - plain,
+        Some(t) if t > 0.0 => analysis::PLAIN_DIGITS * end / t,
+        Some(_) => analysis::COMPENSATED_DIGITS,
+        None => analysis::PLAIN_DIGITS - plain,
     };
-    let left = COMPENSATED - lost;
-    let none_from = none_from.filter(|_| left < 1.0).map(|t| t * COMPENSATED / PLAIN);
-    Digits { at_end: left.clamp(0.0, PLAIN), none_from }
+    let left = analysis::COMPENSATED_DIGITS - lost;
+    let none_from = none_from.filter(|_| left < 1.0).map(|t| t * analysis::COMPENSATED_DIGITS / analysis::PLAIN_DIGITS);
+    Digits { at_end: left.clamp(0.0, analysis::PLAIN_DIGITS), none_from }
 }
 
 /// Runs the companion of `outcome`, a run of `scene`, and sets the number of digits left in `outcome`.

@@ -12,6 +12,7 @@ use crate::engine::Refusal;
 use crate::engine::modal::Modal;
 use crate::engine::system::System;
 use crate::scene::Scene;
+use crate::tolerance::analysis;
 
 mod chart;
 mod period;
@@ -74,14 +75,6 @@ impl Verdict {
     }
 }
 
-/// A Floquet multiplier within this distance of the unit circle counts as being on it. A double multiplier there has an error of
-/// sqrt(eps).
-const CIRCLE: f64 = 1e-7;
-/// The tolerance for a single vibration, for which the trace and the determinant of the monodromy matrix decide.
-const TRACE: f64 = 1e-11;
-/// Two multipliers on the unit circle coincide if their distance is at most this.
-const MEET: f64 = 1e-4;
-
 impl Floquet {
     /// The multipliers of `scene` in steady rotation at the speeds of its start.
     ///
@@ -143,11 +136,11 @@ fn pair(trace: f64, determinant: f64) -> [Complex<f64>; 2] {
 /// The verdict on a single vibration. It is stable for |trace| <= 1 + determinant and determinant <= 1.
 fn of_one(trace: f64, determinant: f64) -> Verdict {
     let beyond = trace.abs() - (1.0 + determinant);
-    let undamped = (determinant - 1.0).abs() <= TRACE;
+    let undamped = (determinant - 1.0).abs() <= analysis::TRACE;
     match beyond {
-        b if b > TRACE && trace > 0.0 => Verdict::Growing,
-        b if b > TRACE => Verdict::Alternating,
-        b if b >= -TRACE => Verdict::Border,
+        b if b > analysis::TRACE && trace > 0.0 => Verdict::Growing,
+        b if b > analysis::TRACE => Verdict::Alternating,
+        b if b >= -analysis::TRACE => Verdict::Border,
         _ if undamped => Verdict::Neutral,
         _ => Verdict::Stable,
     }
@@ -156,19 +149,20 @@ fn of_one(trace: f64, determinant: f64) -> Verdict {
 /// The verdict on several vibrations, from the multipliers with the largest first.
 fn of_all(multipliers: &[Complex<f64>]) -> Verdict {
     let Some(first) = multipliers.first() else { return Verdict::Neutral };
-    if first.norm() > 1.0 + CIRCLE {
-        let real = first.im.abs() <= CIRCLE * first.norm();
+    if first.norm() > 1.0 + analysis::UNIT_CIRCLE {
+        let real = first.im.abs() <= analysis::UNIT_CIRCLE * first.norm();
         return match (real, first.re > 0.0) {
             (false, _) => Verdict::Combination,
             (true, true) => Verdict::Growing,
             (true, false) => Verdict::Alternating,
         };
     }
-    if first.norm() < 1.0 - CIRCLE {
+    if first.norm() < 1.0 - analysis::UNIT_CIRCLE {
         return Verdict::Stable;
     }
-    let on = || multipliers.iter().take_while(|z| z.norm() >= 1.0 - CIRCLE);
-    let meet = on().enumerate().any(|(i, z)| on().take(i).any(|other| (z - other).norm() <= MEET));
+    let on = || multipliers.iter().take_while(|z| z.norm() >= 1.0 - analysis::UNIT_CIRCLE);
+    let meet =
+        on().enumerate().any(|(i, z)| on().take(i).any(|other| (z - other).norm() <= analysis::EQUAL_MULTIPLIERS));
     if meet { Verdict::Border } else { Verdict::Neutral }
 }
 
@@ -184,9 +178,6 @@ struct Split {
     basis: DMatrix<f64>,
     onto: DMatrix<f64>,
 }
-
-/// Singular values below this fraction of the largest count as zero.
-const NULL: f64 = 1e-12;
 
 impl Split {
     fn of(system: &System, stretches: &[Stretch]) -> Result<Split, FloquetError> {
@@ -249,6 +240,6 @@ fn null_space(a: &DMatrix<f64>) -> DMatrix<f64> {
         (svd.singular_values, svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n)))
     };
     let largest = values.amax();
-    let null: Vec<usize> = (0..n).filter(|&i| values[i] <= NULL * largest).collect();
+    let null: Vec<usize> = (0..n).filter(|&i| values[i] <= analysis::RIGID * largest).collect();
     DMatrix::from_fn(n, null.len(), |i, c| vectors[(null[c], i)])
 }

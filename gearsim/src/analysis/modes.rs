@@ -19,6 +19,7 @@ use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
 use crate::engine::system::System;
+use crate::tolerance::analysis::NEAR_RESONANCE;
 
 use springs::Spring;
 
@@ -165,17 +166,15 @@ pub struct Meeting {
 
 /// Number of harmonics of each mesh frequency that are compared with the natural frequencies.
 pub const HARMONICS: usize = 8;
-/// Maximum relative distance of a harmonic from a damped natural frequency that is reported.
-pub const NEAR: f64 = 0.1;
 
-/// The harmonics of the mesh frequencies within [`NEAR`] of a damped natural frequency, the nearest first.
+/// The harmonics of the mesh frequencies within [`NEAR_RESONANCE`] of a damped natural frequency, the nearest first.
 pub fn meetings(courses: &[Course], cell: &CellModes) -> Vec<Meeting> {
     let mut meetings = vec![];
     for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {
         for (mode, vibration) in cell.modes.iter().enumerate().filter(|(_, v)| v.damped > 0.0) {
             for harmonic in 1..=HARMONICS {
                 let ratio = harmonic as f64 * course.frequency() / vibration.damped;
-                if (ratio - 1.0).abs() <= NEAR {
+                if (ratio - 1.0).abs() <= NEAR_RESONANCE {
                     meetings.push(Meeting { law, harmonic, mode, ratio });
                 }
             }

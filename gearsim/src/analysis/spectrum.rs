@@ -13,6 +13,7 @@
 
 use realfft::RealFftPlanner;
 
+use crate::tolerance::analysis::{EVEN_SPACING, TIME_ROUNDING};
 use crate::trajectory::Trajectory;
 
 /// A one-sided power spectral density.
@@ -159,7 +160,7 @@ pub fn uniform_samples(run: &Trajectory) -> Result<(Vec<usize>, f64), SpectrumEr
     let expected = run.t[rows[1]] - run.t[rows[0]];
     let step = |pair: &[usize]| run.t[pair[1]] - run.t[pair[0]];
     // The second term allows for the rounding errors of times far from zero, which may exceed a fixed fraction of the interval.
-    let even = |step: f64, t: f64| (step - expected).abs() <= 1e-6 * expected + 4.0 * f64::EPSILON * t.abs();
+    let even = |step: f64, t: f64| (step - expected).abs() <= EVEN_SPACING * expected + TIME_ROUNDING * t.abs();
     if let [.., a, b] = rows[..]
         && !even(step(&[a, b]), run.t[b])
     {

@@ -1,8 +1,8 @@
-//! A linear cell: M q'' + C q' + K q = f with constant matrices, taken apart into modes once.
+//! A linear cell: M q'' + C q' + K q = f with constant matrices, decomposed into modes once.
 //!
-//! With mass-normalised shapes X ([`modal`](crate::engine::modal)), q = q_0 + X dxi, and each xi_i moves as a [`Mode`].
-//! Rigid-body modes are exact: K has no part in them. Where damping couples the modes, q = q_0 + X dxi + Y dxi'
-//! ([`coupling`](crate::engine::coupling)).
+//! With the mass-normalised mode shapes X ([`modal`](crate::engine::modal)), q = q_0 + X dxi, and each modal coordinate xi_i
+//! moves as a [`Mode`]. Rigid-body modes are exact: K does not contribute to them. If damping couples the modes, q = q_0 + X dxi
+//! + Y dxi' ([`coupling`](crate::engine::coupling)).
 
 use nalgebra::{DMatrix, DVector};
 use smallvec::SmallVec;
@@ -19,21 +19,21 @@ use crate::engine::vector::{Matrix, Vector, transposed};
 /// The modes of one cell.
 #[derive(Debug, Clone)]
 pub struct Cell {
-    /// The modes, by rising frequency.
+    /// The modes, in order of rising frequency.
     pub modes: Vec<Mode>,
-    /// Mode shapes X, one a column: q = X xi.
+    /// Mode shapes X, one per column: q = X xi.
     pub shapes: Matrix,
-    /// Xᵀ M: modal speeds from speeds.
+    /// Xᵀ M: gives the modal speeds from the speeds.
     pub momentum: Matrix,
-    /// Xᵀ K, zero in the rows of rigid modes: modal spring forces from coordinates.
+    /// Xᵀ K, zero in the rows of rigid modes: gives the modal spring forces from the coordinates.
     pub springs: Matrix,
-    /// Xᵀ f: modal loads.
+    /// Xᵀ f: the modal loads.
     pub load: Vector,
-    /// Bound on the rates of its modes [1/s].
+    /// Upper bound of the rates of its modes [1/s].
     pub rate: f64,
-    /// What is more where damping couples the modes.
+    /// The additional matrices of a cell whose modes are coupled by damping.
     pub coupling: Option<Box<Coupling>>,
-    /// Rigid motions whose momentum is not to change by rounding.
+    /// Rigid motions whose momentum is corrected for rounding errors.
     pub conserved: Vec<Conserved>,
 }
 
@@ -47,13 +47,14 @@ impl Cell {
         Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
-    /// The cell in which the speeds along `normals` (n, one a column) are held at zero, and the same for windows.
+    /// The cell in which the speeds along `normals` (n, one per column) are held at zero, and its equations for time-dependent
+    /// loads.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
     pub fn held(equations: &dyn Equations, k: &[f64], normals: &DMatrix<f64>) -> Result<(Self, Linear), Refusal> {
         let full = matrices(equations, k)?;
-        // Z spans the motions that are left, orthonormal: q' = Z u, and M, C, K, f are seen through it.
+        // Z is an orthonormal basis of the remaining motions: q' = Z u. M, C, K and f are projected onto it.
         let (n, held) = normals.shape();
         let q = normals.clone().insert_columns(held, n, 0.0);
         let q = (q + DMatrix::from_fn(n, held + n, |i, j| f64::from(u8::from(i + held == j)))).qr().q();
@@ -74,7 +75,7 @@ impl Cell {
         Ok((Self::from_modal(&modal, &shapes, &momentum, &springs), linear))
     }
 
-    /// `shapes` and the like are those of the undamped modes.
+    /// Assembles the cell; `shapes`, `momentum` and `springs` are those of the undamped modes.
     fn from_modal(modal: &Modal, shapes: &Matrix, momentum: &Matrix, springs: &Matrix) -> Self {
         Cell {
             modes: modal.modes.clone(),
@@ -89,7 +90,7 @@ impl Cell {
         .coupled_by(modal.coupled.as_ref())
     }
 
-    /// The cell in the modes that move by themselves, instead of those of the undamped system.
+    /// The cell in the modes that damping leaves independent, instead of the modes of the undamped system.
     fn coupled_by(self, coupled: Option<&Coupled>) -> Self {
         let Some(coupled) = coupled else { return self };
         let ([speed, speed_by_force], [force_by_speed, force]) = (&coupled.speed, &coupled.force);
@@ -112,8 +113,8 @@ impl Cell {
         }
     }
 
-    /// The same cell, of `equations` with law values `k`, in which as many of their rigid `motions` keep their momentum to twice
-    /// the digits.
+    /// The same cell of `equations` with law values `k`. The momentum of the first `motions` rigid motions is corrected with
+    /// double-double precision.
     pub fn conserving(mut self, equations: &dyn Equations, k: &[f64], motions: usize) -> Self {
         let of_cell = [equations.mass(), equations.damping(k), equations.stiffness(k)];
         let motions = (0..motions).map(|i| equations.motion(i));
@@ -121,7 +122,7 @@ impl Cell {
         self
     }
 
-    /// The motion from the state (q, q') on, for as long as the cell lasts.
+    /// The motion from the state (q, q') on, within this cell.
     #[inline]
     pub fn flight(&self, q: &Vector, q_dot: &Vector) -> Flight<'_> {
         let mut speed = &self.momentum * q_dot;
@@ -133,7 +134,7 @@ impl Cell {
         Flight { cell: self, speed, force }
     }
 
-    /// The same under the generalised forces `f` beside its load.
+    /// The same motion with the generalised forces `f` in addition to the load (n).
     #[cold]
     pub fn pushed(&self, flight: Flight<'_>, f: &Vector) -> Flight<'_> {
         let [speed, force] = match &self.coupling {
@@ -143,7 +144,7 @@ impl Cell {
         Flight { cell: self, speed: flight.speed + &speed, force: flight.force + &force }
     }
 
-    /// The motion of the difference (dq, dq') of two motions: no load acts on it.
+    /// The motion of the difference (dq, dq') of two motions. No load acts on it.
     pub fn difference(&self, dq: &Vector, dq_dot: &Vector) -> Flight<'_> {
         let Flight { speed, force, .. } = self.flight(dq, dq_dot);
         let still = Vector::zeros(dq.len());
@@ -151,7 +152,8 @@ impl Cell {
         Flight { cell: self, speed: speed - &loaded.speed, force: force - &loaded.force }
     }
 
-    /// How c.q + d.q' follows the modes: by what they move, and by what speed they gain, if that counts (N each).
+    /// The factors by which the function c.q + d.q' depends on the displacements of the modes, and on their speeds if it does (N
+    /// each).
     pub fn follow(&self, c: &Vector, d: Option<&Vector>) -> (Vector, Option<Vector>) {
         match (&self.coupling, d) {
             (None, d) => (transposed(&self.shapes, c), d.map(|d| transposed(&self.shapes, d))),
@@ -169,7 +171,7 @@ impl Cell {
         }
     }
 
-    /// How the phase n.q follows what the modes move: n.X (N).
+    /// The factors n.X by which the phase n.q depends on the displacements of the modes (N).
     pub fn participation(&self, normal: &Vector) -> Vector {
         transposed(&self.shapes, normal)
     }
@@ -178,13 +180,13 @@ impl Cell {
 /// M, M⁻¹, C, K, f of `equations` with law values `k`.
 ///
 /// # Errors
-/// Where M is not positive definite, or a number overflows.
+/// If M is not positive definite, or a number overflows.
 pub fn matrices(equations: &dyn Equations, k: &[f64]) -> Result<Matrices, Refusal> {
     let mass = equations.mass();
     if mass.iter().any(|x| !x.is_finite()) {
         return Err(Refusal::Overflow);
     }
-    inverse_root(&mass)?; // refuses what is not positive definite
+    inverse_root(&mass)?; // an error if M is not positive definite
     Ok(Matrices {
         mobility: equations.mobility(),
         mass,
@@ -198,18 +200,18 @@ pub fn matrices(equations: &dyn Equations, k: &[f64]) -> Result<Matrices, Refusa
 #[derive(Debug, Clone)]
 pub struct Flight<'a> {
     cell: &'a Cell,
-    /// Modal speeds at the start.
+    /// Modal speeds at the start (N).
     speed: Vector,
-    /// Modal forces g - omega² xi at the start.
+    /// Modal forces g - omega² xi at the start (N).
     force: Vector,
 }
 
-/// Where a flight has got to.
+/// The motion at one instant of a flight.
 #[derive(Debug, Clone)]
 pub struct Point {
-    /// Time from its start [s].
+    /// Time since the start of the flight [s].
     pub t: f64,
-    /// What each mode answers to a unit speed and a unit force.
+    /// Responses of each mode to a unit speed and to a unit force.
     responses: SmallVec<[Response; 10]>,
     /// xi(t) - xi(0).
     pub moved: Vector,
@@ -218,7 +220,7 @@ pub struct Point {
 }
 
 impl<'a> Flight<'a> {
-    /// The modes that carry it.
+    /// The modes of its cell.
     pub fn modes(&self) -> &'a [Mode] {
         &self.cell.modes
     }
@@ -256,7 +258,7 @@ impl<'a> Flight<'a> {
         })
     }
 
-    /// Where it begins.
+    /// The point at the start.
     #[inline]
     pub fn begin(&self) -> Point {
         let still = Response { s1: 0.0, s2: 0.0, decay: 0.0 };
@@ -265,28 +267,29 @@ impl<'a> Flight<'a> {
         Point { t: 0.0, responses: SmallVec::from_elem(still, n), moved, gained }
     }
 
-    /// Where it is after the time `t` [s].
+    /// The point after the time `t` [s].
     pub fn at(&self, t: f64) -> Point {
         let mut point = self.begin();
         self.go(&mut point, t);
         point
     }
 
-    /// Sets `point` to where it is after the time `t` [s]. In place: a point is too large to be handed about.
+    /// Moves `point` to the time `t` [s]. It works in place, because a point is expensive to copy.
     #[inline]
     pub fn go(&self, point: &mut Point, t: f64) {
         point.t = t;
         self.place(point, |mode, _| mode.response(t));
     }
 
-    /// Moves `point` a short time `dt` on, or back: |`dt`| * rate <= [`NEAR`](crate::engine::mode::NEAR).
+    /// Moves `point` by a short time `dt` [s] of either sign: |`dt`| * rate <=
+    /// [`SHIFT_SPAN`](crate::tolerance::modes::SHIFT_SPAN).
     #[inline]
     pub fn shift(&self, point: &mut Point, dt: f64) {
         point.t += dt;
         self.place(point, |mode, response| mode.shifted(response, dt));
     }
 
-    /// Sets `point` to where each mode is by its response, as `respond` gives it.
+    /// Updates `point` with the new response of each mode, which `respond` computes.
     #[inline(always)]
     fn place(&self, point: &mut Point, respond: impl Fn(&Mode, &Response) -> Response) {
         let Point { responses, moved, gained, .. } = point;
@@ -300,13 +303,13 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Bound on the rates of its modes [1/s].
+    /// Upper bound of the rates of its modes [1/s].
     #[inline]
     pub fn rate(&self) -> f64 {
         self.cell.rate
     }
 
-    /// Increments of q and q' at a point.
+    /// Increments of q and q' since the start, at a point (N each).
     #[inline]
     pub fn increments(&self, point: &Point) -> (Vector, Vector) {
         let (shapes, Point { moved, gained, .. }) = (&self.cell.shapes, point);
@@ -322,20 +325,20 @@ impl<'a> Flight<'a> {
         (shapes * moved + &(&coupling.shapes * gained), dv + &(&coupling.shapes * &further))
     }
 
-    /// Energy lost to damping until a point [J], by integration of the speeds.
+    /// Energy dissipated from the start to a point [J], an integral of the speeds.
     #[inline]
     pub fn dissipated(&self, point: &Point) -> f64 {
         if let Some(coupling) = &self.cell.coupling {
             return coupling.dissipated(self, point.t);
         }
-        let mut lost = 0.0;
+        let mut dissipated = 0.0;
         for i in 0..self.speed.len() {
             let mode = &self.cell.modes[i];
             if mode.sigma > 0.0 {
                 let (v, a) = self.rates_at_start(i);
-                lost += mode.lost(v, a, point.t, &point.responses[i]);
+                dissipated += mode.dissipated(v, a, point.t, &point.responses[i]);
             }
         }
-        lost
+        dissipated
     }
 }

@@ -1,4 +1,4 @@
-//! Time that loses no digits: the sum of many short flights as a double-double number.
+//! Time without accumulated rounding errors: the sum of many short flights is a double-double number.
 
 use xprec::Df64;
 
@@ -19,30 +19,30 @@ impl Clock {
         self.0 += dt.into();
     }
 
-    /// Sets the clock to a time exactly.
+    /// Sets the clock to exactly `t` [s].
     pub fn set(&mut self, t: f64) {
         self.0 = Df64::from(t);
     }
 
-    /// The time, rounded [s].
+    /// The time, rounded to f64 [s].
     #[inline]
     pub fn now(&self) -> f64 {
         self.0.hi()
     }
 
-    /// Time from now until `t`, rounded [s].
+    /// Time from now until `t`, rounded to f64 [s].
     #[inline]
     pub fn until(&self, t: impl Into<Df64>) -> f64 {
         self.exactly_until(t).hi()
     }
 
-    /// The same to two roundings, in two operations.
+    /// The same, with an error of two roundings, in two operations.
     #[inline]
     pub fn until_about(&self, t: f64) -> f64 {
         (t - self.0.hi()) - self.0.lo()
     }
 
-    /// Time from now until `t` [s].
+    /// Time from now until `t`, in double-double precision [s].
     #[inline]
     pub fn exactly_until(&self, t: impl Into<Df64>) -> Df64 {
         t.into() - self.0

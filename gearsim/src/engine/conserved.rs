@@ -1,34 +1,33 @@
-//! Momentum that springs and dampers leave alone, and rounded shapes would not.
+//! Correction of the momentum of rigid motions for rounding errors of the mode shapes.
 //!
-//! A rigid motion z has the momentum z.M q'. A vibration has no part in it: z.M X = 0. Of a rounded X it is some roundings,
-//! by which every flight would push the rotation, mostly to the same side where cells are met again and again in the same
-//! way: over many events that adds up. What z.M X comes to is known in twice the digits, and taken back.
+//! A rigid motion z has the momentum z.M q'. Springs and dampers do not change it, because a vibration does not contribute: z.M X
+//! = 0. With rounded shapes X this product is a few rounding errors, so each flight changes the momentum by such an error. If the
+//! same cells follow one another in the same way, the errors have the same sign and add up over many events. Therefore z.M X is
+//! computed in double-double precision, and its effect is subtracted.
 
 use xprec::Df64;
 
 use crate::engine::cell::Cell;
 use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::modes::NO_FORCE;
 
-/// A rigid motion in a cell.
+/// A rigid motion in a cell, and the error of its momentum.
 #[derive(Debug, Clone)]
 pub struct Conserved {
-    /// z (N).
+    /// The motion z (N).
     pub motion: Vector,
-    /// z.M X of the vibrations, over z.M z; 0 for rigid modes (N).
+    /// z.M X / (z.M z) for the vibrations; 0 for rigid modes (N).
     pub on_gained: Vector,
-    /// The same of the shapes that follow the modes' speeds, where damping couples them.
+    /// The same for the shapes Y that multiply the modes' speeds, if damping couples the modes.
     pub on_further: Option<Vector>,
 }
 
-/// Roundings, of what they are sums of, in forces that are none.
-const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
-
 impl Conserved {
-    /// The motion `z` in a cell with M, C, K; `None` where it meets with forces there, or numbers overflow.
+    /// The motion `z` in a cell with M, C, K; `None` if a spring or damper of the cell acts on it, or a number overflows.
     pub fn of(z: Vector, cell: &Cell, [m, c, k]: [&Matrix; 3]) -> Option<Self> {
         let free = |a: &Matrix| {
             let (force, sum) = (a * &z, &a.abs() * &z.abs());
-            force.iter().zip(&*sum).all(|(force, sum)| force.abs() <= ROUNDINGS * sum)
+            force.iter().zip(&*sum).all(|(force, sum)| force.abs() <= NO_FORCE * sum)
         };
         if !free(c) || !free(k) {
             return None;
@@ -44,7 +43,7 @@ impl Conserved {
         };
         let on_further = cell.coupling.as_ref().map(|coupling| excess(&coupling.shapes));
         let on_gained = excess(&cell.shapes);
-        // Beyond what numbers can hold it is not known.
+        // If the products overflow, the correction is unknown.
         let known = on_gained.iter().chain(on_further.iter().flat_map(|x| x.iter())).all(|x| x.is_finite());
         known.then_some(Conserved { motion: z, on_gained, on_further })
     }

@@ -1,4 +1,5 @@
-//! What a cell has more where damping couples its modes: q = q_0 + X da + Y da', shapes that follow the modes' speeds.
+//! The additional matrices of a cell whose modes are coupled by damping: q = q_0 + X da + Y da'. The shapes Y multiply the modes'
+//! speeds.
 //!
 //! X and Y are the two shapes of a pair of eigenvalues ([`modal::coupled`](crate::engine::modal::coupled)).
 
@@ -11,22 +12,23 @@ mod loss;
 /// The coupling of one cell.
 #[derive(Debug, Clone)]
 pub struct Coupling {
-    /// Y, a shape a column \[s\].
+    /// Y, one shape per column \[s\].
     pub shapes: Matrix,
-    /// Forces of the modes from speeds.
+    /// Matrix that gives forces on the modes from the speeds.
     force: Matrix,
-    /// Speeds of the modes from loads, and from coordinates.
+    /// Speeds of the modes from the load, and the matrix that gives them from the coordinates.
     speed: (Vector, Matrix),
-    /// Speeds and forces of the modes from generalised forces.
+    /// Matrices that give speeds of the modes and forces on them from generalised forces.
     loading: [Matrix; 2],
-    /// What damping takes.
+    /// The dissipated energy.
     loss: loss::Loss,
-    /// X1 and X2 in undamped modes, and G there: n of each, for n <= N modes.
+    /// X1, X2 and G in the undamped modes (n x n each, n <= N modes).
     modal: [Matrix; 3],
 }
 
 impl Coupling {
-    /// From the modes of a cell, Y, and how forces follow q', speeds follow f and -q, both follow further forces.
+    /// The coupling from the modes of a cell, Y, and three sets of matrices: forces from q', speeds from f and from -q, and both
+    /// from further forces.
     pub fn new(
         coupled: &Coupled,
         shapes: Matrix,
@@ -38,22 +40,22 @@ impl Coupling {
         Coupling { shapes, force, speed, loading, loss: loss::Loss::new(coupled), modal }
     }
 
-    /// What the forces at `q` add to the speeds of the modes.
+    /// Contribution of the forces at `q` to the speeds of the modes.
     pub fn speed(&self, q: &Vector) -> Vector {
         &self.speed.0 - &(&self.speed.1 * q)
     }
 
-    /// What the speeds `q_dot` add to the forces on the modes.
+    /// Contribution of the speeds `q_dot` to the forces on the modes.
     pub fn force(&self, q_dot: &Vector) -> Vector {
         &self.force * q_dot
     }
 
-    /// What the generalised forces `f` add to the speeds of the modes, and to the forces on them.
+    /// Contributions of the generalised forces `f` to the speeds of the modes and to the forces on them.
     pub fn push(&self, f: &Vector) -> [Vector; 2] {
         self.loading.each_ref().map(|by| by * f)
     }
 
-    /// Energy lost to damping on a flight of the time `t` \[J\], by integration of the speeds.
+    /// Energy dissipated on a flight of the duration `t` [s], an integral of the speeds \[J\].
     pub fn dissipated(&self, flight: &Flight<'_>, t: f64) -> f64 {
         let begin = flight.begin();
         let rates: Vec<(f64, f64)> = (0..self.modal[0].ncols()).map(|i| flight.rates(i, &begin)).collect();

@@ -1,16 +1,17 @@
-//! The first crossing of a boundary, guaranteed.
+//! The first crossing of a boundary by a phase, guaranteed.
 //!
-//! The phase s(t) = s_0 + sum c_i dxi_i(t) of a linear cell starts between two boundaries. Its first crossing is found
-//! in one of two ways. If the steady part of its speed outweighs all that the oscillations can do, s is monotone: the
-//! crossing is the only one, and Newton in a bracket finds it. Otherwise the search marches, by steps that are proved not
-//! to pass a crossing ([`step`]); where the oscillations cannot reach as far as the boundary, at once to where they first
-//! could. It ends where one simple root is proved to lie ahead, and Newton finds that.
+//! The phase s(t) = s_0 + sum c_i dxi_i(t) of a linear cell starts between two boundaries. There are two cases:
+//! - If the steady part of its speed exceeds a bound on the speed of the oscillations, s is monotone. It crosses only one
+//!   boundary, once, and Newton's method in a bracket finds this root.
+//! - Otherwise the search advances by steps that are proved to contain no crossing ([`step`]). Where the oscillations cannot
+//!   reach the boundary yet, it advances at once to the earliest time at which they could. It ends when exactly one simple root
+//!   is proved to lie ahead; Newton's method finds it.
 //!
-//! A phase that starts on a boundary and leaves it has s(0) = 0 for a known root. It is divided out ([`departure`]), so
-//! that the return is found to rounding of its own time, however short.
+//! A phase that starts on a boundary and leaves it has the known root s(0) = 0. This root is divided out ([`departure`]), so that
+//! the time of its return has a relative error of a few roundings, however short it is.
 //!
-//! Depth: a boundary touched to within [`Search::tolerance`] (a few roundings of s) without passing is a graze: no
-//! event, counted.
+//! A boundary that is touched but not passed by more than [`Search::tolerance`] is a graze. A graze is counted, but it is not an
+//! event.
 
 mod bernstein;
 mod departure;
@@ -19,85 +20,87 @@ mod march;
 mod step;
 
 use crate::engine::cell::Point;
-use crate::engine::mode::NEAR;
 use crate::engine::signal::Signal;
+use crate::tolerance::events;
+use crate::tolerance::modes::SHIFT_SPAN;
 
 pub use lateness::Lateness;
 
-/// Which boundary.
+/// One of the two boundaries of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// The one at smaller phase.
+    /// The boundary at the smaller phase.
     Lower,
-    /// The one at larger phase.
+    /// The boundary at the larger phase.
     Upper,
 }
 
 impl Side {
-    /// The direction in which it lies.
+    /// The direction towards this boundary: 1 or -1.
     #[inline]
     pub fn sign(self) -> f64 {
         if self == Side::Upper { 1.0 } else { -1.0 }
     }
 
-    /// The other one.
+    /// The other boundary.
     pub fn opposite(self) -> Side {
         if self == Side::Upper { Side::Lower } else { Side::Upper }
     }
 }
 
-/// What a search costs.
+/// The cost of a search.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Evaluations of the motion.
+    /// Number of evaluations of the motion.
     pub evaluations: u64,
-    /// Steps of the search, Newton's and the march's.
+    /// Number of steps of the search, including those of Newton's method.
     pub steps: u64,
-    /// Touches without passing.
+    /// Number of grazes: boundaries touched but not passed.
     pub grazes: u64,
 }
 
-/// Why a search has no answer.
+/// Why a search found no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Lost {
-    /// It did not end.
+    /// It reached the maximum number of steps.
     #[error("the search did not end in {0} steps")]
     Stuck(u64),
-    /// It left the numbers.
-    #[error("a bound on the motion is beyond what numbers can hold")]
+    /// A number overflowed.
+    #[error("a bound on the motion is larger than the range of floating-point numbers")]
     Overflow,
 }
 
-/// A signal between two boundaries.
+/// The search for the first crossing of a signal between two boundaries.
 #[derive(Debug)]
 pub struct Search<'a> {
-    /// What is watched.
+    /// The signal.
     pub signal: Signal<'a>,
-    /// Its rate at the start, as exactly as it is known.
+    /// Its derivative at the start, as exactly as it is known.
     pub rate: f64,
-    /// Distance to the lower boundary, >= 0; may be infinite.
+    /// Distance to the lower boundary, >= 0; may be infinite [unit of the signal].
     pub down: f64,
-    /// Distance to the upper boundary, >= 0; may be infinite.
+    /// Distance to the upper boundary, >= 0; may be infinite [unit of the signal].
     pub up: f64,
-    /// No crossing at or after this time is sought [s].
+    /// Only crossings before this time are sought [s].
     pub horizon: f64,
 }
 
-/// A bracket is halved to rounding in fewer steps than this.
+/// Maximum number of steps of Newton's method. Bisection alone would need fewer.
 const MOST_NEWTON: u64 = 200;
 
 impl Search<'_> {
-    /// The first boundary met before the horizon, with `point` moved there; else `point` is anywhere. `point` is to be at
-    /// the start.
+    /// The first boundary reached before the horizon, with `point` moved there. If there is none, `point` is at an undefined
+    /// time. On entry `point` must be at the start.
     ///
     /// # Errors
-    /// Where the search does not end, or leaves the numbers.
+    /// If the search does not end, or a number overflows.
     #[inline]
     pub fn first(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         self.first_near(&mut Lateness::default(), point, cost)
     }
 
-    /// The same, beginning where the phase is expected; notes how late it is.
+    /// The same search, started at the time at which the last passage suggests the crossing. Stores the delay of this passage in
+    /// `lateness`.
     ///
     /// # Errors
     /// Those of [`Search::first`].
@@ -108,17 +111,17 @@ impl Search<'_> {
         point: &mut Point,
         cost: &mut Cost,
     ) -> Result<Option<Side>, Lost> {
-        let (drift, wobble) = self.signal.drift_and_wobble();
-        if drift.abs() > wobble * (1.0 + 1e-12) {
-            return Ok(self.monotone(drift, wobble, lateness, point, cost));
+        let (drift, oscillation) = self.signal.drift_and_oscillation();
+        if drift.abs() > oscillation * (1.0 + events::BOUND_MARGIN) {
+            return Ok(self.monotone(drift, oscillation, lateness, point, cost));
         }
         self.march(point, cost)
     }
 
-    /// The crossing that Newton's method alone leads to, from the same guess: no bound, no certificate that it is the first,
-    /// no bracket that binds. For measuring what the guarantee costs.
+    /// The crossing that Newton's method finds from the same guess, without a bound, without a proof that it is the first, and
+    /// without a bracket. It serves to measure the cost of the guarantee.
     pub fn newton_alone(&self, lateness: &mut Lateness, point: &mut Point, cost: &mut Cost) -> Option<Side> {
-        let drift = self.signal.drift_and_wobble().0;
+        let drift = self.signal.drift_and_oscillation().0;
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let steady = gap / drift.abs();
         self.go(point, lateness.guess(side, steady), cost);
@@ -127,25 +130,25 @@ impl Search<'_> {
         met
     }
 
-    /// Depth to which a touch is told from a crossing [unit of the signal].
+    /// Depth of a graze [unit of the signal]: a boundary passed by less than this is not crossed.
     pub fn tolerance(&self) -> f64 {
         let width = [self.up, self.down].into_iter().filter(|x| x.is_finite()).sum::<f64>();
-        4.0 * f64::EPSILON * width
+        events::GRAZE_DEPTH * width
     }
 
-    /// The only crossing of a monotone phase: Newton from where it is expected, in a bracket.
+    /// The only crossing of a monotone phase: Newton's method in a bracket, from the expected time.
     #[inline]
     fn monotone(
         &self,
         drift: f64,
-        wobble: f64,
+        oscillation: f64,
         lateness: &mut Lateness,
         point: &mut Point,
         cost: &mut Cost,
     ) -> Option<Side> {
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
-        let (slowest, fastest) = (drift.abs() - wobble, drift.abs() + wobble);
-        let bracket = (gap / fastest * (1.0 - 1e-15), gap / slowest * (1.0 + 1e-15));
+        let (slowest, fastest) = (drift.abs() - oscillation, drift.abs() + oscillation);
+        let bracket = (gap / fastest * (1.0 - events::BRACKET_MARGIN), gap / slowest * (1.0 + events::BRACKET_MARGIN));
         if bracket.0 >= self.horizon {
             return None;
         }
@@ -157,10 +160,10 @@ impl Search<'_> {
         met
     }
 
-    /// Newton's method from `point` for the one root in a bracket; it counts if it lies before the horizon.
+    /// Newton's method, from `point`, for the only root in a bracket. The root counts if it lies before the horizon.
     ///
-    /// Once the root of the local Taylor polynomial is near, the motion is carried there by its series: one evaluation of the
-    /// motion in full is mostly enough, two nearly always.
+    /// Once the root of the local Taylor polynomial is near, the motion is moved there by its series. One full evaluation of the
+    /// motion is usually enough, and two almost always.
     #[inline]
     fn newton(&self, side: Side, gap: f64, bracket: (f64, f64), point: &mut Point, cost: &mut Cost) -> Option<Side> {
         let sign = side.sign();
@@ -180,22 +183,22 @@ impl Search<'_> {
             let (a, j, snap) =
                 (a * inverse * h * 0.5, j * inverse * h * h * (1.0 / 6.0), snap * inverse * h * h * h * (1.0 / 24.0));
             let dt = h * (1.0 - a + (2.0 * a * a - j) - (5.0 * a * (a * a - j) + snap));
-            let inside = t + dt >= low && t + dt <= high && a.abs() < 0.1;
+            let inside = t + dt >= low && t + dt <= high && a.abs() < events::REVERSION_LIMIT;
             let angle = dt.abs() * self.signal.flight.rate();
-            if inside && angle <= NEAR {
+            if inside && angle <= SHIFT_SPAN {
                 self.signal.flight.shift(point, dt);
-                // What the next terms of the series could add is below rounding.
+                // The error of the truncated series is below one rounding.
                 let next = a * a + j.abs();
-                if (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs() <= f64::EPSILON * t {
+                if (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs() <= events::ROOT_ERROR * t {
                     break;
                 }
-            } else if high - low <= 4.0 * f64::EPSILON * high {
+            } else if high - low <= events::BRACKET_WIDTH * high {
                 break;
             } else {
                 self.go(point, if inside { t + dt } else { 0.5 * (low + high) }, cost);
             }
         }
-        // A rounding of the rate may put it before the start.
+        // With a rounding error of the rate the root may lie before the start.
         if point.t < 0.0 {
             self.go(point, 0.0, cost);
         }

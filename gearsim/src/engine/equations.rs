@@ -1,7 +1,7 @@
-//! The equations of a model, as the engine sees them. Written by the `equations!` macro, never by hand.
+//! The interface between a model and the engine. Its implementations are written by the `equations!` macro, never by hand.
 //!
-//! A model with n coordinates and L laws (stiffnesses, transmission errors, friction), for one chosen set of effects:
-//! T = q'ᵀM q'/2, V(q; k), D(q'), Q. Terms of effects that the set lacks are not in the code behind these functions.
+//! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by T =
+//! q'ᵀM q'/2, V(q; k), D(q') and Q. Terms of effects that the set does not contain are not compiled into these functions.
 
 use nalgebra::{DMatrix, DVector, Scalar};
 use xprec::Df64;
@@ -12,13 +12,13 @@ use crate::engine::vector::{Matrix, Vector, dot};
 use crate::model::Model;
 use crate::scene::Scene;
 
-/// The equations of one model with one set of effects and one set of numbers.
+/// The equations of one model with one set of effects and given parameter values.
 ///
-/// `q` and `q_dot` are coordinates and speeds (n each). `k` holds the present value of each law [unit of the law] (L), then
-/// touch, edge, damp, clip of each dead band (4 B); `dk`, `ddk` are the derivatives of the laws only (L).
+/// `q` and `q_dot` are coordinates and speeds (n each). `k` holds the present value of each law [unit of the law] (L), followed
+/// by touch, edge, damp and clip of each dead band (4 B). `dk` and `ddk` hold derivatives of the laws only (L).
 ///
 /// # Panics
-/// All functions, where a vector has another length than the model asks for.
+/// All functions, if the length of a vector does not match the model.
 pub trait Equations: Send + Sync {
     /// Number n of coordinates.
     fn coordinates(&self) -> usize;
@@ -27,12 +27,12 @@ pub trait Equations: Send + Sync {
     fn kinetic(&self, q_dot: &[f64]) -> f64;
     /// Strain energy V [J].
     fn potential(&self, q: &[f64], k: &[f64]) -> f64;
-    /// Rayleigh's dissipation function D [W]; 2 D is the power lost.
+    /// Rayleigh's dissipation function D [W]; the dissipated power is 2 D.
     fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64;
 
-    /// Work of external torque `i` over the displacement `dq` [J], as far as it is constant.
+    /// Work of external torque `i` over the displacement `dq` [J]; only the part of the torque that does not depend on the state.
     fn torque_work(&self, i: usize, dq: &[f64]) -> f64;
-    /// Power of external torque `i` at a state [W], as far as it depends on that.
+    /// Power of external torque `i` at a state [W]; only the part of the torque that depends on the state.
     fn torque_power(&self, _i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
         0.0
     }
@@ -40,28 +40,30 @@ pub trait Equations: Send + Sync {
     fn has_powers(&self) -> bool {
         false
     }
-    /// Net work of all external torques over the displacement `dq` [J], balanced parts cancelled, as far as they are constant.
+    /// Net work of all external torques over the displacement `dq` [J]; only the parts that do not depend on the state. Torques
+    /// in balance cancel.
     fn work(&self, dq: &[f64]) -> f64;
 
-    /// Writes the generalised forces F of M q'' = F [SI] to `force` (n), with the laws' slopes `dk` = dk/ds along their phases.
+    /// Writes the generalised forces F of M q'' = F [SI] to `force` (n). `dk` = dk/ds are the slopes of the laws along their
+    /// phases.
     fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]);
-    /// The generalised forces F (n), as [`Equations::write_force`] gives them.
+    /// The generalised forces F (n), see [`Equations::write_force`].
     fn force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
         let mut force = Vector::zeros(q.len());
         self.write_force(q, q_dot, k, dk, &mut force);
         force
     }
-    /// Accelerations q'' = M⁻¹F [SI]. Code that needs them often keeps M⁻¹ instead.
+    /// Accelerations q'' = M⁻¹F [SI] (n). Code that needs them often should keep M⁻¹ instead.
     fn acceleration(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
         &self.mobility() * &self.force(q, q_dot, k, dk)
     }
-    /// Derivatives of the generalised forces by q and by q' (n x n each, row = equation); `ddk` = d²k/ds².
+    /// Derivatives of the generalised forces by q and by q' (n x n each, one row per equation); `ddk` = d²k/ds².
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2];
 
     /// Mass matrix M (n x n).
     fn mass(&self) -> Matrix;
-    /// Inverse of the mass matrix M⁻¹ (n x n). Where inertias differ by ten decades, M as numbers has lost ten digits of
-    /// the smaller; the closed form that small models have in its place has all of them.
+    /// Inverse of the mass matrix M⁻¹ (n x n). If inertias differ by a factor of 1e10, the entries of M have lost ten digits of
+    /// the smaller ones. Small models override this function with a closed form that loses none.
     fn mobility(&self) -> Matrix {
         mobility(&self.mass())
     }
@@ -75,7 +77,7 @@ pub trait Equations: Send + Sync {
     /// Speeds q' of rigid motion `i` of unit size (n).
     fn motion(&self, i: usize) -> Vector;
 
-    /// How law `i` switches with the effects in force.
+    /// How law `i` switches in this set of effects.
     fn switching(&self, law: usize) -> Switching;
     /// Gradient n of the phase of law `i` (n).
     fn normal(&self, law: usize) -> Vector;
@@ -90,54 +92,53 @@ pub trait Equations: Send + Sync {
     /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
     fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64;
 
-    /// Dead band `i`; `None` without its effect.
+    /// Dead band `i`; `None` if its effect is not in the set.
     fn dead_band(&self, i: usize) -> Option<DeadBand>;
 }
 
-/// Play of a deflection.
+/// The play (dead band) of a deflection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DeadBand {
     /// Gradient of the deflection (n).
     pub normal: Vector,
     /// Half its width [unit of the deflection].
     pub half: f64,
-    /// The transmission errors that move the deflection: the law, and by how much a unit of it does.
+    /// The transmission errors that shift the deflection: index of the law, and shift of the deflection per unit of the law.
     pub errors: Vec<(usize, f64)>,
 }
 
-/// How a stiffness law switches.
+/// How a law switches between its levels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Switching {
-    /// It does not: the law is constant at its mid value.
+    /// Never: the law is constant at its mid value.
     Never,
-    /// Where the phase passes a step, with the impulse that conserves energy.
+    /// When its phase passes a step, with the impulse that conserves energy.
     WithJump,
-    /// Where the phase passes a step, without the impulse (rigid kinematics).
+    /// When its phase passes a step, without the impulse (rigid kinematics).
     WithoutJump,
-    /// When Omega0 t passes a step, whatever the phase does.
+    /// When Omega0 t passes a step, independent of the motion.
     ByTime,
 }
 
-/// A derived model: what it is, and its equations for any set of effects it offers.
+/// A derived model: its description, and its equations for any set of effects.
 pub trait Derived: Sync {
-    /// What scenes and people read.
+    /// The description of the model.
     const MODEL: Model;
 
-    /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), parameter values
-    /// [SI, order of `MODEL.parameters`] and the mid value (max + min)/2 of each stiffness; `None` where the effects
-    /// contradict one another.
+    /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), the parameter values [SI, order of
+    /// `MODEL.parameters`] and the mid value (max + min)/2 of each stiffness; `None` if the effects contradict one another.
     fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
 
-    /// The matrices of a cell with law values `k`, in numbers of the kind R; the rest as in [`Derived::equations`].
+    /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
     fn matrices<R: Real>(effects: u32, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
 }
 
-/// A linear cell, M q'' + C q' + K q = f, in numbers of the kind R.
+/// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
 #[derive(Debug, Clone)]
 pub struct Matrices<R> {
     /// M (n x n).
     pub mass: DMatrix<R>,
-    /// M⁻¹ (n x n), where it is known in closed form.
+    /// M⁻¹ (n x n), if a closed form is known.
     pub mobility: Option<DMatrix<R>>,
     /// C (n x n).
     pub damping: DMatrix<R>,
@@ -152,10 +153,10 @@ pub type EquationsOf = fn(u32, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
 /// [`Derived::matrices`] of a model, in numbers of type R.
 pub type MatricesOf<R> = fn(u32, &[R], &[R], &[R]) -> Matrices<R>;
 
-/// A derived model as a value: the engine is compiled once, and calls the functions of any model by pointer.
+/// A derived model as a value. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]
 pub struct DerivedModel {
-    /// What scenes and people read.
+    /// The description of the model.
     pub model: &'static Model,
     /// [`Derived::equations`].
     pub equations: EquationsOf,
@@ -164,7 +165,7 @@ pub struct DerivedModel {
 }
 
 impl DerivedModel {
-    /// Those of model `D`.
+    /// The functions of model `D`.
     pub const fn of<D: Derived>() -> DerivedModel {
         DerivedModel { model: &D::MODEL, equations: D::equations, exactly: D::matrices::<Df64> }
     }
@@ -172,7 +173,7 @@ impl DerivedModel {
     /// The equations of a scene.
     ///
     /// # Errors
-    /// Where its effects contradict one another.
+    /// If its effects contradict one another.
     pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
         let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
         let which = || scene.effects.contradictions(self.model);
@@ -180,20 +181,20 @@ impl DerivedModel {
     }
 }
 
-/// Derivatives of accelerations from those of the forces, [`Equations::jacobian`]: M⁻¹ times each.
+/// Derivatives of the accelerations: M⁻¹ times the derivatives of the forces, [`Equations::jacobian`].
 pub fn accelerated(mobility: &Matrix, of_force: [Matrix; 2]) -> [Matrix; 2] {
     of_force.map(|by| mobility * by)
 }
 
-/// M⁻¹ (n x n), for equations too large to be inverted symbolically; not a number where M is not positive definite, which
-/// [`Cell::new`](crate::engine::cell::Cell::new) refuses by name.
+/// M⁻¹ (n x n), for models too large for a symbolic inverse. If M is not positive definite, the entries are NaN;
+/// [`Cell::new`](crate::engine::cell::Cell::new) then refuses the scene.
 pub fn mobility(mass: &Matrix) -> Matrix {
-    // In units in which the diagonal is one, inertias of any size neither overflow nor underflow in the products.
+    // Scale M to a unit diagonal, so that no product overflows or underflows.
     let n = mass.nrows();
     let unit: Vec<f64> = (0..n).map(|i| mass[(i, i)].sqrt()).collect();
     let scaled = Matrix::from_fn(n, n, |i, j| mass[(i, j)] / unit[i] / unit[j]);
     let inverse = scaled.cholesky().map_or(Matrix::repeat(n, n, f64::NAN), |cholesky| cholesky.inverse());
-    // Rounding must not make it asymmetric: the lower triangle stands for both.
+    // The inverse must be exactly symmetric: use its lower triangle for both halves.
     let lower = |i: usize, j: usize| inverse[(i, j)] / unit[i] / unit[j];
     Matrix::from_fn(n, n, |i, j| lower(i.max(j), i.min(j)))
 }
@@ -201,7 +202,7 @@ pub fn mobility(mass: &Matrix) -> Matrix {
 /// G = nᵀM⁻¹n.
 ///
 /// # Panics
-/// Where M is not positive definite, which no kinetic energy allows.
+/// If M is not positive definite.
 pub fn compliance(mass: &Matrix, n: &Vector) -> f64 {
     dot(n, &solve(mass, n))
 }
@@ -222,16 +223,16 @@ fn solve(mass: &Matrix, f: &Vector) -> Vector {
     (&cholesky.solve(&DVector::from(f))).into()
 }
 
-/// The n numbers of a vector, for code that knows n.
+/// A vector as an array of N numbers, for code compiled for a known N.
 ///
 /// # Panics
-/// Where there are more or fewer.
+/// If its length is not N.
 #[inline]
 pub fn array<const N: usize>(numbers: &[f64]) -> &[f64; N] {
     numbers.try_into().unwrap_or_else(|_| wrong_length(N, numbers.len()))
 }
 
-/// The same, to be written to.
+/// The same, mutable.
 ///
 /// # Panics
 /// Those of [`array`].
@@ -246,17 +247,17 @@ fn wrong_length(n: usize, given: usize) -> ! {
     panic!("the model has {n} coordinates, not {given}")
 }
 
-/// A vector of its numbers.
+/// A vector with the given entries.
 pub fn vector<R: Scalar, const N: usize>(numbers: &[R; N]) -> DVector<R> {
     DVector::from_column_slice(numbers)
 }
 
-/// A matrix by its rows.
+/// A matrix with the given rows.
 pub fn matrix<R: Scalar, const N: usize>(rows: &[[R; N]; N]) -> DMatrix<R> {
     DMatrix::from_fn(N, N, |i, j| rows[i][j].clone())
 }
 
-/// Refuses an index beyond what the model has: `what` number `i`.
+/// Panics because the model has no `what` number `i`.
 ///
 /// # Panics
 /// Always.

@@ -1,6 +1,6 @@
 //! Errors of the engine: why a scene is refused before a run, and why a run stops early.
 
-/// Why a scene cannot be simulated. Found before the run starts.
+/// Why a scene cannot be simulated. It is detected before the run starts.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the messages are the documentation
 pub enum Refusal {

@@ -1,10 +1,11 @@
-//! The kernel of plain events: one step of a stiffness passed by L simulations at once.
+//! The kernel of plain events: L simulations pass one step of a stiffness at once.
 //!
-//! An event is plain if the phase is certainly monotone, Newton's method converges, the step lies before the end of the run, and the
-//! energy suffices to pass it. A lane whose event is not plain is left as it was, for the general loop ([`simulate`]).
+//! An event is plain if the phase is certainly monotone, Newton's method converges, the step lies before the end of the run, and
+//! the energy is sufficient to pass it. A lane whose event is not plain is not changed; the general loop ([`simulate`]) handles
+//! its event.
 //!
-//! The kernel is compiled for a few numbers of coordinates N, for L = 8 ([`ensemble`](crate::ensemble)) and for L = 1 ([`alone`]). A
-//! simulation with fewer coordinates leaves the last ones at rest.
+//! The kernel is compiled for a few numbers of coordinates N, for L = 8 ([`ensemble`](crate::ensemble)) and for L = 1
+//! ([`alone`]). If a simulation has fewer coordinates, the last ones stay at rest.
 //!
 //! [`simulate`]: crate::engine::simulate
 
@@ -22,79 +23,81 @@ mod handover;
 pub mod kind;
 pub mod pack;
 
-use crate::engine::mode::NEAR;
+use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR};
+use crate::tolerance::modes::{SERIES_SPAN, SHIFT_SPAN};
 use cells::Cells;
 use elementary::LARGEST_ANGLE;
 use flight::{Flight, Point, Response, responses};
 use pack::{Mask, Pack};
 
-/// Coordinates beyond which lanes gain little: their state no longer fits the registers, and their code takes long to compile.
+/// Largest number of coordinates in lanes. The state of more does not fit into the registers, so the gain is small, and the code
+/// takes long to compile.
 pub const LARGEST: usize = 6;
 
-/// The state of L simulations, in arrays. Aligned as its vectors are.
+/// The state of L simulations, in arrays. They are aligned like the vectors of the processor.
 #[repr(align(64))]
 pub struct Lanes<const N: usize, const L: usize> {
-    /// The cells, by their place in the pitch.
+    /// The cells of one pitch, in their order.
     pub tables: Vec<Cells<N, L>>,
-    /// Which modes are rigid, in every lane.
+    /// Whether each mode is rigid, in every lane.
     pub rigid: [bool; N],
-    /// Coordinate that is the phase.
+    /// Index of the coordinate that is the phase.
     pub phase: usize,
-    /// G of the steps; no impulse where it is zero.
+    /// G of the steps; zero for steps without impulse.
     pub compliance: Pack<L>,
     /// M⁻¹n / G (N).
     pub direction: [Pack<L>; N],
 
-    /// Coordinates, less whole pitches (N).
+    /// Coordinates without their whole pitches (N).
     pub q: [Pack<L>; N],
     /// Speeds (N).
     pub q_dot: [Pack<L>; N],
-    /// What the speeds have lost to rounding (N).
+    /// Rounding errors of the speeds, to be added to them (N).
     pub lost: [Pack<L>; N],
-    /// Time, as a sum of two numbers [s].
+    /// Time as the sum of two numbers [s].
     pub clock: [Pack<L>; 2],
     /// End of the run [s].
     pub end: Pack<L>,
-    /// Energy that damping has taken [J].
+    /// Dissipated energy [J].
     pub dissipated: Pack<L>,
-    /// The cell of each lane.
+    /// Index of the cell of each lane.
     pub at: [usize; L],
     /// Whole pitches since the lane was loaded.
     pub turns: [i64; L],
-    /// Cell changes since then.
+    /// Number of cell changes since the lane was loaded.
     pub changes: [u64; L],
-    /// What is expected of the next passage of each cell.
+    /// Prediction for the next passage of each cell.
     pub expected: Vec<Expected<N, L>>,
 }
 
-/// What is expected of the next passage of a cell: how long it takes, and the responses after that time. They are computed when
-/// the cell has been passed. The next passage then does not wait for sine, cosine and exponential.
+/// Prediction for the next passage of a cell: its duration, and the responses of the modes after this time. They are computed
+/// once the cell has been passed, so that the next passage does not wait for sine, cosine and exponential.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub struct Expected<const N: usize, const L: usize> {
-    /// How much longer the last passage took than at the steady part of the speed [s].
+    /// Delay: duration of the last passage, minus the duration at the steady part of the speed [s].
     lateness: Pack<L>,
-    /// How long the last passage took [s]; 0 if there was none.
+    /// Duration of the last passage [s]; 0 if there was none.
     last: Pack<L>,
-    /// How long the next one may take [s].
+    /// Predicted duration of the next passage [s].
     t: Pack<L>,
-    /// The responses after that time.
+    /// Responses of the modes after the time `t`.
     responses: [Response<L>; N],
 }
 
 impl<const N: usize, const L: usize> Expected<N, L> {
-    /// Of a cell that was not passed yet.
+    /// The prediction for a cell that has not been passed yet.
     pub const NOTHING: Expected<N, L> = {
         let zero = Pack([0.0; L]);
         Expected { lateness: zero, last: zero, t: zero, responses: [Response::NONE; N] }
     };
 
-    /// Has a lane forget its passages.
+    /// Resets the prediction of a lane.
     pub fn forget(&mut self, lane: usize) {
         *self = Self::NOTHING.or(Mask::of(|i| i == lane), self);
     }
 
-    /// This where `mask` says so, the other elsewhere.
+    /// Selects the lanes of `mask` from `self`, the others from `other`.
     #[inline(always)]
     fn or(&self, mask: Mask<L>, other: &Self) -> Self {
         let mut responses = self.responses;
@@ -109,8 +112,8 @@ impl<const N: usize, const L: usize> Expected<N, L> {
         }
     }
 
-    /// The same of the passage after one that took the time `taken`, `steady` at the steady part of the speed: its time is
-    /// extrapolated linearly from the last two.
+    /// The prediction after a passage that took the time `taken`; `steady` is the duration at the steady part of the speed. The
+    /// next duration is a linear extrapolation from the last two.
     #[inline(always)]
     fn next(&self, cells: &Cells<N, L>, rigid: &[bool; N], taken: Pack<L>, steady: Pack<L>) -> Self {
         let trend = (taken - self.last).zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
@@ -119,64 +122,62 @@ impl<const N: usize, const L: usize> Expected<N, L> {
     }
 }
 
-/// Where the phase of each lane goes.
-struct Way<const L: usize> {
-    /// Whether it is sure to get there.
+/// The direction in which the phase of each lane moves.
+struct Target<const L: usize> {
+    /// Whether the phase is proved to be monotone.
     monotone: Mask<L>,
-    /// Whether that is upwards.
+    /// Whether it moves to the upper boundary.
     up: Mask<L>,
-    /// 1 upwards, -1 downwards.
+    /// 1 towards the upper boundary, -1 towards the lower one.
     sign: Pack<L>,
     boundary: Pack<L>,
-    /// Distance to it.
+    /// Distance to the boundary.
     gap: Pack<L>,
-    /// Time to it at the steady part of the speed [s].
+    /// Time to the boundary at the steady part of the speed [s].
     steady: Pack<L>,
 }
 
-/// The next step of each lane, located and passed, before the lanes take it over.
+/// The next event of each lane: located and passed, but not yet stored in the lanes.
 #[derive(Clone, Copy)]
 pub struct Attempt<const N: usize, const L: usize> {
-    /// The lanes whose step is plain.
+    /// The lanes whose event is plain.
     pub sure: Mask<L>,
-    /// Time to it [s].
+    /// Time to the event [s].
     pub t: Pack<L>,
-    /// Whether it is the upper boundary of the cell.
+    /// Whether it is at the upper boundary of the cell.
     up: Mask<L>,
-    /// Times that the motion was evaluated.
+    /// Number of evaluations of the motion.
     pub evaluations: usize,
-    /// What it would be at the steady part of the speed [s].
+    /// Time to the event at the steady part of the speed [s].
     steady: Pack<L>,
-    /// The coordinates and speeds with which the phase arrives.
+    /// Coordinates and speeds just before the event.
     pub arrival: [[Pack<L>; N]; 2],
-    /// The state beyond the step.
+    /// The state after the event.
     q: [Pack<L>; N],
     q_dot: [Pack<L>; N],
     lost: [Pack<L>; N],
     dissipated: Pack<L>,
-    /// The cell of all active lanes, if it is the same.
+    /// The cell of all active lanes; `None` if they are in different cells.
     common: Option<usize>,
 }
 
-/// The steps that lanes come to.
+/// The located events of the lanes.
 struct Located<const L: usize> {
-    /// The lanes that certainly reach theirs.
+    /// The lanes that are proved to reach their boundary.
     sure: Mask<L>,
-    /// Time to it [s].
+    /// Time to the event [s].
     t: Pack<L>,
-    /// Times that the motion was evaluated.
+    /// Number of evaluations of the motion.
     evaluations: usize,
-    /// The cell of all active lanes, if it is the same.
+    /// The cell of all active lanes; `None` if they are in different cells.
     common: Option<usize>,
 }
 
-/// Below this product of rate and time the closed forms cancel digits: such short flights are for the scalar engine.
-const SHORT: f64 = 0.5;
-/// Evaluations of the motion beyond which a lane is left to the scalar engine.
+/// Maximum number of evaluations of the motion. A lane that needs more is left to the general loop.
 const MOST: usize = 3;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// Passes one step in those of the `active` lanes that can; tells which have.
+    /// Passes one event in the `active` lanes whose event is plain; returns these lanes.
     #[inline(always)]
     pub fn pass(&mut self, active: Mask<L>) -> Mask<L> {
         let attempt = self.attempt(active);
@@ -184,11 +185,11 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         attempt.sure
     }
 
-    /// The next step of the `active` lanes.
+    /// The next event of the `active` lanes.
     #[inline(always)]
     pub fn attempt(&self, active: Mask<L>) -> Attempt<N, L> {
-        let first = (0..L).find(|lane| active.says(*lane)).map_or(0, |lane| self.at[lane]);
-        let together = (0..L).all(|lane| !active.says(lane) || self.at[lane] == first);
+        let first = (0..L).find(|lane| active.is_set(*lane)).map_or(0, |lane| self.at[lane]);
+        let together = (0..L).all(|lane| !active.is_set(lane) || self.at[lane] == first);
         let gathered;
         let cells = if together {
             &self.tables[first]
@@ -200,15 +201,15 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         // Solve.
         let flight = Flight::new(cells, &self.q, &self.q_dot);
         // Locate.
-        let way = self.way(cells, &flight);
-        let sure = active.and(way.monotone);
-        let (sure, t, points, evaluations) = self.locate(cells, &flight, &way, &expected, sure);
+        let target = self.target(cells, &flight);
+        let sure = active.and(target.monotone);
+        let (sure, t, points, evaluations) = self.locate(cells, &flight, &target, &expected, sure);
         // Jump.
         let common = together.then_some(first);
-        self.jump(cells, &flight, &way, &points, Located { sure, t, evaluations, common })
+        self.jump(cells, &flight, &target, &points, Located { sure, t, evaluations, common })
     }
 
-    /// Takes over the steps of an attempt, where they are plain.
+    /// Stores the events of an attempt in the lanes in which they are plain.
     #[inline(always)]
     pub fn take(&mut self, attempt: &Attempt<N, L>) {
         let gathered;
@@ -221,8 +222,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         };
         let expected = self.expected(attempt.common.is_some(), attempt.common.unwrap_or(0));
         let next = expected.next(cells, &self.rigid, attempt.t, attempt.steady);
-        // It nearly always holds everywhere: a branch, so that the next flight does not wait for the mask.
-        if attempt.sure.everywhere() {
+        // All events are plain almost always. The branch lets the next flight start without waiting for the mask.
+        if attempt.sure.is_all() {
             self.keep(attempt, &next, Mask::of(|_| true));
         } else {
             self.keep(attempt, &next, attempt.sure);
@@ -230,7 +231,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         self.enter(attempt.up, attempt.sure);
     }
 
-    /// Goes over to the state beyond the step in the lanes that are `sure`.
+    /// Stores the state after the event in the lanes `sure`.
     #[inline(always)]
     fn keep(&mut self, attempt: &Attempt<N, L>, next: &Expected<N, L>, sure: Mask<L>) {
         for i in 0..N {
@@ -243,45 +244,46 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         self.expect(next, sure, attempt.common);
     }
 
-    /// Which boundary the phase goes to, and whether it is sure to: the steady part of its speed outweighs all that the
-    /// oscillations can do.
+    /// The boundary to which the phase moves, and whether the phase is proved to be monotone: the steady part of its speed
+    /// exceeds a bound on the speed of the oscillations.
     #[inline(always)]
-    fn way(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Way<L> {
-        let (mut drift, mut wobble, mut rolls) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
+    fn target(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Target<L> {
+        let (mut drift, mut oscillation, mut uniform) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
         for i in 0..N {
             let (c, v, a) = (cells.modes[i].part, flight.speed[i], flight.acceleration(i));
             if self.rigid[i] {
                 drift = drift + c * v;
-                rolls = rolls.and((c * a).compare(c, |a, _| a == 0.0));
+                uniform = uniform.and((c * a).compare(c, |a, _| a == 0.0));
             } else {
-                wobble = wobble + c.abs() * (v.abs() + a.abs() * cells.modes[i].gain);
+                oscillation = oscillation + c.abs() * (v.abs() + a.abs() * cells.modes[i].gain);
             }
         }
         let up = drift.compare(drift, |d, _| d > 0.0);
-        let sign = Pack::all(1.0).mostly(up, Pack::all(-1.0));
-        let boundary = cells.bounds[1].mostly(up, cells.bounds[0]);
+        let sign = Pack::all(1.0).or_uniform(up, Pack::all(-1.0));
+        let boundary = cells.bounds[1].or_uniform(up, cells.bounds[0]);
         let gap = sign * (boundary - self.q[self.phase]);
-        let monotone = rolls.and(drift.abs().compare(wobble, |d, w| d > w * (1.0 + 1e-12)));
-        Way { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
+        let monotone = uniform.and(drift.abs().compare(oscillation, |d, w| d > w * (1.0 + BOUND_MARGIN)));
+        Target { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
     }
 
-    /// When the phase is there, the modes then, and how often the motion was evaluated: Newton's method from the expected time. Each
-    /// lane's result is that of its first good step, however long the others take.
+    /// The time of the crossing, the modes at that time, and the number of evaluations: Newton's method from the predicted time.
+    /// The result of a lane is that of its first converged step; further steps of other lanes do not change it.
     #[inline(always)]
     fn locate(
         &self,
         cells: &Cells<N, L>,
         flight: &Flight<'_, N, L>,
-        way: &Way<L>,
+        target: &Target<L>,
         expected: &Expected<N, L>,
         sure: Mask<L>,
     ) -> (Mask<L>, Pack<L>, [Point<L>; N], usize) {
-        let guess = (way.steady + expected.lateness).zip(way.steady, |t, steady| if t > 0.0 { t } else { steady });
-        // Also where the angle is not a number.
-        let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= NEAR);
+        let guess =
+            (target.steady + expected.lateness).zip(target.steady, |t, steady| if t > 0.0 { t } else { steady });
+        // The condition is also false for NaN.
+        let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= SHIFT_SPAN);
         let elsewhere = Mask::of(|_| true).without(near_enough);
         let (mut t, mut near) = (expected.t, flight.all_after(&expected.responses));
-        if elsewhere.meets(sure) {
+        if elsewhere.intersects(sure) {
             t = guess.or(elsewhere, t);
             let anew = flight.all_after(&responses(cells, &self.rigid, guess));
             for i in 0..N {
@@ -291,8 +293,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let (mut points, mut taken, mut done, mut evaluations) = (near, t, Mask::of(|_| false), 0);
         for round in 1..=MOST {
             evaluations = round;
-            let [s, r, a, jerk, snap] = self.signal(cells, flight, &near, way.sign);
-            let f = way.gap - s;
+            let [s, r, a, jerk, snap] = self.signal(cells, flight, &near, target.sign);
+            let f = target.gap - s;
             // The root of f - r dt - a dt²/2 - jerk dt³/6 - snap dt⁴/24 by reversion of the series.
             let inverse = 1.0 / r;
             let h = f * inverse;
@@ -302,8 +304,10 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             let angle = dt.abs() * cells.rate;
             let next = a * a + j.abs();
             let lacking = (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * dt.abs();
-            let good = angle.compare(a, |angle, a| (angle <= NEAR) & (a.abs() < 0.1)).and(r.compare(r, |r, _| r > 0.0));
-            let good = good.and(lacking.compare(t, |l, t| l <= f64::EPSILON * t)).without(done);
+            let good = angle
+                .compare(a, |angle, a| (angle <= SHIFT_SPAN) & (a.abs() < REVERSION_LIMIT))
+                .and(r.compare(r, |r, _| r > 0.0));
+            let good = good.and(lacking.compare(t, |l, t| l <= ROOT_ERROR * t)).without(done);
             let shifted = flight.all_shifted(&self.rigid, &near, t, dt);
             for i in 0..N {
                 points[i] = shifted[i].or(good, &points[i]);
@@ -318,17 +322,17 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
-        let resolved = angle.compare(angle, |angle, _| (angle >= SHORT) & (angle < LARGEST_ANGLE));
+        let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < LARGEST_ANGLE));
         (sure.and(done).and(in_time).and(resolved), taken, points, evaluations)
     }
 
-    /// The state beyond the step, where the energy suffices for it.
+    /// The state after the event, in the lanes whose energy is sufficient to pass.
     #[inline(always)]
     fn jump(
         &self,
         cells: &Cells<N, L>,
         flight: &Flight<'_, N, L>,
-        way: &Way<L>,
+        target: &Target<L>,
         points: &[Point<L>; N],
         Located { sure, t, evaluations, common }: Located<L>,
     ) -> Attempt<N, L> {
@@ -346,7 +350,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 dissipated = dissipated + flight.dissipated(j, &points[j]);
             }
         }
-        q[self.phase] = way.boundary;
+        q[self.phase] = target.boundary;
         let mut arrival = [q, q_dot];
         for i in 0..N {
             arrival[1][i] = q_dot[i] + (gained[i] + lost[i]);
@@ -354,23 +358,23 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let mut dv = Pack::all(0.0);
         for i in 0..N {
             for j in 0..N {
-                dv = dv + cells.step[1][i][j].mostly(way.up, cells.step[0][i][j]) * q[i] * q[j];
+                dv = dv + cells.step[1][i][j].or_uniform(target.up, cells.step[0][i][j]) * q[i] * q[j];
             }
         }
         let v = q_dot[self.phase] + gained[self.phase];
         let lowered = 2.0 * self.compliance * dv;
         let square = v * v - lowered;
-        let gain = -(way.sign * lowered) / (square.sqrt() + v.abs());
+        let gain = -(target.sign * lowered) / (square.sqrt() + v.abs());
         for i in 0..N {
             [q_dot[i], lost[i]] = two_sum(q_dot[i], (gained[i] + lost[i]) + self.direction[i] * gain);
         }
-        q[self.phase] = cells.entered[1].mostly(way.up, cells.entered[0]);
+        q[self.phase] = cells.entered[1].or_uniform(target.up, cells.entered[0]);
         let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        let (sure, up, steady) = (sure.and(passes), way.up, way.steady);
+        let (sure, up, steady) = (sure.and(passes), target.up, target.steady);
         Attempt { sure, t, up, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
     }
 
-    /// The phase's way, in the direction of its boundary, and its derivatives.
+    /// Displacement of the phase towards its boundary, and its first four derivatives.
     #[inline(always)]
     fn signal(
         &self,
@@ -396,14 +400,14 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         self.clock = [sum.or(sure, high), rest.or(sure, low)];
     }
 
-    /// The clock after the time `t` [s].
+    /// The time of the clock after the duration `t` [s].
     #[inline(always)]
     fn clock_after(&self, t: Pack<L>) -> [Pack<L>; 2] {
         let [high, low] = self.clock;
         two_sum(high, t + low)
     }
 
-    /// What is expected in the cell of each lane.
+    /// The prediction for the cell of each lane.
     #[inline(always)]
     fn expected(&self, together: bool, first: usize) -> Expected<N, L> {
         let mut all = self.expected[first];
@@ -426,16 +430,16 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
     }
 
-    /// Goes on into the cells beyond.
+    /// Moves the lanes `sure` into their next cells.
     #[inline(always)]
     fn enter(&mut self, up: Mask<L>, sure: Mask<L>) {
         let last = self.tables.len() - 1;
         for lane in 0..L {
-            if !sure.says(lane) {
+            if !sure.is_set(lane) {
                 continue;
             }
             self.changes[lane] += 1;
-            (self.at[lane], self.turns[lane]) = match (up.says(lane), self.at[lane]) {
+            (self.at[lane], self.turns[lane]) = match (up.is_set(lane), self.at[lane]) {
                 (true, at) if at == last => (0, self.turns[lane] + 1),
                 (true, at) => (at + 1, self.turns[lane]),
                 (false, 0) => (last, self.turns[lane] - 1),
@@ -445,7 +449,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     }
 }
 
-/// a + b and what it loses to rounding (Knuth).
+/// The sum a + b and its rounding error (Knuth).
 #[inline(always)]
 fn two_sum<const L: usize>(a: Pack<L>, b: Pack<L>) -> [Pack<L>; 2] {
     let sum = a + b;

@@ -1,4 +1,5 @@
-//! One stepping law under way, a stiffness, a transmission error or one of friction: its steps, how they switch, and where it stands between them.
+//! The state of one law during a run (a stiffness, a transmission error or a friction law): its levels, how it switches, and its
+//! present cell.
 
 use xprec::Df64;
 
@@ -13,49 +14,48 @@ use crate::engine::record::State;
 use crate::engine::vector::Vector;
 use crate::model::{Model, Role};
 use crate::scene::Scene;
+use crate::tolerance::phases;
 
-/// A stepping law: what it is, and where it stands.
+/// A law: its levels, and its present cell.
 #[derive(Debug, Clone)]
 pub struct Law {
-    /// How it switches with the effects in force.
+    /// How it switches with the effects of the scene.
     pub switching: Switching,
-    /// Its levels and boundaries.
+    /// Its levels and the boundaries between them.
     pub pitch: Pitch,
     /// Geometry of its steps.
     pub surface: Surface,
-    /// Coordinate that is its phase.
+    /// Index of the coordinate that is its phase.
     pub phase: usize,
     /// Whether it is a transmission error.
     pub is_error: bool,
-    /// Whether it counts off the whole turns of that coordinate; one law a coordinate does.
+    /// Whether this law counts the whole turns of its coordinate. Exactly one law per coordinate does.
     turns: bool,
-    /// Length of a turn of the coordinate, 0 where none are counted.
+    /// Length of one turn of the coordinate; 0 if turns are not counted.
     turn: f64,
-    /// The phase that runs by time alone, k(Omega0 t).
+    /// The phase that depends on time alone, k(Omega0 t).
     frozen: Option<Frozen>,
 
-    /// Cell of the pitch that it is in. State: never worked out from the phase.
+    /// Index of its cell in the pitch. It is part of the state and never computed from the phase.
     pub cell: usize,
-    /// Pitches that its cell is beyond the turns counted off the coordinate; all of them, where none are counted.
+    /// Whole pitches of this law's cell that are not counted in `State::turns`; all of them if turns are not counted.
     ahead: i64,
 }
 
-/// Pitches beyond which an angle, as a number, does not say where in a pitch it is.
-const FARTHEST: f64 = 1e15;
-
-/// The phase that runs by time alone.
+/// A phase that depends on time alone.
 #[derive(Debug, Clone, Copy)]
 struct Frozen {
     speed: f64,
-    /// Remainder at t = 0.
+    /// Phase at t = 0, without whole pitches.
     origin: f64,
 }
 
 impl Law {
-    /// The laws that a scene has, as it starts them; `state`'s rolling coordinates are left with their remainders.
+    /// The laws at the start of a scene. The rolling coordinates of `state` keep only their remainders; their whole turns go to
+    /// `State::turns`.
     ///
     /// # Errors
-    /// Where a phase is so far off that its place in the pitch is lost, or an inertia beyond numbers.
+    /// If a phase is too large for its place in the pitch to be known, or an inertia overflows.
     pub fn begin(equations: &dyn Equations, scene: &Scene, state: &mut State) -> Result<Vec<Law>, Refusal> {
         let model = scene.model;
         let absolute = state.q.clone();
@@ -63,7 +63,7 @@ impl Law {
         for (i, (law, given)) in scene.present().enumerate() {
             let switching = equations.switching(i);
             let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
-            // Laws on one coordinate are counted in one unit.
+            // All laws on one coordinate are counted in the same turns.
             let on_phase: Vec<_> = scene.present().filter(|(other, _)| other.phase == law.phase).collect();
             let periods: Vec<f64> = on_phase.iter().map(|(other, _)| other.period).collect();
             let counted = turn::common(&periods).filter(|_| law.rolling);
@@ -74,7 +74,7 @@ impl Law {
                 _ => Pitch::counted(given, period, times * given.pitches),
             };
             let speed = state.q_dot[phase];
-            if (absolute[phase] / law.period).abs() > FARTHEST {
+            if (absolute[phase] / law.period).abs() > phases::FARTHEST_START {
                 return Err(Refusal::Far { coordinate: law.phase });
             }
             let (pitches, rest, mut cell) = pitch.locate(absolute[phase], speed);
@@ -90,7 +90,7 @@ impl Law {
             if !surface.compliance.is_finite() || surface.direction.iter().any(|x| !x.is_finite()) {
                 return Err(Refusal::Overflow);
             }
-            // They may begin their pitches at different places of it.
+            // Laws on one coordinate may have their boundaries at different places.
             let ahead = match (frozen, turns) {
                 (Some(_), _) | (None, true) => 0,
                 (None, false) if turn > 0.0 => {
@@ -106,12 +106,12 @@ impl Law {
         Ok(laws)
     }
 
-    /// Its value now, where it is constant in its cells; else its mean in this one.
+    /// Its value in the present cell if it is constant there, else its mean over the cell.
     pub fn level(&self) -> f64 {
         self.pitch.level(self.cell)
     }
 
-    /// k, dk/ds and d²k/ds² where the coordinate is `q` at the time `t`.
+    /// k, dk/ds and d²k/ds² at the value `q` of the coordinate and the time `t` [s].
     #[inline]
     pub fn course(&self, q: f64, t: f64) -> [f64; 3] {
         if self.pitch.steps_only() {
@@ -121,30 +121,30 @@ impl Law {
         self.pitch.course(self.cell, s - self.bounds().0)
     }
 
-    /// Length of one turn of the coordinate, 0 where none are counted.
+    /// Length of one turn of the coordinate; 0 if turns are not counted.
     pub fn turn(&self) -> f64 {
         self.turn
     }
 
-    /// The step of its value beyond a side of the present cell.
+    /// The step of its value at a side of the present cell.
     #[inline]
     pub fn step(&self, side: Side) -> f64 {
         self.pitch.step(self.cell, side)
     }
 
-    /// The same in twice the digits.
+    /// The same in double-double precision.
     pub fn exact_step(&self, side: Side) -> Df64 {
         Df64::from(self.pitch.level(self.pitch.beyond(self.cell, side).0)) - self.level()
     }
 
-    /// The boundary of the present cell on a side, in the coordinate less its turns.
+    /// The boundary of the present cell at a side, in the coordinate without its turns.
     #[inline]
     pub fn boundary(&self, side: Side) -> f64 {
         let (lower, upper) = self.bounds();
         if side == Side::Upper { upper } else { lower }
     }
 
-    /// Boundaries of the present cell, in the coordinate less its turns.
+    /// The lower and upper boundary of the present cell, in the coordinate without its turns.
     #[inline]
     pub fn bounds(&self) -> (f64, f64) {
         let (lower, upper) = self.pitch.bounds(self.cell);
@@ -152,20 +152,19 @@ impl Law {
         (base + lower, base + upper)
     }
 
-    /// Whether this law's phase is at that side of its cell too, on the way of `other`, which met it: one step for both.
+    /// Whether this law's phase is at the same side of its cell when `other` reaches that side. The two steps are then one.
     #[inline]
     pub fn joins(&self, other: &Law, side: Side, state: &State) -> bool {
-        self.phase == other.phase && self.is_at(side, state, 4.0 * self.rounding())
+        self.phase == other.phase && self.is_at(side, state, phases::SAME_BOUNDARY * self.pitch.width(self.cell))
     }
 
-    /// One rounding of a phase in the present cell.
+    /// The rounding error of a phase in the present cell [unit of the phase].
     #[inline]
     pub fn rounding(&self) -> f64 {
-        let (lower, upper) = self.pitch.bounds(self.cell);
-        f64::EPSILON * (upper - lower)
+        f64::EPSILON * self.pitch.width(self.cell)
     }
 
-    /// Whether the phase is at that side of its cell, to within `slack`.
+    /// Whether the phase is within `slack` of that side of its cell.
     #[inline]
     pub fn is_at(&self, side: Side, state: &State, slack: f64) -> bool {
         if self.switching == Switching::Never || self.frozen.is_some() {
@@ -176,7 +175,7 @@ impl Law {
         gap.abs() <= slack
     }
 
-    /// When a frozen phase next meets a boundary, and which; `None` where the phase moves with the motion.
+    /// The time at which a frozen phase next reaches a boundary, and the side; `None` if the phase moves with the motion.
     #[inline]
     pub fn next_switch(&self) -> Option<(Df64, Side)> {
         self.frozen.as_ref().map(|frozen| self.switch_of(frozen))
@@ -193,7 +192,7 @@ impl Law {
         }
     }
 
-    /// Puts the phase exactly on a boundary of the cell.
+    /// Sets the phase to exactly the boundary of the cell.
     #[inline]
     pub fn snap(&self, side: Side, state: &mut State) {
         if self.frozen.is_none() {
@@ -201,7 +200,7 @@ impl Law {
         }
     }
 
-    /// Goes on into the cell beyond a side. Gives the turns that this counts off the coordinate, for the others on it.
+    /// Enters the cell beyond a side. Returns the turns by which it changed the count of the coordinate.
     #[inline]
     pub fn enter(&mut self, side: Side, state: &mut State) -> i64 {
         let (beyond, entered, turn) = self.pitch.beyond(self.cell, side);
@@ -215,7 +214,7 @@ impl Law {
         0
     }
 
-    /// Another law has counted `turns` off coordinate `phase`.
+    /// Adapts to `turns` that another law has counted on coordinate `phase`.
     pub fn follow(&mut self, phase: usize, turns: i64) {
         if !self.turns && self.phase == phase && self.frozen.is_none() {
             self.ahead -= turns;
@@ -223,18 +222,18 @@ impl Law {
     }
 }
 
-/// Length of one turn of each coordinate (N), 0 where none are counted.
+/// Length of one turn of each coordinate (N); 0 if turns are not counted.
 pub fn turn_lengths(n: usize, laws: &[Law]) -> Vector {
     Vector::from_fn(n, |i| laws.iter().find(|law| law.phase == i).map_or(0.0, Law::turn))
 }
 
-/// What steps where `law` meets a boundary: it, and whatever joins it.
+/// The laws that step when `law` reaches a boundary: this law, and those that join it.
 #[inline]
 pub fn met<'a>(laws: &'a [Law], law: usize, side: Side, state: &'a State) -> impl Iterator<Item = usize> + 'a {
     (0..laws.len()).filter(move |&i| i == law || laws[i].joins(&laws[law], side, state))
 }
 
-/// Takes `law`, and whatever joins it at its boundary, on into the cells beyond.
+/// Moves `law`, and the laws that join it, into the cells beyond its boundary.
 #[inline(never)]
 pub fn enter(laws: &mut [Law], law: usize, side: Side, state: &mut State) {
     let entering: Vec<usize> = met(laws, law, side, state).collect();
@@ -243,7 +242,7 @@ pub fn enter(laws: &mut [Law], law: usize, side: Side, state: &mut State) {
     laws.iter_mut().for_each(|law| law.follow(phase, turns));
 }
 
-/// What the potential energy gains there, dV [J].
+/// The change dV of the potential energy at this step [J].
 #[inline]
 pub fn barrier(equations: &dyn Equations, (laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State) -> f64 {
     let q = &state.q;
@@ -253,10 +252,11 @@ pub fn barrier(equations: &dyn Equations, (laws, bands, k): Stand<'_>, law: usiz
         return equations.step(law, q, k, only.step(side));
     }
     if met(laws, law, side, state).any(|i| moves(&laws[i], bands)) {
-        // Flanks part or meet with the step.
+        // The step of a transmission error may open or close contacts.
         return equations.potential(q, &beyond((laws, bands, k), law, side, state)) - equations.potential(q, k);
     }
-    // One after the other: a stiffness and a transmission error that step together are more than each by itself.
+    // Apply the steps one after the other: a stiffness and a transmission error that step together change V by more than the sum
+    // of their own steps.
     let (mut k, mut dv) = (k.to_vec(), 0.0);
     for i in met(laws, law, side, state) {
         let step = laws[i].step(side);
@@ -266,13 +266,13 @@ pub fn barrier(equations: &dyn Equations, (laws, bands, k): Stand<'_>, law: usiz
     dv
 }
 
-/// Whether a law moves the edges of a dead band.
+/// Whether a law shifts the edges of a dead band.
 #[inline]
 fn moves(law: &Law, bands: &[DeadBand]) -> bool {
     law.is_error && !bands.is_empty()
 }
 
-/// The law values beyond that boundary.
+/// The values of the laws beyond the boundary.
 pub fn beyond((laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State) -> Vec<f64> {
     let mut beyond = k.to_vec();
     met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
@@ -283,7 +283,7 @@ pub fn beyond((laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State
     beyond
 }
 
-/// What is not constant within the cells of `laws`, in words; `None` where all stiffnesses are.
+/// The laws that are not constant within their cells, in words; `None` if all are constant.
 pub fn curved(model: &Model, laws: &[Law]) -> Option<String> {
     let curved: Vec<_> = model.laws.iter().zip(laws).filter(|(_, law)| !law.pitch.steps_only()).collect();
     let names: Vec<_> = curved.iter().map(|(law, _)| format!("{}({})", law.name, law.phase)).collect();

@@ -1,10 +1,14 @@
-//! The engine: exact propagation in linear cells, guaranteed crossings, jumps that conserve energy.
+//! The engine: exact propagation in linear cells, guaranteed crossings, and jumps that conserve energy.
 //!
-//! From the inside out, one file each: `mode` (one degree of freedom, exact), `modal` (matrices to modes), `cell` (a
-//! motion along them), `coupling` (what more there is where damping couples them), `cells` (all of them), `signal` and `crossing` (the first boundary that a phase meets), `jump` (what speeds do there),
-//! `watch` (any other linear function of the state), `contact` (a phase held at a step), `dead_band` (play), `forcing`
-//! (torques that vary in time), `phase`, `clock` and `law` (angles and times without loss of digits, and where a
-//! stiffness stands), `start`, `record` (rows and the energy account), `guard` (events too many or too close), `root` (the first root of a polynomial), `simulate` (the loop), `system` (equations of any number of coordinates, as analyses see them).
+//! The files, each of which builds on those before:
+//! - `mode`: one degree of freedom, exact; `modal`: the modes of given matrices; `cell`: the motion in modes; `coupling`: modes
+//!   coupled by damping; `cells`: all cells of a scene;
+//! - `signal` and `crossing`: the first boundary that a phase reaches; `root`: the first root of a polynomial; `jump`: the change
+//!   of the speeds there; `watch`: zeros of other linear functions of the state;
+//! - `contact`: a phase held at a step; `dead_band`: play; `forcing`: torques that vary in time;
+//! - `phase`, `clock` and `law`: angles, times and the cells of laws, without loss of digits;
+//! - `start`: the initial state; `record`: rows and the energy account; `guard`: too many events, or events that depend on their
+//!   order; `simulate`: the loop; `system`: the equations as analyses use them.
 
 pub mod cascade;
 pub mod cell;

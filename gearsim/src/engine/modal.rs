@@ -1,13 +1,14 @@
-//! Modal analysis: M q'' + C q' + K q = f, with any ratio of inertias and of stiffnesses, taken apart into modes.
+//! Modal analysis of M q'' + C q' + K q = f, for any ratios of inertias and of stiffnesses.
 //!
-//! Frequencies and shapes come from K = L Lᵀ and M⁻¹, as the eigenvalues of LᵀM⁻¹L by Jacobi's method, which keeps the
-//! relative accuracy of the small ones beside the large (Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13, 1992). Rigid
-//! motions are exact: they are the null space of K, not small eigenvalues.
+//! Frequencies and shapes follow from K = L Lᵀ and M⁻¹ as the eigenvalues of LᵀM⁻¹L. They are computed by Jacobi's method, which
+//! keeps the relative accuracy of small eigenvalues beside large ones (Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13, 1992).
+//! Rigid motions are exact: they are the null space of K, not small eigenvalues.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
+use crate::tolerance::modes::{COUPLED_MODES, EQUAL_FREQUENCIES, JACOBI, MODAL_DAMPING_ROUNDINGS, RIGID, UNDAMPED};
 
 pub mod coupled;
 mod pairs;
@@ -21,7 +22,7 @@ pub use coupled::Coupled;
 pub struct Matrices {
     /// M.
     pub mass: DMatrix<f64>,
-    /// M⁻¹: not left to be found from M, where it can be had with more digits.
+    /// M⁻¹. It is given separately, because a closed form has more digits than the inverse of M.
     pub mobility: DMatrix<f64>,
     /// C.
     pub damping: DMatrix<f64>,
@@ -31,12 +32,12 @@ pub struct Matrices {
     pub load: DVector<f64>,
 }
 
-/// Modes with mass-normalised shapes X, Xᵀ M X = 1: q = X xi. Rigid ones first, then by rising frequency.
+/// Modes with mass-normalised shapes X, Xᵀ M X = 1: q = X xi. Rigid modes come first, the others in order of rising frequency.
 #[derive(Debug, Clone)]
 pub struct Modal {
-    /// The modes (n); without the damping between them, where there is any.
+    /// The modes (n), without the damping between different modes.
     pub modes: Vec<Mode>,
-    /// X, a shape a column.
+    /// X, one shape per column.
     pub shapes: DMatrix<f64>,
     /// Xᵀ M.
     pub momentum: DMatrix<f64>,
@@ -44,33 +45,22 @@ pub struct Modal {
     pub springs: DMatrix<f64>,
     /// Xᵀ f.
     pub load: DVector<f64>,
-    /// The modes that move by themselves, where damping couples those above.
+    /// The modes of the damped system, if damping couples the modes above.
     pub coupled: Option<Coupled>,
 }
-
-/// Eigenvalues of K, scaled to a unit diagonal, below this are rounding.
-const RIGID: f64 = 1e-13;
-/// Frequencies closer than this, relative, share their modes: any rotation of them will do, and damping chooses.
-const COINCIDENT: f64 = 1e-12;
-/// Damping below this fraction of the strongest is rounding.
-const UNDAMPED: f64 = 1e-15;
-/// Largest damping between two modes, relative to that within them, taken for rounding.
-const COUPLED: f64 = 1e-10;
-/// Roundings of X, each, in the damping between two modes.
-const ROUNDINGS: f64 = 64.0;
 
 impl Modal {
     /// The modes of a cell.
     ///
     /// # Errors
-    /// Where M is not positive definite, K is not positive semidefinite, a number overflows, or C makes modes defective.
+    /// If M is not positive definite, K is not positive semidefinite, a number overflows, or the damped modes are defective.
     pub fn of(m: &Matrices) -> Result<Modal, Refusal> {
         let n = m.load.len();
         let matrices = [&m.mass, &m.mobility, &m.damping, &m.stiffness];
         if matrices.iter().any(|a| a.iter().any(|x| !x.is_finite())) || m.load.iter().any(|x| !x.is_finite()) {
             return Err(Refusal::Overflow);
         }
-        // K = D U diag(k) Uᵀ D with D the roots of its diagonal.
+        // K = D U diag(k) Uᵀ D, where D has the square roots of the diagonal of K.
         let d = m.stiffness.diagonal().map(|x| if x > 0.0 { x.sqrt() } else { 1.0 });
         let scaled = DMatrix::from_fn(n, n, |i, j| m.stiffness[(i, j)] / (d[i] * d[j]));
         let (k, u) = eigen(scaled);
@@ -105,10 +95,11 @@ impl Modal {
         rotate_coincident(&omega2, &m.damping, &mut shapes, &mut momentum);
 
         let damping = shapes.transpose() * &m.damping * &shapes;
-        let rounding = ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
-        let above = above(&omega2, &damping, &rounding);
-        let modes = damped(&omega2, &above)?;
-        let coupled = if couples(&above) { Some(Coupled::of(&omega2, &above)?) } else { None };
+        let rounding =
+            MODAL_DAMPING_ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
+        let significant = significant(&omega2, &damping, &rounding);
+        let modes = damped(&omega2, &significant)?;
+        let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
         let springs = DMatrix::from_fn(n, n, |i, j| omega2[i] * momentum[(i, j)]);
         let load = shapes.transpose() * &m.load;
@@ -116,11 +107,11 @@ impl Modal {
     }
 }
 
-/// Turns the modes of one frequency so that damping does not couple them.
+/// Rotates the modes of equal frequencies so that damping does not couple them.
 fn rotate_coincident(omega2: &[f64], damping: &DMatrix<f64>, shapes: &mut DMatrix<f64>, momentum: &mut DMatrix<f64>) {
     let mut first = 0;
     for i in 1..=omega2.len() {
-        if i < omega2.len() && omega2[i] <= omega2[first] * (1.0 + COINCIDENT) {
+        if i < omega2.len() && omega2[i] <= omega2[first] * (1.0 + EQUAL_FREQUENCIES) {
             continue;
         }
         let size = i - first;
@@ -135,37 +126,38 @@ fn rotate_coincident(omega2: &[f64], damping: &DMatrix<f64>, shapes: &mut DMatri
     }
 }
 
-/// Whether damping couples two modes by more than what counts as rounding.
+/// Whether damping couples two modes by more than the rounding errors.
 fn couples(damping: &DMatrix<f64>) -> bool {
     let n = damping.nrows();
     (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).any(|(i, j)| {
         let within = (damping[(i, i)] * damping[(j, j)]).abs().sqrt();
-        damping[(i, j)].abs() > COUPLED * within
+        damping[(i, j)].abs() > COUPLED_MODES * within
     })
 }
 
-/// The damping without its roundings, exactly symmetric.
+/// The modal damping without its rounding errors, exactly symmetric.
 ///
-/// Roundings of C seen through X are known entry by entry. Those of X itself mix the shapes: a mode on whose part no damper acts has
-/// some eps of the most strongly damped shape, and by that a damping of eps² and couplings of eps. Modes of one frequency were turned until
-/// damping does not couple them, and their dampings are known to eps of the largest among them.
-fn above(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
+/// The rounding errors of C, transformed with X, are known for each entry: `rounding`. The rounding errors of X mix the shapes. A
+/// mode on which no damper acts gets a part eps of the most strongly damped shape; this gives it a damping of eps² and couplings
+/// of eps. Modes of equal frequencies were rotated until damping does not couple them, and their dampings have an error of eps
+/// times the largest among them.
+fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
     let n = damping.nrows();
     let mixed = (n as f64 * f64::EPSILON).powi(2) * damping.diagonal().amax();
     let turned = |i: usize| {
-        let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= COINCIDENT * omega2[i];
+        let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= EQUAL_FREQUENCIES * omega2[i];
         n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
     };
-    let lost = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
+    let is_rounding = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
     DMatrix::from_fn(n, n, |i, j| {
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
-        if mean.abs() <= rounding[(i, j)] || lost(i) || lost(j) { 0.0 } else { mean }
+        if mean.abs() <= rounding[(i, j)] || is_rounding(i) || is_rounding(j) { 0.0 } else { mean }
     })
 }
 
 fn damped(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Vec<Mode>, Refusal> {
     let (strongest, n) = (damping.diagonal().amax(), omega2.len());
-    // A rounding error's worth of damping is none: an undamped mode must keep its energy.
+    // An undamped mode must keep its energy, so rounding errors must not damp it.
     let sigma = |i: usize| if damping[(i, i)] <= UNDAMPED * strongest { 0.0 } else { 0.5 * damping[(i, i)] };
     let modes: Vec<Mode> = (0..n).map(|i| Mode::new(sigma(i), omega2[i])).collect();
     if modes.iter().any(|m| !(m.rate * m.rate * m.rate).is_finite()) {
@@ -174,10 +166,10 @@ fn damped(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Vec<Mode>, Refusal> 
     Ok(modes)
 }
 
-/// L⁻¹ of A = L Lᵀ, A scaled to a unit diagonal between, so that entries of any ratio keep their digits.
+/// L⁻¹ of A = L Lᵀ. A is scaled to a unit diagonal first, so that entries of any ratio keep their digits.
 ///
 /// # Errors
-/// Where A is not positive definite.
+/// If A is not positive definite.
 pub fn inverse_root(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Refusal> {
     if a.diagonal().iter().any(|d| *d <= 0.0) {
         return Err(Refusal::Mass);
@@ -189,7 +181,7 @@ pub fn inverse_root(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Refusal> {
     Ok(inverse * DMatrix::from_diagonal(&d.map(|d| 1.0 / d)))
 }
 
-/// Eigenvalues, rising, and eigenvectors of a symmetric matrix by Jacobi's cyclic method.
+/// Eigenvalues, in rising order, and eigenvectors of a symmetric matrix by Jacobi's cyclic method.
 fn eigen(mut a: DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
     let n = a.nrows();
     let mut v = DMatrix::identity(n, n);
@@ -198,8 +190,8 @@ fn eigen(mut a: DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
         for p in 0..n {
             for q in p + 1..n {
                 let (app, aqq, apq) = (a[(p, p)], a[(q, q)], 0.5 * (a[(p, q)] + a[(q, p)]));
-                // Relative to both, not to the largest: small eigenvalues keep their digits.
-                if apq.abs() <= 0.1 * f64::EPSILON * (app * aqq).abs().sqrt() {
+                // Compare with both diagonal entries, not with the largest one: small eigenvalues keep their digits.
+                if apq.abs() <= JACOBI * (app * aqq).abs().sqrt() {
                     continue;
                 }
                 turned = true;
@@ -217,7 +209,7 @@ fn eigen(mut a: DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
                     let (x, y) = (v[(i, p)], v[(i, q)]);
                     (v[(i, p)], v[(i, q)]) = (c * x - s * y, s * x + c * y);
                 }
-                // What rounding leaves of these is known.
+                // Their exact values are known: overwrite the rounding errors.
                 (a[(p, q)], a[(q, p)]) = (0.0, 0.0);
                 (a[(p, p)], a[(q, q)]) = (app - t * apq, aqq + t * apq);
             }
@@ -232,5 +224,5 @@ fn eigen(mut a: DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
     (values, DMatrix::from_fn(n, n, |i, j| v[(i, order[j])]))
 }
 
-/// Jacobi's method converges quadratically; ten sweeps are many.
+/// Maximum number of sweeps. Jacobi's method converges quadratically, within ten sweeps.
 const MOST_SWEEPS: usize = 60;

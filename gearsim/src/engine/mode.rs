@@ -1,15 +1,18 @@
-//! One mode of a linear cell: xi'' + 2 sigma xi' + omega² xi = g, propagated exactly.
+//! One mode of a linear cell, xi'' + 2 sigma xi' + omega² xi = g, propagated exactly.
 //!
-//! With S1 the response to a unit speed and S2 = ∫ S1 dt,
+//! With S1, the response to a unit speed, and S2 = ∫ S1 dt,
 //!
 //! ```text
 //! xi(t)  - xi(0)  = v S1 + f S2                    f = g - omega² xi(0), v = xi'(0)
 //! xi'(t) - xi'(0) = (f - 2 sigma v) S1 - omega² v S2
 //! ```
 //!
-//! hold for every damping: S1, S2 are entire functions of t, sigma and omega². Increments, not values, so that what
-//! does not change carries no rounding. The branches below are ways to evaluate these same two functions without
-//! cancellation: oscillating, aperiodic, series for short times; they meet to rounding.
+//! This holds for every damping, because S1 and S2 are entire functions of t, sigma and omega². The formulas give increments
+//! instead of values, so that a constant quantity gets no rounding error. S1 and S2 are evaluated without cancellation in one of
+//! three ways: for an oscillating mode, for an aperiodic mode, and by a series for short times. At the limits between them the
+//! results agree to rounding.
+
+use crate::tolerance::modes::{CRITICAL_DAMPING, OVERDAMPED, SERIES_SPAN, SERIES_TERM};
 
 /// Constants of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,28 +21,28 @@ pub struct Mode {
     pub sigma: f64,
     /// Square of the undamped natural angular frequency, omega² [1/s²].
     pub omega2: f64,
-    /// Bound on its rates, omega + 2 sigma [1/s]: before `t` with rate * t << 1 the series of S1, S2 is short.
+    /// Upper bound of its rates, omega + 2 sigma [1/s]. The series of S1 and S2 is short for rate * t << 1.
     pub rate: f64,
-    /// Bound on S1 at any time [s]; infinite for a rigid mode.
+    /// Upper bound of S1 at any time [s]; infinite for a rigid mode.
     gain: f64,
-    /// 1/omega² [s²]; infinite where there is no stiffness.
+    /// 1/omega² [s²]; infinite without stiffness.
     per_omega2: f64,
-    /// Coefficients of dt², ..., dt⁶ in S1(dt).
+    /// Coefficients of dt², ..., dt⁶ in the series of S1(dt).
     series: [f64; 5],
-    /// How it moves.
+    /// The form of its motion.
     kind: Kind,
 }
 
-/// How a mode moves.
+/// The form of a mode's motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
     /// sigma = omega = 0: rigid-body motion.
     Rigid,
-    /// sigma = 0 < omega = w: needs no exponential.
+    /// sigma = 0 < omega = w: the motion has no exponential.
     Undamped { w: f64 },
     /// 0 < sigma < omega, w² = omega² - sigma².
     Under { w: f64, per_w: f64 },
-    /// |omega² - sigma²| too small for its root to be told from zero.
+    /// d = omega² - sigma² is within rounding errors of zero, so its root has no digits.
     Critical { d: f64 },
     /// sigma > omega: decay rates slow = sigma - kappa (may be 0), fast = sigma + kappa.
     Over { kappa: f64, slow: f64, fast: f64 },
@@ -52,16 +55,9 @@ pub struct Response {
     pub s1: f64,
     /// Response to a unit constant force.
     pub s2: f64,
-    /// e^{-sigma t} - 1, where the mode oscillates; else 0.
+    /// e^{-sigma t} - 1 if the mode oscillates; else 0.
     pub decay: f64,
 }
-
-/// Below this product of fastest rate and time the series is used.
-pub(in crate::engine) const SHORT: f64 = 0.5;
-/// Up to this product of rate and time six terms of the series suffice: the seventh is below 1e-16 of the first.
-pub const NEAR: f64 = 8e-3;
-/// Relative distance from critical damping within which the root of omega² - sigma² is expanded instead.
-const NEAR_CRITICAL: f64 = 1e-10;
 
 impl Mode {
     /// The mode with damping `sigma` >= 0 [1/s] and stiffness `omega2` >= 0 [1/s²].
@@ -72,7 +68,7 @@ impl Mode {
             Kind::Rigid
         } else if sigma == 0.0 {
             Kind::Undamped { w: omega }
-        } else if d.abs() <= NEAR_CRITICAL * omega2 {
+        } else if d.abs() <= CRITICAL_DAMPING * omega2 {
             Kind::Critical { d }
         } else if d > 0.0 {
             Kind::Under { w: d.sqrt(), per_w: 1.0 / d.sqrt() }
@@ -103,7 +99,7 @@ impl Mode {
         matches!(self.kind, Kind::Rigid)
     }
 
-    /// The damped angular frequency [rad/s], 0 where it does not oscillate.
+    /// The damped angular frequency [rad/s]; 0 if the mode does not oscillate.
     pub fn damped_frequency(&self) -> f64 {
         match self.kind {
             Kind::Undamped { w } | Kind::Under { w, .. } => w,
@@ -111,18 +107,18 @@ impl Mode {
         }
     }
 
-    /// Coefficients of dt², ..., dt⁶ in S1(dt).
+    /// Coefficients of dt², ..., dt⁶ in the series of S1(dt).
     pub fn series(&self) -> [f64; 5] {
         self.series
     }
 
-    /// y'' = -2 sigma y' - omega² y: the derivative of a motion that follows two others.
+    /// y'' = -2 sigma y' - omega² y: from two successive derivatives of a free motion, the next one.
     #[inline]
     pub fn next(&self, y: f64, y_dot: f64) -> f64 {
         -2.0 * self.sigma * y_dot - self.omega2 * y
     }
 
-    /// Sizes of what the speed, the acceleration and their next two derivatives are sums of.
+    /// For the speed, the acceleration and their next two derivatives: the sum of the absolute values of their terms.
     pub fn sizes(&self, (v, a): (f64, f64)) -> [f64; 4] {
         let (v, a) = (v.abs(), a.abs() + 4.0 * self.sigma * v.abs());
         let jerk = 2.0 * self.sigma * a + self.omega2 * v;
@@ -139,7 +135,7 @@ impl Mode {
                 let u = h / w;
                 Response { s1: 2.0 * u * c, s2: 2.0 * u * u, decay: 0.0 }
             }
-            Kind::Under { w, per_w } if self.rate * t >= SHORT => {
+            Kind::Under { w, per_w } if self.rate * t >= SERIES_SPAN => {
                 let decay = (-self.sigma * t).exp_m1();
                 let (h, c) = (0.5 * w * t).sin_cos();
                 let e = 2.0 * h * (1.0 + decay);
@@ -149,14 +145,14 @@ impl Mode {
         }
     }
 
-    /// S2 from the decayed cosine less one and S1: S2 = (1 - e^{-sigma t} C - sigma S1)/omega².
+    /// S2 from S1 and e^{-sigma t} cos(wt) - 1: S2 = (1 - e^{-sigma t} C - sigma S1)/omega².
     #[inline]
     fn by_increments(&self, cosine_less_one: f64, s1: f64, decay: f64) -> Response {
         Response { s1, s2: (-cosine_less_one - self.sigma * s1) * self.per_omega2, decay }
     }
 
     fn heavily_damped_or_short(&self, t: f64) -> Response {
-        if self.rate * t < SHORT {
+        if self.rate * t < SERIES_SPAN {
             return self.by_series(t);
         }
         match self.kind {
@@ -167,7 +163,7 @@ impl Mode {
             }
             Kind::Over { kappa, slow, fast } => {
                 let s1 = (-slow * t).exp() * -(-2.0 * kappa * t).exp_m1() / (2.0 * kappa);
-                if kappa > 0.5 * self.sigma {
+                if kappa > OVERDAMPED * self.sigma {
                     return Response { s1, s2: (decayed(slow, t) - decayed(fast, t)) / (2.0 * kappa), decay: 0.0 };
                 }
                 self.by_increments(0.5 * ((-slow * t).exp_m1() + (-fast * t).exp_m1()), s1, 0.0)
@@ -176,7 +172,7 @@ impl Mode {
         }
     }
 
-    /// Taylor series: S1'' + 2 sigma S1' + omega² S1 = 0 term by term.
+    /// Taylor series of S1 and S2. The terms follow from S1'' + 2 sigma S1' + omega² S1 = 0.
     fn by_series(&self, t: f64) -> Response {
         let (a, b) = (2.0 * self.sigma * t, self.omega2 * t * t);
         let (mut previous, mut term) = (0.0, t); // c_{k-1} t^{k-1}, c_k t^k
@@ -187,7 +183,7 @@ impl Mode {
             (previous, term) = (term, next);
             s1 += term;
             s2 += term * t / (k + 2.0);
-            if term.abs() + previous.abs() <= 1e-19 * t {
+            if term.abs() + previous.abs() <= SERIES_TERM * t {
                 break;
             }
         }
@@ -198,8 +194,8 @@ impl Mode {
         matches!(self.kind, Kind::Under { .. })
     }
 
-    /// The response at t + `dt`, from that at t, where |`dt`| * rate <= [`NEAR`]: the flight goes on from its point at
-    /// t by the series of S1(dt), S2(dt), whose next terms are below rounding.
+    /// The response at t + `dt` from that at t, with |`dt`| * rate <= [`SHIFT_SPAN`](crate::tolerance::modes::SHIFT_SPAN). It
+    /// uses the series of S1(dt) and S2(dt), whose omitted terms are below rounding.
     #[inline]
     pub fn shifted(&self, at: &Response, dt: f64) -> Response {
         if self.is_rigid() {
@@ -207,7 +203,7 @@ impl Mode {
         }
         let (a, b) = (2.0 * self.sigma, self.omega2);
         let [c2, c3, c4, c5, c6] = self.series;
-        // By pairs, which the processor does at once: everything waits for these.
+        // Evaluate in pairs, which the processor computes in parallel: all that follows waits for this result.
         let dt2 = dt * dt;
         let s1 = dt * ((1.0 + dt * c2) + dt2 * ((c3 + dt * c4) + dt2 * (c5 + dt * c6)));
         let (low, middle) = (0.5 + dt * (c2 * (1.0 / 3.0)), c3 * 0.25 + dt * (c4 * 0.2));
@@ -215,8 +211,8 @@ impl Mode {
         let x = -self.sigma * dt;
         let x2 = x * x;
         let decay = x * ((1.0 + x * 0.5) + x2 * ((1.0 / 6.0 + x * (1.0 / 24.0)) + x2 * (1.0 / 120.0)));
-        // As a motion of unit speed, S1 has speed 1 - 2 sigma S1 - omega² S2 and force -omega² S1; as one of unit
-        // force, S2 has speed S1 and force 1 - omega² S2.
+        // S1 is a motion of unit speed: it has the speed 1 - 2 sigma S1 - omega² S2 and the force -omega² S1. S2 is a motion of
+        // unit force: it has the speed S1 and the force 1 - omega² S2.
         let (speed, force) = (1.0 - a * at.s1 - b * at.s2, -b * at.s1);
         Response {
             s1: at.s1 + speed * s1 + force * s2,
@@ -225,13 +221,14 @@ impl Mode {
         }
     }
 
-    /// A bound on |y(t)| for all t >= 0, where y'' + 2 sigma y' + omega² y = 0, y(0) = `y`, y'(0) = `y_dot`: cheap.
+    /// An upper bound of |y(t)| for all t >= 0, where y'' + 2 sigma y' + omega² y = 0, y(0) = `y` and y'(0) = `y_dot`. It is
+    /// cheap to compute.
     #[inline]
     pub fn rough_bound(&self, y: f64, y_dot: f64) -> f64 {
         if y_dot == 0.0 { y.abs() } else { y.abs() + y_dot.abs() * self.gain }
     }
 
-    /// The same, tighter. Infinite where a rigid motion grows without bound.
+    /// The same, but tighter. It is infinite for a rigid motion that grows without bound.
     #[inline]
     pub fn bound(&self, y: f64, y_dot: f64) -> f64 {
         match self.kind {

@@ -1,5 +1,5 @@
-//! Where a law stands in its pitch: the cell is state, not computed from the angle, and the angle is kept as
-//! a count of pitches and a remainder, so that a billion revolutions cost no digits.
+//! The place of a law in its pitch. The cell is part of the state and not computed from the angle. The angle is kept as a number
+//! of whole pitches and a remainder, so that a billion revolutions cost no digits.
 
 pub mod turn;
 
@@ -7,29 +7,30 @@ use xprec::Df64;
 
 use crate::engine::crossing::Side;
 use crate::profile::{Curve, Profile};
+use crate::tolerance::phases;
 
-/// One law's pitch, or pitches: boundaries and levels.
+/// The cells of one period of a law: boundaries and levels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pitch {
-    /// What each cell spans; the first begins within one repetition before zero.
+    /// The range of each cell; the first begins at most one period below zero.
     spans: Vec<Span>,
-    /// Length of one pitch.
+    /// Length of one pitch [unit of the phase].
     period: f64,
-    /// Pitches after which it repeats itself.
+    /// Number of pitches in one period of the law.
     pitches: i64,
-    /// Level in each cell.
+    /// Level in each cell [unit of the law].
     levels: Vec<f64>,
-    /// What it follows in each cell; empty where it is constant.
+    /// The curve in each cell; empty if the law is constant in every cell.
     curves: Vec<Curve>,
 }
 
-/// What a cell spans, counted from a whole number of pitches on: its boundaries have the digits of one pitch, however many
-/// lie before it.
+/// The range of a cell, counted from a whole number of pitches. The boundaries have the digits of one pitch, however many pitches
+/// lie before the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Span {
     lower: f64,
     upper: f64,
-    /// Pitches before it; 0 throughout, where it repeats itself once a pitch.
+    /// Whole pitches before the cell; 0 for all cells if the period is one pitch.
     before: i64,
 }
 
@@ -39,7 +40,7 @@ impl Pitch {
         Self::counted(law, period, law.pitches)
     }
 
-    /// The same of a law that repeats itself after a number of pitches of length `period`, by which it is counted.
+    /// The same for a law that is counted in pitches of length `period`, of which one period of the law has `pitches`.
     pub fn counted(law: &Profile, period: f64, pitches: u32) -> Self {
         let length = Df64::from(period) * f64::from(pitches);
         let origin = Df64::from(law.origin) - length * (law.origin / length.hi()).ceil();
@@ -48,10 +49,10 @@ impl Pitch {
             ends.push(ends[ends.len() - 1] + step.width);
         }
         ends.push(length);
-        // A boundary within rounding of a whole pitch, such as a pitch point worked out from tooth data, is at the pitch.
+        // A boundary within rounding of a whole pitch, e.g. a pitch point computed from tooth data, is set to the whole pitch.
         let near_whole = |x: f64| {
             let whole = (x / period).round() * period;
-            if (x - whole).abs() <= 8.0 * f64::EPSILON * period { whole } else { x }
+            if (x - whole).abs() <= phases::WHOLE_PITCH * period { whole } else { x }
         };
         let span = |ends: &[Df64]| {
             let [lower, upper] = [ends[0] + origin, ends[1] + origin];
@@ -72,24 +73,24 @@ impl Pitch {
         }
     }
 
-    /// One level throughout: for a law that does not step.
+    /// A law that never steps: one level.
     pub fn constant(value: f64, period: f64) -> Self {
         let span = Span { lower: 0.0, upper: period, before: 0 };
         Pitch { spans: vec![span], period, pitches: 1, levels: vec![value], curves: vec![] }
     }
 
-    /// Length of one pitch.
+    /// Length of one pitch [unit of the phase].
     #[inline]
     pub fn period(&self) -> f64 {
         self.period
     }
 
-    /// Length after which it repeats itself.
+    /// Period of the law [unit of the phase].
     fn length(&self) -> f64 {
         self.period * self.pitches as f64
     }
 
-    /// Lower and upper boundary of a cell, from the beginning of the first pitch on.
+    /// Lower and upper boundary of a cell, counted from the beginning of the first pitch.
     fn whole(&self, cell: usize) -> (f64, f64) {
         let Span { lower, upper, before } = self.spans[cell];
         let base = before as f64 * self.period;
@@ -102,7 +103,7 @@ impl Pitch {
         self.levels.len()
     }
 
-    /// Value in a cell.
+    /// Level in a cell [unit of the law].
     #[inline]
     pub fn level(&self, cell: usize) -> f64 {
         self.levels[cell]
@@ -114,19 +115,19 @@ impl Pitch {
         self.curves.is_empty()
     }
 
-    /// k, dk/ds and d²k/ds² in a cell, at the phase `x` from its lower boundary on.
+    /// k, dk/ds and d²k/ds² in a cell, at the distance `x` from its lower boundary.
     #[inline]
     pub fn course(&self, cell: usize, x: f64) -> [f64; 3] {
         self.curves.get(cell).map_or([self.levels[cell], 0.0, 0.0], |curve| curve.at(x))
     }
 
-    /// k and its derivatives at that side of a cell, within it.
+    /// k and its derivatives at the given side of a cell, inside the cell.
     fn edge(&self, cell: usize, side: Side) -> [f64; 3] {
         let (lower, upper) = self.bounds(cell);
         self.course(cell, if side == Side::Upper { upper - lower } else { 0.0 })
     }
 
-    /// The step of the stiffness beyond a side of a cell; 0 at a mere kink.
+    /// The step of the value at a side of a cell; 0 if only the slope changes.
     #[inline(always)]
     pub fn step(&self, cell: usize, side: Side) -> f64 {
         let (beyond, ..) = self.beyond(cell, side);
@@ -136,27 +137,33 @@ impl Pitch {
         self.step_of_curves(cell, beyond, side)
     }
 
-    /// The same from one curve to the other.
+    /// The step of the value between two curves.
     #[cold]
     fn step_of_curves(&self, cell: usize, beyond: usize, side: Side) -> f64 {
         let ([here, slope, _], [there, beyond, _]) = (self.edge(cell, side), self.edge(beyond, side.opposite()));
-        // Curves that meet do so to rounding, of their values and of the boundaries.
-        let places = 16.0 * f64::EPSILON * self.length() * (slope.abs() + beyond.abs());
-        let rounding = places + 1e-12 * here.abs().max(there.abs());
+        // Two curves that meet differ by rounding errors of their values and of the boundary.
+        let places = phases::CURVE_PLACE * self.length() * (slope.abs() + beyond.abs());
+        let rounding = places + phases::CURVE_VALUE * here.abs().max(there.abs());
         if (there - here).abs() <= rounding { 0.0 } else { there - here }
     }
 
-    /// Lower and upper boundary of a cell, from its whole number of pitches on.
+    /// Lower and upper boundary of a cell, counted from its whole number of pitches.
     #[inline]
     pub fn bounds(&self, cell: usize) -> (f64, f64) {
         (self.spans[cell].lower, self.spans[cell].upper)
     }
 
-    /// Pitch count, remainder and cell of an absolute phase that moves on at `speed`. On a boundary the motion
-    /// decides: the cell is the one it moves into, the upper one at rest.
+    /// Width of a cell [unit of the phase].
+    #[inline]
+    pub fn width(&self, cell: usize) -> f64 {
+        self.spans[cell].upper - self.spans[cell].lower
+    }
+
+    /// Number of whole pitches, remainder and cell of an absolute phase that moves with `speed`. On a boundary the cell is the
+    /// one into which the phase moves; at rest it is the upper one.
     pub fn locate(&self, phase: f64, speed: f64) -> (i64, f64, usize) {
         let (length, first, last) = (self.length(), self.whole(0).0, self.whole(self.cells() - 1).1);
-        // The quotient alone would round up just below a pitch, where the remainder does not.
+        // Just below a whole pitch the quotient rounds up, but the remainder does not.
         let mut rest = phase.rem_euclid(length);
         let mut count = ((phase - rest) / length).round() as i64;
         if rest >= length {
@@ -165,7 +172,7 @@ impl Pitch {
         if rest >= last {
             (count, rest) = (count + 1, (rest - length).max(first));
         }
-        // What the number does not tell from a boundary is on it; boundaries have a rounding of the pitch.
+        // A phase within a rounding error of a boundary is on it. Boundaries have a rounding error of the pitch.
         let resolution = f64::EPSILON * (2.0 * phase.abs()).max(self.period);
         let boundaries = (0..self.cells()).map(|cell| self.whole(cell).0).chain([last]);
         if let Some(boundary) = boundaries.into_iter().find(|&b| (rest - b).abs() <= resolution) {
@@ -188,13 +195,13 @@ impl Pitch {
         (count * self.pitches + before, rest, cell)
     }
 
-    /// Where a coordinate `rest` beyond a number of `turns`, each a pitch, is in this law: the pitches from its turn to the whole pitch
-    /// from which the cell is counted, and the cell. A boundary within four roundings of its cell is on it: the events of other
-    /// laws on the coordinate are met together with it to within as much.
+    /// The place of a coordinate in this law, given by its count of `turns` (one pitch each) and the remainder `rest`: the
+    /// pitches from its turn to the whole pitch from which the cell is counted, and the cell. A phase within four rounding errors
+    /// of a boundary is on it. Events of other laws on the same coordinate have the same tolerance.
     pub fn locate_from(&self, turns: i64, rest: f64, speed: f64) -> (i64, usize) {
         let within = |cell: usize, ahead: i64| {
             let Span { lower, upper, .. } = self.spans[cell];
-            let (x, slack) = (rest - ahead as f64 * self.period, 4.0 * f64::EPSILON * (upper - lower));
+            let (x, slack) = (rest - ahead as f64 * self.period, phases::SAME_BOUNDARY * (upper - lower));
             let (on_lower, on_upper) = ((x - lower).abs() <= slack, (x - upper).abs() <= slack);
             (x > lower && x < upper && !on_lower && !on_upper) || if speed < 0.0 { on_upper } else { on_lower }
         };
@@ -202,7 +209,7 @@ impl Pitch {
             let nearest = (self.spans[cell].before - turns).rem_euclid(self.pitches);
             [nearest, nearest - self.pitches, nearest + self.pitches].map(|ahead| (ahead, cell))
         });
-        // Where a boundary is within rounding of none and of both, the cells in their order decide.
+        // If rounding errors allow two cells or none, take the first cell, or the nearest one.
         let found = cells.clone().find(|&(ahead, cell)| within(cell, ahead));
         let middle = |&(ahead, cell): &(i64, usize)| {
             let Span { lower, upper, .. } = self.spans[cell];
@@ -211,7 +218,7 @@ impl Pitch {
         found.or_else(|| cells.min_by(|a, b| middle(a).total_cmp(&middle(b)))).unwrap_or((0, 0))
     }
 
-    /// The neighbour of `cell` beyond a side: its index, the remainder on entering it, and the change of the count of pitches.
+    /// The cell next to `cell` on a side: its index, the remainder after entering it, and the change of the count of pitches.
     #[inline]
     pub fn beyond(&self, cell: usize, side: Side) -> (usize, f64, i64) {
         let here = self.spans[cell].before;

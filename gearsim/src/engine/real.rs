@@ -1,10 +1,10 @@
-//! Kinds of numbers that derived equations can be worked out in: f64, and twice its digits.
+//! The types of numbers in which derived equations can be evaluated: f64, and double-double numbers.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use xprec::Df64;
 
-/// A real number with the operations of the grammar of derived equations.
+/// A real number with the operations that occur in derived equations.
 #[allow(missing_docs)] // those of f64
 pub trait Real:
     nalgebra::Scalar

@@ -1,38 +1,38 @@
-//! The first root of a polynomial in (0, 1], found for certain: by Bernstein coefficients.
+//! The first root of a polynomial in (0, 1], guaranteed, from its Bernstein coefficients.
 //!
-//! On an interval a polynomial lies within the span of its Bernstein coefficients, and has no more roots there than these
-//! change sign (Farouki & Rajan 1987, CAGD 4(3)). All of one sign: no root. One change: one root, bracketed.
-//! Otherwise the interval is halved (de Casteljau) and the left half looked at first. Double roots are found, or ruled out, as
-//! any other; a touch that does not pass by more than the tolerance is a graze: no root, counted.
+//! On an interval a polynomial lies between its smallest and largest Bernstein coefficient, and it has at most as many roots as
+//! the coefficients change sign (Farouki & Rajan, CAGD 4(3), 1987). If all have one sign, there is no root. With one change of
+//! sign there is one root, which is bracketed. Otherwise the interval is bisected (de Casteljau), and the left half is searched
+//! first. Double roots are handled in the same way. A touch that does not pass zero by more than the tolerance is a graze: it is
+//! counted, but it is not a root.
 
-/// Coefficients of a method's dense output, at most.
+use crate::tolerance::events::{DENSE_NOISE, ROOT_ERROR, ROOT_HALVINGS};
+
+/// Maximum number of coefficients of a method's dense output.
 const DENSE: usize = 8;
-/// Rounding of the states, as coefficients of dense outputs have it: differences of these, times numbers up to some tens.
-const NOISE: f64 = 16.0;
-/// Halvings after which an interval is a point.
-const DEEPEST: u32 = 52;
 
-/// What a search has met.
+/// The result of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Found {
-    /// The first root, from positive values to negative ones.
+    /// The first root at which the polynomial changes from positive to negative.
     pub root: Option<f64>,
-    /// Intervals looked at.
+    /// Number of intervals searched.
     pub steps: u64,
-    /// Touches without passing.
+    /// Number of grazes.
     pub grazes: u64,
 }
 
-/// The first x in \[0, 1\] at which the polynomial sum c_j x^j, positive from there on down to 0, turns negative.
+/// The first x in \[0, 1\] at which the polynomial sum c_j x^j turns from positive to negative.
 ///
-/// A root at 0 is one only if the polynomial is negative right after it, and not by rounding alone; then 0
-/// is found. One at 1 is found where the next step begins. Values within `tolerance` of zero are told from it only by where they lead.
+/// The result is 0 only if the polynomial is negative right after 0 by more than a rounding error. A root at 1 is not reported:
+/// the next step begins with it. A value within `tolerance` of zero counts as zero unless the polynomial then leaves this band;
+/// the sign with which it leaves decides.
 pub fn first(coefficients: &[f64], tolerance: f64) -> Found {
     first_of::<DENSE>(coefficients, tolerance)
 }
 
-/// The same of a polynomial that is itself known to `slack` only, as a dense output is. Where it leaves a boundary from rest it
-/// may begin on the wrong side: a root at 0 is none if it comes back within the step, and was not further beyond than that.
+/// The same for a polynomial with an error of `slack`, e.g. a dense output. When it leaves a boundary from rest, it may start on
+/// the wrong side. A root at 0 is ignored if the polynomial becomes positive within the step and was not below -`slack` before.
 pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found {
     let mut found = first(coefficients, tolerance);
     if found.root != Some(0.0) {
@@ -44,7 +44,7 @@ pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found
     found.steps += beyond.steps;
     let turned: Vec<f64> = coefficients.iter().map(|c| -c).collect();
     found.root = match (beyond.root, first(&turned, tolerance).root) {
-        // After it has come back: where it goes beyond for certain.
+        // The root after its return: there it is negative by more than its error.
         (Some(x), Some(back)) if back < x => Some(x),
         (Some(_), _) => Some(0.0),
         (None, _) => (evaluate(coefficients, 1.0) < 0.0).then_some(0.0),
@@ -52,17 +52,17 @@ pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found
     found
 }
 
-/// The same of a polynomial of up to `MOST` coefficients.
+/// The same for a polynomial of at most `MOST` coefficients.
 pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Found {
     let mut c = coefficients.to_vec();
-    // Beyond by rounding, and on its way in: it starts on the boundary.
+    // Negative by rounding and increasing: the polynomial starts on the boundary.
     if c[0] < 0.0 && c[0] >= -tolerance && c.get(1).is_some_and(|c| *c > 0.0) {
         c[0] = 0.0;
     }
-    // A root at 0 is taken out: what is left has the same sign from there on.
+    // Divide out a root at 0. The quotient has the same sign for x > 0.
     let Some(order) = c.iter().position(|c| *c != 0.0) else { return Found::default() };
-    // A step that is all within the rounding of its values tells nothing but whether it ends beyond.
-    if c.iter().all(|c| c.abs() <= NOISE * tolerance) && evaluate(&c, 1.0) >= -tolerance {
+    // If all coefficients are within the rounding errors of the states, only the value at the end decides.
+    if c.iter().all(|c| c.abs() <= DENSE_NOISE * tolerance) && evaluate(&c, 1.0) >= -tolerance {
         return Found { root: None, steps: 1, grazes: 0 };
     }
     if c[order] < 0.0 {
@@ -97,14 +97,14 @@ fn search<const MOST: usize>(b: &[f64; MOST], c: &[f64], order: i32, tolerance: 
             found.root = Some(bisect(c, low, high, &mut found.steps));
             return found;
         }
-        // The depth in the polynomial itself, of which `order` roots at 0 were taken out.
+        // The depth of the polynomial itself, from which `order` roots at 0 were divided out.
         let depth_here = b_of.iter().fold(0.0f64, |m, b| m.max(b.abs())) * high.powi(order);
-        if depth == DEEPEST || depth_here <= tolerance {
-            if b[n - 1] < 0.0 && (depth_here > tolerance || evaluate(c, high) < 0.0 && leads_out(c, high)) {
+        if depth == ROOT_HALVINGS || depth_here <= tolerance {
+            if b[n - 1] < 0.0 && (depth_here > tolerance || evaluate(c, high) < 0.0 && decreases(c, high)) {
                 found.root = Some(high);
                 return found;
             }
-            // Where the step ends on the boundary, the next one tells.
+            // If the step ends on the boundary, the next step decides.
             found.grazes += u64::from(high < 1.0 && b[n - 1] >= 0.0 && b_of.iter().any(|b| *b <= 0.0));
             continue;
         }
@@ -116,8 +116,8 @@ fn search<const MOST: usize>(b: &[f64; MOST], c: &[f64], order: i32, tolerance: 
     found
 }
 
-/// Whether the polynomial falls at x.
-fn leads_out(c: &[f64], x: f64) -> bool {
+/// Whether the polynomial decreases at x.
+fn decreases(c: &[f64], x: f64) -> bool {
     c.iter().enumerate().skip(1).rev().fold(0.0, |sum, (j, c)| sum * x + j as f64 * c) < 0.0
 }
 
@@ -135,7 +135,7 @@ fn bernstein<const MOST: usize>(c: &[f64]) -> [f64; MOST] {
     b
 }
 
-/// The coefficients on the two halves (de Casteljau).
+/// The Bernstein coefficients on the two halves of the interval (de Casteljau).
 fn halves<const MOST: usize>(b: &[f64; MOST], n: usize) -> ([f64; MOST], [f64; MOST]) {
     let (mut left, mut right) = ([0.0; MOST], *b);
     for (i, left) in left.iter_mut().enumerate().take(n) {
@@ -168,7 +168,7 @@ fn bisect(c: &[f64], mut low: f64, mut high: f64, steps: &mut u64) -> f64 {
         }
         let newton = x - f / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() <= f64::EPSILON * x || high - low <= f64::EPSILON * high {
+        if (next - x).abs() <= ROOT_ERROR * x || high - low <= ROOT_ERROR * high {
             return next;
         }
         x = next;
@@ -180,7 +180,7 @@ fn bisect(c: &[f64], mut low: f64, mut high: f64, steps: &mut u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Coefficients of prod (x_i - x): positive at 0 for roots above it.
+    /// Coefficients of prod (x_i - x). The polynomial is positive below the smallest root.
     fn with_roots(roots: &[f64]) -> Vec<f64> {
         roots.iter().fold(vec![1.0], |c, root| {
             let mut product = vec![0.0; c.len() + 1];
@@ -198,21 +198,21 @@ mod tests {
             [&[0.3, 0.7, 0.9][..], &[0.5], &[0.2, 0.201, 0.9], &[1e-6, 0.5, 2.0], &[0.4, 0.4, 0.4], &[0.999_999]]
         {
             let found = first(&with_roots(roots), 1e-15);
-            // A root of multiplicity m is known to the m-th root of the rounding.
+            // The error of a root of multiplicity m is the m-th root of the rounding error.
             let slack = if roots == [0.4, 0.4, 0.4] { 2e-5 } else { 1e-13 };
             assert!((found.root.unwrap() - roots[0]).abs() < slack, "{roots:?}: {found:?}");
         }
     }
 
-    /// A dip of any width is found if it passes, and ruled out if it does not: its depth against the tolerance decides.
+    /// A narrow dip below zero is found if it is deeper than the tolerance, and ruled out if it is less deep.
     #[test]
-    fn dips() {
+    fn a_dip_counts_if_it_is_deeper_than_the_tolerance() {
         for k in 2..7 {
             let half = 10f64.powi(-k);
             let (a, b) = (0.37 - half, 0.37 + half);
             let found = first(&with_roots(&[a, b, 3.0]), 1e-15);
             assert!((found.root.unwrap() - a).abs() < 1e-9, "{k}: {found:?}");
-            // The same dip, lifted by twice its depth.
+            // The same dip, raised by twice its depth.
             let mut c = with_roots(&[a, b, 3.0]);
             c[0] += 2.0 * half * half * 2.63;
             assert_eq!(first(&c, 1e-15).root, None, "{k}");
@@ -222,40 +222,40 @@ mod tests {
     }
 
     #[test]
-    fn at_the_ends() {
-        // Moving in from the boundary: none, or the return to it.
+    fn roots_at_the_ends_of_the_interval() {
+        // It leaves the boundary inwards: no root, or its return.
         assert_eq!(first(&[0.0, 1.0, 0.0], 1e-15).root, None);
         assert!((first(&[0.0, 1.0, -2.0], 1e-15).root.unwrap() - 0.5).abs() < 1e-15);
-        // Moving out: at once; at rest, by what comes next.
+        // It leaves the boundary outwards: a root at 0. If its slope is 0, the next derivative decides.
         assert_eq!(first(&[0.0, -1.0, 9.0], 1e-15).root, Some(0.0));
         assert_eq!(first(&[0.0, 0.0, -1.0], 1e-15).root, Some(0.0));
         assert_eq!(first(&[0.0, 0.0, 1.0], 1e-15).root, None);
         assert_eq!(first(&[0.0, 0.0, 0.0], 1e-15).root, None);
-        // At the end of the step: the next one begins with it.
+        // A root at the end of the step: the next step begins with it.
         assert_eq!(first(&[1.0, -1.0], 1e-15).root, None);
-        // Beyond by rounding, and coming back.
+        // It starts outside by a rounding error, and returns.
         assert_eq!(first(&[-1e-16, 1.0], 1e-15).root, None);
-        // All of the step within rounding: only its end tells.
+        // All values are within rounding errors: only the end decides.
         assert_eq!(first(&[0.0, -3e-15, 3e-15, 0.0], 1e-15).root, None);
         assert_eq!(first(&[-2e-16, -5e-16, 4e-16], 1e-15).root, None);
         assert_eq!(first(&[0.0, -3e-15, 1e-15], 1e-15).root, Some(0.0));
     }
 
-    /// A dense output that leaves the boundary on the wrong side, by no more than it is known to.
+    /// A dense output that leaves the boundary on the wrong side, within its error.
     #[test]
-    fn leaving_from_rest() {
+    fn a_departure_from_rest_within_its_error_is_no_root() {
         let known_to = |slack: f64, c: &[f64]| first_known_to(c, 1e-15, slack).root;
-        // x³ - x²/1000 dips by 1.5e-10, up to x = 1/1000.
+        // x³ - x²/1000 has a minimum of -1.5e-10, and a root at 1/1000.
         let c = [0.0, 0.0, -1e-3, 1.0];
         assert_eq!(first(&c, 1e-15).root, Some(0.0));
         assert_eq!((known_to(1e-9, &c), known_to(1e-11, &c)), (None, Some(0.0)));
-        // It dips so, comes back, and passes at x = 1/2; or stays beyond.
+        // With such a dip at the start it becomes positive and has a root at x = 1/2; or it stays negative.
         let twice = [0.0, 0.0, -1e-3 * 0.5, 0.5 + 1e-3, -1.0];
         assert!((first_known_to(&twice, 1e-15, 1e-9).root.unwrap() - 0.5).abs() < 1e-7);
         assert_eq!(known_to(1e-3, &[0.0, 0.0, -1e-4]), Some(0.0));
     }
 
-    /// Against a scan: random polynomials of every degree; where the scan sees a change of sign, the root is no later than it.
+    /// Random polynomials of all degrees against a scan. If the scan finds a change of sign, the root is not later than it.
     #[test]
     fn random_polynomials_against_a_scan() {
         let mut seed = 1u64;
@@ -270,7 +270,7 @@ mod tests {
             let found = first(&c, 1e-15).root;
             match (found, seen) {
                 (Some(x), Some(seen)) => assert!(x <= seen && evaluate(&c, x).abs() < 1e-12, "{c:?}: {x} {seen}"),
-                (Some(x), None) => assert!(evaluate(&c, x).abs() < 1e-12 && leads_out(&c, x), "{c:?}: {x}"),
+                (Some(x), None) => assert!(evaluate(&c, x).abs() < 1e-12 && decreases(&c, x), "{c:?}: {x}"),
                 (None, seen) => assert_eq!(seen, None, "{c:?}"),
             }
         }

@@ -1,66 +1,65 @@
-//! A linear function of the motion along a flight, less its value at the start: a phase, or the reaction of a contact.
+//! A linear function of the motion on a flight, minus its value at the start: a phase, or the reaction of a held contact.
 
 use crate::engine::cell::{Flight, Point};
 use crate::engine::mode::Mode;
 use crate::engine::vector::dot;
+use crate::tolerance::events;
 
 /// s(t) = c.dxi(t) + d.dxi'(t).
 #[derive(Debug, Clone, Copy)]
 pub struct Signal<'a> {
-    /// The motion.
+    /// The flight.
     pub flight: &'a Flight<'a>,
-    /// c: what each mode contributes by its displacement (N).
+    /// c: the contribution of the displacement of each mode (N).
     pub on_moved: &'a [f64],
-    /// d: what it contributes by its speed (N), if it does.
+    /// d: the contribution of the speed of each mode (N); `None` if there is none.
     pub on_speed: Option<&'a [f64]>,
 }
 
-/// A signal as a steady course and what swings about it, from a point on.
+/// A signal from a point on, as a steady drift and an oscillation about it.
 #[derive(Debug, Clone, Copy)]
 pub struct Reach {
-    /// Speed of the course.
+    /// Speed of the drift.
     drift: f64,
-    /// Bound on the swing.
+    /// Upper bound of the oscillation.
     amplitude: f64,
-    /// The swing now.
+    /// The present deviation from the drift.
     deviation: f64,
 }
 
-/// What a signal and its first derivatives may be off by rounding.
+/// Rounding errors of a signal and of its first derivatives.
 #[derive(Debug, Clone, Copy)]
 pub struct Rounding {
-    /// Itself.
+    /// Of the signal.
     pub value: f64,
-    /// The first.
+    /// Of its first derivative.
     pub rate: f64,
-    /// The second.
+    /// Of its second derivative.
     pub acceleration: f64,
-    /// The third.
+    /// Of its third derivative.
     pub jerk: f64,
 }
 
-/// A signal about its start: s(t) = s'(0) t + sum over k >= 2 of s^(k)(0) t^k/k!, and a remainder.
+/// Power series of a signal at the start: s(t) = s'(0) t + sum over k >= 2 of s^(k)(0) t^k/k!, and a remainder.
 #[derive(Debug, Clone, Copy)]
 pub struct Series {
     /// s'', s''', ... at the start.
     pub derivatives: [f64; TERMS],
-    /// What each may be off by rounding.
+    /// Rounding error of each of them.
     pub rounding: [f64; TERMS],
-    /// Bound on the next one, from the start on.
+    /// Upper bound of the next derivative for all later times.
     pub bound: f64,
 }
 
-/// Derivatives of a [`Series`], from the second on.
+/// Number of derivatives of a [`Series`], from the second on.
 pub const TERMS: usize = 12;
-/// Roundings of a derivative.
-const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
 impl Reach {
-    /// Time before which a boundary at distance `gap` in the direction `sign` is out of reach.
+    /// Time before which a boundary at the distance `gap` in the direction `sign` cannot be reached.
     pub fn time(&self, gap: f64, sign: f64) -> f64 {
-        // Beside a wide swing a gap is known to the roundings of the swing only.
-        let rounding = 16.0 * f64::EPSILON * (gap + self.amplitude + self.deviation.abs());
-        let clear = (gap + sign * self.deviation - self.amplitude - rounding) * (1.0 - 1e-12);
+        // The distance has the rounding errors of the oscillation.
+        let rounding = events::REACH_ROUNDING * (gap + self.amplitude + self.deviation.abs());
+        let clear = (gap + sign * self.deviation - self.amplitude - rounding) * (1.0 - events::BOUND_MARGIN);
         match (clear > 0.0, sign * self.drift > 0.0) {
             (true, true) => clear / self.drift.abs(),
             (true, false) => f64::INFINITY,
@@ -70,36 +69,36 @@ impl Reach {
 }
 
 impl Signal<'_> {
-    /// Its value at a point.
+    /// The value at a point.
     #[inline]
     pub fn value(&self, point: &Point) -> f64 {
         dot(self.on_moved, &point.moved) + self.on_speed.map_or(0.0, |d| dot(d, &point.gained))
     }
 
-    /// Steady part of its rate, and a cheap bound on the rest.
+    /// The steady part of its rate, and an upper bound of the rate of the oscillations. Both are cheap to compute.
     #[inline]
-    pub fn drift_and_wobble(&self) -> (f64, f64) {
-        let (mut drift, mut wobble) = (0.0, 0.0);
+    pub fn drift_and_oscillation(&self) -> (f64, f64) {
+        let (mut drift, mut oscillation) = (0.0, 0.0);
         for ((mode, v, a), c) in self.flight.motions_at_start().zip(self.on_moved) {
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
             } else if mode.omega2 == 0.0 && mode.sigma > 0.0 {
                 let excess = -a / (2.0 * mode.sigma);
                 drift += c * (v - excess);
-                wobble += (c * excess).abs();
+                oscillation += (c * excess).abs();
             } else if *c != 0.0 {
-                wobble += c.abs() * mode.rough_bound(v, a);
+                oscillation += c.abs() * mode.rough_bound(v, a);
             }
         }
         if let Some(d) = self.on_speed {
-            wobble += self.wobble_by_speeds(d);
+            oscillation += self.oscillation_by_speeds(d);
         }
-        (drift, wobble)
+        (drift, oscillation)
     }
 
-    /// The bound on what the accelerations of the modes add to its rate.
+    /// The part of this bound that comes from the accelerations of the modes.
     #[cold]
-    fn wobble_by_speeds(&self, d: &[f64]) -> f64 {
+    fn oscillation_by_speeds(&self, d: &[f64]) -> f64 {
         let bound = |(i, mode): (usize, &Mode)| {
             let (v, a) = self.flight.rates_at_start(i);
             if d[i] == 0.0 { 0.0 } else { d[i].abs() * mode.rough_bound(a, mode.next(v, a)) }
@@ -107,7 +106,7 @@ impl Signal<'_> {
         self.flight.modes().iter().enumerate().map(bound).sum()
     }
 
-    /// Its value at a point and its first four derivatives there.
+    /// The value at a point and its first four derivatives.
     #[inline]
     pub fn derivatives(&self, point: &Point) -> [f64; 5] {
         let mut sum = [0.0; 5];
@@ -125,7 +124,7 @@ impl Signal<'_> {
         sum
     }
 
-    /// What the speeds of the modes add to it and its derivatives.
+    /// Adds the contributions of the modes' speeds to the value and the derivatives.
     #[cold]
     fn add_by_speeds(&self, d: &[f64], point: &Point, sum: &mut [f64; 5]) {
         for (i, mode) in self.flight.modes().iter().enumerate() {
@@ -138,7 +137,7 @@ impl Signal<'_> {
         }
     }
 
-    /// Bounds on its second, third and fourth derivative from a point on.
+    /// Upper bounds of its second, third and fourth derivative from a point on.
     pub fn bounds(&self, point: &Point) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (i, ((mode, v, a), c)) in self.flight.motions(point).zip(self.on_moved).enumerate() {
@@ -155,10 +154,11 @@ impl Signal<'_> {
                 }
             }
         }
-        sum.map(|bound| bound * (1.0 + 1e-12))
+        sum.map(|bound| bound * (1.0 + events::BOUND_MARGIN))
     }
 
-    /// What it and its first derivatives at a point may be off by rounding: of what they are the sum of, now and at the start.
+    /// Rounding errors of the value and of its first derivatives at a point, from the sizes of their terms there and at the
+    /// start.
     pub fn rounding(&self, point: &Point) -> Rounding {
         let mut sum = [0.0; 4];
         let motions = self.flight.motions_at_start().zip(self.flight.motions(point));
@@ -166,16 +166,16 @@ impl Signal<'_> {
             let mut sizes = mode.sizes((v, a));
             sizes.iter_mut().zip(mode.sizes((v_now, a_now))).for_each(|(size, now)| *size += now);
             let (c, d) = (self.on_moved[i].abs(), self.on_speed.map_or(0.0, |d| d[i].abs()));
-            sum[0] += ROUNDINGS * (c * point.moved[i].abs() + d * point.gained[i].abs());
+            sum[0] += events::SIGNAL_ROUNDING * (c * point.moved[i].abs() + d * point.gained[i].abs());
             for k in 0..3 {
-                sum[k + 1] += ROUNDINGS * (c * sizes[k] + d * sizes[k + 1]);
+                sum[k + 1] += events::SIGNAL_ROUNDING * (c * sizes[k] + d * sizes[k + 1]);
             }
         }
         let [value, rate, acceleration, jerk] = sum;
         Rounding { value, rate, acceleration, jerk }
     }
 
-    /// It about its start.
+    /// Its power series at the start.
     pub fn series(&self) -> Series {
         let mut series = Series { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
         for (i, ((mode, v, a), c)) in self.flight.motions_at_start().zip(self.on_moved).enumerate() {
@@ -185,11 +185,11 @@ impl Signal<'_> {
             for k in 0..TERMS {
                 let (jerk, jerk_size) = (mode.next(v, a), 2.0 * mode.sigma * a_size + mode.omega2 * v_size);
                 series.derivatives[k] += c * a + d * jerk;
-                series.rounding[k] += ROUNDINGS * (c.abs() * a_size + d.abs() * jerk_size);
+                series.rounding[k] += events::SIGNAL_ROUNDING * (c.abs() * a_size + d.abs() * jerk_size);
                 (v, a, v_size, a_size) = (a, jerk, a_size, jerk_size);
             }
             let next = mode.next(v, a);
-            // A rigid motion under a force has no further derivatives, but its bound is infinite: it is not asked.
+            // A rigid motion under a constant force has no further derivatives. Its bound is infinite, so it is skipped.
             if c != 0.0 && (a != 0.0 || next != 0.0) {
                 series.bound += c.abs() * mode.bound(a, next);
             }
@@ -200,7 +200,7 @@ impl Signal<'_> {
         series
     }
 
-    /// How far the oscillations carry it about its steady course, from a point on.
+    /// The drift from a point on, and the oscillation about it.
     pub fn reach(&self, point: &Point) -> Reach {
         let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
         for (i, ((mode, v, a), c)) in self.flight.motions(point).zip(self.on_moved).enumerate() {
@@ -211,12 +211,12 @@ impl Signal<'_> {
             if mode.is_rigid() && a == 0.0 {
                 reach.drift += c * v;
             } else if mode.omega2 > 0.0 {
-                // Deviation from equilibrium, -(spring force)/omega², with the spring force a + 2 sigma v.
+                // Deviation from equilibrium: -(spring force)/omega² with the spring force a + 2 sigma v.
                 let y = -(a + 2.0 * mode.sigma * v) / mode.omega2;
                 reach.deviation += c * y + d * v;
                 reach.amplitude += c.abs() * mode.bound(y, v) + d.abs() * mode.bound(v, a);
             } else if mode.sigma > 0.0 {
-                // What speed there is beyond the final one dies away.
+                // The difference between the present and the final speed decays.
                 let excess = -a / (2.0 * mode.sigma);
                 let y = -excess / (2.0 * mode.sigma);
                 reach.drift += c * (v - excess);

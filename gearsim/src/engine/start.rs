@@ -1,4 +1,4 @@
-//! The state at t = 0 from what a scene says of it.
+//! The state at t = 0 from the start that a scene states.
 
 mod equilibrium;
 
@@ -13,18 +13,18 @@ use crate::scene::Scene;
 
 use equilibrium::{Equilibrium, Settled, courses};
 
-/// A start: the state, the laws and the dead bands, each in the cell or regime in which the motion begins.
+/// A start: the state, the laws in their cells, and the dead bands in their regimes.
 #[derive(Clone)]
 pub struct Begun {
     pub state: State,
     pub laws: Vec<Law>,
     pub bands: Vec<DeadBand>,
-    /// Other static equilibria that were found, in words; `None` where there is one, or none was asked for.
+    /// Other static equilibria that were found, in words; `None` if there are none, or no static start is asked for.
     pub others: Option<String>,
 }
 
 impl Begun {
-    /// The coordinates, turns included (N).
+    /// The coordinates, with their whole turns (N).
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
@@ -32,13 +32,13 @@ impl Begun {
 
 /// The state at the start.
 ///
-/// Speeds are those given, else those of the rigid motions. Coordinates said to be static are where the generalised forces on
-/// them vanish, the other coordinates and the speeds as given, each law in the cell in which its phase then is. With play,
-/// on the flanks that the forces press together. Of several equilibria that is taken which is found from the stated value,
-/// or from zero.
+/// The speeds are those given, otherwise those of the rigid motions. Coordinates with the value `static` are where the
+/// generalised forces on them vanish; the other coordinates and the speeds have the given values, and each law is in the cell of
+/// its phase. With play, the contacts are at the flanks that the forces press together. If there are several equilibria, it is
+/// the one found from the stated value, or from zero.
 ///
 /// # Errors
-/// Where that balance is not determined, or a phase too far off.
+/// If the forces do not determine the equilibrium, or a phase is too large.
 pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal> {
     let n = equations.coordinates();
     let mut q_dot = Vector::zeros(n);
@@ -64,7 +64,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
         if !settled.stable
             && let Some(nearest) = found.iter().find(|other| other.stable)
         {
-            // It stands on a ridge, from which nothing leads to either side.
+            // The equilibrium is unstable, at a maximum of the energy: take the nearest stable one.
             others = balance.describe(nearest, &[&found[..], &[settled]].concat());
             settled = nearest.clone();
         }
@@ -88,15 +88,15 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
     Ok(Begun { state, laws, bands, others })
 }
 
-/// Finds the flanks on which dead bands rest: `settle` gives the equilibrium with the bands in their regimes. A band that does not
-/// press on its drive flank is tried on the other, then free.
+/// Finds the flanks at which dead bands are in contact. `settle` gives the equilibrium for given regimes of the bands. A band
+/// that is not pressed against its drive flank is tried on the coast flank, and then free.
 fn on_flanks(
     scene: &Scene,
     bands: &mut [DeadBand],
     mut settle: impl FnMut(&[DeadBand]) -> Result<Settled, Refusal>,
 ) -> Result<Settled, Refusal> {
     bands.iter_mut().for_each(|band| band.regime = Regime::Contact(Side::Upper, Grip::Touch));
-    // Each band is tried in three places at most; then the last attempt stands.
+    // Each band has at most three regimes to try. After that the last result is used.
     for _ in 0..=2 * bands.len() {
         let settled = settle(bands)?;
         let lifted = bands.iter_mut().find(|band| match band.regime {

@@ -1,4 +1,4 @@
-//! The equations of a scene as analyses see them: matrices, propagators, the start.
+//! The equations of a scene in the form that analyses use: matrices, propagators and the start.
 
 use crate::engine::cell::{self, Cell};
 use crate::engine::equations::{DerivedModel, Equations, Switching};
@@ -9,9 +9,8 @@ use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
 use crate::scene::Scene;
 
-/// The equations of a scene whose cells are linear; `k` holds the present value of each law, or of the stiffnesses alone,
-/// which come first: then there are no transmission errors. Play is taken up: every dead band is in contact, its deflection
-/// counted from its edge.
+/// The equations of a scene with linear cells. `k` holds the present value of each law; if it holds the stiffnesses alone, which
+/// come first, the transmission errors are zero. Every dead band is in contact, and its deflection is counted from its edge.
 pub struct System {
     equations: Box<dyn Equations>,
     model: &'static Model,
@@ -21,7 +20,7 @@ impl System {
     /// The system of a scene.
     ///
     /// # Errors
-    /// Where the model's cells are not linear, or its effects contradict one another.
+    /// If the model's cells are not linear, or its effects contradict one another.
     pub fn of(derived: &DerivedModel, scene: &Scene) -> Result<System, Refusal> {
         let terms = scene.effects.nonlinear(derived.model);
         if !terms.is_empty() {
@@ -38,12 +37,13 @@ impl System {
     /// M, M⁻¹, C, K, f.
     ///
     /// # Errors
-    /// Where the numbers make no system.
+    /// If M is not positive definite, or a number overflows.
     pub fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
         cell::matrices(&*self.equations, &self.values(k))
     }
 
-    /// What a small disturbance (dq, dq') becomes after the time `t` [s] (2n x 2n), by the modes of the cell.
+    /// The propagator: a small disturbance (dq, dq') at t = 0 gives its product with this matrix after the time `t` [s] (2n x
+    /// 2n).
     ///
     /// # Errors
     /// Those of the modes of a cell.
@@ -63,7 +63,7 @@ impl System {
         Ok(propagator)
     }
 
-    /// How law `i` switches with the effects in force.
+    /// How law `i` switches with the effects of the scene.
     pub fn switching(&self, law: usize) -> Switching {
         self.equations.switching(law)
     }
@@ -73,10 +73,10 @@ impl System {
         self.equations.motion(i)
     }
 
-    /// The coordinates with which a scene of these equations starts (n), those in static equilibrium included.
+    /// The coordinates at the start of a scene (n), including those in static equilibrium.
     ///
     /// # Errors
-    /// Where that equilibrium is not determined.
+    /// If the forces do not determine that equilibrium.
     pub fn start(&self, scene: &Scene) -> Result<Vector, Refusal> {
         Ok(start::begin(&*self.equations, scene)?.absolute())
     }

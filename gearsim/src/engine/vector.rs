@@ -1,7 +1,7 @@
-//! Vectors of a run: of coordinates, of speeds, of modal coordinates. Their length is known when the scene is.
+//! Vectors of a run: coordinates, speeds and modal coordinates. Their length is known once the scene is read.
 //!
-//! nalgebra's vectors of that kind are on the heap. A run makes several at every event, so these are on the stack up to
-//! [`INLINE`] numbers.
+//! Vectors of nalgebra with a dynamic length are on the heap. A run creates several at every event, so these are on the stack up
+//! to [`INLINE`] numbers.
 
 use std::ops::{Add, AddAssign, Deref, DerefMut, Mul, Neg, Sub, SubAssign};
 
@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 /// A matrix of a scene.
 pub type Matrix = DMatrix<f64>;
 
-/// Numbers that need no heap: those of most drivetrains.
+/// Largest length on the stack. It is sufficient for most drivetrains.
 const INLINE: usize = 10;
 
 /// A vector of n numbers.
@@ -19,7 +19,7 @@ const INLINE: usize = 10;
 pub struct Vector(SmallVec<[f64; INLINE]>);
 
 impl Vector {
-    /// n zeros.
+    /// A vector of n zeros.
     #[inline]
     pub fn zeros(n: usize) -> Self {
         match n {
@@ -28,7 +28,7 @@ impl Vector {
         }
     }
 
-    /// The n numbers f(i).
+    /// The vector of the n numbers f(i).
     #[inline]
     pub fn from_fn(n: usize, mut f: impl FnMut(usize) -> f64) -> Self {
         let mut vector = Vector::zeros(n);
@@ -36,13 +36,13 @@ impl Vector {
         vector
     }
 
-    /// The scalar product with a vector as long.
+    /// The scalar product with a vector of the same length.
     #[inline]
     pub fn dot(&self, other: &[f64]) -> f64 {
         self.iter().zip(other).map(|(a, b)| a * b).sum()
     }
 
-    /// Its elements, each changed by `f`.
+    /// The vector of `f` of each element.
     #[inline]
     pub fn map(&self, mut f: impl FnMut(f64) -> f64) -> Vector {
         let mut mapped = Vector::zeros(self.len());
@@ -50,7 +50,7 @@ impl Vector {
         mapped
     }
 
-    /// f of each pair of elements of this and another.
+    /// The vector of `f` of each pair of elements of this vector and another one.
     #[inline]
     pub fn zip_map(&self, other: &[f64], mut f: impl FnMut(f64, f64) -> f64) -> Vector {
         let mut mapped = Vector::zeros(self.len());
@@ -58,7 +58,7 @@ impl Vector {
         mapped
     }
 
-    /// The products of elements in the same place.
+    /// The products of the elements with the same index.
     #[inline]
     pub fn component_mul(&self, other: &[f64]) -> Vector {
         self.zip_map(other, |a, b| a * b)
@@ -216,7 +216,7 @@ impl SubAssign<&Vector> for Vector {
 impl Mul<&Vector> for &Matrix {
     type Output = Vector;
 
-    /// Column by column, which vector instructions can hold.
+    /// Column by column, which suits vector instructions.
     #[inline]
     fn mul(self, x: &Vector) -> Vector {
         let mut y = Vector::zeros(self.nrows());
@@ -236,7 +236,7 @@ pub fn transposed(a: &Matrix, x: &[f64]) -> Vector {
     y
 }
 
-/// The scalar product of two vectors as long.
+/// The scalar product of two vectors of the same length.
 #[inline]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()

@@ -1,11 +1,11 @@
-//! Ensembles: many simulations of one model side by side, eight to a processor core, one a lane.
+//! Ensembles: many simulations of one model side by side, eight on a processor core, one per lane.
 //!
-//! A simulation whose next event is plain (its phase monotone for certain, the step passed, before the end of its run) takes
-//! it in a lane; any other event it takes by itself, in the scalar engine, and comes back. So it goes through the same events
-//! as alone, with the same guarantee, to states that differ from those of the scalar engine by roundings only. Whatever its
-//! neighbours, its result is the same to the last bit.
+//! If the next event of a simulation is plain (the phase is proved to be monotone, and it passes the step before the end of the
+//! run), the kernel takes it in a lane. The general loop takes any other event of this simulation, which then returns to its
+//! lane. The events are those of a single run, with the same guarantee; the states differ from it by rounding errors only. The
+//! result of a simulation does not depend on the other lanes, to the last bit.
 //!
-//! `pulp` picks the instructions that the processor has.
+//! `pulp` selects the vector instructions of the processor.
 
 #[cfg(test)]
 mod tests;
@@ -18,13 +18,13 @@ use crate::engine::lanes::pack::Mask;
 use crate::engine::lanes::{LARGEST, Lanes};
 use crate::engine::simulate::Simulation;
 
-/// Simulations side by side on a processor core: what its vectors hold.
+/// Number of simulations side by side on a processor core: the width of its vectors.
 const LANES: usize = 8;
 
-/// Runs simulations to their ends, unrecorded.
+/// Runs simulations to their ends, without recording.
 ///
 /// # Errors
-/// For each, why it could not go on.
+/// For each simulation, why it stopped early.
 pub fn run(simulations: &mut [Simulation<'_>]) -> Vec<Result<(), Stop>> {
     let kinds: Vec<_> = simulations.iter().map(Kind::of).collect();
     let mut results = vec![Ok(()); simulations.len()];
@@ -35,7 +35,7 @@ pub fn run(simulations: &mut [Simulation<'_>]) -> Vec<Result<(), Stop>> {
             done.push(kind);
             let members: Vec<usize> = (0..kinds.len()).filter(|i| kinds[*i] == *kind).collect();
             match kind {
-                // One by itself goes the same way, to the same bits, without seven empty lanes.
+                // A single simulation takes the same path, with the same bits, without seven empty lanes.
                 Some(kind) if members.len() == 1 => ensemble.of_size::<1>(kind, &members),
                 Some(kind) => ensemble.of_size::<LANES>(kind, &members),
                 None => members.into_iter().for_each(|which| while !ensemble.step(which) {}),
@@ -45,14 +45,14 @@ pub fn run(simulations: &mut [Simulation<'_>]) -> Vec<Result<(), Stop>> {
     results
 }
 
-/// Simulations, and what has become of them.
+/// The simulations and their results.
 struct Ensemble<'s, 'a> {
     simulations: &'s mut [Simulation<'a>],
     results: &'s mut [Result<(), Stop>],
 }
 
 impl Ensemble<'_, '_> {
-    /// Runs the `members` of one kind in lanes compiled for at least as many coordinates.
+    /// Runs the `members`, which are of one kind, in lanes compiled for at least their number of coordinates.
     fn of_size<const L: usize>(&mut self, kind: &Kind, members: &[usize]) {
         match kind.rigid.len() {
             0..=2 => self.side_by_side::<2, L>(kind, members),
@@ -61,7 +61,7 @@ impl Ensemble<'_, '_> {
         }
     }
 
-    /// Runs the `members` of one kind in lanes.
+    /// Runs the `members`, which are of one kind, in lanes.
     fn side_by_side<const N: usize, const L: usize>(&mut self, kind: &Kind, members: &[usize]) {
         let mut lanes = Lanes::<N, L>::new(kind);
         let mut members = members.iter().copied();
@@ -69,7 +69,7 @@ impl Ensemble<'_, '_> {
         let mut waiting = Mask::of(|_| true);
         let mut left = waiting;
         loop {
-            for lane in (0..L).filter(|lane| left.says(*lane)) {
+            for lane in (0..L).filter(|lane| left.is_set(*lane)) {
                 if let Some(which) = held[lane].take() {
                     lanes.unload(lane, &mut self.simulations[which]);
                     // The kernel has just left this event to the general loop.
@@ -99,30 +99,30 @@ impl Ensemble<'_, '_> {
         }
     }
 
-    /// Takes a simulation to the beginning of a pitch, where it can join the others, or to its end, or at least to where its next event
-    /// could be a plain one; tells whether it goes on from there. Also where there are no others: a simulation must take the same way to
-    /// the same bits with any neighbours.
+    /// Advances a simulation by the general loop to the beginning of a pitch, where it can join the others, or to the end of its
+    /// run, or at least until its next event may be plain. Returns whether the run continues. This is also done without other
+    /// simulations: the path and the bits of a simulation must not depend on the others.
     fn ready(&mut self, which: usize) -> bool {
-        let mut patience = self.simulations[which].now.laws[0].pitch.cells();
+        let mut events_left = self.simulations[which].now.laws[0].pitch.cells();
         loop {
             let simulation = &self.simulations[which];
-            if simulation.is_plain() && (patience == 0 || simulation.now.laws[0].cell == 0) {
+            if simulation.is_plain() && (events_left == 0 || simulation.now.laws[0].cell == 0) {
                 return true;
             }
-            patience = patience.saturating_sub(1);
+            events_left = events_left.saturating_sub(1);
             if self.step(which) {
                 return false;
             }
         }
     }
 
-    /// One event of a simulation; tells whether it has come to its end.
+    /// Takes one event of a simulation; returns whether its run has ended.
     fn step(&mut self, which: usize) -> bool {
         let step = self.simulations[which].step(&mut None);
         self.is_over(which, step)
     }
 
-    /// Whether a simulation has come to its end with a step, by itself or for a reason, which is noted.
+    /// Whether the run of a simulation has ended with a step: at its end time, or with an error, which is stored.
     fn is_over(&mut self, which: usize, step: Result<bool, Stop>) -> bool {
         step.unwrap_or_else(|stop| {
             self.results[which] = Err(stop);
@@ -131,8 +131,8 @@ impl Ensemble<'_, '_> {
     }
 }
 
-/// Goes on in all lanes until one of the `active` cannot. Lanes that are `waiting` join when the others begin a pitch, too, so
-/// that all are in one cell.
+/// Advances all `active` lanes until one of them cannot continue. Lanes that are `waiting` join when the others begin a pitch, so
+/// that all are in the same cell.
 struct Advance<'l, const N: usize, const L: usize> {
     lanes: &'l mut Lanes<N, L>,
     active: Mask<L>,
@@ -140,7 +140,7 @@ struct Advance<'l, const N: usize, const L: usize> {
 }
 
 impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
-    /// Lanes that could not go on, and those that still wait.
+    /// The lanes that cannot continue, and the lanes that still wait.
     type Output = (Mask<L>, Mask<L>);
 
     #[inline(always)]
@@ -148,7 +148,7 @@ impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
         let Advance { lanes, mut active, mut waiting } = self;
         let mut waited = 0;
         loop {
-            let leader = (0..L).find(|lane| active.says(*lane));
+            let leader = (0..L).find(|lane| active.is_set(*lane));
             if leader.is_none_or(|leader| lanes.at[leader] == 0) || waited >= lanes.tables.len() {
                 active = active.with(waiting);
                 waiting = waiting.without(waiting);

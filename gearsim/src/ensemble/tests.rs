@@ -1,4 +1,4 @@
-//! An ensemble against the same simulations one by one.
+//! An ensemble against the same simulations run one by one.
 
 use super::*;
 use crate::engine::equations::{Derived, Equations};
@@ -33,7 +33,7 @@ fn simulations(scenes: &[Prepared]) -> Vec<Simulation<'_>> {
     scenes.iter().map(|(scene, e)| Simulation::new(&**e, scene).unwrap()).collect()
 }
 
-/// Runs scenes both ways; same events, and states that differ by at most `tolerance` of their sizes.
+/// Runs scenes both ways. The events are the same, and the states differ by at most `tolerance`, relative to their sizes.
 fn check(scenes: &[Prepared], tolerance: f64) {
     let (mut alone, mut together) = (simulations(scenes), simulations(scenes));
     let ended: Vec<_> = alone.iter_mut().map(|s| s.run(None, &mut |_| {})).collect();
@@ -54,9 +54,9 @@ fn check(scenes: &[Prepared], tolerance: f64) {
 }
 
 #[test]
-fn lanes_go_through_the_events_of_the_scalar_engine() {
-    // Fast and slow, forwards and backwards, with reflections, of different lengths, more than there are lanes. Roundings
-    // differ, and grow as disturbances do: by 1e4 or so in such runs.
+fn lanes_have_the_events_of_the_general_loop() {
+    // Slow and fast runs in both directions, with reflections, of different lengths, and more of them than lanes. The rounding
+    // errors differ, and the motion amplifies them by up to about 1e4.
     let scene = |i: u32| {
         let speed = [4500.0, -4000.0, 600.0, 1200.0, -300.0, 5123.0, 2000.0][i as usize % 7];
         prepare(&[
@@ -69,7 +69,7 @@ fn lanes_go_through_the_events_of_the_scalar_engine() {
 }
 
 #[test]
-fn what_fits_no_lane_is_run_all_the_same() {
+fn simulations_that_fit_no_lane_are_run_too() {
     let effects = |effects: &str| prepare(&[format!("effects=[{effects}]"), "start.speed=900 rpm".into()]);
     let overdamped = prepare(&["parameters.zeta=3".into()]);
     let scenes = [
@@ -84,8 +84,8 @@ fn what_fits_no_lane_is_run_all_the_same() {
 }
 
 #[test]
-fn a_lane_does_not_feel_its_neighbours() {
-    // To the last bit: sweeps are the same in whatever parts they are run.
+fn a_lane_does_not_depend_on_the_others() {
+    // To the last bit, so that sweeps do not depend on how they are divided.
     let speeds = [4500.0, 4321.0, 3999.0, 5000.0, 2500.0, 600.0, 700.0, 650.0, -800.0];
     let scenes: Vec<_> = speeds.iter().map(|s| prepare(&[format!("start.speed={s} rpm")])).collect();
     let mut all = simulations(&scenes);
@@ -104,6 +104,6 @@ fn a_lane_does_not_feel_its_neighbours() {
 }
 
 #[test]
-fn an_empty_ensemble_is_one() {
+fn an_empty_ensemble_has_no_results() {
     assert!(run(&mut []).is_empty());
 }

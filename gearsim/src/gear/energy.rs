@@ -22,6 +22,7 @@ use std::f64::consts::PI;
 use super::foundation::Foundation;
 use super::pair::{Contact, GearError, Gears};
 use super::tooth::Tooth;
+use crate::tolerance::scene::FILLET_CONTACT;
 
 /// Bore radius relative to the root radius, if the bore is not given.
 const BORE: f64 = 0.5;
@@ -54,7 +55,7 @@ impl ToothPair {
         let tooth = |i: usize| -> Result<_, GearError> {
             let tooth = Tooth::of(gears, &contact, i)?;
             // Up to a thousandth of a module of the fillet is accepted: `compliances` then uses the end of the flank.
-            if begins[i] < tooth.form - 1e-3 * gears.module {
+            if begins[i] < tooth.form - FILLET_CONTACT * gears.module {
                 let what = format!("contact on gear {} would extend into its fillet", i + 1);
                 return Err(GearError::new(
                     what,

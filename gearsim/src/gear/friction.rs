@@ -13,6 +13,7 @@ use super::energy::ToothPair;
 use super::mesh_stiffness::{Cell, StiffnessMethod, cells, curves, from_pitch_point};
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
+use crate::tolerance::scene::PITCH_POINT;
 
 /// The quantity of the pairs that is summed, weighted with their shares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,9 +23,6 @@ pub enum FrictionLaw {
     /// Distance from the pitch point [m].
     Arm,
 }
-
-/// If a pair passes the pitch point within this distance of a cell boundary [base pitches], no further boundary is added.
-const BOUNDARY_TOLERANCE: f64 = 1e-9;
 
 /// The friction law `what` of `gears` over a phase of the given period, times `scale`. The stiffness method decides the shares: equal
 /// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
@@ -75,8 +73,8 @@ struct Part {
 fn parts(cell: &Cell, contact: &Contact, method: StiffnessMethod, period: f64) -> Vec<Part> {
     let (pitch, whole) = (contact.base_pitch, cell.width(contact, method, period));
     let part = |begin, end, width| Part { pairs: cell.pairs, begin, end, width };
-    let passes = (cell.begin / pitch + BOUNDARY_TOLERANCE).ceil() * pitch;
-    if passes >= cell.end - BOUNDARY_TOLERANCE * pitch {
+    let passes = (cell.begin / pitch + PITCH_POINT).ceil() * pitch;
+    if passes >= cell.end - PITCH_POINT * pitch {
         return vec![part(cell.begin, cell.end, whole)];
     }
     let first = (passes - cell.begin) / (cell.end - cell.begin) * whole;

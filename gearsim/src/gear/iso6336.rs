@@ -19,6 +19,7 @@
 //! n pairs in contact have the stiffness c' (0.75 n + 0.25). These levels have the mean c_gamma at every contact ratio.
 
 use super::pair::{GearError, Gears};
+use crate::tolerance::scene::PRESSURE_ANGLE;
 
 /// C1 to C9.
 const C: [f64; 9] = [0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188, 0.00529, 0.00182];
@@ -87,7 +88,7 @@ fn within(gears: &Gears, [x1, x2]: [f64; 2], ratio: f64, line_load: Option<f64>)
     }
     let degrees = gears.pressure_angle.to_degrees();
     // The limits are allowed, so they are widened by the rounding error of the conversion to degrees.
-    if !(14.5 - 1e-9..=25.0 + 1e-9).contains(&degrees) {
+    if !(14.5 - PRESSURE_ANGLE..=25.0 + PRESSURE_ANGLE).contains(&degrees) {
         return refused(format!("for a pressure angle of {degrees:.3} deg: it must lie between 14.5 and 25 deg"));
     }
     if let Some(load) = line_load

@@ -8,6 +8,7 @@ use super::energy::ToothPair;
 use super::iso6336::Iso6336;
 use super::pair::{Contact, GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
+use crate::tolerance::scene::SLOPE_STEP;
 
 /// How the stiffness is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,7 +135,7 @@ fn curves_of_cell(pair: &ToothPair, cell: &Cell, shape: CellShape, period: f64, 
 pub(super) fn curves(value: impl Fn(f64) -> f64, [begin, end]: [f64; 2], width: f64) -> Vec<(Curve, f64)> {
     let (length, w) = ((end - begin) / PIECES as f64, width / PIECES as f64);
     // Slopes by central differences.
-    let h = 1e-4 * length;
+    let h = SLOPE_STEP * length;
     let slope = |x: f64| (value(x + h) - value(x - h)) / (2.0 * h) * length / w;
     let piece = |i: usize| {
         let (a, b) = (begin + length * i as f64, begin + length * (i + 1) as f64);

@@ -17,6 +17,7 @@
 use std::f64::consts::PI;
 
 use super::involute::{inverse, involute};
+use crate::tolerance::scene::OVERLAP;
 
 /// Data of two gears, as on a drawing. The first gear drives.
 #[derive(Debug, Clone, PartialEq)]
@@ -190,7 +191,7 @@ impl Gears {
             true => (a + tip[0] - root[1]).max(a + root[0] - tip[1]),
             false => (tip[0] + root[1] - a).max(tip[1] + root[0] - a),
         };
-        if overlap > 1e-9 * self.module {
+        if overlap > OVERLAP * self.module {
             let what = format!("tips and roots overlap by {:.3} modules", overlap / self.module);
             return Err(GearError::new(
                 what,

@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 
 use super::involute::involute;
 use super::pair::{Contact, GearError, Gears};
+use crate::tolerance::scene::UNDERCUT;
 
 /// A tooth. Heights are measured along its centre line from the centre of the gear [m].
 #[derive(Debug, Clone)]
@@ -36,9 +37,6 @@ pub(super) struct Tooth {
     /// Radius at which fillet and flank meet [m].
     pub(super) form: f64,
 }
-
-/// Largest undercut that is accepted [modules]: the standard pinion of 17 teeth has 0.006.
-const UNDERCUT: f64 = 0.02;
 
 impl Tooth {
     /// The tooth of gear `i`.

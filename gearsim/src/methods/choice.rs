@@ -1,9 +1,10 @@
-//! Which method runs a scene, and why.
+//! The choice of the method that runs a scene, with its reason.
 
 use crate::engine::error::Refusal;
 use crate::engine::law::{Law, curved};
 use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
+use crate::tolerance::methods::HIGH_ORDER;
 
 use super::Method;
 use super::control::Steps;
@@ -14,24 +15,21 @@ use super::radau::Radau;
 use super::rk4::RK4;
 use super::steps::{Events, Settings};
 
-/// The method of a run.
+/// The method of a run, and the reason for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
-    /// Which.
+    /// The method.
     pub method: Name,
-    /// Whether it may give way to the implicit one.
+    /// Whether an explicit method may be replaced by the implicit one during the run.
     pub give_way: bool,
-    /// Why, in words.
+    /// The reason, in words.
     pub why: String,
 }
 
-/// Tolerance below which the method of high order is the cheaper one.
-const HIGH_ORDER: f64 = 1e-7;
-
-/// The method for `scene`, with its laws as they start.
+/// The method for `scene`; `laws` are its laws at the start.
 ///
 /// # Errors
-/// Where the scene names the exact one, and its cells are not linear.
+/// If the scene asks for the exact method, and its cells are not linear.
 pub fn of(scene: &Scene, laws: &[Law]) -> Result<Choice, Refusal> {
     let terms = match scene.effects.nonlinear(scene.model) {
         terms if terms.is_empty() => curved(scene.model, laws),
@@ -55,7 +53,7 @@ pub fn of(scene: &Scene, laws: &[Law]) -> Result<Choice, Refusal> {
     }
 }
 
-/// The method of a name and how it is to be run; `None` for the exact one, which is not a numerical method.
+/// A numerical method and its settings; `None` for the exact method, which is not a numerical one.
 pub fn numerical(choice: &Choice, scene: &Scene) -> Option<(Box<dyn Method>, Settings)> {
     let method: Box<dyn Method> = match choice.method {
         Name::Exact => return None,

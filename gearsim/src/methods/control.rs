@@ -1,44 +1,37 @@
-//! How long a step is: by its error (adaptive), or always the same (fixed).
+//! Control of the step length: adaptive, from the estimated error, or fixed.
 
 use super::flow::{Flow, Scale};
 use crate::engine::vector::Vector;
+use crate::tolerance::methods::{LAST_STEP, SAFETY, SMALLEST_SPEED, STEP_RATIO};
 
-/// How long steps are.
+/// How the step length is controlled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Steps {
-    /// So that the estimated error of each is below this part of the scale of each component.
+    /// Adaptive: the estimated error of each component is below this fraction of its scale.
     Adaptive(f64),
-    /// This long \[s\].
+    /// Fixed length \[s\].
     Fixed(f64),
 }
 
-/// A part of the sizes that energy allows, below which a component counts as zero.
-const FLOOR: f64 = 1e-3;
-/// Of the step that would just do.
-const SAFETY: f64 = 0.9;
-/// How much a step may shrink or grow at once.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 6.0;
-
-/// The control of steps under way.
+/// The step control during a run.
 #[derive(Debug, Clone)]
 pub struct Control {
     steps: Steps,
-    /// What each component has reached.
+    /// Largest absolute value of each component so far.
     reached: Scale,
     /// The next step to try \[s\].
     pub h: f64,
-    /// Whether the last step tried was rejected: the next one does not grow.
+    /// Whether the last attempt was rejected; the next step is then not longer.
     rejected: bool,
 }
 
 impl Control {
-    /// The control of a run from `start`. `speeds` are what its energy allows (N), `rate` the fastest of its motion \[1/s\],
-    /// `exponent` that of the method, `most` the longest step \[s\].
+    /// The control of a run from `start`. `speeds` are the largest speeds that its energy allows (N), `rate` the fastest rate of
+    /// the motion \[1/s\], `exponent` that of the method, and `most` the longest step \[s\].
     pub fn new(steps: Steps, start: &Flow, speeds: &Vector, rate: f64, exponent: f64, most: f64) -> Self {
         let rate = rate.max(1.0 / most);
         let size = |v: f64| if v > 0.0 && v.is_finite() { v } else { 1.0 };
-        let v = speeds.map(|speed| FLOOR * size(speed));
+        let v = speeds.map(|speed| SMALLEST_SPEED * size(speed));
         let mut reached = Scale { q: &v * (1.0 / rate), v };
         reached.reach(start);
         let h = match steps {
@@ -48,7 +41,7 @@ impl Control {
         Control { steps, reached, h, rejected: false }
     }
 
-    /// The error allowed in each component.
+    /// The allowed error of each component.
     pub fn allowed(&self) -> Scale {
         match self.steps {
             Steps::Adaptive(tolerance) => Scale { q: &self.reached.q * tolerance, v: &self.reached.v * tolerance },
@@ -56,7 +49,7 @@ impl Control {
         }
     }
 
-    /// What the coordinates within a step are known to (N); nothing tells that of steps of one length.
+    /// The error of the coordinates within a step (N); 0 for steps of fixed length, whose error is not known.
     pub fn slack(&self) -> Vector {
         match self.steps {
             Steps::Adaptive(_) => self.allowed().q,
@@ -64,32 +57,33 @@ impl Control {
         }
     }
 
-    /// The step to try with `left` until the cell or the run must end \[s\].
+    /// Length of the next attempt, if the cell or the run ends after the time `left` \[s\].
     pub fn step(&self, left: f64) -> f64 {
         match self.steps {
-            // A last step that is hardly longer is better than a tiny one after it.
-            Steps::Adaptive(_) if self.h * 1.1 >= left => left,
+            // A slightly longer last step avoids a very short one after it.
+            Steps::Adaptive(_) if self.h * LAST_STEP >= left => left,
             _ => self.h.min(left),
         }
     }
 
-    /// Whether a step of length `h` with this error will do; the length of the next one follows.
+    /// Whether a step of length `h` with the estimated `error` is accepted. Sets the length of the next step.
     pub fn accepts(&mut self, h: f64, error: f64, exponent: f64) -> bool {
         if let Steps::Fixed(_) = self.steps {
             return true;
         }
         let factor = SAFETY * error.powf(-exponent);
-        // Also where the error is not a number.
+        // The comparison is also false for NaN.
         let accepted = error <= 1.0;
-        let most = if self.rejected { 1.0 } else { GROW };
-        let factor = if factor.is_nan() { SHRINK } else { factor.clamp(SHRINK, most) };
-        // A step cut short by an end says nothing against a longer one.
+        let [least, most] = STEP_RATIO;
+        let most = if self.rejected { 1.0 } else { most };
+        let factor = if factor.is_nan() { least } else { factor.clamp(least, most) };
+        // A step that was shortened to reach an end does not shorten the next one.
         self.h = if accepted && h < self.h { (h * factor).max(self.h) } else { h * factor };
         self.rejected = !accepted;
         accepted
     }
 
-    /// Takes note of where the motion has got to.
+    /// Updates the largest absolute values with a state of the motion.
     pub fn reach(&mut self, flow: &Flow) {
         self.reached.reach(flow);
     }

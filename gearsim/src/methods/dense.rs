@@ -1,11 +1,11 @@
-//! Dense output: the motion within a step, as a polynomial in the part x = (t - t_0)/h of it.
+//! Dense output: the motion within a step as a polynomial in x = (t - t_0)/h.
 
 use smallvec::SmallVec;
 
 use super::flow::Flow;
 use crate::engine::vector::Vector;
 
-/// Coefficients of a polynomial, that of x^0 first; DOP853's dense output has eight.
+/// Coefficients of a polynomial, beginning with that of x^0; DOP853 has eight.
 pub type Polynomial = SmallVec<[f64; 8]>;
 
 /// y(x) = sum c_j x^j for 0 <= x <= 1.
@@ -15,23 +15,23 @@ pub struct Dense {
 }
 
 impl Dense {
-    /// The polynomial with these coefficients, that of x^0 first.
+    /// The polynomial with these coefficients, beginning with that of x^0.
     pub fn new(coefficients: Vec<Flow>) -> Self {
         Dense { coefficients }
     }
 
-    /// y_0 + x (F_0 + (1 - x) (F_1 + x (F_2 + (1 - x) (F_3 + ...)))), the form in which Hairer, Norsett & Wanner give theirs.
+    /// y_0 + x (F_0 + (1 - x) (F_1 + x (F_2 + (1 - x) (F_3 + ...)))), the form used by Hairer, Norsett & Wanner.
     pub fn nested(start: &Flow, f: &[Flow]) -> Self {
         let zero = Flow::zero(start.q.len());
         let mut c = vec![zero.clone(); f.len() + 1];
         for (i, f) in f.iter().enumerate().rev() {
             c[0].add(1.0, f);
             if i % 2 == 0 {
-                // Times x.
+                // Multiply by x.
                 c.rotate_right(1);
                 c[0].clone_from(&zero);
             } else {
-                // Times 1 - x.
+                // Multiply by 1 - x.
                 for j in (1..c.len() - i).rev() {
                     let (below, c) = c.split_at_mut(j);
                     c[0].add(-1.0, &below[j - 1]);
@@ -42,7 +42,7 @@ impl Dense {
         Dense { coefficients: c }
     }
 
-    /// The motion at the part `x` of the step.
+    /// The motion at the fraction `x` of the step.
     #[inline]
     pub fn at(&self, x: f64) -> Flow {
         let mut terms = self.coefficients.iter().rev();
@@ -50,7 +50,7 @@ impl Dense {
         terms.fold(last, |sum, c| c.plus(x, &sum))
     }
 
-    /// Coefficients of `bound` less coordinate `i`, times `sign`.
+    /// Coefficients of `sign` times (`bound` minus coordinate `i`).
     pub fn gap(&self, i: usize, bound: f64, sign: f64) -> Polynomial {
         let mut gap: Polynomial = self.coefficients.iter().map(|c| -sign * c.q[i]).collect();
         gap[0] = sign * (bound - self.coefficients[0].q[i]);
@@ -73,9 +73,9 @@ mod tests {
         Flow { q: [x].into(), v: [-x].into(), lost: 2.0 * x }
     }
 
-    /// Both forms against the formulas themselves, in numbers that are exact.
+    /// Both forms against their formulas, with numbers that are exact in f64.
     #[test]
-    fn polynomials_are_what_they_say() {
+    fn both_forms_match_their_formulas() {
         let dense = Dense::new(vec![flow(1.0), flow(2.0), flow(-3.0)]);
         assert_eq!(dense.at(0.5), flow(1.25));
         assert_eq!(dense.gap(0, 4.0, 1.0)[..], [3.0, -2.0, 3.0]);

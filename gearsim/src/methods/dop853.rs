@@ -1,11 +1,11 @@
 //! DOP853: explicit Runge-Kutta of order 8, with error estimates of orders 5 and 3, and dense output of order 7.
 //!
-//! Dormand & Prince; coefficients and error estimate of Hairer, Norsett & Wanner, Solving Ordinary Differential
-//! Equations I, 2nd ed. (1993), II.5, II.10 and their code `dop853`. Where it stands on the real axis: h |lambda| < 6.1.
+//! Method of Dormand & Prince; coefficients and error estimate: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations
+//! I, 2nd ed. (1993), II.5, II.10, and their code `dop853`. Stability limit on the negative real axis: h |lambda| < 6.1.
 
 use super::explicit::{Error, Interpolant, Tableau};
 
-/// The method. Rows 13 to 15 serve the dense output alone.
+/// The method. Stages 13 to 15 are used by the dense output only.
 pub const DOP853: Tableau = Tableau {
     name: "dop853",
     order: 8,
@@ -131,7 +131,7 @@ const ROWS: [&[(usize, f64)]; 16] = [
     ],
 ];
 
-/// Of the estimate of order 5.
+/// Weights of the error estimate of order 5.
 const FIFTH: &[(usize, f64)] = &[
     (0, 0.01312004499419488),
     (5, -1.2251564463762044),
@@ -143,7 +143,8 @@ const FIFTH: &[(usize, f64)] = &[
     (11, -0.022355307863886294),
 ];
 
-/// Of the estimate of order 3: the weights less those of the method of order 3 on stages 0, 8 and 11.
+/// Weights of the error estimate of order 3: the weights of the method, minus those of the method of order 3 on stages 0, 8 and
+/// 11.
 const THIRD: &[(usize, f64)] = &[
     (0, -0.18980075407240762),
     (5, 4.450312892752409),
@@ -155,7 +156,7 @@ const THIRD: &[(usize, f64)] = &[
     (11, 0.02265179219836082),
 ];
 
-/// Of the last four parts of the dense output.
+/// Weights of the last four parts of the dense output.
 const DENSE: [&[(usize, f64)]; 4] = [
     &[
         (0, -8.428938276109013),

@@ -1,7 +1,7 @@
 //! DOPRI5: explicit Runge-Kutta of order 5, with an error estimate of order 4 and dense output of order 4.
 //!
-//! Dormand & Prince (1980), J. Comput. Appl. Math. 6(1), Table 2; dense output: Shampine (1986), Math. Comput.
-//! 46(173); bound of stability: Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2.
+//! Dormand & Prince (1980), J. Comput. Appl. Math. 6(1), Table 2; dense output: Shampine (1986), Math. Comput. 46(173); stability
+//! limit: Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2.
 
 use super::explicit::{Error, Interpolant, Tableau};
 

@@ -1,6 +1,7 @@
-//! Explicit Runge-Kutta methods, from their tableaux.
+//! Explicit Runge-Kutta methods, given by their tableaux.
 //!
-//! k_i = f(t + c_i h, y + h sum_j a_ij k_j). The stage `last` is where the step ends, so that its k is the first of the next.
+//! k_i = f(t + c_i h, y + h sum_j a_ij k_j). The argument of stage `last` is the state at the end of the step, so that its k is
+//! the first k of the next step.
 
 use smallvec::SmallVec;
 
@@ -9,67 +10,67 @@ use super::field::Field;
 use super::flow::{Flow, Scale};
 use super::{Method, Trial};
 
-/// Entries of a row that are not zero: which k, and its factor.
+/// The nonzero entries of a row of the tableau: index of k, and its factor.
 pub type Row = &'static [(usize, f64)];
 
-/// A method.
+/// The tableau of a method.
 #[derive(Debug, Clone, Copy)]
 pub struct Tableau {
     /// Its name in scenes.
     pub name: &'static str,
     /// Its order.
     pub order: u32,
-    /// a_ij of each stage.
+    /// a_ij, one row per stage.
     pub rows: &'static [Row],
-    /// c_i of each stage.
+    /// c_i, one per stage.
     pub nodes: &'static [f64],
-    /// The stage whose argument is the end of the step; those after it serve the dense output.
+    /// The stage whose argument is the state at the end of the step. The stages after it are used by the dense output only.
     pub last: usize,
-    /// Its estimate of the error.
+    /// The error estimate.
     pub error: Error,
-    /// Its dense output.
+    /// The dense output.
     pub interpolant: Interpolant,
-    /// Where on the negative real axis h lambda leaves its region of stability.
+    /// Stability limit: the largest |h lambda| on the negative real axis.
     pub stability: f64,
 }
 
-/// How the error of a step is estimated.
+/// The error estimate of a step.
 #[derive(Debug, Clone, Copy)]
 pub enum Error {
-    /// Not at all.
+    /// None.
     None,
-    /// By one combination of the k.
+    /// One linear combination of the k.
     Single(Row),
-    /// By two: e = e5²/sqrt(e5² + e3²/100).
+    /// Two linear combinations e5 and e3 of the k: e = e5²/sqrt(e5² + e3²/100).
     Double {
-        /// Of order 5.
+        /// Weights of the estimate of order 5.
         fifth: Row,
-        /// Of order 3.
+        /// Weights of the estimate of order 3.
         third: Row,
     },
 }
 
-/// How the motion within a step is interpolated.
+/// The interpolation of the motion within a step.
 #[derive(Debug, Clone, Copy)]
 pub enum Interpolant {
-    /// By a factor of each k for the powers x to x⁴.
+    /// For each k, factors of the powers x to x⁴.
     Powers(&'static [(usize, [f64; 4])]),
-    /// By three parts from both ends, and more from all k: [`Dense::nested`].
+    /// Three parts from both ends of the step, and four parts from all k: [`Dense::nested`].
     Nested(&'static [Row; 4]),
 }
 
-/// An explicit method at work.
+/// An explicit method with its stages.
 #[derive(Debug, Clone)]
 pub struct Explicit {
     tableau: Tableau,
-    /// Coordinates.
+    /// Number of coordinates.
     n: usize,
-    /// The rates k_i of the stages, one after another: q', v' and the power lost of each (2n + 1).
+    /// The rates k_i of the stages, one after another: q', v' and the dissipated power (2n + 1 each).
     k: Vec<f64>,
 }
 
 impl Explicit {
-    /// The method of a tableau.
+    /// The method with the given tableau.
     pub fn new(tableau: Tableau) -> Self {
         Explicit { tableau, n: 0, k: vec![] }
     }
@@ -82,7 +83,7 @@ impl Explicit {
         self.flow(&sum)
     }
 
-    /// Numbers of a stage.
+    /// Length of a stage.
     fn width(&self) -> usize {
         2 * self.n + 1
     }
@@ -142,7 +143,7 @@ impl Method for Explicit {
             at_end = field.rate(nodes[i] * h, &end);
             self.set(i, &at_end);
         }
-        // |df| / |dy| of the two stages that end at t + h.
+        // The estimate of h |lambda|: |df| / |dy| of the two stages at t + h.
         let (df, dy) = (at_end.plus(-1.0, &self.flow(self.stage(last - 1))), end.plus(-1.0, &before));
         let (df, dy) = (scale.norm(&df), scale.norm(&dy));
         let stiffness = if dy > 0.0 { h * df / dy } else { 0.0 };

@@ -1,11 +1,13 @@
-//! Numerical integration of cells, for what has no closed form, and for comparison.
+//! Numerical integration of cells that have no closed form; also for comparison with the exact engine.
 //!
-//! A method carries y' = f(t, y), smooth in a cell, one step on, with an estimate of its error and a polynomial for what
-//! is between: one trait, one file a method. Around them, and the same for all: `field` (the right-hand side), `control`
-//! (how long a step is), `steps` (the solver that the hybrid loop of [`crate::engine`] calls), `choice` (which method runs a scene, and why).
+//! A method advances y' = f(t, y), which is smooth in a cell, by one step. It gives an estimate of the error and a polynomial for
+//! the motion within the step. The trait `Method` is implemented once per file. The other files are common to all methods:
+//! `field` (the right-hand side), `control` (the step length), `steps` (the solver that the hybrid loop of
+//! [`crate::engine`] calls), and `choice` (the method that runs a scene, and the
+//! reason).
 //!
-//! Our own tableaux rather than a library's: the search for events needs the coefficients of the dense output, to rule roots
-//! out between the samples that a library's interpolation would give, and to land on a surface by the method itself.
+//! The tableaux are written here instead of using a library, because the search for events needs the coefficients of the dense
+//! output. With them it rules out roots between samples, and the method itself can step exactly to a boundary.
 
 pub mod choice;
 pub mod control;
@@ -30,29 +32,29 @@ pub trait Method {
     /// Its name in scenes.
     fn name(&self) -> &'static str;
 
-    /// The error of a step of length h falls as h^(1/exponent), by its own estimate.
+    /// By its own estimate, the error of a step of length h is proportional to h^(1/exponent).
     fn exponent(&self) -> f64;
 
-    /// h |lambda| beyond which it is held back by stability, not by accuracy.
+    /// Stability limit of h |lambda|; above it stability, not accuracy, limits the step.
     fn stability(&self) -> f64;
 
-    /// Tries the step from `start`, where the rate is `rate`, of length `h` \[s\]. `scale` is the error allowed in each
-    /// component. `None` where the step's equations have no solution that is found.
+    /// Tries a step of length `h` \[s\] from `start`, where the derivative is `rate`. `scale` is the allowed error of each
+    /// component. `None` if the equations of the step cannot be solved.
     fn attempt(&mut self, field: &mut Field<'_>, start: &Flow, rate: &Flow, h: f64, scale: &Scale) -> Option<Trial>;
 
-    /// The motion within the step that `attempt` tried last.
+    /// The motion within the last step that `attempt` tried.
     fn dense(&mut self, field: &mut Field<'_>, start: &Flow, h: f64, trial: &Trial) -> Dense;
 }
 
-/// A step that was tried.
+/// An attempted step.
 #[derive(Debug, Clone)]
 pub struct Trial {
-    /// Where it ends.
+    /// The state at its end.
     pub end: Flow,
-    /// The rate there.
+    /// The derivative at its end.
     pub rate: Flow,
-    /// Its estimated error, in parts of what is allowed.
+    /// Its estimated error, relative to the allowed one.
     pub error: f64,
-    /// h |lambda| as two of its stages measure it; 0 where not measured.
+    /// h |lambda|, estimated from two stages; 0 if not estimated.
     pub stiffness: f64,
 }

@@ -1,9 +1,9 @@
-//! Radau IIA of order 5: implicit, for stiff cells.
+//! Radau IIA of order 5: an implicit method for stiff cells.
 //!
-//! Collocation at c = (4 -+ sqrt 6)/10, 1: Z_i = h sum_j a_ij f(y + Z_j), by a simplified Newton method in the coordinates
-//! W = T⁻¹Z in which A⁻¹ is diagonal: one real and one complex system of N equations, since the coordinates' rates are the
-//! speeds. Error: the embedded formula of order 3. Hairer & Wanner, Solving Ordinary Differential Equations II (1996), IV.8;
-//! the numbers of T are those of their code `radau5`.
+//! Collocation at c = (4 -+ sqrt 6)/10 and 1: Z_i = h sum_j a_ij f(y + Z_j). It is solved by a simplified Newton method in the
+//! coordinates W = T⁻¹Z, in which A⁻¹ is block diagonal. This gives one real and one complex system of N equations, because the
+//! rates of the coordinates are the speeds. The error estimate is the embedded formula of order 3. Source: Hairer & Wanner,
+//! Solving Ordinary Differential Equations II (1996), IV.8; the entries of T are those of their code `radau5`.
 
 use nalgebra::{Complex, ComplexField, DMatrix, DVector, Dyn, LU};
 
@@ -12,8 +12,9 @@ use super::field::Field;
 use super::flow::{Flow, Scale};
 use super::{Method, Trial};
 use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::methods::{NEWTON, NEWTON_ROUNDING};
 
-/// The eigenvectors of A: Z = T W.
+/// The transformation T, with Z = T W.
 const T: [[f64; 3]; 3] = [
     [0.09443876248897524, -0.1412552950209542, 0.03002919410514742],
     [0.2502131229653333, 0.20412935229379994, -0.3829421127572619],
@@ -24,19 +25,19 @@ const T_INVERSE: [[f64; 3]; 3] = [
     [-4.178718591551904, -0.32768282076106237, 0.4766235545005505],
     [0.5028726349457868, -2.571926949855605, 0.5960392048282249],
 ];
-/// Newton's iterations before a shorter step is tried.
+/// Maximum number of Newton iterations. If they do not converge, a shorter step is tried.
 const MOST_NEWTON: u32 = 8;
 
-/// The method at work.
+/// The method with the stages of its last attempt.
 #[derive(Debug, Clone)]
 pub struct Radau {
-    /// Error allowed in Newton's method, in parts of the error allowed in a step.
+    /// Allowed error of Newton's method, relative to the allowed error of a step.
     newton: f64,
-    /// The stages' displacements Z of the last attempt.
+    /// The displacements Z of the stages.
     z: [Flow; 3],
 }
 
-/// gamma I - J of one of the two systems, its rates of the coordinates eliminated.
+/// One of the two systems, gamma I - J, with the rates of the coordinates eliminated.
 struct System<T: ComplexField> {
     gamma: T,
     by_v: Matrix,
@@ -67,9 +68,9 @@ impl<T: ComplexField<RealField = f64> + Copy> System<T> {
 }
 
 impl Radau {
-    /// The method at a relative tolerance.
+    /// The method for a relative tolerance.
     pub fn new(tolerance: f64) -> Self {
-        let newton = (10.0 * f64::EPSILON / tolerance).max(tolerance.sqrt().min(0.03));
+        let newton = (NEWTON_ROUNDING / tolerance).max(tolerance.sqrt().min(NEWTON));
         Radau { newton, z: std::array::from_fn(|_| Flow::zero(0)) }
     }
 
@@ -78,7 +79,7 @@ impl Radau {
         [(4.0 - s) / 10.0, (4.0 + s) / 10.0, 1.0]
     }
 
-    /// A real eigenvalue of A⁻¹, and one of the complex pair.
+    /// The real eigenvalue of A⁻¹, and one of the complex pair.
     fn eigenvalues() -> (f64, Complex<f64>) {
         let (a, b) = (3f64.powf(1.0 / 3.0), 3f64.powf(2.0 / 3.0));
         let imaginary = -0.5 * (3f64.powf(5.0 / 6.0) + 3f64.powf(7.0 / 6.0));
@@ -89,7 +90,7 @@ impl Radau {
         (0..3).fold(Flow::zero(of[0].q.len()), |sum, i| sum.plus(factors[i], &of[i]))
     }
 
-    /// Solves for the stages; `None` where Newton's method does not converge.
+    /// The stages; `None` if Newton's method does not converge.
     fn stages(
         &self,
         field: &mut Field<'_>,
@@ -107,7 +108,7 @@ impl Radau {
         for iteration in 0..MOST_NEWTON {
             let f: [Flow; 3] = std::array::from_fn(|i| field.rate(nodes[i] * h, &start.plus(1.0, &z[i])));
             let g: [Flow; 3] = std::array::from_fn(|i| Self::combine(&T_INVERSE[i], &f));
-            // Residuals: T⁻¹f - gamma W.
+            // Residuals of the transformed equations: T⁻¹f - gamma W.
             let residual = |flow: &Flow, w: &Flow, gamma: f64| flow.plus(-gamma, w);
             let r = residual(&g[0], &w[0], real.gamma);
             let (dq, dv) = real.solve(&DVector::from(&r.q), &DVector::from(&r.v))?;
@@ -139,7 +140,7 @@ impl Radau {
                 return None;
             }
         }
-        // The quadrature, by the collocation's own weights: Z = h A f.
+        // The dissipated energy, by the quadrature of the collocation: Z = h A f.
         let lost: [f64; 3] = std::array::from_fn(|i| field.lost(nodes[i] * h, &start.plus(1.0, &z[i])));
         for (z, row) in z.iter_mut().zip(weights()) {
             z.lost = h * (0..3).map(|j| row[j] * lost[j]).sum::<f64>();
@@ -148,7 +149,7 @@ impl Radau {
     }
 }
 
-/// A of Radau IIA.
+/// The matrix A of Radau IIA.
 fn weights() -> [[f64; 3]; 3] {
     let s = 6f64.sqrt();
     [
@@ -176,12 +177,13 @@ impl Method for Radau {
         let (mu, nu) = Self::eigenvalues();
         let real = System::<f64>::new(mu / h, &jacobian);
         let complex = System::<Complex<f64>>::new(nu / h, &jacobian);
-        // Newton's error is measured in units of the error allowed.
+        // `scale` is the allowed error, so the norm is 1 at the limit.
         self.z = self.stages(field, start, h, scale, &real, &complex)?;
         let end = start.plus(1.0, &self.z[2]);
         let at_end = field.rate(h, &end);
 
-        // (mu/h I - J)⁻¹ (f_0 + E Z/h); where a stiff part outweighs all, once more through f.
+        // Error estimate: (mu/h I - J)⁻¹ (f_0 + E Z/h). If it exceeds the limit because of a stiff component, it is filtered once
+        // more.
         let s = 6f64.sqrt();
         let e = Self::combine(&[(-13.0 - 7.0 * s) / 3.0, (-13.0 + 7.0 * s) / 3.0, -1.0 / 3.0], &self.z);
         let filtered = |r: &Flow| {
@@ -196,7 +198,7 @@ impl Method for Radau {
         Some(Trial { end, rate: at_end, error: scale.norm(&error), stiffness: 0.0 })
     }
 
-    /// The collocation's own polynomial: through the start and the three stages.
+    /// The collocation polynomial through the start and the three stages.
     fn dense(&mut self, _: &mut Field<'_>, start: &Flow, _: f64, _: &Trial) -> Dense {
         let s = 6f64.sqrt();
         let powers = [

@@ -1,6 +1,6 @@
-//! RK4: the classical Runge-Kutta method of order 4, with steps of one length, and Hermite's cubic between them.
+//! RK4: the classical Runge-Kutta method of order 4, with steps of fixed length, and cubic Hermite interpolation between them.
 //!
-//! Kutta (1901), Z. Math. Phys. 46. It estimates no error: the step is for the scene to choose.
+//! Kutta (1901), Z. Math. Phys. 46. The method has no error estimate; the scene states the step length.
 
 use super::explicit::{Error, Interpolant, Tableau};
 

@@ -1,4 +1,4 @@
-//! Methods against the exact engine, on scenes whose cells are linear: orders, events, accounts; and their ends.
+//! Numerical methods against the exact engine on scenes with linear cells: orders, events, energy accounts, and errors.
 
 use crate::engine::equations::DerivedModel;
 use crate::engine::equations::Equations;
@@ -27,7 +27,7 @@ use super::radau::Radau;
 use super::rk4::RK4;
 use super::steps::{BySteps, Events, Settings};
 
-/// The paper's gear pair, 0.02 s of it.
+/// The gear pair of the paper, for 0.02 s.
 const SCENE: &str = r#"
 model = "gear_pair"
 effects = ["stiffness_step", "damping", "torques"]
@@ -64,8 +64,8 @@ fn try_run(overrides: &[&str]) -> Result<Outcome, Refusal> {
     entry.run(&scene, &mut |_| {})
 }
 
-/// The largest difference of two trajectories' rows, each column in units of its own largest value, or a millionth of the
-/// largest of all: a coordinate at rest has roundings only.
+/// The largest difference between the rows of two trajectories. Each column is scaled by its largest value, or by a millionth of
+/// the largest speed if that is more: a coordinate at rest has rounding errors only.
 pub(crate) fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     assert_eq!(a.moment, b.moment);
     let largest = b.q_dot.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -100,7 +100,7 @@ pub(super) fn by_steps<'a>(
     Simulation::with(now, Box::new(solver)).unwrap()
 }
 
-/// A run by `method` in steps of length `h`, with the end row alone or with samples.
+/// A run by `method` in steps of length `h`.
 fn fixed(equations: &dyn Equations, scene: &Scene, method: Box<dyn Method>, h: f64) -> Trajectory {
     let (steps, events) = (Steps::Fixed(h), Events::Located);
     let settings = Settings { steps, events, give_way: false, most_steps: u64::MAX };
@@ -111,10 +111,10 @@ fn fixed(equations: &dyn Equations, scene: &Scene, method: Box<dyn Method>, h: f
     recorder.trajectory
 }
 
-/// In steps of one length, through a dozen steps of the stiffness: states at events and at the end converge to the exact ones
-/// with the order of the method. An error of the event layer above the method's own would show as a lower order.
+/// In steps of fixed length, through a dozen steps of the stiffness, the states at events and at the end converge to the exact
+/// ones with the order of the method. A larger error of the event location would show as a lower order.
 #[test]
-fn methods_keep_their_orders_through_jumps() {
+fn methods_have_their_orders_across_jumps() {
     let exact = run(&["output.rate=\"50 Hz\""]).trajectory;
     let scene = scene(&["output.rate=\"50 Hz\""]);
     let equations = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
@@ -129,12 +129,13 @@ fn methods_keep_their_orders_through_jumps() {
             .collect();
         let slope = (errors[0] / errors[2]).log2() / 2.0;
         println!("{name}: {errors:?}, slope {slope:.2}");
-        // Two halvings: the next order's share of the error is a few per cent of the slope.
+        // Over two halvings the next order changes the slope by a few per cent.
         assert!((slope - f64::from(order)).abs() < 0.5, "{name}: slope {slope} of {errors:?}");
     }
 }
 
-/// What is interpolated within steps falls at least as h^(order of the dense output + 1), as far as the method's own order lets it.
+/// The error of the interpolated motion falls at least as h^(order of the dense output + 1), unless the order of the method is
+/// lower.
 #[test]
 fn dense_output_has_its_order() {
     let overrides = ["output.events=false", "run.t_end=\"0.003 s\"", "output.rate=\"70 kHz\""];
@@ -151,7 +152,8 @@ fn dense_output_has_its_order() {
     }
 }
 
-/// Adaptive methods: errors within a hundred tolerances (a dozen events, two hundred oscillations), and the same events.
+/// Adaptive methods: the error is below a hundred tolerances, with a dozen events and two hundred oscillations, and the events
+/// are the same.
 #[test]
 fn adaptive_methods_meet_their_tolerance() {
     let exact = run(&[]);
@@ -168,9 +170,9 @@ fn adaptive_methods_meet_their_tolerance() {
     }
 }
 
-/// Backwards, without damping, under the cheaper equations, and turned back: event by event what the exact engine does.
+/// Backwards, without damping, with simplified equations, and with a reflection: the events are those of the exact engine.
 #[test]
-fn the_same_events_as_the_exact_engine() {
+fn events_are_those_of_the_exact_engine() {
     let cases: &[&[&str]] = &[
         &["start.speed=\"-600 rpm\""],
         &["effects=[\"stiffness_step\"]", "start.phi=\"0.004 rad\""],
@@ -179,7 +181,7 @@ fn the_same_events_as_the_exact_engine() {
         &["effects=[\"torques\"]"],
         &["start.speed=\"60 rpm\"", "parameters.T0=\"40 N*m\""],
         &["start.speed=0", "start.theta=\"1.7 rad\"", "start.phi=\"0.02 rad\""],
-        // One rounding before a step; on it.
+        // One rounding error before a step; exactly on it.
         &["start.theta=\"1.7299999999999998 rad\""],
         &["start.theta=\"1.73 rad\""],
     ];
@@ -193,7 +195,7 @@ fn the_same_events_as_the_exact_engine() {
             let outcome = run(&overrides);
             let found = (outcome.counts.cell_changes, outcome.counts.reflections);
             assert_eq!(found, (exact.counts.cell_changes, exact.counts.reflections), "{case:?} {method}");
-            // Each event may multiply an error; these runs have at most 60.
+            // Each event may amplify an error. These runs have at most 60 events.
             let error = difference(&outcome.trajectory, &exact.trajectory);
             println!("{case:?} {method}: {events} events, {error:e}");
             assert!(error < 1e-6, "{case:?} {method}: {error:e}");
@@ -204,10 +206,10 @@ fn the_same_events_as_the_exact_engine() {
     }
 }
 
-/// theta swings once towards a boundary, theta_0 + (M1/M2) phi_0 (cos wt - 1), and turns 10^-k beyond it or before it: every
-/// method passes it in the first case and not in the second. Sampling would see neither dip.
+/// theta oscillates once towards a boundary, theta_0 + (M1/M2) phi_0 (cos wt - 1), and reverses 10^-k beyond it or before it.
+/// Every method passes the boundary in the first case only. Samples would show the difference in neither case.
 #[test]
-fn dips_below_a_boundary() {
+fn a_crossing_shallower_than_a_step_is_found() {
     let (i1, i2): (f64, f64) = (2890e-6 / 576.0, 740200e-6 / 9216.0);
     let ratio = (1.0 / i1 - 1.0 / i2) / (1.0 / i1 + 1.0 / i2);
     let phi = 0.01;
@@ -222,7 +224,7 @@ fn dips_below_a_boundary() {
                     format!("start.theta=\"{theta:?} rad\""),
                     "start.speed=0".to_string(),
                     format!("start.phi=\"{phi:?} rad\""),
-                    // A little over half a period of phi at the upper level: one turn.
+                    // Slightly more than half a period of phi at the upper level, so that it reverses once.
                     "run.t_end=\"0.00025 s\"".to_string(),
                 ];
                 let outcome = run(&overrides.iter().map(String::as_str).collect::<Vec<_>>());
@@ -232,30 +234,30 @@ fn dips_below_a_boundary() {
     }
 }
 
-/// On a grid that knows of no events the order is one, whatever the method's: a jump is late by up to a step.
+/// On a fixed grid without event location every method has order one, because a jump is late by up to a step.
 #[test]
-fn a_grid_without_events_is_of_first_order() {
+fn a_grid_without_events_has_order_one() {
     let end = |outcome: &Outcome| outcome.trajectory.q_dot[0].last().copied().unwrap();
     let exact = end(&run(&[]));
     let error = |h: f64| {
         let step = format!("run.step=\"{h:?} s\"");
         (end(&run(&["run.method=\"rk4_grid\"", &step])) - exact).abs() / exact
     };
-    // Where in a step an event falls is all but random: means of eight neighbouring grids.
+    // The place of an event within a step is nearly random: average over eight neighbouring grids.
     let mean = |h: f64| (0..8).map(|i| error(h * (1.0 + 0.01 * f64::from(i)))).sum::<f64>() / 8.0;
     let slope = (mean(4e-5) / mean(1e-6)).log2() / 40f64.log2();
     assert!((slope - 1.0).abs() < 0.35, "slope {slope}");
 }
 
 #[test]
-fn ends_are_named() {
+fn errors_name_their_cause() {
     let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
     let equations: Box<dyn Equations> = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };
     let mut simulation = by_steps(&*equations, &scene, Box::new(Explicit::new(DOP853)), settings);
     let stop = simulation.run(None, &mut |_| {}).unwrap_err();
     assert!(matches!(stop, Stop::Steps { steps: 20, .. }), "{stop}");
-    // Numbers at which the motion overflows.
+    // The motion overflows.
     let outcome = try_run(&["run.method=\"dop853\"", "start.phi_dot=\"1e300 rad/s\""]);
     let stop = outcome.unwrap().stopped_by.unwrap();
     assert!(matches!(stop, Stop::Step { .. } | Stop::NotFinite { .. }), "{stop}");

@@ -7,9 +7,7 @@ use super::teeth::{self, TeethReader};
 use super::{Effects, field, friction, keys, mesh_phase, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
-
-/// If all widths are given, their sum may differ from the pitch by this fraction of it, because written widths are rounded.
-const PITCH_TOLERANCE: f64 = 1e-9;
+use crate::tolerance::scene::WIDTHS;
 
 /// Reads `[laws]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A law whose effect is not
 /// among `effects` may be left out.
@@ -203,7 +201,7 @@ impl<'a> LawReader<'a> {
             report.add(&last.place, message, "no room for this", help);
             return None;
         }
-        if !open && (rest / pitch).abs() > PITCH_TOLERANCE {
+        if !open && (rest / pitch).abs() > WIDTHS {
             let message = format!("the widths of `{}` do not add up to one pitch", self.path);
             let help = format!("they {sum}\nleave out the last width: it is then the rest");
             let label = if rest > 0.0 { "too narrow together" } else { "too wide together" };

@@ -22,11 +22,7 @@ use super::quantity::Quantity;
 use super::unit::Unit;
 use super::{field, keys};
 use crate::model::Law;
-
-/// Largest denominator of the fractions of a pitch that [`whole_fraction`] recognises.
-const MAX_DENOMINATOR: i32 = 360;
-/// A phase within this distance of such a fraction [pitches] is replaced by it.
-const FRACTION_TOLERANCE: f64 = 1e-11;
+use crate::tolerance::scene::{PHASE_DENOMINATOR, PHASE_FRACTION};
 
 /// Reads `phase` [unit of the law's phase coordinate], reduced to less than the period of `pitches` pitches.
 pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mut Report) -> Option<f64> {
@@ -88,9 +84,9 @@ fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) ->
     Some(whole_fraction((lead - between).fract()))
 }
 
-/// Rounds `x` to a fraction with a denominator of at most [`MAX_DENOMINATOR`] if one lies within [`FRACTION_TOLERANCE`]; otherwise returns `x`.
+/// Rounds `x` to a fraction with a denominator of at most [`PHASE_DENOMINATOR`] if one lies within [`PHASE_FRACTION`]; otherwise returns `x`.
 fn whole_fraction(x: f64) -> f64 {
-    let near = (1..=MAX_DENOMINATOR).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < FRACTION_TOLERANCE * d);
+    let near = (1..=PHASE_DENOMINATOR).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < PHASE_FRACTION * d);
     near.map_or(x, |d| ((x * d).round() / d).fract())
 }
 

@@ -4,19 +4,14 @@ use super::document::{Entry, Node};
 use super::mistake::Report;
 use super::{Output, PLOTS, Solver, field, keys, solver};
 use crate::model::Model;
+use crate::tolerance::scene::{ROW_MEMORY, SHORTEST_RUN};
 use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
 pub(super) const KEYS: [&str; 5] = ["rate", "events", "plots", "csv", "most_rows"];
 
-/// Memory for the rows of a run if the scene does not set `most_rows` [bytes].
-const MEMORY: f64 = 4e9;
-
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
-
-/// Smallest end time of a run [s]. For a smaller one the sampling rate would not be finite.
-const MIN_END: f64 = 1e-300;
 
 /// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`.
 pub(super) fn read_run(
@@ -41,11 +36,11 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
         return None;
     };
     let t_end = field::quantity("run.t_end", node, "s", report)?;
-    if t_end >= MIN_END {
+    if t_end >= SHORTEST_RUN {
         return Some(t_end);
     }
     let must = match t_end > 0.0 {
-        true => format!("must be at least {MIN_END:e} s"),
+        true => format!("must be at least {SHORTEST_RUN:e} s"),
         false => "must be positive".to_string(),
     };
     field::out_of_range("run.t_end", node, &must, "the run starts at 0 s", report);
@@ -73,7 +68,7 @@ pub(super) fn read(
     };
     let most_rows = match keys::get(given, "most_rows") {
         Some(node) => read_most_rows(node, report),
-        None => model.map(|model| MEMORY / Trajectory::bytes_of_row(model) as f64),
+        None => model.map(|model| ROW_MEMORY / Trajectory::bytes_of_row(model) as f64),
     };
     let rate = match keys::get(given, "rate") {
         Some(node) => read_rate(node, t_end, most_rows, report),

@@ -5,14 +5,10 @@ use super::mistake::Report;
 use super::{field, keys, laws, transmission_error};
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
+use crate::tolerance::scene::{HARMONIC_ORDER, TABLE_POINTS};
 
 /// Keys of smooth laws.
 pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
-
-/// Highest order of a harmonic: its wavelength is then a thousandth of the period.
-const MOST_ORDER: f64 = 1000.0;
-/// Largest number of points of a table.
-const MOST_POINTS: usize = 1000;
 
 /// Reads the keys of a smooth law.
 pub(super) struct SmoothLaw<'a> {
@@ -128,8 +124,8 @@ impl SmoothLaw<'_> {
         let order = get("order").and_then(|node| {
             let path = format!("{path}.order");
             let order = field::quantity(&path, node, "1", report)?;
-            if order.fract() != 0.0 || !(1.0..=MOST_ORDER).contains(&order) {
-                let must = format!("must be a whole number from 1 to {MOST_ORDER}");
+            if order.fract() != 0.0 || !(1.0..=HARMONIC_ORDER).contains(&order) {
+                let must = format!("must be a whole number from 1 to {HARMONIC_ORDER}");
                 field::out_of_range(&path, node, &must, "it counts the waves in one period of the law", report);
                 return None;
             }
@@ -149,9 +145,9 @@ impl SmoothLaw<'_> {
         let (unit, phase) = (self.law.unit, self.phase_unit);
         let example = format!("[{{ at = \"0 {phase}\", value = \"... {unit}\" }}, ...]");
         let items = field::array(&path, node, &example, report)?;
-        if !(3..=MOST_POINTS).contains(&items.len()) {
+        if !(3..=TABLE_POINTS).contains(&items.len()) {
             let message = format!("`{path}` has {} points", items.len());
-            let help = format!("a spline takes from 3 to {MOST_POINTS}: {example}");
+            let help = format!("a spline takes from 3 to {TABLE_POINTS}: {example}");
             report.add(&node.place, message, "too few or too many", help);
             return None;
         }

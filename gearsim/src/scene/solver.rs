@@ -3,6 +3,7 @@
 use super::document::{Entry, Node};
 use super::mistake::Report;
 use super::{field, keys};
+use crate::tolerance::methods;
 
 /// Settings of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,13 +50,6 @@ pub enum Method {
 /// Keys of `[run]` for the solver.
 pub(super) const KEYS: [&str; 4] = ["method", "precision", "tolerance", "step"];
 
-/// Default tolerance.
-const TOLERANCE: f64 = 1e-9;
-/// Number of steps after which a run stops: some hours of computing time.
-const MOST_STEPS: u64 = 10_000_000_000;
-/// Allowed tolerances. Below, rounding errors of a step are larger; above, the error estimate is meaningless.
-const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-14..=1e-2;
-
 impl Method {
     /// All methods, with their names in scenes.
     pub const ALL: [(Method, &'static str); 6] = [
@@ -80,7 +74,13 @@ impl Method {
 
 impl Default for Solver {
     fn default() -> Self {
-        Solver { method: None, tolerance: TOLERANCE, step: None, precision: Precision::Plain, most_steps: MOST_STEPS }
+        Solver {
+            method: None,
+            tolerance: methods::DEFAULT,
+            step: None,
+            precision: Precision::Plain,
+            most_steps: methods::STEPS,
+        }
     }
 }
 
@@ -106,11 +106,11 @@ pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<S
         keys::missing(&[("step", line)], "[run]", &place.place, report);
     }
     let tolerance = match tolerance {
-        None => Some(TOLERANCE),
+        None => Some(methods::DEFAULT),
         Some(node) => field::quantity("run.tolerance", node, "1", report).filter(|x| {
-            let inside = TOLERANCES.contains(x);
+            let inside = methods::ALLOWED.contains(x);
             if !inside {
-                let must = format!("must lie between {:e} and {:e}", TOLERANCES.start(), TOLERANCES.end());
+                let must = format!("must lie between {:e} and {:e}", methods::ALLOWED.start(), methods::ALLOWED.end());
                 field::out_of_range("run.tolerance", node, &must, "the relative error allowed in a step", report);
             }
             inside

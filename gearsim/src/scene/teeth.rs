@@ -16,6 +16,7 @@ use super::{field, keys};
 use crate::gear::{self, CellShape, FrictionLaw, GearError, Gears, LINE_LOADS, Material, StiffnessMethod};
 use crate::model::{Law, Role};
 use crate::profile::Profile;
+use crate::tolerance::scene;
 
 /// Keys of a law that is computed from teeth.
 pub(super) const KEYS: [&str; 16] = [
@@ -39,8 +40,6 @@ pub(super) const KEYS: [&str; 16] = [
 
 const METHODS: [&str; 2] = ["iso6336", "energy"];
 const CELL_SHAPES: [&str; 2] = ["levels", "curves"];
-/// Largest number of teeth of a gear.
-const MOST_TEETH: f64 = 10_000.0;
 /// Range of a positive quantity: what messages say of it, the smallest and the largest value.
 const POSITIVE: (&str, f64, f64) = ("must be positive", f64::MIN_POSITIVE, f64::INFINITY);
 
@@ -153,7 +152,7 @@ impl TeethReader<'_> {
     fn teeth(&self, report: &mut Report) -> Option<[f64; 2]> {
         let (node, path) = (self.get("teeth")?, self.path("teeth"));
         let items = field::array(&path, node, "[24, 96]", report)?;
-        let range = ("must be a whole number from 4 to 10000", 4.0, MOST_TEETH);
+        let range = ("must be a whole number from 4 to 10000", 4.0, scene::TEETH);
         let read = |i: usize, report: &mut Report| {
             let (path, node) = (format!("{path}.{i}"), items.get(i)?);
             let z = within(&path, node, "1", range, report)?;

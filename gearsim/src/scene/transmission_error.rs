@@ -5,14 +5,12 @@ use super::mistake::Report;
 use super::{field, keys};
 use crate::model::{Law, Role};
 use crate::profile::{Profile, Step};
+use crate::tolerance::scene::ERROR_PITCHES;
 
 /// Key of the pitch errors of the teeth: one level a pitch.
 pub(super) const OF_TEETH: &str = "pitch_errors";
 /// Keys that only transmission errors have.
 pub(super) const KEYS: [&str; 2] = ["pitches", OF_TEETH];
-
-/// Largest number of pitches in one period.
-const MOST: f64 = 10_000.0;
 
 /// Number of pitches in one period of the law: the value of `pitches`, or the number of pitch errors, or 1.
 pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Option<u32> {
@@ -26,15 +24,17 @@ pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Opti
         (Some(node), None) => {
             let path = format!("laws.{}.pitches", law.name);
             let count = field::quantity(&path, node, "1", report)?;
-            if count.fract() != 0.0 || !(1.0..=MOST).contains(&count) {
-                let must = format!("must be a whole number from 1 to {MOST}");
+            if count.fract() != 0.0 || !(1.0..=ERROR_PITCHES).contains(&count) {
+                let must = format!("must be a whole number from 1 to {ERROR_PITCHES}");
                 let what = "the error repeats after this number of pitches, e.g. the number of teeth of a gear";
                 field::out_of_range(&path, node, &must, what, report);
                 return None;
             }
             Some(count as u32)
         }
-        (None, Some(Node { value: Value::Array(errors), .. })) => Some(errors.len().clamp(1, MOST as usize) as u32),
+        (None, Some(Node { value: Value::Array(errors), .. })) => {
+            Some(errors.len().clamp(1, ERROR_PITCHES as usize) as u32)
+        }
         (None, _) => Some(1),
     }
 }
@@ -44,8 +44,8 @@ pub(super) fn of_teeth(law: &Law, node: &Node, report: &mut Report) -> Option<Pr
     let path = format!("laws.{}.{OF_TEETH}", law.name);
     let example = format!("[\"0 {0}\", \"... {0}\"]", law.unit);
     let items = field::array(&path, node, &example, report)?;
-    if items.is_empty() || items.len() > MOST as usize {
-        let help = format!("write one error a tooth, up to {MOST}, for example {example}");
+    if items.is_empty() || items.len() > ERROR_PITCHES as usize {
+        let help = format!("write one error a tooth, up to {ERROR_PITCHES}, for example {example}");
         report.add(&node.place, format!("`{path}` has {} errors", items.len()), "too few or too many", help);
         return None;
     }

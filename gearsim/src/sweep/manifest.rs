@@ -5,12 +5,13 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::record::{self, Column, GROUPS};
-use super::{Error, Plan, Request, Sweep, impossible, plan::MOST_POINTS};
+use super::{Error, Plan, Request, Sweep, impossible};
 use crate::model::Model;
 use crate::output::OutputError;
 use crate::output::summary::Number;
 use crate::run::Entry;
 use crate::scene::Template;
+use crate::tolerance::scene::SWEEP_POINTS;
 
 /// File name of the manifest.
 pub const FILE: &str = "sweep.json";
@@ -106,7 +107,7 @@ impl Manifest {
             spectra: self.spectra,
         };
         let plan = super::plan(&template, *entry, &request)?;
-        if plan.points() != Some(self.points) || self.points > MOST_POINTS {
+        if plan.points() != Some(self.points) || self.points > SWEEP_POINTS {
             return impossible(
                 format!("the number of points in {FILE}, {}, does not agree with its axes", self.points),
                 "run the sweep again",

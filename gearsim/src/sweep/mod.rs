@@ -20,6 +20,7 @@ pub mod spectra;
 #[cfg(test)]
 mod tests;
 
+use crate::tolerance::scene::SWEEP_POINTS;
 use std::path::Path;
 
 pub use manifest::Manifest;
@@ -118,7 +119,7 @@ impl Sweep {
         let plan = plan(&template, entry, request)?;
         let Some(points) = plan.points().filter(|&points| points > 0) else {
             return impossible(
-                format!("the axes make more than {} points, or none", plan::MOST_POINTS),
+                format!("the axes make more than {SWEEP_POINTS} points, or none"),
                 "take fewer values, or several sweeps",
             );
         };

@@ -9,11 +9,10 @@ use crate::scene::unit_of;
 
 use super::axis::{Axis, Spacing, Values};
 use crate::scene::document::Origin;
+use crate::tolerance::scene::SWEEP_POINTS;
 
 /// Text put before an axis when a message quotes it.
 const OPTION: &str = "--vary ";
-/// Maximum number of values of one axis.
-const MOST: usize = 10_000_000;
 /// Help text: the forms of an axis.
 const FORMS: &str = "write KEY=A:B:N or KEY=log:A:B:N for N values from A to B, KEY=V1,V2,V3 for a list, \
                      KEY=uniform:A:B or KEY=log-uniform:A:B for random ones";
@@ -128,10 +127,10 @@ impl Reader<'_> {
     }
 
     fn count(&mut self, at: &Range<usize>) -> Option<usize> {
-        let found = self.text[at.clone()].parse::<usize>().ok().filter(|n| (2..=MOST).contains(n));
+        let found = self.text[at.clone()].parse::<usize>().ok().filter(|n| (2..=SWEEP_POINTS).contains(n));
         if found.is_none() {
             let message = format!("`{}` is not a valid number of values", &self.text[at.clone()]);
-            let help = format!("write a whole number from 2 to {MOST}; for a single value, write KEY=VALUE");
+            let help = format!("write a whole number from 2 to {SWEEP_POINTS}; for a single value, write KEY=VALUE");
             self.add(at.clone(), message, "how many?", help);
         }
         found

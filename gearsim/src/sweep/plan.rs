@@ -2,6 +2,7 @@
 //! fastest. With random axes, every grid point is a number of samples in a row.
 
 use super::axis::Axis;
+use crate::tolerance::scene::SWEEP_POINTS;
 
 /// The points of a sweep. Point `i` is a function of the plan and `i` alone.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,14 +15,11 @@ pub struct Plan {
     pub seed: u64,
 }
 
-/// Maximum number of points. The rows of more would not fit in memory.
-pub const MOST_POINTS: usize = 10_000_000;
-
 impl Plan {
-    /// Number of points; `None` if there are more than [`MOST_POINTS`].
+    /// Number of points; `None` if there are more than [`SWEEP_POINTS`].
     pub fn points(&self) -> Option<usize> {
         let points = self.axes.iter().filter_map(Axis::count).try_fold(self.samples, usize::checked_mul);
-        points.filter(|&points| points <= MOST_POINTS)
+        points.filter(|&points| points <= SWEEP_POINTS)
     }
 
     /// Whether an axis has random values.

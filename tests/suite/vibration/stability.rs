@@ -44,8 +44,7 @@ fn boundary(base: &Scene, zeta: f64, mut stable: f64, mut unstable: f64) -> f64 
 }
 
 /// Boundaries of the parametric instability of the gear pair of Oh, Grosh & Barber (2005), as the ratio of mesh frequency to the natural
-/// frequency at the mean stiffness. They were computed independently from the numbers of the paper (design notes, "Published
-/// numbers to hold the code against").
+/// frequency at the mean stiffness. They were computed independently from the numbers of the paper.
 #[test]
 fn the_gear_pair_is_unstable_where_meissners_equation_is() {
     let base = base();

@@ -3,6 +3,7 @@
 use crate::analysis::spectrum::{segment_length, uniform_samples, welch};
 use crate::model::Model;
 use crate::run::Outcome;
+use crate::tolerance::analysis::{COUNTED_EVENTS, FAINT_BAND, NO_MOTION, SAME_INSTANT};
 use crate::trajectory::{Moment, Trajectory};
 
 /// Frequency bands, each a whole number of mesh orders wide.
@@ -55,12 +56,6 @@ pub struct Apart {
     pub events: f64,
 }
 
-/// A band with less than this fraction of the coordinate's power is not compared.
-const FAINT: f64 = 1e-6;
-/// The motion of a coordinate counts as rounding error if it is below this fraction of the largest one with the same unit.
-const ROUNDING: f64 = 1e-9;
-/// A difference of up to this number of events is not counted: it depends on where the ends of the run cut the motion.
-const COUNTED: f64 = 2.0;
 /// Maximum deviation of a band [dB], e.g. if the band is empty in one run.
 const SILENT: f64 = 200.0;
 
@@ -128,7 +123,7 @@ impl Measures {
             let each = (0..mine.len()).map(|i| {
                 let largest = (0..mine.len()).filter(|&j| units[j] == units[i]);
                 let largest = largest.fold(0.0f64, |m, j| m.max(mine[j]).max(theirs[j]));
-                let rounding = mine[i].max(theirs[i]) <= ROUNDING * largest;
+                let rounding = mine[i].max(theirs[i]) <= NO_MOTION * largest;
                 if rounding { 0.0 } else { relative(theirs[i], mine[i]) }
             });
             each.fold(0.0, f64::max)
@@ -136,8 +131,8 @@ impl Measures {
         let total = |powers: &[f64]| powers.iter().sum::<f64>();
         let decibels = (0..self.bands.len()).flat_map(|i| {
             let (mine, theirs) = (&self.bands[i], &other.bands[i]);
-            let sounds = self.rms[i].max(other.rms[i]) > ROUNDING * self.peak[i].max(other.peak[i]);
-            let faint = FAINT * total(mine).max(total(theirs));
+            let sounds = self.rms[i].max(other.rms[i]) > NO_MOTION * self.peak[i].max(other.peak[i]);
+            let faint = FAINT_BAND * total(mine).max(total(theirs));
             mine.iter().zip(theirs).map(move |(a, b)| match a.max(*b) > faint && sounds {
                 true => (10.0 * (b / a).log10()).abs().min(SILENT),
                 false => 0.0,
@@ -150,7 +145,7 @@ impl Measures {
             bands: decibels.fold(0.0, f64::max),
             speed: speeds.fold(0.0, f64::max),
             energy: if self.at_start == 0.0 { 0.0 } else { ((other.energy - self.energy) / self.at_start).abs() },
-            events: if (other.events - self.events).abs() <= COUNTED {
+            events: if (other.events - self.events).abs() <= COUNTED_EVENTS {
                 0.0
             } else {
                 relative(other.events, self.events)
@@ -177,7 +172,7 @@ fn instants(run: &Trajectory) -> Option<u64> {
     let end = run.t.last().copied().unwrap_or(0.0);
     let mut last = f64::NEG_INFINITY;
     let after = (0..run.len()).filter(|&i| run.moment[i] == Moment::After).map(|i| run.t[i]);
-    let count = after.filter(|t| *t - std::mem::replace(&mut last, *t) > 1e-10 * end).count() as u64;
+    let count = after.filter(|t| *t - std::mem::replace(&mut last, *t) > SAME_INSTANT * end).count() as u64;
     (count > 0).then_some(count)
 }
 

@@ -14,7 +14,7 @@
 //! from the rotation, is part of the result.
 
 mod leg;
-mod look;
+mod quantities;
 
 use std::f64::consts::TAU;
 
@@ -28,6 +28,7 @@ use crate::engine::equations::Switching;
 use crate::engine::modal::Modal;
 use crate::engine::system::System;
 use crate::scene::Scene;
+use crate::tolerance::analysis::{CONSTANT_SPEED, ORBIT_STRETCHES, SETTLED};
 
 /// Why the settled motion of a scene cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -51,8 +52,6 @@ pub enum Unknown {
     Curved,
 }
 
-/// Maximum number of stretches in a period.
-const MOST_STRETCHES: usize = 240;
 /// Number of instants at which the motion is evaluated: minimum per period, minimum per period of the fastest vibration, and maximum
 /// per period.
 const INSTANTS: f64 = 480.0;
@@ -60,10 +59,6 @@ const OF_A_CYCLE: f64 = 40.0;
 const MOST_INSTANTS: f64 = 50_000.0;
 /// Number of iterations of impulses and motion.
 const ROUNDS: usize = 12;
-/// Maximum fraction of the initial vibration that may be left at the end of the run.
-const SETTLED: f64 = 0.2;
-/// The speed counts as constant if the torques change it by less than this fraction over the run.
-const BALANCED: f64 = 1e-3;
 
 /// A scene in steady rotation.
 pub struct Steady<'a> {
@@ -119,7 +114,7 @@ impl<'a> Steady<'a> {
         }
         let courses = steady::all_courses(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
-        if stretches.len() > MOST_STRETCHES {
+        if stretches.len() > ORBIT_STRETCHES {
             return Err(Unknown::Long(stretches.len()));
         }
         let model = scene.model;
@@ -135,7 +130,7 @@ impl<'a> Steady<'a> {
         let speeds = DVector::from_vec(steady::speeds(scene, system));
         let rolling = 0.5 * speeds.dot(&(&at_mean.mass * &speeds));
         let power = speeds.dot(&at_mean.load);
-        if (power * scene.t_end).abs() > 2.0 * BALANCED * rolling {
+        if (power * scene.t_end).abs() > 2.0 * CONSTANT_SPEED * rolling {
             return Err(Unknown::Unbalanced);
         }
         if OF_A_CYCLE * high * period > MOST_INSTANTS {
@@ -169,32 +164,32 @@ impl<'a> Steady<'a> {
     pub fn orbit(&self, factor: f64, jumps: bool) -> Result<Orbit, Unknown> {
         let legs = self.legs(factor)?;
         let size = 2 * self.shapes.ncols();
-        let mut kicks: Vec<DVector<f64>> = legs.iter().map(|_| DVector::zeros(size)).collect();
+        let mut impulses: Vec<DVector<f64>> = legs.iter().map(|_| DVector::zeros(size)).collect();
         let to_return = (DMatrix::identity(size, size) - leg::period(&legs)).lu();
-        let settled = |kicks: &[DVector<f64>]| {
-            let a = legs.iter().zip(kicks).fold(DVector::zeros(size), |y, (leg, kick)| leg.cross(&y) + kick);
+        let settled = |impulses: &[DVector<f64>]| {
+            let a = legs.iter().zip(impulses).fold(DVector::zeros(size), |y, (leg, impulse)| leg.cross(&y) + impulse);
             to_return.solve(&a).ok_or(Unknown::Unsettled)
         };
-        let mut start = settled(&kicks)?;
+        let mut start = settled(&impulses)?;
         let mut strength = 0.0;
         let rounds = if jumps { ROUNDS } else { 0 };
         for _ in 0..rounds {
             let mut y = start;
             strength = 0.0f64;
-            for (leg, kick) in legs.iter().zip(&mut kicks) {
+            for (leg, averaged) in legs.iter().zip(&mut impulses) {
                 y = leg.cross(&y);
                 let (impulse, here) = self.impulse(leg, &y)?;
                 strength = strength.max(here);
                 // Average with the previous iteration: strong impulses would otherwise overshoot.
-                *kick = (&*kick + impulse) * 0.5;
-                y += &*kick;
+                *averaged = (&*averaged + impulse) * 0.5;
+                y += &*averaged;
             }
-            start = settled(&kicks)?;
+            start = settled(&impulses)?;
             if strength >= 1.0 {
                 break;
             }
         }
-        self.look(&legs, &kicks, start, self.period / factor, strength)
+        self.quantities(&legs, &impulses, start, self.period / factor, strength)
     }
 
     fn legs(&self, factor: f64) -> Result<Vec<Leg>, Unknown> {

@@ -90,7 +90,7 @@ fn the_jump_strength_is_the_papers() {
 }
 
 #[test]
-fn what_numbers_do_not_tell_is_said() {
+fn scenes_without_a_settled_motion_name_the_reason() {
     let undamped = scene(600.0, "\"stiffness_step\", \"torques\"", &[]);
     assert_eq!(steady_of(&undamped, |_| ()).unwrap_err(), Unknown::Unsettled);
     let ramped = scene(600.0, ALL, &["laws.k.ramp=0.1 rad"]);

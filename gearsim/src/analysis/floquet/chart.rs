@@ -1,6 +1,7 @@
 //! Stability charts over one or two varied quantities.
 
 use super::Floquet;
+use crate::tolerance::analysis::SAME_RATIO;
 
 /// A quantity that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +70,7 @@ impl Chart {
         let Some(all) = all else { return self };
         let Some(first) = all.first() else { return self };
         let rising = first.windows(2).all(|w| w[1] > w[0]);
-        let same = all.iter().all(|row| row.iter().zip(first).all(|(a, b)| (a - b).abs() <= 1e-9 * b.abs()));
+        let same = all.iter().all(|row| row.iter().zip(first).all(|(a, b)| (a - b).abs() <= SAME_RATIO * b.abs()));
         if rising && same {
             self.x = Varied {
                 name: "mesh frequency / natural frequency".into(),

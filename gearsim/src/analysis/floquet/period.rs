@@ -1,6 +1,7 @@
 //! The common period of all stiffnesses, divided into stretches in which none of them steps.
 
 use crate::analysis::steady::Course;
+use crate::tolerance::analysis;
 
 /// Why the laws have no common period.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -29,13 +30,6 @@ pub struct Stretch {
     pub time: f64,
 }
 
-/// Maximum number of pitches of one mesh in a common period with another: numbers of teeth are smaller.
-const MOST_PITCHES: u64 = 1000;
-/// Relative tolerance for the ratio of two mesh frequencies to be one of whole numbers.
-const WHOLE: f64 = 1e-9;
-/// Maximum number of steps in a period.
-const MOST_STEPS: usize = 100_000;
-
 /// The common period [s] of the laws, and its stretches in their order.
 ///
 /// # Errors
@@ -50,28 +44,28 @@ pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
     let mut pitches = 1u64;
     for course in &stepping {
         let ratio = course.frequency() / first.frequency();
-        let whole = (1..=MOST_PITCHES).find(|&p| {
+        let whole = (1..=analysis::COMMON_PITCHES).find(|&p| {
             let other = ratio * p as f64;
-            other.round() >= 1.0 && (other - other.round()).abs() <= WHOLE * other
+            other.round() >= 1.0 && (other - other.round()).abs() <= analysis::FREQUENCY_RATIO * other
         });
         let Some(whole) = whole else {
             return Err(Aperiodic::Incommensurate {
                 first: first.name,
                 second: course.name,
                 ratio,
-                most: MOST_PITCHES,
+                most: analysis::COMMON_PITCHES,
             });
         };
         pitches = pitches / gcd(pitches, whole) * whole;
     }
     let period = pitches as f64 / first.frequency();
     let count = stepping.iter().map(|c| c.frequency() * period * c.levels.len() as f64).sum::<f64>();
-    if count > MOST_STEPS as f64 {
-        return Err(Aperiodic::Long { most: MOST_STEPS });
+    if count > analysis::PERIOD_STEPS as f64 {
+        return Err(Aperiodic::Long { most: analysis::PERIOD_STEPS });
     }
     let mut cuts: Vec<f64> = stepping.iter().flat_map(|c| steps(c, period)).chain([0.0, period]).collect();
     cuts.sort_by(f64::total_cmp);
-    cuts.dedup_by(|later, earlier| *later - *earlier <= 1e-12 * period);
+    cuts.dedup_by(|later, earlier| *later - *earlier <= analysis::SAME_TIME * period);
     let stretch = |pair: &[f64]| {
         let middle = 0.5 * (pair[0] + pair[1]);
         Stretch { levels: courses.iter().map(|c| level(c, middle)).collect(), time: pair[1] - pair[0] }

@@ -8,6 +8,7 @@ use nalgebra::DMatrix;
 use crate::engine::Refusal;
 use crate::run::Entry;
 use crate::scene::Scene;
+use crate::tolerance::analysis::{LINEAR_STIFFNESS, STIFFNESS_ROUNDING};
 
 /// A spring, or all springs with the same parameter.
 #[derive(Debug, Clone)]
@@ -17,9 +18,6 @@ pub struct Spring {
     /// Its part of K (n x n).
     pub stiffness: DMatrix<f64>,
 }
-
-/// Deviation from linearity, relative to the spring's stiffness, that counts as rounding error.
-const STRAIGHT: f64 = 1e-9;
 
 /// The springs of `scene`, in the order of the parameters.
 ///
@@ -43,9 +41,9 @@ pub fn of(scene: &Scene, entry: &Entry) -> Result<Vec<Spring>, Refusal> {
         let (Ok(twice), Ok(thrice)) = (matrices(i, 2.0), matrices(i, 3.0)) else { continue };
         let stiffness = &twice.stiffness - &once.stiffness;
         let bend = (&thrice.stiffness - &twice.stiffness - &stiffness).amax();
-        let rounding = 8.0 * f64::EPSILON * thrice.stiffness.amax();
+        let rounding = STIFFNESS_ROUNDING * thrice.stiffness.amax();
         let size = stiffness.amax();
-        if size > rounding && bend <= STRAIGHT * size + rounding && twice.mass == once.mass {
+        if size > rounding && bend <= LINEAR_STIFFNESS * size + rounding && twice.mass == once.mass {
             springs.push(Spring { name: parameter.name, stiffness });
         }
     }

@@ -8,6 +8,7 @@
 //! different ones of these events.
 
 use crate::run::Outcome;
+use crate::tolerance::analysis::NO_JUMP;
 use crate::trajectory::{Moment, Trajectory};
 
 /// The errors of a run.
@@ -72,9 +73,6 @@ pub fn of(run: &Outcome, reference: &Outcome, blur: f64) -> Errors {
     Errors { end, path, times, events, energy }
 }
 
-/// A change of up to this fraction of the largest value counts as rounding error, not as a jump.
-const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
-
 fn largest(column: &[f64]) -> f64 {
     column.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()))
 }
@@ -82,7 +80,7 @@ fn largest(column: &[f64]) -> f64 {
 /// The rows before an event at which a speed or the strain energy jumps; the row after the event is the next one.
 fn jumps(t: &Trajectory) -> Vec<usize> {
     let columns = || t.q_dot.iter().chain([&t.strain]);
-    let roundings: Vec<f64> = columns().map(|column| ROUNDINGS * largest(column)).collect();
+    let roundings: Vec<f64> = columns().map(|column| NO_JUMP * largest(column)).collect();
     let jumps = |i: &usize| columns().zip(&roundings).any(|(x, rounding)| (x[i + 1] - x[*i]).abs() > *rounding);
     (0..t.len().saturating_sub(1)).filter(|&i| t.moment[i] == Moment::Before).filter(jumps).collect()
 }

@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use crate::scene::solver::{Method, Precision, Solver};
 
 use super::reference::{By, Reference, recorded};
+use crate::tolerance::analysis::{RAMP, SMALLEST_RAMP};
 
 /// The scene, and the same scene under approximate equations.
 #[derive(Debug, Clone)]
@@ -127,7 +128,8 @@ fn ramp(scene: &Scene, reference: &Reference, part: f64) -> Option<Rung> {
     scene.start.q = start.q.iter().map(|q| Start::At(q[0])).collect();
     scene.start.q_dot = start.q_dot.iter().map(|v| Some(v[0])).collect();
     // A tolerance far below the error caused by the ramps themselves.
-    scene.solver = Solver { method: Some(Method::Dop853), tolerance: (1e-2 * part).max(1e-12), ..Solver::default() };
+    scene.solver =
+        Solver { method: Some(Method::Dop853), tolerance: (RAMP * part).max(SMALLEST_RAMP), ..Solver::default() };
     let blur = widths.iter().fold(0.0f64, |m, w| m.max(*w));
     Some(Rung { setting: format!("eps = {blur:.1e}"), scene, blur })
 }

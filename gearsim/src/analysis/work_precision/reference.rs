@@ -7,6 +7,7 @@ use crate::scene::solver::{Method, Precision, Solver};
 
 use super::Runner;
 use super::error::{self, Errors};
+use crate::tolerance::analysis::{self, REFERENCE};
 
 /// A reference motion.
 #[derive(Debug, Clone)]
@@ -39,12 +40,6 @@ impl Reference {
 
 /// Number of samples along the path: enough to resolve every oscillation of a short scene, few enough to keep in memory.
 pub const SAMPLES: f64 = 2000.0;
-/// Relative change of start and parameters that shows how the motion amplifies rounding errors [eps].
-const MOVED: f64 = 4.0;
-/// Tolerance of references by numerical methods. Below it rounding errors dominate.
-const TIGHTEST: f64 = 1e-13;
-/// Error of a sample of a compensated run [eps]: it is computed in plain numbers from the last event.
-const RECORDED: f64 = 16.0;
 
 /// The reference for `scene`: the run of the exact engine in twice the digits, whose error is the rounding of the recorded values
 /// (`tests/suite/engine.rs` compares it with another engine in 50 digits). If the scene does not allow this, the plain run; if it has
@@ -62,7 +57,7 @@ pub fn of(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
         Err(Refusal::Nonlinear { terms } | Refusal::CompensatedNumerical(terms)) => by_steps(&scene, terms, run),
         outcome => {
             let outcome = complete(outcome)?;
-            Ok(Reference { by: By::Compensated, outcome, error: RECORDED * f64::EPSILON })
+            Ok(Reference { by: By::Compensated, outcome, error: analysis::SAMPLE_ROUNDINGS * f64::EPSILON })
         }
     }
 }
@@ -76,14 +71,14 @@ fn plain(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
     let outcome = complete(run(&scene))?;
     let mut moved = scene.clone();
     for speed in moved.start.q_dot.iter_mut().flatten().chain(&mut moved.start.motions) {
-        *speed *= 1.0 + MOVED * f64::EPSILON;
+        *speed *= 1.0 + analysis::PERTURBATION * f64::EPSILON;
     }
     for parameter in &mut moved.parameters {
-        *parameter *= 1.0 + MOVED * f64::EPSILON;
+        *parameter *= 1.0 + analysis::PERTURBATION * f64::EPSILON;
     }
     let away = complete(run(&moved))?;
     let Errors { path, end, .. } = error::of(&away, &outcome, 0.0);
-    let carried = path.max(end) / MOVED * (outcome.counts.events() as f64).sqrt().max(1.0);
+    let carried = path.max(end) / analysis::PERTURBATION * (outcome.counts.events() as f64).sqrt().max(1.0);
     Ok(Reference { by: By::Plain, outcome, error: carried.max(f64::EPSILON) })
 }
 
@@ -91,15 +86,15 @@ fn plain(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
 fn by_steps(scene: &Scene, why: String, run: Runner<'_>) -> Result<Reference, String> {
     let by = |method| {
         let mut scene = scene.clone();
-        scene.solver = Solver { method: Some(method), tolerance: TIGHTEST, ..Solver::default() };
+        scene.solver = Solver { method: Some(method), tolerance: REFERENCE, ..Solver::default() };
         complete(run(&scene))
     };
     let (outcome, other) = (by(Method::Dop853)?, by(Method::Radau)?);
     let Errors { path, end, events, .. } = error::of(&other, &outcome, 0.0);
     if events != 0 {
-        return Err(format!("dop853 and radau find different numbers of events at a tolerance of {TIGHTEST:e}"));
+        return Err(format!("dop853 and radau find different numbers of events at a tolerance of {REFERENCE:e}"));
     }
-    Ok(Reference { by: By::Steps(why), outcome, error: path.max(end).max(RECORDED * f64::EPSILON) })
+    Ok(Reference { by: By::Steps(why), outcome, error: path.max(end).max(analysis::SAMPLE_ROUNDINGS * f64::EPSILON) })
 }
 
 fn complete(outcome: Result<Outcome, Refusal>) -> Result<Outcome, String> {

@@ -4,12 +4,10 @@ use super::WorkPrecision;
 use super::ladder::Kind;
 use super::measure::Curve;
 use super::reference::By;
+use crate::tolerance::analysis::CHAOTIC;
 
 /// The errors at which times are compared.
 pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
-
-/// If the error of the reference exceeds this, the motion is chaotic: errors of the state mean nothing.
-const CHAOS: f64 = 1e-2;
 
 /// The time that a method needs for a given error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +63,7 @@ pub fn words(measured: &WorkPrecision) -> String {
     if let By::Steps(_) = measured.reference {
         said.push("Cells are not linear here: there is no exact solution.".into());
     }
-    if floor > CHAOS {
+    if floor > CHAOTIC {
         let grown = "Before the end a rounding error grows to the size of the motion itself; then errors mean nothing:";
         said.push(format!("{grown} use a shorter run, with --set run.t_end, or the errors in energy."));
         return said.join(" ");

@@ -42,7 +42,7 @@ fn prices_are_interpolated_in_logarithms() {
 }
 
 #[test]
-fn words_say_what_is_measured() {
+fn the_text_states_the_measurements() {
     let curves = vec![
         curve("exact cells", Kind::Method, &[(0.0, 3e-4, true)]),
         curve("steps", Kind::Method, &[(1e-4, 1e-3, true), (1e-8, 0.1, true)]),

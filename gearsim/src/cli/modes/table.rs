@@ -3,11 +3,12 @@
 use std::fmt::Write;
 
 use crate::analysis::modes::springs::Spring;
-use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, NEAR, Vibration, meetings};
+use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, Vibration, meetings};
 use crate::analysis::steady::Course;
 use crate::cli::number::short;
 use crate::cli::terminal;
 use crate::scene::Scene;
+use crate::tolerance::analysis::NEAR_RESONANCE;
 
 /// Shares of energy below this are not printed.
 const LEAST: f64 = 0.005;
@@ -117,7 +118,11 @@ fn harmonics(courses: &[Course], chosen: &CellModes) -> String {
     }
     let near = meetings(courses, chosen);
     if near.is_empty() {
-        let _ = writeln!(text, "  none of its first {HARMONICS} harmonics is within {:.0} % of a mode", 100.0 * NEAR);
+        let _ = writeln!(
+            text,
+            "  none of its first {HARMONICS} harmonics is within {:.0} % of a mode",
+            100.0 * NEAR_RESONANCE
+        );
     }
     for m in near {
         let percent = 100.0 * (m.ratio - 1.0);

@@ -1,7 +1,7 @@
-//! A linear cell in twice the digits: the modes of the plain cell, taken on from its digits.
+//! A linear cell in double-double precision. The modes of the plain cell are refined.
 //!
-//! The plain shapes X are good to 1e-16. One step of X (1 - E/2 + 3 E²/8), E = XᵀMX - 1, makes them orthonormal to
-//! 1e-32, and Jacobi rotations of XᵀKX, which is nearly diagonal, do the rest.
+//! The plain shapes X have an error of 1e-16. Two steps X (1 - E/2 + 3 E²/8), E = XᵀMX - 1, make them orthonormal to 1e-32. XᵀKX
+//! is then nearly diagonal, and Jacobi rotations diagonalise it.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -10,34 +10,31 @@ use crate::engine::cell;
 use crate::engine::compensated::mode::Mode;
 use crate::engine::equations::Matrices;
 use crate::engine::error::Refusal;
+use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI};
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
 pub struct Cell {
-    /// The modes, in the order of the plain cell's.
+    /// The modes, in the order of the plain cell.
     pub modes: Vec<Mode>,
-    /// Mode shapes X, one a column: q = X xi.
+    /// Mode shapes X, one per column: q = X xi.
     pub shapes: DMatrix<Df64>,
-    /// Xᵀ M: modal speeds from speeds.
+    /// Xᵀ M: gives the modal speeds from the speeds.
     pub momentum: DMatrix<Df64>,
-    /// Xᵀ f: modal loads.
+    /// Xᵀ f: the modal loads.
     pub load: DVector<Df64>,
-    /// Bound on the rates of its modes [1/s].
+    /// Upper bound of the rates of its modes [1/s].
     pub rate: f64,
 }
 
-/// Damping between two modes above this fraction of the strongest is no rounding.
-const COUPLED: f64 = 1e-18;
-/// What is left of XᵀKX beside its diagonal, relative to it.
-const DIAGONAL: f64 = 1e-31;
-/// From nearly diagonal, Jacobi's method converges in two sweeps.
+/// Maximum number of sweeps. Jacobi's method converges in about two for a nearly diagonal matrix.
 const MOST_SWEEPS: usize = 20;
 
 impl Cell {
-    /// The cell with the given matrices, from the `plain` one.
+    /// The cell with the given matrices, refined from the `plain` one.
     ///
     /// # Errors
-    /// Where damping couples the modes.
+    /// If damping couples the modes.
     pub fn new(matrices: &Matrices<Df64>, plain: &cell::Cell) -> Result<Self, Refusal> {
         let Matrices { mass, damping, stiffness, load, .. } = matrices;
         let n = mass.nrows();
@@ -50,7 +47,7 @@ impl Cell {
         let strongest = (0..n).map(|i| modal[(i, i)].hi().abs()).fold(0.0, f64::max);
         let pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
         let coupling = pairs.map(|at| modal[at].hi().abs()).fold(0.0, f64::max);
-        if plain.coupling.is_some() || coupling > COUPLED * strongest {
+        if plain.coupling.is_some() || coupling > COMPENSATED_COUPLED * strongest {
             return Err(Refusal::CompensatedCoupling);
         }
         let mode = |i: usize| {
@@ -66,7 +63,7 @@ impl Cell {
     }
 }
 
-/// X with XᵀMX closer to 1 by the cube of what it lacks.
+/// One step towards XᵀMX = 1. The error of the result is the cube of the error of `x`.
 fn orthonormal(mass: &DMatrix<Df64>, x: &DMatrix<Df64>) -> DMatrix<Df64> {
     let n = x.nrows();
     let one = DMatrix::from_diagonal_element(n, n, Df64::from(1.0));
@@ -74,7 +71,7 @@ fn orthonormal(mass: &DMatrix<Df64>, x: &DMatrix<Df64>) -> DMatrix<Df64> {
     x * (&one - &e * Df64::from(0.5) + &e * &e * Df64::from(0.375))
 }
 
-/// The diagonal of a nearly diagonal symmetric matrix after Jacobi's rotations, which turn the columns of `x` too.
+/// The diagonal of a nearly diagonal symmetric matrix after Jacobi rotations. They are applied to the columns of `x` too.
 fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>) -> Vec<Df64> {
     let n = a.nrows();
     let one = Df64::from(1.0);
@@ -82,7 +79,7 @@ fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>) -> Vec<Df64> {
         let mut turned = false;
         for (p, q) in (0..n).flat_map(|p| (p + 1..n).map(move |q| (p, q))) {
             let (app, aqq, apq) = (a[(p, p)], a[(q, q)], (a[(p, q)] + a[(q, p)]) * 0.5);
-            if apq.hi().abs() <= DIAGONAL * app.hi().abs().max(aqq.hi().abs()) {
+            if apq.hi().abs() <= COMPENSATED_JACOBI * app.hi().abs().max(aqq.hi().abs()) {
                 continue;
             }
             turned = true;

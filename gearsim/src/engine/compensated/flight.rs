@@ -1,14 +1,15 @@
-//! The motion in a cell in twice the digits, and the instant at which a phase meets a boundary.
+//! The motion in a cell in double-double precision, and the time at which a phase reaches a boundary.
 
 use nalgebra::DVector;
 use xprec::Df64;
 
 use crate::engine::compensated::cell::Cell;
+use crate::tolerance::events::COMPENSATED_TAYLOR;
 
-/// A state in twice the digits.
+/// A state in double-double precision.
 #[derive(Debug, Clone)]
 pub struct State {
-    /// Coordinates, less whole pitches (N).
+    /// Coordinates without their whole pitches (N).
     pub q: DVector<Df64>,
     /// Speeds (N).
     pub q_dot: DVector<Df64>,
@@ -24,11 +25,8 @@ pub struct Flight<'a> {
     force: DVector<Df64>,
 }
 
-/// Newton's method from 16 digits needs one step; near a graze a few.
+/// Maximum number of Newton steps. One is enough for a guess of 16 digits, a few near a graze.
 const MOST_STEPS: usize = 8;
-/// A step this short, in the fastest time of the cell and of the approach, is taken by the Taylor polynomial of second
-/// order: its cube is 1e-30.
-const NEAR: f64 = 1e-10;
 
 impl<'a> Flight<'a> {
     /// The motion from `start` on.
@@ -39,7 +37,7 @@ impl<'a> Flight<'a> {
         Flight { cell, start, speed, force }
     }
 
-    /// xi(t) - xi(0) and xi'(t) - xi'(0) of the modes.
+    /// xi(t) - xi(0) and xi'(t) - xi'(0) of the modes after the time `t` [s].
     fn modal(&self, t: Df64) -> (DVector<Df64>, DVector<Df64>) {
         let n = self.speed.len();
         let (mut moved, mut gained) = (DVector::from_element(n, t), DVector::from_element(n, t));
@@ -52,7 +50,7 @@ impl<'a> Flight<'a> {
         (moved, gained)
     }
 
-    /// Modal speeds, accelerations and their rates.
+    /// Speeds, accelerations and jerks of the modes.
     fn rates(&self, moved: &DVector<Df64>, gained: &DVector<Df64>) -> [DVector<Df64>; 3] {
         let v = &self.speed + gained;
         let modes = &self.cell.modes;
@@ -72,8 +70,8 @@ impl<'a> Flight<'a> {
         self.state(&moved, &gained)
     }
 
-    /// The time near `t` [s] at which coordinate `phase` is at `boundary`, and the state there. Where there is none, which
-    /// is a touch within the tolerance of the plain search, `t` and the state then.
+    /// The time near `t` [s] at which coordinate `phase` reaches `boundary`, and the state there. If it does not reach it, e.g.
+    /// at a graze, `t` and the state at `t`.
     pub fn meet(&self, phase: usize, boundary: f64, t: f64) -> (Df64, State) {
         let weight = |i: usize| self.cell.shapes[(phase, i)];
         let along = |x: &DVector<Df64>| (0..x.len()).fold(Df64::from(0.0), |sum, i| sum + weight(i) * x[i]);
@@ -84,13 +82,13 @@ impl<'a> Flight<'a> {
             let [v, a, jerk] = self.rates(&moved, &gained);
             let (gap, rate) = (gap - along(&moved), along(&v));
             let newton = gap / rate;
-            // Of the root of gap - rate dt - bend dt²/2, what Newton's step lacks.
+            // Relative correction of Newton's step to the root of gap - rate dt - a dt²/2.
             let lacking = 0.5 * along(&a).hi() * newton.hi() / rate.hi();
             let dt = newton - newton * lacking;
             if !dt.hi().is_finite() {
                 break;
             }
-            if dt.hi().abs() * self.cell.rate <= NEAR && lacking.abs() <= NEAR {
+            if dt.hi().abs() * self.cell.rate <= COMPENSATED_TAYLOR && lacking.abs() <= COMPENSATED_TAYLOR {
                 moved += (v + &a * (dt * 0.5)) * dt;
                 gained += (a + jerk * (dt * 0.5)) * dt;
                 return (t + dt, self.state(&moved, &gained));

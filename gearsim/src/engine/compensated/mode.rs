@@ -1,7 +1,8 @@
-//! One mode in twice the digits: xi'' + 2 sigma xi' + omega² xi = g, as [`crate::engine::mode`] has it, with S1 and S2 in
-//! double-double numbers.
+//! One mode, xi'' + 2 sigma xi' + omega² xi = g, in double-double precision. The formulas are those of [`crate::engine::mode`].
 
 use xprec::Df64;
+
+use crate::tolerance::modes::{COMPENSATED_SERIES_SPAN, COMPENSATED_SERIES_TERM, OVERDAMPED};
 
 /// Constants of a mode.
 #[derive(Debug, Clone, Copy)]
@@ -10,11 +11,11 @@ pub struct Mode {
     pub sigma: Df64,
     /// Square of the undamped natural angular frequency, omega² [1/s²].
     pub omega2: Df64,
-    /// How it moves.
+    /// The form of its motion.
     kind: Kind,
 }
 
-/// How a mode moves.
+/// The form of a mode's motion.
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     /// sigma = omega = 0: rigid-body motion.
@@ -26,9 +27,6 @@ enum Kind {
     /// sigma > omega: decay rates slow = sigma - kappa (may be 0), fast = sigma + kappa.
     Over { kappa: Df64, slow: Df64, fast: Df64 },
 }
-
-/// Below this product of rate and time the closed forms cancel more digits than there are to spare.
-const SHORT: f64 = 1e-2;
 
 impl Mode {
     /// The mode with damping `sigma` >= 0 [1/s] and stiffness `omega2` >= 0 [1/s²].
@@ -54,11 +52,11 @@ impl Mode {
         if let Kind::Rigid = kind {
             return (t, t * t * 0.5);
         }
-        if (omega2.hi().sqrt() + 2.0 * sigma.hi()) * t.hi() < SHORT {
+        if (omega2.hi().sqrt() + 2.0 * sigma.hi()) * t.hi() < COMPENSATED_SERIES_SPAN {
             return self.series(t);
         }
         let decay = (-sigma * t).exp_m1();
-        // S2 from the decayed cosine less one and S1, as in the plain mode.
+        // S2 from S1 and e^{-sigma t} cos(wt) - 1, as in the plain mode.
         let by_increments = |cosine_less_one: Df64, s1: Df64| (s1, -(cosine_less_one + sigma * s1) / omega2);
         match kind {
             Kind::Rigid => unreachable!("answered above"),
@@ -70,7 +68,7 @@ impl Mode {
             Kind::Critical => by_increments(decay, (decay + 1.0) * t),
             Kind::Over { kappa, slow, fast } => {
                 let s1 = -(-slow * t).exp() * (-kappa * t * 2.0).exp_m1() / (kappa * 2.0);
-                if kappa.hi() > 0.5 * sigma.hi() {
+                if kappa.hi() > OVERDAMPED * sigma.hi() {
                     return (s1, (decayed(slow, t) - decayed(fast, t)) / (kappa * 2.0));
                 }
                 by_increments(((-slow * t).exp_m1() + (-fast * t).exp_m1()) * 0.5, s1)
@@ -78,7 +76,7 @@ impl Mode {
         }
     }
 
-    /// Taylor series: S1'' + 2 sigma S1' + omega² S1 = 0 term by term.
+    /// Taylor series of S1 and S2. The terms follow from S1'' + 2 sigma S1' + omega² S1 = 0.
     fn series(&self, t: Df64) -> (Df64, Df64) {
         let (a, b) = (self.sigma * t * 2.0, self.omega2 * t * t);
         let (mut previous, mut term) = (Df64::from(0.0), t);
@@ -89,7 +87,7 @@ impl Mode {
             (previous, term) = (term, next);
             s1 += term;
             s2 += term * t / (k + 2.0);
-            if term.hi().abs() + previous.hi().abs() <= 1e-36 * t.hi() {
+            if term.hi().abs() + previous.hi().abs() <= COMPENSATED_SERIES_TERM * t.hi() {
                 break;
             }
         }

@@ -1,20 +1,22 @@
-//! What damping takes from modes that it couples: ∫ uᵀG u dt of u = sum X1 a' + X2 a'', an integral of the speeds.
+//! Energy dissipated by modes that damping couples: ∫ uᵀG u dt with u = sum X1 a' + X2 a'', an integral of the speeds.
 //!
-//! In closed form over all pairs of exponentials, u = sum c phi e^{lambda t}, phi = X1 + lambda X2:
+//! In closed form, over all pairs of exponentials, with u = sum c phi e^{lambda t} and phi = X1 + lambda X2:
 //!
 //! ```text
 //! ∫ uᵀG u dt = sum_{k,l} c_k c_l (phi_kᵀG phi_l) (e^{(lambda_k + lambda_l) t} - 1)/(lambda_k + lambda_l)
 //! ```
 //!
-//! and by Gauss-Legendre quadrature where that cancels: for short times, and near critical damping. With e_k = e^{lambda_k t} - 1,
-//! one exponential a mode, the numerator is e_k + e_l + e_k e_l. It cancels where two eigenvalues are nearly opposite, but there
-//! the weight is as small as their sum: what damping takes from a mode is what makes it decay. The rounding is one of the
-//! modes' energy.
+//! With e_k = e^{lambda_k t} - 1, one exponential for each mode, the numerator is e_k + e_l + e_k e_l. It cancels if two
+//! eigenvalues are nearly opposite. The weight phi_kᵀG phi_l is then as small as their sum, because the dissipated energy is what
+//! makes a mode decay. The error is therefore a rounding error of the energy of the modes.
+//!
+//! For short times and near critical damping the closed form cancels, and Gauss-Legendre quadrature is used.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::engine::modal::Coupled;
-use crate::engine::mode::{GAUSS_16, Mode, SHORT};
+use crate::engine::mode::{GAUSS_16, Mode};
+use crate::tolerance::modes::{DECAYED, EIGENVALUES_APART, QUADRATURE_PANEL, SERIES_SPAN};
 
 /// The damped modes of one cell.
 #[derive(Debug, Clone)]
@@ -24,22 +26,20 @@ pub struct Loss {
     by_speed: DMatrix<f64>,
     by_acceleration: DMatrix<f64>,
     damping: DMatrix<f64>,
-    /// The exponentials; `None` where two of them nearly coincide.
+    /// The closed form; `None` if two eigenvalues of a mode nearly coincide.
     closed: Option<Closed>,
-    /// Fastest rate \[1/s\].
+    /// Fastest rate of the damped modes \[1/s\].
     rate: f64,
 }
 
-/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l); over one where the sum is zero.
+/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l). If the sum is zero, the weight is
+/// not divided.
 #[derive(Debug, Clone)]
 struct Closed {
-    /// Mode of each, lambda, and the other of its pair.
+    /// For each exponential: index of the mode, lambda, and the other eigenvalue of the mode.
     exponents: Vec<(usize, Complex<f64>, Complex<f64>)>,
     weights: DMatrix<Complex<f64>>,
 }
-
-/// Eigenvalues closer than this part of their size are not taken apart.
-const APART: f64 = 0.1;
 
 impl Loss {
     pub fn new(coupled: &Coupled) -> Loss {
@@ -59,21 +59,22 @@ impl Loss {
         }
     }
 
-    /// The integral until `t` \[s\] from the speeds a' and accelerations a'' of the modes at the start.
+    /// The integral from 0 to `t` \[s\], from the speeds a' and accelerations a'' of the modes at the start.
     pub fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
         match &self.closed {
-            Some(closed) if self.rate * t >= SHORT => closed.until(rates, t),
+            Some(closed) if self.rate * t >= SERIES_SPAN => closed.until(rates, t),
             _ => self.by_quadrature(rates, t),
         }
     }
 
-    /// Panels over which the fastest motion that is left turns by two radians; the 16-point rule is exact to rounding there.
+    /// Quadrature over panels. In each, the fastest mode that has not yet decayed turns by at most two radians, so that the
+    /// 16-point rule is exact to rounding.
     fn by_quadrature(&self, rates: &[(f64, f64)], t: f64) -> f64 {
         let (mut begin, mut sum) = (0.0, 0.0);
         while begin < t {
-            let alive = |mode: &&Mode| slowest(mode) * begin < 40.0;
+            let alive = |mode: &&Mode| slowest(mode) * begin < DECAYED;
             let rate = self.modes.iter().filter(alive).map(|mode| mode.rate).fold(0.0, f64::max);
-            let end = if rate > 0.0 { t.min(begin + 2.0 / rate) } else { t };
+            let end = if rate > 0.0 { t.min(begin + QUADRATURE_PANEL / rate) } else { t };
             if end <= begin {
                 break;
             }
@@ -107,7 +108,7 @@ impl Loss {
     }
 }
 
-/// Rate at which a mode has died away, at least \[1/s\].
+/// Lower bound of the decay rate of a mode \[1/s\].
 fn slowest(mode: &Mode) -> f64 {
     let (sigma, omega2) = (mode.sigma, mode.omega2);
     if sigma * sigma <= omega2 { sigma } else { omega2 / (sigma + (sigma * sigma - omega2).sqrt()) }
@@ -120,7 +121,7 @@ impl Closed {
             let Mode { sigma, omega2, .. } = coupled.modes[k];
             let omega = omega2.sqrt();
             let d = (omega - sigma) * (omega + sigma);
-            if d.abs() < APART * APART * omega2.max(sigma * sigma) {
+            if d.abs() < EIGENVALUES_APART * EIGENVALUES_APART * omega2.max(sigma * sigma) {
                 return None;
             }
             let (first, second) = if d > 0.0 {
@@ -150,7 +151,7 @@ impl Closed {
             let (v, a) = rates[k];
             (Complex::from(a) - other * v) / (lambda - other)
         };
-        // Each exponential's part at the start, lambda and e^{lambda t} - 1.
+        // For each exponential: its amplitude at the start, lambda and e^{lambda t} - 1.
         let all: Vec<_> = self.exponents.iter().map(|e| (part(e), e.1, exp_m1(e.1 * t))).collect();
         let mut sum = 0.0;
         for (j, (d, other, f)) in all.iter().enumerate() {
@@ -170,7 +171,7 @@ fn is_zero(lambda: Complex<f64>) -> bool {
     lambda == Complex::from(0.0)
 }
 
-/// e^x - 1.
+/// e^x - 1, without cancellation.
 fn exp_m1(x: Complex<f64>) -> Complex<f64> {
     let (decay, (h, c)) = (x.re.exp_m1(), (0.5 * x.im).sin_cos());
     let e = 1.0 + decay;

@@ -1,33 +1,33 @@
-//! Where a polynomial is positive, by its coefficients in Bernstein's basis.
+//! The sign of a polynomial from its coefficients in the Bernstein basis.
 //!
-//! p(t) = sum b_i C(n, i) u^i (1 - u)^(n-i), u = t/T: the basis is positive within (0, T), so that p is where all b_i are, and falls
-//! where they do. De Casteljau's halving gives the coefficients of either half; they are means, which cost no digits.
+//! p(t) = sum b_i C(n, i) u^i (1 - u)^(n-i) with u = t/T. The basis functions are positive within (0, T). Therefore p is positive
+//! there if all b_i are, and p decreases if the b_i do. De Casteljau's bisection gives the coefficients on each half. They are
+//! mean values, so no digits are lost.
 
-/// Coefficients over an interval of length 1, the first at its beginning.
+use crate::tolerance::events::BERNSTEIN_ROUNDING;
+
+/// Coefficients on an interval of length 1, from its beginning to its end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bernstein<const K: usize>([f64; K]);
 
-/// What there is of roots, as parts of the interval.
+/// Result of a root search. Times are fractions of the interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum First {
     /// No root after the beginning.
     None,
-    /// No root before the first of the two; one between them, where p falls.
+    /// No root before the first time. Exactly one between the two times, where p decreases.
     Single(f64, f64),
-    /// No root before this; what comes after is not decided.
+    /// No root before this time; after it, the result is undecided.
     Open(f64),
 }
 
-/// What the coefficients themselves may be off, of their size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
 impl<const K: usize> Bernstein<K> {
-    /// Those of sum c_k t^k over [0, `until`], lowered by rounding.
+    /// The coefficients of sum c_k t^k on [0, `until`], lowered by their rounding errors.
     pub fn of(c: [f64; K], until: f64) -> Self {
         let mut scaled = c;
         let mut power = 1.0;
         for c in &mut scaled {
-            *c = (*c - ROUNDING * c.abs()) * power;
+            *c = (*c - BERNSTEIN_ROUNDING * c.abs()) * power;
             power *= until;
         }
         // b_i = sum over k <= i of C(i, k)/C(n, k) c_k
@@ -42,7 +42,7 @@ impl<const K: usize> Bernstein<K> {
         Bernstein(b)
     }
 
-    /// The first root, sought by at most so many `halvings`, one within another.
+    /// The first root, with at most `halvings` nested bisections.
     pub fn first(self, halvings: u32) -> First {
         self.first_in(0.0, 1.0, halvings)
     }
@@ -65,12 +65,12 @@ impl<const K: usize> Bernstein<K> {
         }
     }
 
-    /// Whether it is positive after its beginning.
+    /// Whether p is positive on the interval, except perhaps at its beginning.
     fn is_positive(&self) -> bool {
         self.0.iter().all(|b| *b >= 0.0) && self.0.iter().any(|b| *b > 0.0)
     }
 
-    /// Whether it falls from positive, or nothing, to negative.
+    /// Whether p decreases from a value >= 0 to a negative value.
     fn falls(&self) -> bool {
         self.0[0] >= 0.0 && self.0[K - 1] < 0.0 && self.0.windows(2).all(|b| b[1] < b[0])
     }
@@ -91,7 +91,7 @@ impl<const K: usize> Bernstein<K> {
 mod tests {
     use super::{Bernstein, First};
 
-    /// Coefficients of a product of factors 1 - t/root.
+    /// Coefficients of the product of the factors 1 - t/root.
     fn with_roots<const K: usize>(roots: [f64; K]) -> [f64; 5] {
         roots.into_iter().fold([1.0, 0.0, 0.0, 0.0, 0.0], |c, root| {
             std::array::from_fn(|k| c[k] - if k > 0 { c[k - 1] / root } else { 0.0 })
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_root_is_not_passed() {
+    fn the_first_root_is_not_missed() {
         for roots in [[0.3, 0.7, 2.0, 3.0], [0.999, 1.5, 2.0, 3.0], [-1.0, 0.01, 0.02, 5.0], [0.5, 0.5001, -2.0, -3.0]]
         {
             let first = roots.into_iter().filter(|r| *r > 0.0).fold(f64::INFINITY, f64::min);
@@ -115,9 +115,9 @@ mod tests {
         }
     }
 
-    /// (1 - 2 t)² touches zero, and is below it once lowered by rounding.
+    /// (1 - 2 t)² touches zero. Lowered by its rounding error, it is negative there.
     #[test]
-    fn a_touch_is_not_passed() {
+    fn a_double_root_is_not_missed() {
         let (from, to) = match Bernstein::of([1.0, -4.0, 4.0], 1.0).first(30) {
             First::None => panic!("a touch was passed"),
             First::Single(from, to) => (from, to),
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn a_start_at_a_root_is_not_one() {
+    fn a_root_at_the_start_is_not_reported() {
         assert_eq!(Bernstein::of([0.0, 1.0, -0.5], 1.0).first(30), First::None);
         assert_eq!(Bernstein::of([0.0, 0.0, 1.0], 1.0).first(30), First::None);
     }

@@ -1,38 +1,37 @@
-//! A phase that leaves a boundary, and may be back soon: s(0) = 0 is a known root, and is divided out.
+//! The return of a phase that has just left a boundary. The root s(0) = 0 is known and is divided out.
 //!
-//! The next root of s(t) is the first of
+//! The next root of s(t) is the first root of
 //!
 //! ```text
 //! s(t)/t = s'(0) + s''(0) t/2 + s'''(0) t²/6 + ...
 //! ```
 //!
-//! as a polynomial with a bound on its remainder, over a time in which that is small. Its coefficients are known to roundings of
-//! their own, s'(0) from the state: the return of a bounce is as exact as 2 s'(0)/s''(0) is, though the phase itself, the
-//! sum of what its modes contribute, is known to roundings of these only.
+//! This is a polynomial with a bound on its remainder, over a time for which the remainder is small. Each coefficient has its own
+//! rounding error, and s'(0) comes from the state. The time of the return is therefore as exact as 2 s'(0)/s''(0). The phase
+//! itself is a sum over modes, with the rounding errors of its largest term.
 
 use super::bernstein::{Bernstein, First};
 use super::{Search, Side};
 use crate::engine::cell::Point;
 use crate::engine::signal::{Series, TERMS};
+use crate::tolerance::events;
 
-/// What becomes of it.
+/// Result of the search for a return.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Departure {
-    /// It is back.
-    Back { side: Side, t: f64 },
-    /// It meets nothing before this time.
+    /// The phase returns to its boundary at the time `t` [s].
+    Returns { side: Side, t: f64 },
+    /// The phase reaches no boundary before the time `until` [s].
     Clear { until: f64 },
 }
 
-/// The series is used while time times the fastest rate is below this.
-const NEAR: f64 = 0.25;
-/// Halvings to separate the return from what comes after.
+/// Maximum number of bisections that separate the return from later roots.
 const HALVINGS: u32 = 60;
-/// Newton's steps to the return, at most.
+/// Maximum number of Newton steps to the return.
 const MOST_NEWTON: u32 = 60;
 
 impl Search<'_> {
-    /// Whether a phase that leaves a boundary is back soon; `None` where it does not leave one, or cannot be.
+    /// Searches for the return of a phase that leaves a boundary; `None` if it does not leave one, or cannot return soon.
     pub(super) fn depart(&self, start: &Point) -> Option<Departure> {
         let (side, other) = match self.rate {
             r if r > 0.0 && self.down == 0.0 => (Side::Lower, self.up),
@@ -40,19 +39,23 @@ impl Search<'_> {
             _ => return None,
         };
         let (r, bound) = (self.rate.abs(), self.signal.bounds(start)[0]);
-        // Before this it meets neither boundary.
+        // Before this time the phase cannot reach the other boundary.
         let away = 2.0 * other / (r + (r * r + 2.0 * bound * other).sqrt());
-        let until = (NEAR / self.signal.flight.rate()).min(self.horizon).min(away * (1.0 - 1e-12));
+        let until = (events::DEPARTURE_SPAN / self.signal.flight.rate())
+            .min(self.horizon)
+            .min(away * (1.0 - events::BOUND_MARGIN));
         if !until.is_finite() || 2.0 * r / bound > until {
             return None;
         }
         let series = self.signal.series();
-        let away = Away::new(-r, side.sign(), &series);
-        match Bernstein::of(away.lowered(&series), until).first(HALVINGS) {
+        let quotient = Quotient::new(-r, side.sign(), &series);
+        match Bernstein::of(quotient.lowered(&series), until).first(HALVINGS) {
             First::None => Some(Departure::Clear { until }),
-            First::Single(from, to) => match away.root(from * until, to * until) {
-                // Beside what a rounding of the modes makes of s/t the remainder is nothing.
-                Some(t) if away.remainder(&series, t) <= f64::EPSILON * r => Some(Departure::Back { side, t }),
+            First::Single(from, to) => match quotient.root(from * until, to * until) {
+                // The remainder is below the rounding error of s/t.
+                Some(t) if quotient.remainder(&series, t) <= events::DEPARTURE_REMAINDER * r => {
+                    Some(Departure::Returns { side, t })
+                }
                 _ => clear(from * until),
             },
             First::Open(from) => clear(from * until),
@@ -64,15 +67,15 @@ fn clear(until: f64) -> Option<Departure> {
     (until > 0.0).then_some(Departure::Clear { until })
 }
 
-/// Coefficients of s(t)/t towards the boundary, negative until it is back.
-struct Away([f64; TERMS + 1]);
+/// Coefficients of s(t)/t in the direction of the boundary. The polynomial is negative until the return.
+struct Quotient([f64; TERMS + 1]);
 
-impl Away {
+impl Quotient {
     fn new(r: f64, sign: f64, series: &Series) -> Self {
-        Away(std::array::from_fn(|k| if k == 0 { r } else { sign * series.derivatives[k - 1] / factorial(k + 1) }))
+        Quotient(std::array::from_fn(|k| if k == 0 { r } else { sign * series.derivatives[k - 1] / factorial(k + 1) }))
     }
 
-    /// Those of -s(t)/t, lowered by what rounding and the remainder could take off.
+    /// The coefficients of -s(t)/t, lowered by their rounding errors and by the remainder.
     fn lowered(&self, series: &Series) -> [f64; TERMS + 2] {
         std::array::from_fn(|k| match k {
             0 => -self.0[0],
@@ -81,7 +84,7 @@ impl Away {
         })
     }
 
-    /// What the remainder may add at `t`.
+    /// Bound on the remainder of s(t)/t at `t`.
     fn remainder(&self, series: &Series, t: f64) -> f64 {
         series.bound / factorial(TERMS + 2) * t.powi(TERMS as i32 + 1)
     }
@@ -91,7 +94,7 @@ impl Away {
         self.0.iter().rev().fold((0.0, 0.0), |(y, slope), c| (y * t + c, slope * t + y))
     }
 
-    /// The root in a bracket, by Newton's method.
+    /// The root in a bracket, by Newton's method; `None` if the polynomial has no sign change there.
     fn root(&self, mut low: f64, mut high: f64) -> Option<f64> {
         if self.at(high).0 <= 0.0 {
             return None;
@@ -105,7 +108,7 @@ impl Away {
                 low = t
             }
             let next = t - y / slope;
-            if (next - t).abs() <= f64::EPSILON * t {
+            if (next - t).abs() <= events::ROOT_ERROR * t {
                 return Some(next);
             }
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };

@@ -1,19 +1,17 @@
-//! The search where the phase may turn: by steps that are proved not to pass a crossing, until one simple root is proved to lie
-//! ahead, or the phase is at a boundary and passes it.
+//! The search for a crossing if the phase may reverse. It advances by steps that are proved to contain no crossing, until one
+//! simple root is proved to lie ahead, or the phase is at a boundary and passes it.
 
 use super::departure::Departure;
 use super::step::Approach;
 use super::{Cost, Lost, Search, Side};
 use crate::engine::cell::Point;
-
-/// More steps than this mean that the search is stuck.
-const MOST_STEPS: u64 = 1_000_000;
+use crate::tolerance::events::SEARCH_STEPS;
 
 impl Search<'_> {
-    /// Marches by steps that cannot pass a crossing.
+    /// Advances by steps that contain no crossing.
     pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         match self.depart(point) {
-            Some(Departure::Back { side, t }) => {
+            Some(Departure::Returns { side, t }) => {
                 self.go(point, t, cost);
                 return Ok((t < self.horizon).then_some(side));
             }
@@ -22,7 +20,7 @@ impl Search<'_> {
         }
         let tolerance = self.tolerance();
         let mut approached = [false; 2];
-        for _ in 0..MOST_STEPS {
+        for _ in 0..SEARCH_STEPS {
             cost.steps += 1;
             let t = point.t;
             let [moved, rates @ ..] = self.signal.derivatives(point);
@@ -42,17 +40,17 @@ impl Search<'_> {
                 let [r, a, j, _] = rates.map(|x| sign * x);
                 let gap = full - sign * moved;
                 if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
-                    // Here or hereabouts: does it pass, or turn within the tolerance?
+                    // At the boundary, within the tolerance: the phase passes it, or reverses within the tolerance.
                     let turns = a + rounding.acceleration < 0.0;
                     if !turns || gap + r * r / (2.0 * a) <= -tolerance {
-                        return Ok(self.here(side, full, [gap, r, a], rounding.value, point, cost));
+                        return Ok(self.at_boundary(side, full, [gap, r, a], rounding.value, point, cost));
                     }
                     cost.grazes += 1;
                     approached[i] = false;
                     h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
                     continue;
                 }
-                // Turned between two steps: was that a touch?
+                // The phase reversed between two steps. If its distance was within the tolerance there, it was a graze.
                 if approached[i] && r < 0.0 && gap <= tolerance + r * r / (2.0 * a.abs()) {
                     cost.grazes += 1;
                 }
@@ -77,15 +75,15 @@ impl Search<'_> {
             }
             self.go(point, if next > t { next } else { t.next_up() }, cost);
         }
-        Err(Lost::Stuck(MOST_STEPS))
+        Err(Lost::Stuck(SEARCH_STEPS))
     }
 
     fn sides(&self) -> [(Side, f64); 2] {
         [(Side::Upper, self.up), (Side::Lower, self.down)]
     }
 
-    /// The crossing that lies hereabouts, within the tolerance ahead or behind: found as far as the phase is known.
-    fn here(
+    /// The crossing of a phase that is at the boundary within the tolerance, before it or beyond it.
+    fn at_boundary(
         &self,
         side: Side,
         full: f64,

@@ -1,56 +1,58 @@
-//! Steps that are proved not to pass a crossing.
+//! Steps that are proved to contain no crossing.
 //!
-//! A boundary at distance f is approached at the rate r, with acceleration a and jerk j. With |s''| <= B2, |s'''| <= B3,
-//! |s''''| <= B4 from here on, it is not reached while one of these is positive:
+//! A boundary at the distance f is approached at the rate r, with the acceleration a and the jerk j. The derivatives are bounded
+//! from here on: |s''| <= B2, |s'''| <= B3, |s''''| <= B4. The boundary is not reached after the time h while one of these is
+//! positive:
 //!
 //! ```text
 //! f - r h - B2 h²/2        f - r h - a h²/2 - B3 h³/6        f - r h - a h²/2 - j h³/6 - B4 h⁴/24
 //! ```
 //!
-//! The first root of the first has a closed form, of the second where the phase leaves at once (f = r = 0, a < 0). The last is
-//! shown to be positive by its Bernstein coefficients ([`Bernstein`]), over up to [`REACH`] times the step that the others
-//! give: where the actual acceleration is far below its bound it is what makes the march fast. It is lowered by what r, a
-//! and j may be off by rounding, so that a proof that holds for the numbers holds for the phase, to a rounding of s.
+//! The first root of the first polynomial has a closed form. So has that of the second if the phase leaves the boundary (f = r =
+//! 0, a < 0). The third is proved to be positive by its Bernstein coefficients ([`Bernstein`]), over up to [`REACH`] times the
+//! step of the other two. It gives long steps where the acceleration is far below its bound. Its coefficients are lowered by the
+//! rounding errors of r, a and j. The proof then holds for the phase, to one rounding error of s.
 
 use super::super::signal::Rounding;
 use super::bernstein::{Bernstein, First};
+use crate::tolerance::events::SINGLE_ROOT;
 
-/// The last step is sought up to so many times the others.
+/// Maximum length of the step of the third polynomial, in steps of the other two.
 const REACH: f64 = 64.0;
-/// Halvings of that reach.
+/// Maximum number of bisections of this length.
 const HALVINGS: u32 = 8;
 
-/// A boundary as it is approached.
+/// The approach to a boundary at one instant.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Approach {
     /// Distance f, >= 0.
     pub gap: f64,
-    /// Rate, acceleration and jerk towards it.
+    /// Rate, acceleration and jerk in the direction of the boundary.
     pub r: f64,
     pub a: f64,
     pub j: f64,
-    /// Bounds B2, B3, B4.
+    /// Bounds B2, B3, B4 on the derivatives.
     pub bounds: [f64; 3],
-    /// What r, a, j may be off.
+    /// Rounding errors of r, a and j.
     pub rounding: Rounding,
 }
 
 impl Approach {
-    /// The earliest and latest time of the one root ahead, if there is proved to be one, simple, before anything else can
-    /// happen; rounding of the gap does not make it one.
+    /// The earliest and the latest time of the next root, if it is proved to be simple and the only one before the latest time. A
+    /// rounding error of the gap does not count as a root.
     pub fn single(&self, tolerance: f64) -> Option<(f64, f64)> {
         let Approach { gap, r, a, j, bounds: [b2, _, b4], .. } = *self;
         if r <= 0.0 {
             return None;
         }
-        // Until the latest time |s''| is below this.
+        // Bound on |s''| until the latest time.
         let span = 2.0 * (gap + tolerance) / r;
         let bound = b2.min(a.abs() + span * (j.abs() + 0.5 * span * b4));
-        (2.0 * bound * (gap + tolerance) < 0.99 * r * r)
+        (2.0 * bound * (gap + tolerance) < SINGLE_ROOT * r * r)
             .then(|| (2.0 * gap / (r + (r * r + 2.0 * bound * gap).sqrt()), 2.0 * gap / r))
     }
 
-    /// A time for which it is not passed by more than `slack`; more than `enough` is not asked for.
+    /// A time during which the boundary is not passed by more than `slack` [s]. A time longer than `enough` is not sought.
     pub fn clear(self, slack: f64, enough: f64) -> f64 {
         let gap = self.gap + slack;
         let Approach { r, a, j, bounds: [b2, b3, b4], .. } = self;
@@ -62,7 +64,7 @@ impl Approach {
         } else {
             f64::INFINITY
         };
-        // Leaving it: what the first derivatives give outweighs the bound on the next.
+        // The phase moves away: its derivatives exceed the bound on the next derivative.
         let leaving = |d: f64, bound: f64| if bound > 0.0 { -d / bound } else { f64::INFINITY };
         let third = if r <= 0.0 && a < 0.0 { 3.0 * leaving(a, b3) } else { 0.0 };
         let fourth = if r <= 0.0 && a <= 0.0 && j < 0.0 { 4.0 * leaving(j, b4) } else { 0.0 };
@@ -73,7 +75,7 @@ impl Approach {
         clear.max(Approach { gap, ..self }.further((REACH * clear).min(enough)))
     }
 
-    /// The same by the polynomial of fourth order, at most `until`.
+    /// The same with the polynomial of fourth order, at most `until`.
     fn further(&self, until: f64) -> f64 {
         let Approach { gap, r, a, j, bounds: [.., b4], rounding } = *self;
         let lowered =

@@ -1,4 +1,4 @@
-//! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
+//! The expansion of `equations!` against hand-written formulas, and its defaults for what a file does not state.
 
 use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility};
 use crate::engine::vector::{Matrix, Vector};
@@ -20,7 +20,7 @@ const SLIDING_FRICTION: u32 = 128;
 const NUMBERS: [f64; 10] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN, 0.35, f64::NAN, f64::NAN];
 const MID: f64 = 2.5e4;
 
-/// A point: q, q', k, dk, ddk.
+/// A point: q, q', k, dk and ddk.
 const Q: [f64; 2] = [0.7, 3.0e-4];
 const V: [f64; 2] = [31.0, -0.4];
 const K: [f64; 5] = [3.1e4, 1.0, 0.0, 1.0, 0.0];
@@ -31,7 +31,7 @@ fn gear_pair(effects: u32) -> Box<dyn Equations> {
     GearPair::equations(effects, &NUMBERS, &[MID]).unwrap()
 }
 
-/// M1, M2 and C of the gear pair.
+/// M1, M2 and C of the gear pair, from the parameters above.
 fn constants() -> (f64, f64, f64) {
     let [n1, n2, i1, i2, zeta, ..] = NUMBERS;
     let (a, b) = (n1 * n1 / i1, n2 * n2 / i2);
@@ -72,8 +72,8 @@ fn accelerations() {
     close(&(&mobility(&e.mass()) * &e.force(&Q, &V, &K, &DK)), &expected);
 }
 
-/// The accelerations are at most quadratic in q and q' beside k, so central differences along them are all but exact;
-/// along theta the laws move with the phase.
+/// The jacobian against central differences. The accelerations are at most quadratic in q and q', so the differences along these
+/// are exact to rounding. Along theta the laws change with the phase.
 #[test]
 fn jacobian() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
@@ -95,7 +95,7 @@ fn jacobian() {
     assert_eq!([by_v[(0, 0)], by_v[(1, 0)]], [0.0, 0.0]);
 }
 
-/// Larger models are not inverted symbolically: the forces' derivatives then go through M⁻¹.
+/// Larger models have no symbolic inverse of M. The derivatives of the forces are then multiplied by M⁻¹.
 #[test]
 fn jacobian_of_a_larger_model() {
     let model = Idler::MODEL;
@@ -104,7 +104,7 @@ fn jacobian_of_a_larger_model() {
     let parameters: Vec<f64> = (0..model.parameters.len()).map(|i| 1.3 + 0.7 * i as f64).collect();
     let e = Idler::equations(effects.0, &parameters, &[2.0, 3.0]).unwrap();
     let (q, v) = ([0.3, 0.2, -0.4], [1.1, -0.6, 0.8]);
-    // Laws of the phase q[0], cubic about where it is.
+    // Laws of the phase q[0], cubic about its present value.
     let courses = [
         [2.1, 0.7, -0.9],
         [3.3, -0.4, 0.5],
@@ -136,7 +136,8 @@ fn jacobian_of_a_larger_model() {
     }
 }
 
-/// The transmission error moves the spring: V = k (phi - e)², its force and its step by hand, and nothing without the effect.
+/// A transmission error shifts the deflection: V = k (phi - e)². Its force and its step against hand-written formulas. Without
+/// the effect it changes nothing.
 #[test]
 fn transmission_error() {
     let (k, e, de) = (K[0], 1.7e-4, 0.02);
@@ -177,9 +178,9 @@ fn cell_and_jump() {
     close(&[e.step(0, &Q, &K, 400.0)], &[400.0 * Q[1] * Q[1]]);
 }
 
-/// NaN and infinity in what an effect would use do not reach equations without it: the terms are not there.
+/// Terms of an absent effect are not compiled: NaN and infinity in the quantities they would use do not change the result.
 #[test]
-fn absent_terms_are_absent() {
+fn terms_of_absent_effects_are_not_evaluated() {
     let mut numbers = NUMBERS;
     (numbers[4], numbers[5]) = (f64::NAN, f64::NAN);
     for effects in [0, STIFFNESS_STEP | RIGID_KINEMATICS, STIFFNESS_STEP | FROZEN_PHASE] {
@@ -189,7 +190,7 @@ fn absent_terms_are_absent() {
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
         close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
         assert_eq!([e.dissipation(&V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
-        // Rigid kinematics keeps the moving phase: there the forces change with theta by the slope of k.
+        // Rigid kinematics keeps the moving phase: its forces change with theta by the slope of k.
         let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
         let [by_q, by_v] = accelerated(&e.mobility(), e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]));
         close(by_q.transpose().as_slice(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
@@ -238,7 +239,7 @@ fn model() {
     assert!(m.equations.contains("theta'' = ") && m.latex.contains(r"\ddot{\theta} = "));
 }
 
-/// A file that says the least: no closed forms, no effects, a law that never steps.
+/// The smallest valid file: no closed forms, no effects, and a law that never steps.
 mod two_masses {
     gearsim_macros::equations! {
         model two_masses "Two coupled masses joined by a spring of 1 N/m, the second one held to the ground";
@@ -256,7 +257,7 @@ mod two_masses {
 }
 
 #[test]
-fn a_file_that_says_the_least() {
+fn the_smallest_valid_file() {
     let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
     assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
     assert_eq!((e.kinetic(&[1.0, 1.0]), e.dissipation(&[1.0, 1.0], &[]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
@@ -272,9 +273,9 @@ fn a_file_that_says_the_least() {
     assert_eq!(range, Range { low: 0.0, high: 5.0, low_included: false, high_included: true });
 }
 
-/// M = D [[4, 1, 1], [1, 4, 1], [1, 1, 4]] D, and its inverse by hand, with D over two hundred decades.
+/// M = D [[4, 1, 1], [1, 4, 1], [1, 1, 4]] D against its hand-written inverse, with entries of D over 200 decades.
 #[test]
-fn inverse_of_a_mass_matrix_in_odd_units() {
+fn inverse_of_a_badly_scaled_mass_matrix() {
     let d = [1e100, 1.0, 1e-100];
     let scaled = |diagonal: f64, other: f64, d: [f64; 3]| {
         Matrix::from_fn(3, 3, |i, j| if i == j { diagonal * d[i] * d[i] } else { other * d[i] * d[j] })
@@ -285,6 +286,6 @@ fn inverse_of_a_mass_matrix_in_odd_units() {
 }
 
 #[test]
-fn no_inverse_of_an_indefinite_matrix() {
+fn an_indefinite_matrix_has_no_inverse() {
     assert!(mobility(&Matrix::from_row_slice(2, 2, &[-1.0, 0.0, 0.0, 1.0])).iter().all(|x| x.is_nan()));
 }

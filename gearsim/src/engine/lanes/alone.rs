@@ -1,4 +1,4 @@
-//! One simulation in a lane of its own: the fast way through its plain events.
+//! The kernel with one lane: plain events of a single simulation.
 
 use pulp::{Arch, NullaryFnOnce};
 
@@ -8,20 +8,20 @@ use crate::engine::lanes::{Attempt, LARGEST, Lanes};
 use crate::engine::record::State;
 use crate::engine::simulate::Simulation;
 
-/// The kernel with the cells of one simulation, whatever its number of coordinates.
+/// The kernel for one simulation, for any number of coordinates.
 pub trait Alone: Send + Sync {
-    /// The time to the next step [s], if the event there is plain.
+    /// The time to the next event [s]; `None` if the event is not plain.
     fn locate(&mut self, simulation: &Simulation<'_>) -> Option<f64>;
 
-    /// Sets `state` to that in which the phase arrives at the step that was located; gives the time [s], and the energy that damping
-    /// has taken until then [J].
+    /// Sets `state` to the state just before the located event; returns the time of the event [s], and the energy dissipated
+    /// until then [J].
     fn arrive(&self, state: &mut State) -> (f64, f64);
 
-    /// Takes the simulation beyond the step that was located; what the motion was evaluated for it is counted.
+    /// Moves the simulation past the located event, and counts the evaluations of the motion.
     fn pass(&mut self, simulation: &mut Simulation<'_>);
 }
 
-/// The kernel for a simulation; `None` if its events are never plain.
+/// The kernel for a simulation; `None` if none of its events can be plain.
 pub fn of(simulation: &Simulation<'_>) -> Option<Box<dyn Alone>> {
     let kind = Kind::of(simulation)?;
     Some(match kind.rigid.len() {
@@ -49,7 +49,7 @@ impl<const N: usize> Alone for Lane<N> {
     fn locate(&mut self, simulation: &Simulation<'_>) -> Option<f64> {
         self.lanes.load(0, simulation, false);
         let attempt = Arch::new().dispatch(Try(&self.lanes));
-        self.next = attempt.sure.says(0).then_some(attempt);
+        self.next = attempt.sure.is_set(0).then_some(attempt);
         self.next.map(|attempt| attempt.t.0[0])
     }
 
@@ -71,7 +71,7 @@ impl<const N: usize> Alone for Lane<N> {
     }
 }
 
-/// Compiled for the vector instructions that the processor has.
+/// Compiled for the vector instructions of the processor at hand.
 struct Try<'l, const N: usize>(&'l Lanes<N, 1>);
 
 impl<const N: usize> NullaryFnOnce for Try<'_, N> {

@@ -1,4 +1,4 @@
-//! The cells of scenes side by side: what the propagation of a lane needs, gathered by the cell that each lane is in.
+//! The cells of several simulations in lanes: the constants of the propagation, gathered from the cell of each lane.
 
 use crate::engine::cell::Cell;
 use crate::engine::crossing::Side;
@@ -6,7 +6,7 @@ use crate::engine::lanes::pack::{Mask, Pack};
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
 
-/// One mode of as many cells.
+/// One mode, in L cells.
 #[derive(Debug, Clone, Copy)]
 pub struct Modes<const L: usize> {
     /// Half the damping, sigma [1/s].
@@ -21,13 +21,13 @@ pub struct Modes<const L: usize> {
     pub per_w: Pack<L>,
     /// 1/omega [s]: bound on S1.
     pub gain: Pack<L>,
-    /// Coefficients of dt², ..., dt⁶ in S1(dt).
+    /// Coefficients of dt², ..., dt⁶ in the series of S1(dt).
     pub series: [Pack<L>; 5],
-    /// n.X: its part in the phase.
+    /// n.X: the contribution of the mode to the phase.
     pub part: Pack<L>,
 }
 
-/// A cell of several scenes. Aligned as its vectors are.
+/// One cell, in L simulations. It is aligned like the vectors of the processor.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub struct Cells<const N: usize, const L: usize> {
@@ -35,7 +35,7 @@ pub struct Cells<const N: usize, const L: usize> {
     pub modes: [Modes<L>; N],
     /// X (N x N).
     pub shapes: [[Pack<L>; N]; N],
-    /// What is taken off the speeds that X gives, see [`crate::engine::conserved`] (N x N).
+    /// Correction of the speeds given by X, see [`crate::engine::conserved`] (N x N).
     pub excess: [[Pack<L>; N]; N],
     /// XᵀM (N x N).
     pub momentum: [[Pack<L>; N]; N],
@@ -43,18 +43,18 @@ pub struct Cells<const N: usize, const L: usize> {
     pub springs: [[Pack<L>; N]; N],
     /// Xᵀf (N).
     pub load: [Pack<L>; N],
-    /// Bound on the rates of its modes [1/s].
+    /// Upper bound of the rates of its modes [1/s].
     pub rate: Pack<L>,
-    /// Lower and upper boundary.
+    /// Lower and upper boundary of the cell.
     pub bounds: [Pack<L>; 2],
-    /// The phase on entering the cell beyond each.
+    /// Phase after entering the cell beyond the lower and the upper boundary.
     pub entered: [Pack<L>; 2],
-    /// The stiffness matrix beyond each less that of the cell, halved (N x N): dV = q.D q.
+    /// Half the difference of the stiffness matrices of the cell beyond each boundary and of this cell (N x N): dV = q.D q.
     pub step: [[[Pack<L>; N]; N]; 2],
 }
 
 impl<const N: usize, const L: usize> Cells<N, L> {
-    /// With zeros in every lane.
+    /// A cell with zeros in every lane.
     pub fn empty() -> Self {
         let zero = Pack::all(0.0);
         let mode = Modes {
@@ -81,7 +81,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         }
     }
 
-    /// Fills a lane with cell `place` of the only law of a simulation.
+    /// Fills a lane with cell number `place` of the only law of a simulation.
     pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_>, place: usize) {
         let (law, cells) = (&simulation.now.laws[0], simulation.cells());
         let prepared = &cells.and_then(|cells| cells.all()).expect("a plain simulation has few cells")[place];
@@ -115,7 +115,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         }
     }
 
-    /// The lanes of `tables`, each from the cell that it is in.
+    /// Gathers one cell: for each lane the cell `at` which it is.
     #[inline(always)]
     pub fn gather(tables: &[Cells<N, L>], at: &[usize; L]) -> Cells<N, L> {
         let mut gathered = tables[0];
@@ -126,7 +126,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         gathered
     }
 
-    /// Every number of this with its like of the other.
+    /// Applies `f` to every number of this cell and the same number of the other.
     #[inline(always)]
     fn each(&mut self, other: &Self, mut f: impl FnMut(&mut Pack<L>, &Pack<L>)) {
         for i in 0..N {

@@ -1,20 +1,20 @@
-//! e^x - 1, sine and cosine of several numbers at once, without a branch, to an ulp or two.
+//! e^x - 1, sine and cosine of several numbers at once, without branches, with an error of one or two units in the last place.
 //!
-//! Argument reduction by Cody & Waite (Software Manual for the Elementary Functions, 1980) with constants in two and three
-//! parts; on the reduced arguments the Taylor polynomial of the exponential, and the minimax polynomials of fdlibm (Sun
-//! Microsystems, 1993) for sine and cosine.
+//! The arguments are reduced with constants in two and three parts (Cody & Waite, Software Manual for the Elementary Functions,
+//! 1980). On the reduced arguments the exponential is its Taylor polynomial; sine and cosine are the minimax polynomials of
+//! fdlibm (Sun Microsystems, 1993).
 
 use std::f64::consts::{FRAC_2_PI, LOG2_E};
 
 use crate::engine::lanes::pack::Pack;
 
-/// 1.5 * 2^52: added to a number of moderate size, it rounds it to a whole one, which then is in the lowest bits.
+/// 1.5 * 2^52. Adding it rounds a number of moderate size to a whole number, which is then in the lowest bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
-/// ln 2 in two parts, the first with trailing zeros: its small multiples are exact.
+/// ln 2 in two parts. The first has trailing zeros, so that its small multiples are exact.
 const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// pi/2 in three parts.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
-/// Largest argument of [`sin_cos`] for which the reduction is exact to rounding.
+/// Largest argument of [`sin_cos`] [rad]. The reduction is exact to rounding up to it.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
 /// e^x - 1 for -700 <= x <= 700.
@@ -24,9 +24,9 @@ pub fn exp_m1<const L: usize>(x: Pack<L>) -> Pack<L> {
         let rounded = x * LOG2_E + ROUND;
         let k = rounded - ROUND;
         let t = (x - k * LN_2[0]) - k * LN_2[1];
-        // 2^k, by its exponent.
+        // 2^k, written into the exponent bits.
         let power = f64::from_bits(rounded.to_bits().wrapping_add(1023) << 52);
-        // By pairs, which the processor does at once: a single number waits for these.
+        // Evaluate in pairs, which the processor computes in parallel: a single number waits for this result.
         let (t2, pair) = (t * t, |low: f64, high: f64| 1.0 / low + t * (1.0 / high));
         let t4 = t2 * t2;
         let low = pair(2.0, 6.0) + t2 * pair(24.0, 120.0);
@@ -64,7 +64,7 @@ pub fn sin_cos<const L: usize>(x: Pack<L>) -> (Pack<L>, Pack<L>) {
 mod tests {
     use super::*;
 
-    /// Largest difference from the standard library's, in units of the last place of 1 or of the value.
+    /// Largest difference from the function of the standard library [units in the last place, of 1 or of the value].
     fn worst(
         from: f64,
         to: f64,
@@ -83,14 +83,14 @@ mod tests {
     }
 
     #[test]
-    fn they_are_those_of_the_standard_library_to_a_rounding_or_two() {
+    fn functions_match_the_standard_library_within_two_ulp() {
         assert!(worst(-600.0, 2.0, exp_m1, f64::exp_m1, true) <= 2.0);
         assert!(worst(-1e-3, 1e-3, exp_m1, f64::exp_m1, true) <= 2.0);
         for end in [1.0, 100.0, LARGEST_ANGLE] {
             assert!(worst(-end, end, |x| sin_cos(x).0, f64::sin, false) <= 1.0, "sine up to {end}");
             assert!(worst(-end, end, |x| sin_cos(x).1, f64::cos, false) <= 1.0, "cosine up to {end}");
         }
-        // Relative to themselves where they are small.
+        // Small values have a small relative error.
         assert!(worst(-1e-3, 1e-3, |x| sin_cos(x).0, f64::sin, true) <= 1.0);
     }
 }

@@ -1,5 +1,5 @@
-//! The motion in a cell, all lanes at once: [`crate::engine::cell::Flight`] without its cases. A lane that would need
-//! one is left to the scalar engine.
+//! The motion in a cell, for all lanes at once: [`crate::engine::cell::Flight`] without its special cases. A lane that needs one
+//! is left to the general loop.
 
 use crate::engine::lanes::cells::{Cells, Modes};
 use crate::engine::lanes::elementary::{exp_m1, sin_cos};
@@ -23,13 +23,13 @@ pub struct Response<const L: usize> {
 }
 
 impl<const L: usize> Response<L> {
-    /// At the time 0.
+    /// The responses at the time 0.
     pub const NONE: Response<L> = {
         let zero = Pack([0.0; L]);
         Response { s1: zero, s2: zero, decay: zero }
     };
 
-    /// This where `mask` says so, the other elsewhere.
+    /// Selects the lanes of `mask` from `self`, the others from `other`.
     #[inline(always)]
     pub fn or(self, mask: Mask<L>, other: &Response<L>) -> Response<L> {
         Response {
@@ -40,7 +40,8 @@ impl<const L: usize> Response<L> {
     }
 }
 
-/// The responses of every mode after the time `t`. Loops, not `array::from_fn`: what is not inlined is compiled for any processor.
+/// The responses of every mode after the time `t` [s]. It uses loops instead of `array::from_fn`, because a function that is not
+/// inlined is compiled without the vector instructions of the processor at hand.
 #[inline(always)]
 pub fn responses<const N: usize, const L: usize>(
     cells: &Cells<N, L>,
@@ -63,7 +64,7 @@ pub fn responses<const N: usize, const L: usize>(
     all
 }
 
-/// What one mode answers, and how far it has moved.
+/// The responses of one mode, and its displacement and change of speed.
 #[derive(Clone, Copy)]
 pub struct Point<const L: usize> {
     s1: Pack<L>,
@@ -76,7 +77,7 @@ pub struct Point<const L: usize> {
 }
 
 impl<const L: usize> Point<L> {
-    /// This where `mask` says so, the other elsewhere.
+    /// Selects the lanes of `mask` from `self`, the others from `other`.
     #[inline(always)]
     pub fn or(self, mask: Mask<L>, other: &Point<L>) -> Point<L> {
         Point {
@@ -88,7 +89,7 @@ impl<const L: usize> Point<L> {
         }
     }
 
-    /// Not moved.
+    /// The point at the start.
     pub const STILL: Point<L> = {
         let zero = Pack([0.0; L]);
         Point { s1: zero, s2: zero, decay: zero, moved: zero, gained: zero }
@@ -114,7 +115,7 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         self.force[i] - 2.0 * self.cells.modes[i].sigma * self.speed[i]
     }
 
-    /// Every mode where its responses are known.
+    /// Every mode at the time of the given responses.
     #[inline(always)]
     pub fn all_after(&self, responses: &[Response<L>; N]) -> [Point<L>; N] {
         let mut points = [Point::STILL; N];
@@ -125,7 +126,7 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         points
     }
 
-    /// Every mode a short time `dt` on from where it was at the time `t`, by the series of S1(dt), S2(dt).
+    /// Every mode at a short time `dt` [s] after the time `t` of the points `from`, by the series of S1(dt) and S2(dt).
     #[inline(always)]
     pub fn all_shifted(&self, rigid: &[bool; N], from: &[Point<L>; N], t: Pack<L>, dt: Pack<L>) -> [Point<L>; N] {
         let mut points = [Point::STILL; N];
@@ -143,7 +144,7 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         }
         let Modes { sigma, omega2, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
         let (a, b) = (2.0 * sigma, omega2);
-        // By pairs, which the processor does at once: a single number waits for these.
+        // Evaluate in pairs, which the processor computes in parallel: a single number waits for this result.
         let dt2 = dt * dt;
         let s1 = dt * ((1.0 + dt * c2) + dt2 * ((c3 + dt * c4) + dt2 * (c5 + dt * c6)));
         let (low, middle) = (0.5 + dt * (c2 * (1.0 / 3.0)), c3 * 0.25 + dt * (c4 * 0.2));
@@ -178,7 +179,8 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         [v, a, jerk, next(a, jerk)]
     }
 
-    /// Energy lost to damping in mode `i` until a point [J], as [`crate::engine::mode::Mode::lost`] has it.
+    /// Energy dissipated in mode `i` from the start to a point [J]. The formula is that of
+    /// [`crate::engine::mode::Mode::dissipated`].
     #[inline(always)]
     pub fn dissipated(&self, i: usize, point: &Point<L>) -> Pack<L> {
         let Modes { sigma, omega2, per_omega2, w, per_w, .. } = self.cells.modes[i];

@@ -1,4 +1,4 @@
-//! Simulations handed to lanes, and back.
+//! Transfer of simulations into lanes and back.
 
 use xprec::Df64;
 
@@ -10,11 +10,11 @@ use crate::engine::lanes::{Expected, Lanes};
 use crate::engine::simulate::Simulation;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// Empty lanes for simulations of one kind, of at most N coordinates.
+    /// Empty lanes for simulations of one kind, with at most N coordinates.
     pub fn new(kind: &Kind) -> Self {
         let zero = Pack::all(0.0);
         let Kind { places, phase, ref rigid } = *kind;
-        // Modes beyond those of the model are at rest.
+        // Modes beyond those of the model stay at rest.
         let rigid = std::array::from_fn(|i| rigid.get(i).copied().unwrap_or(true));
         Lanes {
             tables: vec![Cells::empty(); places],
@@ -35,7 +35,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
     }
 
-    /// Puts a simulation into a lane; its cells only if it is `new` there.
+    /// Loads a simulation into a lane. Its cells are loaded only if it is `new` in the lane.
     pub fn load(&mut self, lane: usize, simulation: &Simulation<'_>, new: bool) {
         let law = &simulation.now.laws[0];
         if new {
@@ -56,7 +56,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         (self.at[lane], self.turns[lane], self.changes[lane]) = (law.cell, 0, 0);
     }
 
-    /// Hands its state back to a simulation.
+    /// Writes the state of a lane back to its simulation.
     pub fn unload(&self, lane: usize, simulation: &mut Simulation<'_>) {
         for i in 0..simulation.now.state.q.len() {
             simulation.now.state.q[i] = self.q[i].0[lane];

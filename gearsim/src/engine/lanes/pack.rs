@@ -1,19 +1,21 @@
-//! Numbers side by side. Plain loops over arrays: compiled for the processor at hand, each is one or two instructions.
+//! Numbers side by side. The operations are plain loops over arrays, which the compiler turns into one or two vector
+//! instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number for each of L lanes. With one lane, numbers that follow each other in memory are apart by the alignment: else the
-/// compiler makes pairs of the coordinates' numbers, and a single motion waits for the shuffles between them.
+/// One number for each of L lanes. With one lane, the alignment keeps numbers that follow each other in memory apart. Otherwise
+/// the compiler would combine the numbers of two coordinates into one vector, and a single simulation would wait for the
+/// shuffles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(16))]
 pub struct Pack<const L: usize>(pub [f64; L]);
 
-/// A yes or no for each lane: all bits, or none, as processors have it.
+/// A boolean for each lane: all bits set or none, as processors represent it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mask<const L: usize>([u64; L]);
 
 impl<const L: usize> Mask<L> {
-    /// From a yes or no for each lane.
+    /// The mask with the given boolean for each lane.
     #[inline(always)]
     pub fn of(lanes: impl Fn(usize) -> bool) -> Self {
         let mut result = [0; L];
@@ -23,13 +25,13 @@ impl<const L: usize> Mask<L> {
         Mask(result)
     }
 
-    /// Whether a lane says yes.
+    /// Whether a lane is set.
     #[inline(always)]
-    pub fn says(self, lane: usize) -> bool {
+    pub fn is_set(self, lane: usize) -> bool {
         self.0[lane] != 0
     }
 
-    /// Lanes for which both hold.
+    /// The lanes that are set in both.
     #[inline(always)]
     pub fn and(self, other: Self) -> Self {
         let mut result = [0; L];
@@ -39,7 +41,7 @@ impl<const L: usize> Mask<L> {
         Mask(result)
     }
 
-    /// Lanes for which one or both hold.
+    /// The lanes that are set in at least one.
     #[inline(always)]
     pub fn with(self, other: Self) -> Self {
         let mut result = [0; L];
@@ -49,7 +51,7 @@ impl<const L: usize> Mask<L> {
         Mask(result)
     }
 
-    /// Lanes of these that are not among the `others`.
+    /// The lanes that are set here but not in `others`.
     #[inline(always)]
     pub fn without(self, others: Self) -> Self {
         let mut result = [0; L];
@@ -59,9 +61,9 @@ impl<const L: usize> Mask<L> {
         Mask(result)
     }
 
-    /// Whether every lane says yes.
+    /// Whether all lanes are set.
     #[inline(always)]
-    pub fn everywhere(self) -> bool {
+    pub fn is_all(self) -> bool {
         let mut all = u64::MAX;
         for i in 0..L {
             all &= self.0[i];
@@ -69,9 +71,9 @@ impl<const L: usize> Mask<L> {
         all == u64::MAX
     }
 
-    /// Whether some lane is one of both.
+    /// Whether a lane is set in both.
     #[inline(always)]
-    pub fn meets(self, other: Self) -> bool {
+    pub fn intersects(self, other: Self) -> bool {
         let mut common = 0;
         for i in 0..L {
             common |= self.0[i] & other.0[i];
@@ -79,7 +81,7 @@ impl<const L: usize> Mask<L> {
         common != 0
     }
 
-    /// Whether every lane of `other` is one of these.
+    /// Whether all lanes of `other` are set here.
     #[inline(always)]
     pub fn covers(self, other: Self) -> bool {
         let mut lacking = 0;
@@ -97,13 +99,13 @@ impl<const L: usize> Pack<L> {
         Pack([x; L])
     }
 
-    /// `f` of every lane.
+    /// `f` of the number in every lane.
     #[inline(always)]
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         self.zip(self, |x, _| f(x))
     }
 
-    /// `f` of every lane of two packs.
+    /// `f` of the numbers of two packs in every lane.
     #[inline(always)]
     pub fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut result = [0.0; L];
@@ -119,26 +121,26 @@ impl<const L: usize> Pack<L> {
         self.map(f64::sqrt)
     }
 
-    /// Magnitudes.
+    /// Absolute values.
     #[inline(always)]
     pub fn abs(self) -> Self {
         self.map(f64::abs)
     }
 
-    /// Whether `test` holds, lane by lane.
+    /// The lanes in which `test` holds.
     #[inline(always)]
     pub fn compare(self, other: Self, test: impl Fn(f64, f64) -> bool) -> Mask<L> {
         Mask::of(|i| test(self.0[i], other.0[i]))
     }
 
-    /// The same as [`Pack::or`] for a mask that is nearly always the same in every lane: the processor predicts the branch, so
-    /// that what follows does not wait for the mask.
+    /// The same as [`Pack::or`], for a mask that nearly always has the same value in every lane. The processor predicts the
+    /// branch, so that the following operations do not wait for the mask.
     #[inline(always)]
-    pub fn mostly(self, mask: Mask<L>, other: Self) -> Self {
-        if mask.everywhere() { self } else { self.or(mask, other) }
+    pub fn or_uniform(self, mask: Mask<L>, other: Self) -> Self {
+        if mask.is_all() { self } else { self.or(mask, other) }
     }
 
-    /// This where `mask` says so, the other elsewhere.
+    /// Selects the lanes of `mask` from `self`, the others from `other`.
     #[inline(always)]
     pub fn or(self, mask: Mask<L>, other: Self) -> Self {
         let mut result = [0.0; L];

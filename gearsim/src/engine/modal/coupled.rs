@@ -1,18 +1,19 @@
-//! Modes that damping couples: xi'' + G xi' + Omega² xi = g, G symmetric and full, in the modes of the undamped system.
+//! Modes coupled by damping: xi'' + G xi' + Omega² xi = g, in the modes of the undamped system. G is symmetric and full.
 //!
-//! Two eigenvalues that are complex conjugates, or both real, are taken together as one real [`Mode`] of
-//! s = 2 sigma = -(lambda1 + lambda2) and b = omega² = lambda1 lambda2. With a'' + s a' + b a = const,
+//! Two eigenvalues, complex conjugates or both real, form one real [`Mode`] with s = 2 sigma = -(lambda1 + lambda2) and b =
+//! omega² = lambda1 lambda2. With a'' + s a' + b a = const,
 //!
 //! ```text
 //! xi' = sum X1 a' + X2 a''
 //! (Omega² - b) X1 = b (G - s) X2,   (Omega² - b) X2 + (G - s)(X1 - s X2) = 0
 //! ```
 //!
-//! and nothing is lost where the two eigenvalues meet, at critical damping. Modes that nothing couples keep X1 = 1, X2 = 0.
+//! This form stays regular where the two eigenvalues coincide, at critical damping. Modes that are not coupled have X1 = 1, X2 =
+//! 0.
 //!
-//! The parts of a motion follow from biorthogonality. Z_k = [X1, X2; -b X2, X1 - s X2] are invariant subspaces of
-//! B z' = A z, z = (xi', xi''), B = [G, 1; 1, 0], and B-orthogonal to one another (P. Lancaster, Lambda-matrices and
-//! vibrating systems, 1966); B z = (F, xi') with F = g - Omega² xi.
+//! The modal amplitudes of a motion follow from biorthogonality. Z_k = [X1, X2; -b X2, X1 - s X2] are invariant subspaces of B z'
+//! = A z with z = (xi', xi'') and B = [G, 1; 1, 0]. They are B-orthogonal to one another (P. Lancaster, Lambda-matrices and
+//! Vibrating Systems, 1966). B z = (F, xi') with F = g - Omega² xi.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,15 +21,17 @@ use super::pairs::{Pair, eigenpairs};
 use super::{refine, subspace};
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
+use crate::tolerance::modes::{BIORTHOGONAL, CONDITION, MISSED};
 
-/// The modes of a damped system in those of the undamped one, all n x n, a mode a column of X1, X2 and a row of the others.
+/// The modes of a damped system in the modes of the undamped one (n x n each). Each mode is a column of X1 and X2, and a row of
+/// the other matrices.
 #[derive(Debug, Clone)]
 pub struct Coupled {
-    /// The modes, by rising frequency.
+    /// The modes, in order of rising frequency.
     pub modes: Vec<Mode>,
-    /// X1: xi' of a mode by its a'.
+    /// X1: coefficients of a' in xi'.
     pub by_speed: DMatrix<f64>,
-    /// X2: by its a''.
+    /// X2: coefficients of a'' in xi' [s].
     pub by_acceleration: DMatrix<f64>,
     /// a' = [0] xi' + [1] F.
     pub speed: [DMatrix<f64>; 2],
@@ -38,17 +41,11 @@ pub struct Coupled {
     pub damping: DMatrix<f64>,
 }
 
-/// Largest condition number c of a pair among the others: parts of the motion are up to c times its size, and their
-/// phases turn by c roundings, which leaves 8 digits.
-const WORST: f64 = 1e4;
-/// Largest part of a motion that its modes may miss.
-const INCOMPLETE: f64 = 1e-8;
-
 impl Coupled {
     /// The modes of xi'' + G xi' + diag(omega2) xi = g.
     ///
     /// # Errors
-    /// Where pairs of complex eigenvalues meet in a defective one, or damping feeds energy.
+    /// If a pair of complex eigenvalues is defective, or damping adds energy.
     pub fn of(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Coupled, Refusal> {
         let n = omega2.len();
         let mut pairs: Vec<Pair> = vec![];
@@ -85,7 +82,7 @@ impl Coupled {
     }
 }
 
-/// The sets of modes that damping couples, each by itself.
+/// The sets of modes that damping couples with one another.
 fn groups(damping: &DMatrix<f64>) -> Vec<Vec<usize>> {
     let n = damping.nrows();
     let mut seen = vec![false; n];
@@ -111,7 +108,7 @@ fn groups(damping: &DMatrix<f64>) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The pairs of one set.
+/// The pairs of eigenvalues of one set.
 fn solve(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Pair>, Refusal> {
     if let [omega2] = omega2 {
         let (x1, x2) = (DVector::from_element(1, 1.0), DVector::zeros(1));
@@ -131,10 +128,10 @@ fn solve(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Pair>, Refusal> {
     Ok(pairs)
 }
 
-/// Rows that give a', a'' of each pair from (xi', F): 2n x 2n.
+/// The rows that give a' and a'' of each pair from (xi', F) (2n x 2n).
 fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatrix<f64>, Refusal> {
     let n = omega2.len();
-    // Z as (xi', F) and as (xi', xi''): the first is B times the second, its halves exchanged.
+    // Z as (xi', F) and as (xi', xi''). The first is B times the second, with its halves exchanged.
     let (mut forces, mut rates) = (DMatrix::zeros(2 * n, 2 * n), DMatrix::zeros(2 * n, 2 * n));
     for (k, p) in pairs.iter().enumerate() {
         let (x1, x2) = (&p.x1, &p.x2);
@@ -146,7 +143,7 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
             rates.view_mut((n, 2 * k + r), (n, 1)).copy_from(&speed);
         }
     }
-    // Zᵀ B z = (xi''ᵀ, xi'ᵀ)(xi', F): orthogonal but for pairs of one cluster, whose Gram matrices are taken out.
+    // Zᵀ B z = (xi''ᵀ, xi'ᵀ)(xi', F). Pairs are orthogonal except within one cluster, whose Gram matrix is inverted.
     let products = rates.transpose() * &forces;
     let gram = DMatrix::from_fn(2 * n, 2 * n, |i, j| {
         if pairs[i / 2].cluster == pairs[j / 2].cluster { products[(i, j)] } else { 0.0 }
@@ -159,10 +156,10 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
     Ok(rows)
 }
 
-/// What is left between pairs that nearly share their eigenvalues taken out: the rows W with W Z = 1.
+/// Removes the remaining products of pairs that nearly share their eigenvalues: the rows W with W Z = 1.
 fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f64>, Refusal> {
     let size = rows.nrows();
-    let noise = 64.0 * f64::EPSILON * (rows.abs() * columns.abs());
+    let noise = BIORTHOGONAL * (rows.abs() * columns.abs());
     let product = rows * columns;
     let between = DMatrix::from_fn(size, size, |i, j| {
         let excess = product[(i, j)] - f64::from(u8::from(i == j));
@@ -175,17 +172,17 @@ fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f
     whole.lu().solve(rows).ok_or(Refusal::Defective { condition: f64::INFINITY })
 }
 
-/// Refuses modes that do not make up every motion, or only by parts much larger than their sum: sum_k |Z_k| |W_k| on its
-/// diagonal, which no scaling of coordinates or modes changes.
+/// Refuses modes that do not represent every motion, or whose contributions to a motion are much larger than the motion: the
+/// diagonal of sum_k |Z_k| |W_k|, which does not depend on the scaling of coordinates or modes.
 fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<(), Refusal> {
     let n = units.len();
     let parts = |i: usize| columns.row(i).iter().zip(rows.column(i).iter()).map(|(z, w)| (z * w).abs()).sum::<f64>();
     let condition = (0..2 * n).map(parts).fold(0.0, |worst, x| if x.is_nan() || x > worst { x } else { worst });
-    // Speeds as they are, forces over the rate of what they move.
+    // Units of the rows: 1 for speeds, and the rate of its mode for a force.
     let unit = |i: usize| if i < n { 1.0 } else { units[i - n] };
     let whole = columns * rows;
     let missed =
         DMatrix::from_fn(2 * n, 2 * n, |i, j| (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i));
-    let complete = missed.iter().all(|x| x.abs() <= INCOMPLETE);
-    if complete && condition <= WORST { Ok(()) } else { Err(Refusal::Defective { condition }) }
+    let complete = missed.iter().all(|x| x.abs() <= MISSED);
+    if complete && condition <= CONDITION { Ok(()) } else { Err(Refusal::Defective { condition }) }
 }

@@ -1,17 +1,18 @@
-//! The eigenvalues of lambda² + lambda G + Omega², G positive semidefinite, in pairs that make up a mode each.
+//! The eigenvalues of lambda² + lambda G + Omega² with G positive semidefinite, grouped in pairs. Each pair is one mode.
 //!
-//! Complex ones go with their conjugates. Of the real ones half are of the fast kind and half of the slow kind: from
-//! lambda = -inf on, where lambda² + lambda G + Omega² is positive definite, a fast one adds a negative direction to it
-//! and a slow one takes one away, like brackets: the sign characteristic (I. Gohberg, P. Lancaster & L. Rodman, Matrix
-//! Polynomials, 1982). Two of one kind pass through one another; a fast and a slow one that meet become defective, and
-//! then complex. So a fast one goes with the nearest slow one, and where they meet they do so within one mode, as at
-//! critical damping. Rigid motions that are damped have lambda = 0, slow.
+//! A complex eigenvalue forms a pair with its conjugate. Of the real eigenvalues, half are fast and half are slow. For lambda =
+//! -inf the matrix lambda² + lambda G + Omega² is positive definite. As lambda rises, it gets one more negative eigenvalue at
+//! each fast lambda and loses one at each slow lambda. This is the sign characteristic (I. Gohberg, P. Lancaster & L. Rodman,
+//! Matrix Polynomials, 1982). Two eigenvalues of the same kind can pass through one another. A fast and a slow one that meet
+//! become defective, and then complex. Therefore each fast one forms a pair with the nearest slow one: if they meet, they do so
+//! within one mode, as at critical damping. Damped rigid motions have lambda = 0, which is slow.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use crate::engine::error::Refusal;
+use crate::tolerance::modes::{EQUAL_PAIRS, NEARLY_REAL, QR, QR_ITERATIONS};
 
-/// A mode: xi' = X1 a' + X2 a'', a'' + s a' + b a = const.
+/// A mode: xi' = X1 a' + X2 a'' with a'' + s a' + b a = const.
 #[derive(Debug, Clone)]
 pub struct Pair {
     /// X1 (n).
@@ -22,26 +23,21 @@ pub struct Pair {
     pub s: f64,
     /// b = omega² = lambda1 lambda2 \[1/s²\].
     pub b: f64,
-    /// Pairs of one cluster share (s, b), or all b = 0, and need not be orthogonal to one another.
+    /// Index of its cluster. Pairs of one cluster share (s, b), or all have b = 0; they need not be orthogonal to one another.
     pub cluster: usize,
 }
 
 impl Pair {
-    /// Size of its eigenvalues \[1/s\].
+    /// Largest rate of its eigenvalues \[1/s\].
     pub fn rate(&self) -> f64 {
         self.b.sqrt().max(self.s)
     }
 }
 
-/// Imaginary parts below this part of the real ones may be rounding of two real eigenvalues that nearly meet.
-const NEARLY_REAL: f64 = 1e-6;
-/// Pairs closer than this, relative to the fastest, are one cluster.
-const COINCIDENT: f64 = 1e-11;
-
-/// Clusters of pairs (s, b) that cannot be told apart; of the modes with `omega2`, rising, and the damping `g`.
+/// The pairs (s, b), in clusters of equal pairs, of the modes with the squares `omega2` (rising) and the damping `g`.
 ///
 /// # Errors
-/// Where the eigenvalues are not found.
+/// If the eigenvalues are not found.
 pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Vec<(f64, f64)>>, Refusal> {
     let values = eigenvalues(omega2, g)?;
     let nearly_real = |z: &Complex<f64>| z.im.abs() <= NEARLY_REAL * z.re.abs();
@@ -66,9 +62,9 @@ pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Vec<(f64, f64)
     Ok(clusters(pairs, values.iter().map(|z| z.norm()).fold(0.0, f64::max)))
 }
 
-/// All eigenvalues but those of damped rigid motions at 0, which are left out exactly.
+/// All eigenvalues except those of damped rigid motions at 0, which are known exactly.
 fn eigenvalues(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Refusal> {
-    // z = (omega xi, xi'), fast modes first: the QR method keeps the digits of small eigenvalues better so.
+    // z = (omega xi, xi'), fast modes first. With this order the QR method keeps the digits of small eigenvalues.
     let mut place = vec![];
     for i in (0..omega2.len()).rev() {
         if omega2[i] > 0.0 {
@@ -83,12 +79,11 @@ fn eigenvalues(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Re
         _ => 0.0,
     });
     let size = a.amax();
-    let schur =
-        Schur::try_new(a / size, f64::EPSILON, 100_000).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
+    let schur = Schur::try_new(a / size, QR, QR_ITERATIONS).ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     Ok(schur.complex_eigenvalues().iter().map(|z| z * size).collect())
 }
 
-/// Whether each of the real eigenvalues, rising, is of the fast kind.
+/// Whether each of the real eigenvalues, in rising order, is fast.
 fn kinds(omega2: &[f64], g: &DMatrix<f64>, real: &[Complex<f64>]) -> Vec<bool> {
     let mut kinds = vec![];
     let (mut first, mut before) = (0, 0);
@@ -98,7 +93,7 @@ fn kinds(omega2: &[f64], g: &DMatrix<f64>, real: &[Complex<f64>]) -> Vec<bool> {
             continue;
         }
         let count = i - first;
-        // Beyond the last one nothing is negative, for lambda = 0 is of the slow kind.
+        // Above the last one the matrix has no negative eigenvalue, because lambda = 0 is slow.
         let after = if i == real.len() {
             0
         } else {
@@ -111,7 +106,7 @@ fn kinds(omega2: &[f64], g: &DMatrix<f64>, real: &[Complex<f64>]) -> Vec<bool> {
     kinds
 }
 
-/// Number of negative directions of lambda² + lambda G + Omega².
+/// Number of negative eigenvalues of lambda² + lambda G + Omega².
 fn negative(omega2: &[f64], g: &DMatrix<f64>, lambda: f64) -> usize {
     let n = omega2.len();
     let unit = |i: usize| (lambda * lambda - lambda * g[(i, i)] + omega2[i]).sqrt();
@@ -127,7 +122,7 @@ fn clusters(mut pairs: Vec<(f64, f64)>, fastest: f64) -> Vec<Vec<(f64, f64)>> {
     pairs.sort_by(|x, y| y.partial_cmp(x).unwrap_or(std::cmp::Ordering::Equal));
     for (s, b) in pairs {
         let near = |&(t, c): &(f64, f64)| {
-            let near = COINCIDENT * fastest;
+            let near = EQUAL_PAIRS * fastest;
             (s - t).abs() <= near && (b - c).abs() <= near * b.max(c).sqrt().max(near)
         };
         match clusters.iter_mut().find(|cluster| cluster.iter().any(near)) {

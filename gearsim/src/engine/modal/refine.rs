@@ -1,37 +1,36 @@
-//! A pair of eigenvalues and its shapes, polished by Newton's method to the digits of the matrices.
+//! Newton's method for a pair of eigenvalues and its shapes. It reaches the accuracy of the matrices.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::pairs::Pair;
 use super::subspace::{image, pencil, quadratic, row_scale};
+use crate::tolerance::modes::UNDAMPED_PAIR;
 
-/// Newton's method doubles the digits; more steps than this do not help.
+/// Maximum number of steps. Each doubles the number of correct digits.
 const STEPS: usize = 8;
-/// Damping below this part of what makes it up is rounding.
-const UNDAMPED: f64 = 1e-14;
 
-/// The pair near `start`; as it was where no step makes it better.
+/// The pair near `start`; `start` itself if no step reduces its residual.
 pub fn newton(omega2: &[f64], g: &DMatrix<f64>, start: Pair) -> Pair {
     let mut best = start;
     let mut error = residual(omega2, g, &best).amax();
     for _ in 0..STEPS {
         let Some(next) = step(omega2, g, &best) else { break };
         let rest = residual(omega2, g, &next).amax();
-        // Written so that NaN ends it.
+        // The condition is also true for NaN.
         if !(rest < 0.5 * error && next.b >= 0.0) {
             break;
         }
         (best, error) = (next, rest);
     }
-    // A pair whose shapes no damper sees keeps its energy.
+    // A pair on whose shapes no damper acts keeps its energy.
     let seen = best.x1.abs().dot(&(g.abs() * best.x1.abs())) / best.x1.norm_squared();
-    if best.s.abs() <= UNDAMPED * seen {
+    if best.s.abs() <= UNDAMPED_PAIR * seen {
         best.s = 0.0;
     }
     best
 }
 
-/// What the equations of a pair leave, scaled (2n).
+/// The residual of the equations of a pair, scaled (2n).
 fn residual(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> DVector<f64> {
     let (n, rate) = (omega2.len(), pair.rate());
     let (g1, g2) = (g * &pair.x1 - &pair.x1 * pair.s, g * &pair.x2 - &pair.x2 * pair.s);
@@ -46,7 +45,7 @@ fn residual(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> DVector<f64> {
     })
 }
 
-/// One step for (X1, rate X2, s/rate, b/rate²), across the pair: along y and C y there is nothing to gain.
+/// One Newton step for (X1, rate X2, s/rate, b/rate²), orthogonal to y and C y: changes along these do not change the pair.
 fn step(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> Option<Pair> {
     if pair.b == 0.0 {
         return step_rigid(omega2, g, pair);
@@ -80,7 +79,7 @@ fn step(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> Option<Pair> {
     Some(Pair { x1, x2, s, b, cluster: pair.cluster })
 }
 
-/// The same for the decay beside a rigid motion, which is exact: for (phi, lambda).
+/// The same for a decay beside a rigid motion, whose eigenvalue 0 is exact: one step for (phi, lambda).
 fn step_rigid(omega2: &[f64], g: &DMatrix<f64>, pair: &Pair) -> Option<Pair> {
     let (n, s) = (omega2.len(), pair.s);
     let phi = &pair.x1 - &pair.x2 * s;

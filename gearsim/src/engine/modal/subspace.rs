@@ -1,26 +1,23 @@
-//! The shapes of a pair of eigenvalues: the null space of
-//! [Omega² - b, -b (G - s); G - s, Omega² - b - s (G - s)] for (X1, X2), of two dimensions for each pair that shares (s, b).
+//! The shapes of a pair of eigenvalues: the null space of [Omega² - b, -b (G - s); G - s, Omega² - b - s (G - s)] for (X1, X2).
+//! It has two dimensions for each pair with these s and b.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::pairs::Pair;
 use crate::engine::error::Refusal;
+use crate::tolerance::modes::NULL_SPACE;
 
-/// Singular values of the scaled matrix that count as zero, at most: beyond, no two-dimensional space is invariant, and
-/// the eigenvalue that the pairs share is defective.
-const NULL: f64 = 1e-7;
-
-/// Elements of `all` at `group`.
+/// The elements of `all` with the indices `group`.
 pub fn pick(all: &[f64], group: &[usize]) -> Vec<f64> {
     group.iter().map(|&i| all[i]).collect()
 }
 
-/// Rows and columns of `all` at `group`.
+/// The rows and columns of `all` with the indices `group`.
 pub fn block(all: &DMatrix<f64>, group: &[usize]) -> DMatrix<f64> {
     DMatrix::from_fn(group.len(), group.len(), |i, j| all[(group[i], group[j])])
 }
 
-/// The matrix above, rows and columns scaled: it acts on (X1, rate X2).
+/// This matrix with scaled rows and columns. It acts on (X1, rate X2).
 pub fn pencil(omega2: &[f64], g: &DMatrix<f64>, s: f64, b: f64, rate: f64) -> DMatrix<f64> {
     let n = omega2.len();
     DMatrix::from_fn(2 * n, 2 * n, |row, column| {
@@ -37,18 +34,19 @@ pub fn pencil(omega2: &[f64], g: &DMatrix<f64>, s: f64, b: f64, rate: f64) -> DM
     })
 }
 
-/// Size of row i, and of row n + i times the rate.
+/// The scale of row i; that of row n + i is this divided by the rate.
 pub fn row_scale(omega2: &[f64], g: &DMatrix<f64>, rate: f64, i: usize) -> f64 {
     omega2[i] + rate * (rate + g[(i, i)])
 }
 
 /// The pairs of a cluster of values (s, b).
 ///
-/// Each is spanned by a vector y = (X1, rate X2) of the null space and its image C y = (-b X2, rate (X1 - s X2)), that is
-/// by a' and a''; of several y that with the largest image aside of itself and of the pairs before is taken.
+/// Each pair is spanned by a vector y = (X1, rate X2) of the null space and its image C y = (-b X2, rate (X1 - s X2)), which
+/// belong to a' and a''. Of several candidates y, the one is chosen whose image has the largest part orthogonal to y and to the
+/// pairs found before.
 ///
 /// # Errors
-/// Where the values are defective.
+/// If the values are defective.
 pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec<Pair>, Refusal> {
     let (n, size) = (omega2.len(), 2 * values.len());
     let (s, b) = mean(values);
@@ -59,7 +57,7 @@ pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec
         let mixed = (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
         let mixed = mixed.flat_map(|(i, j)| [(&left[i] + &left[j]).normalize(), (&left[i] - &left[j]).normalize()]);
         let candidates: Vec<DVector<f64>> = left.iter().cloned().chain(mixed).collect();
-        // Within what is left: the image may have parts in the pairs before.
+        // Project the image onto the remaining space: it may have parts in the pairs found before.
         let aside = |y: &DVector<f64>| {
             let image = image(y, s, b, rate);
             let within = left.iter().map(|v| v * v.dot(&image)).sum::<DVector<f64>>();
@@ -68,7 +66,7 @@ pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec
         let best = candidates.into_iter().max_by(|x, y| aside(x).norm().total_cmp(&aside(y).norm()));
         let y = best.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
         let other = aside(&y);
-        if other.norm() < NULL {
+        if other.norm() < NULL_SPACE {
             return Err(Refusal::Defective { condition: 1.0 / other.norm() });
         }
         left = without(&left, &[y.clone(), other.normalize()]);
@@ -77,17 +75,17 @@ pub fn of(omega2: &[f64], g: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Vec
     Ok(pairs)
 }
 
-/// C y, over the rate.
+/// C y, divided by the rate.
 pub fn image(y: &DVector<f64>, s: f64, b: f64, rate: f64) -> DVector<f64> {
     let n = y.len() / 2;
     DVector::from_fn(2 * n, |i, _| if i < n { -b / (rate * rate) * y[n + i] } else { y[i - n] - s / rate * y[i] })
 }
 
-/// The same where b = 0: a decay and a rigid motion e_j that stays, j in `rigid`. With lambda = -s and
-/// (lambda² + lambda G + Omega²) phi = 0 it is X1 = e_j, X1 + lambda X2 = phi; phi and e_j need have nothing in common.
+/// The same for b = 0: a decay and a rigid motion e_j, with j from `rigid`. With lambda = -s and (lambda² + lambda G + Omega²)
+/// phi = 0, X1 = e_j and X1 + lambda X2 = phi. phi and e_j may be orthogonal.
 ///
 /// # Errors
-/// Where the values are defective.
+/// If the values are defective.
 pub fn of_rigid(
     omega2: &[f64],
     g: &DMatrix<f64>,
@@ -106,7 +104,7 @@ pub fn of_rigid(
     null.into_iter().map(pair).collect()
 }
 
-/// lambda² + lambda G + Omega² at lambda = -s, its rows scaled.
+/// lambda² + lambda G + Omega² at lambda = -s, with scaled rows.
 pub fn quadratic(omega2: &[f64], g: &DMatrix<f64>, s: f64) -> DMatrix<f64> {
     let n = omega2.len();
     DMatrix::from_fn(n, n, |i, j| {
@@ -120,24 +118,24 @@ fn mean(values: &[(f64, f64)]) -> (f64, f64) {
     (values.iter().map(|v| v.0).sum::<f64>() / count, values.iter().map(|v| v.1).sum::<f64>() / count)
 }
 
-/// An orthonormal basis of the null space of a matrix that is known to have `size` dimensions of it.
+/// An orthonormal basis of the null space of a matrix, which has the known dimension `size`.
 fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal> {
     let svd = a.svd(false, true);
     let v = svd.v_t.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     let mut order: Vec<usize> = (0..v.nrows()).collect();
     order.sort_by(|&i, &j| svd.singular_values[i].total_cmp(&svd.singular_values[j]));
     let largest = svd.singular_values[order[size - 1]];
-    if largest.is_nan() || largest > NULL {
+    if largest.is_nan() || largest > NULL_SPACE {
         return Err(Refusal::Defective { condition: 1.0 / largest });
     }
     Ok(order[..size].iter().map(|&i| v.row(i).transpose()).collect())
 }
 
-/// An orthonormal basis of what `basis` spans without two of its directions, themselves orthonormal.
+/// An orthonormal basis of the complement, within the span of `basis`, of two orthonormal directions.
 fn without(basis: &[DVector<f64>], taken: &[DVector<f64>; 2]) -> Vec<DVector<f64>> {
     let mut all = taken.to_vec();
     while all.len() < basis.len() {
-        // Of what is left of each the largest, made orthogonal twice: once is not enough for rounding.
+        // Take the largest remainder. Orthogonalise it twice, because its rounding errors are too large after once.
         let rest = |v: &DVector<f64>| all.iter().chain(&all).fold(v.clone(), |v, u| &v - u * u.dot(&v));
         let largest = basis.iter().map(rest).max_by(|x, y| x.norm().total_cmp(&y.norm()));
         let Some(largest) = largest else { break };

@@ -1,21 +1,23 @@
-//! What damping takes from a mode: the integral of its power, in closed form.
+//! The energy that one mode dissipates: the integral of its power, in closed form.
 
-use super::{Kind, Mode, Response, SHORT, decayed};
+use super::{Kind, Mode, Response, decayed};
+use crate::tolerance::modes::{DECAYED, EIGENVALUES_APART, SERIES_SPAN};
 
 impl Mode {
-    /// The energy lost, ∫ 2 sigma xi'² dt over [0, `t`], from initial speed `v` and acceleration `a`, with the `response` at
-    /// `t` known. An integral of the speed, not a difference of energies: the account must not account for itself.
+    /// The dissipated energy ∫ 2 sigma xi'² dt over [0, `t`], from the initial speed `v`, the initial acceleration `a` and the
+    /// `response` at `t`. It is an integral of the speed, not a difference of energies, so that the energy account is an
+    /// independent check.
     #[inline]
-    pub fn lost(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
+    pub fn dissipated(&self, v: f64, a: f64, t: f64, response: &Response) -> f64 {
         let Mode { sigma, omega2, per_omega2, kind, .. } = *self;
-        if self.rate * t < SHORT {
-            // The closed forms below are small differences there.
+        if self.rate * t < SERIES_SPAN {
+            // For short times the closed forms below cancel.
             return 2.0 * sigma * self.by_quadrature(v, a, t);
         }
         match kind {
-            Kind::Under { w, per_w } if w > 0.1 * sigma => {
-                // xi' = e^{-sigma t} (v cos wt + b sin wt). Decayed sine and cosine of wt come from S1 and S2, those
-                // of 2 wt from them: x1 = e² sin 2wt, x2 = 1 - e² cos 2wt with e = e^{-sigma t}.
+            Kind::Under { w, per_w } if w > EIGENVALUES_APART * sigma => {
+                // xi' = e^{-sigma t} (v cos wt + b sin wt). The decayed sine and cosine of wt follow from S1 and S2, those of 2
+                // wt from them: x1 = e² sin 2wt and x2 = 1 - e² cos 2wt with e = e^{-sigma t}.
                 let b = (a + sigma * v) * per_w;
                 let (sine, lacking) = (w * response.s1, omega2 * response.s2 + sigma * response.s1);
                 let (x1, x2) = (2.0 * sine * (1.0 - lacking), lacking * (2.0 - lacking) + sine * sine);
@@ -24,22 +26,22 @@ impl Mode {
                 let (cosines, sines) = (part * (sigma * x2 + w * x1), part * (w * x2 - sigma * x1));
                 0.5 * (v * v + b * b) * flat + 0.5 * (v * v - b * b) * cosines + v * b * sines
             }
-            Kind::Over { kappa, slow, fast } if kappa > 0.1 * sigma => {
+            Kind::Over { kappa, slow, fast } if kappa > EIGENVALUES_APART * sigma => {
                 let p = (fast * v + a) / (2.0 * kappa);
                 let q = -(slow * v + a) / (2.0 * kappa);
                 let (pp, pq, qq) = (decayed(2.0 * slow, t), decayed(slow + fast, t), decayed(2.0 * fast, t));
                 2.0 * sigma * (p * p * pp + 2.0 * p * q * pq + q * q * qq)
             }
-            Kind::Rigid | Kind::Undamped { .. } => 0.0, // nothing is lost, nobody asks
+            Kind::Rigid | Kind::Undamped { .. } => 0.0, // no damping
             _ => 2.0 * sigma * self.by_quadrature(v, a, t),
         }
     }
 
-    /// ∫ xi'² dt near critical damping and for short times, where the closed forms cancel: Gauss-Legendre on panels of one
-    /// decay time.
+    /// ∫ xi'² dt near critical damping and for short times, where the closed forms cancel: Gauss-Legendre quadrature on panels of
+    /// one decay time.
     fn by_quadrature(&self, v: f64, a: f64, t: f64) -> f64 {
-        // Beyond 40 decay times what is left of the square is below 1e-30.
-        let t = if self.sigma > 0.0 { t.min(40.0 / self.sigma) } else { t };
+        // The power that is left after this time is negligible.
+        let t = if self.sigma > 0.0 { t.min(DECAYED / self.sigma) } else { t };
         let panels = (self.sigma * t).ceil().max(1.0);
         let width = t / panels;
         let mut sum = 0.0;

@@ -1,9 +1,10 @@
-//! One mode against the same formulas in 50 digits, across every regime of damping and time.
+//! One mode against the same formulas in 50 digits, for all kinds of damping and all times.
 
 use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::number::{Real, Scalar};
 
 use super::*;
+use crate::tolerance::modes::SHIFT_SPAN;
 
 type Digits = Real<192>;
 
@@ -24,16 +25,16 @@ fn powers(from: i32, to: i32) -> impl Iterator<Item = f64> + Clone {
     (from..=to).map(|k| 10f64.powi(k))
 }
 
-/// Damping ratios: none, weak, through critical on both sides to within rounding, strong.
+/// Damping ratios: none, weak, strong, and on both sides of critical damping down to the rounding error.
 fn damping_ratios() -> Vec<f64> {
     let near = powers(-15, -1).flat_map(|d| [1.0 - d, 1.0 + d]);
     [0.0, 1.0].into_iter().chain(powers(-12, 6)).chain(near).collect()
 }
 
 #[test]
-fn responses_are_right_at_every_damping() {
-    // Conditioning: an error of rounding in omega t turns the phase, one in omega - sigma the root of their difference,
-    // and critical damping is not told from its neighbours; hence the few units times (1 + rate t).
+fn responses_match_50_digits_at_every_damping() {
+    // Conditioning: a rounding error of omega t changes the phase, and one of omega - sigma changes the root of their difference.
+    // Near critical damping the form of the motion is not known. The bound is therefore a few roundings times (1 + rate t).
     let mut worst = (0.0, String::new());
     for zeta in damping_ratios() {
         for tau in powers(-8, 2).flat_map(|t| [t, 2.7 * t]) {
@@ -41,7 +42,7 @@ fn responses_are_right_at_every_damping() {
             let mode = Mode::new(zeta * omega, omega * omega);
             let (r, (s1, s2)) = (mode.response(t), precise(zeta * omega, omega * omega, t));
             let scale = (1.0 + mode.damped_frequency() * t) * f64::EPSILON;
-            // S1 swings about 0 and dies away: its error counts beside its largest value so far.
+            // S1 oscillates about 0 and decays: its error is compared with its largest value so far.
             let largest = t.min(mode.gain);
             for (what, got, want, size) in [("S1", r.s1, s1.approx(), largest), ("S2", r.s2, s2.approx(), s2.approx())]
             {
@@ -60,7 +61,7 @@ fn responses_are_right_at_every_damping() {
 fn responses_without_stiffness_are_exact() {
     let free = Mode::new(0.0, 0.0).response(3.0);
     assert_eq!((free.s1, free.s2), (3.0, 4.5));
-    // A damper alone: S1 = (1 - e^{-2 sigma t})/(2 sigma).
+    // Only a damper: S1 = (1 - e^{-2 sigma t})/(2 sigma).
     for t in powers(-6, 3) {
         let (r, (s1, s2)) = (Mode::new(0.7, 0.0).response(t), precise(0.7, 0.0, t));
         assert!((r.s1 / s1.approx() - 1.0).abs() < 4e-15, "S1 at {t}");
@@ -69,11 +70,11 @@ fn responses_without_stiffness_are_exact() {
 }
 
 #[test]
-fn a_shifted_response_is_the_later_response() {
+fn a_shifted_response_equals_the_later_response() {
     for zeta in [0.0, 1e-6, 0.05, 0.9, 1.0, 1.0 + 1e-12, 1.2, 30.0] {
         let mode = Mode::new(zeta * 2.0, 4.0);
         for tau in [1e-3, 0.1, 1.0, 7.0] {
-            let (t, dt) = (tau / mode.rate, NEAR / mode.rate);
+            let (t, dt) = (tau / mode.rate, SHIFT_SPAN / mode.rate);
             for dt in [dt, -0.7 * dt, 1e-3 * dt, 1e-9 * dt] {
                 if t + dt < 0.0 {
                     continue;
@@ -90,7 +91,7 @@ fn a_shifted_response_is_the_later_response() {
 }
 
 #[test]
-fn the_loss_is_the_fall_of_the_modes_energy() {
+fn the_dissipated_energy_equals_the_decrease_of_the_modes_energy() {
     for zeta in damping_ratios().into_iter().filter(|z| *z > 0.0) {
         let (omega2, v, a) = (4.0, 0.8, -1.3);
         let mode = Mode::new(zeta * 2.0, omega2);
@@ -101,18 +102,18 @@ fn the_loss_is_the_fall_of_the_modes_energy() {
             let force = -omega2 * y;
             let (moved, gained) = (v * r.s1 + force * r.s2, (force - 2.0 * mode.sigma * v) * r.s1 - omega2 * v * r.s2);
             let fall = -gained * (v + 0.5 * gained) - omega2 * moved * (y + 0.5 * moved);
-            let lost = mode.lost(v, a, t, &r);
+            let dissipated = mode.dissipated(v, a, t, &r);
             let energy = 0.5 * (v * v + omega2 * y * y);
             assert!(
-                (lost - fall).abs() < 2e-14 * energy,
-                "zeta {zeta:e} t {t:e}: {lost:e}, not {fall:e} of {energy:e}"
+                (dissipated - fall).abs() < 2e-14 * energy,
+                "zeta {zeta:e} t {t:e}: {dissipated:e}, not {fall:e} of {energy:e}"
             );
         }
     }
 }
 
 #[test]
-fn bounds_hold_and_the_tight_one_is_reached() {
+fn bounds_hold_and_the_tight_bound_is_reached() {
     for zeta in [0.0, 1e-3, 0.3, 0.999, 1.0, 1.001, 40.0] {
         let mode = Mode::new(zeta * 5.0, 25.0);
         for (y, v) in [(1.0, 0.0), (0.0, 1.0), (1.0, 30.0), (-1.0, 30.0), (0.3, -4.0)] {

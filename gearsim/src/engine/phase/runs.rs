@@ -1,4 +1,4 @@
-//! Phases of laws in whole runs.
+//! Laws with a mesh phase, in whole runs.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -30,9 +30,9 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs() / a.abs().max(b.abs()).max(1e-6)).fold(0.0, f64::max)
 }
 
-/// Bit for bit: an offset of whole pitches is none.
+/// A mesh phase of whole pitches changes no bit of the result.
 #[test]
-fn whole_pitches_change_nothing() {
+fn a_phase_of_whole_pitches_changes_no_bit() {
     for phase in ["1", "-3"] {
         let set = [format!("laws.k.phase={phase}")];
         let (with, without) = (run(&load("oh2005/energy_300rpm", &set)), run(&load("oh2005/energy_300rpm", &[])));
@@ -40,11 +40,11 @@ fn whole_pitches_change_nothing() {
     }
 }
 
-/// The same law, written with its levels in another order: [a, b] ahead by a part of b is [end of b, a, beginning of b], whose
-/// pitch ends within a level. Under the exact, the rigid kinematic and the classical equations, forwards and backwards, and in
-/// twice the digits.
+/// The same law with its levels in another order: [a, b], shifted forwards by a part of b, is [end of b, a, beginning of b]. The
+/// pitch then ends within a level. The runs use the exact, the rigid kinematic and the classical equations, both directions of
+/// rotation, and both precisions.
 #[test]
-fn a_phase_is_another_place_to_begin() {
+fn a_phase_shifts_the_beginning_of_the_pitch() {
     let dropping = [vec![], vec!["rigid_kinematics"], vec!["frozen_phase"]];
     for (more, speed) in dropping.iter().flat_map(|more| [300.0, -300.0].map(|speed| (more, speed))) {
         for precision in ["plain", "compensated"] {
@@ -64,14 +64,14 @@ fn a_phase_is_another_place_to_begin() {
             );
             let off = apart(&end(&ahead), &end(&cut));
             assert!(off < 1e-9, "{more:?} {speed} {precision}: {off:e}");
-            assert!(ahead.counts.cell_changes < cut.counts.cell_changes, "the cut is no step");
+            assert!(ahead.counts.cell_changes < cut.counts.cell_changes, "the cut must not be an event");
         }
     }
 }
 
-/// Side by side in lanes, as by themselves.
+/// Runs side by side in lanes against single runs.
 #[test]
-fn lanes_know_phases_too() {
+fn lanes_use_mesh_phases() {
     let phases = [0.0, 0.2, 0.5, 0.9];
     let set = |phase: f64| [format!("laws.k.phase={phase:?}"), "start.speed=-600 rpm".to_string()];
     let scenes: Vec<_> = phases.iter().map(|phase| load("oh2005/energy_300rpm", &set(*phase))).collect();
@@ -83,9 +83,10 @@ fn lanes_know_phases_too() {
     }
 }
 
-/// Two meshes on one coordinate: all phases ahead by the angle that the start is behind is the same motion.
+/// Two meshes on one coordinate. Shifting all mesh phases forwards by an angle and the start backwards by the same angle gives
+/// the same motion.
 #[test]
-fn phases_and_start_are_one() {
+fn shifting_phases_equals_shifting_the_start() {
     for speed in [400.0, -400.0] {
         let at = |start: f64, shift: f64| {
             let set = [
@@ -107,14 +108,14 @@ fn phases_and_start_are_one() {
             assert!(off < 1e-9 && events == same, "{speed} {shift}: {off:e}");
         }
         let (other, _) = at(0.3, 1.0);
-        assert!(apart(&here, &other) > 1e-6, "a phase alone is another motion");
+        assert!(apart(&here, &other) > 1e-6, "a shift of one phase alone must change the motion");
     }
 }
 
-/// Parker & Lin (2004): planets in phase twist the stage and leave the centres of sun, ring and carrier at rest; a third of a
-/// pitch after one another they shake the centres. Of k_s and k_r alike: with 27-36-99 teeth and with 28-35-98.
+/// Parker & Lin (2004): planets in phase excite the torsional modes only, and the centres of sun, ring and carrier stay at rest.
+/// With a third of a pitch between them they excite the centres. k_s and k_r have the same phases. Teeth: 27-36-99 and 28-35-98.
 #[test]
-fn planets_in_phase_do_not_shake() {
+fn planets_in_phase_do_not_move_the_centres() {
     let stage = |z_s: u32, z_r: u32| {
         let planet = (z_r - z_s) / 2;
         let mut set = vec![
@@ -145,8 +146,8 @@ fn planets_in_phase_do_not_shake() {
         (centres, swing("u1"))
     };
     let (together, turned) = stage(27, 99);
-    assert!(turned > 1e-6, "the planets turn to and fro: {turned:e} m");
-    assert!(together < 1e-9 * turned, "the centres stay: {together:e} m of {turned:e} m");
+    assert!(turned > 1e-6, "the planets must oscillate: {turned:e} m");
+    assert!(together < 1e-9 * turned, "the centres must stay at rest: {together:e} m of {turned:e} m");
     let (apart, _) = stage(28, 98);
-    assert!(apart > 1e-7, "the centres are shaken: {apart:e} m");
+    assert!(apart > 1e-7, "the centres must move: {apart:e} m");
 }

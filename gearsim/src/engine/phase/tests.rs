@@ -1,4 +1,4 @@
-//! Pitches that begin anywhere.
+//! Pitches with any origin.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ fn pitch(origin: f64) -> Pitch {
     Pitch::new(&Profile::stepping(steps.to_vec()).with_origin(origin), TAU)
 }
 
-/// The level that holds at a phase, from the law's definition.
+/// The level at a phase, from the definition of the law.
 fn level(phase: f64, origin: f64) -> f64 {
     match (phase - origin).rem_euclid(TAU) {
         x if x < 2.0 => 1.0,
@@ -20,7 +20,7 @@ fn level(phase: f64, origin: f64) -> f64 {
 }
 
 #[test]
-fn a_phase_is_found_wherever_the_pitch_begins() {
+fn the_cell_of_a_phase_is_found_for_any_origin() {
     for i in 0..200 {
         let origin = -7.0 + 0.0731 * f64::from(i);
         let pitch = pitch(origin);
@@ -35,9 +35,9 @@ fn a_phase_is_found_wherever_the_pitch_begins() {
     }
 }
 
-/// On a boundary the motion decides, across the end of the pitch too, and the way back leads back.
+/// On a boundary the direction of the motion decides, also at the end of the pitch, and the way back leads to the same cell.
 #[test]
-fn boundaries_lead_to_and_fro() {
+fn boundaries_are_passed_in_both_directions() {
     for origin in [0.0, -1.0, 2.5, TAU, -TAU] {
         let pitch = pitch(origin);
         let (first, last) = (pitch.bounds(0).0, pitch.bounds(2).1);
@@ -49,9 +49,9 @@ fn boundaries_lead_to_and_fro() {
     }
 }
 
-/// A pitch more or less is the same pitch; a billion of them cost no digits.
+/// A shift by whole pitches does not change the law; a billion pitches cost no digits.
 #[test]
-fn whole_pitches_are_nothing() {
+fn a_shift_by_whole_pitches_is_no_change() {
     assert_eq!(pitch(0.0), pitch(TAU));
     assert_eq!(pitch(0.0), pitch(-3.0 * TAU));
     let (count, rest, cell) = pitch(-1.0).locate(1e9 * TAU, 1.0);
@@ -59,9 +59,9 @@ fn whole_pitches_are_nothing() {
     assert!(rest.abs() < 1e-6);
 }
 
-/// Over several pitches boundaries have the digits of one, and a way round leads back to where it began.
+/// With several pitches in a period, boundaries have the digits of one pitch, and a full period leads back to the same cell.
 #[test]
-fn several_pitches() {
+fn a_period_of_several_pitches() {
     let steps: Vec<_> = (0..24).map(|i| Step { value: f64::from(i), width: TAU }).collect();
     let pitch = Pitch::new(&Profile::stepping(steps).with_origin(-1.3).with_pitches(24), TAU);
     for (teeth, tooth) in [(0.0, 0), (5.0, 5), (23.0, 23), (24.0, 0), (-1.0, 23), (-25.0, 23)] {
@@ -73,7 +73,7 @@ fn several_pitches() {
         let (mut cell, mut count) = (7, 0);
         for _ in 0..24 {
             let (next, entered, turn) = pitch.beyond(cell, side);
-            // A boundary is the same from both sides, in the digits of a pitch.
+            // A boundary has the same place from both sides, with the digits of a pitch.
             let left = if side == Side::Upper { pitch.bounds(cell).1 } else { pitch.bounds(cell).0 };
             assert!((turn as f64 * TAU + entered - left).abs() < 2e-15, "{cell}: {left} {entered}");
             (cell, count) = (next, count + turn);
@@ -87,10 +87,10 @@ fn several_pitches() {
     }
 }
 
-/// From any count of turns and remainder a law is in the cell in which its phase is by the whole number; on a boundary in the one into
+/// For any count of turns and remainder, a law is in the same cell as for the whole phase. On a boundary it is in the cell into
 /// which it moves.
 #[test]
-fn a_law_is_found_from_the_turns_of_another() {
+fn the_cell_of_a_law_is_found_from_counted_turns() {
     for (pitches, origin) in [(1, -0.86), (1, 0.0), (3, -1.3), (24, -100.0)] {
         let widths: Vec<f64> = (0..2 * pitches).map(|i| if i % 2 == 0 { 1.7 } else { TAU - 1.7 }).collect();
         let steps = widths.iter().enumerate().map(|(i, width)| Step { value: i as f64, width: *width }).collect();

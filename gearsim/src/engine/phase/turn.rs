@@ -1,30 +1,28 @@
-//! The turn of a coordinate: the length that is counted off it, common to all laws whose phase it is.
+//! The turn of a coordinate: the length in which its whole revolutions are counted, common to all laws with this phase.
 //!
-//! Laws of different periods may share a phase, e.g. a mesh stiffness and what a cracked tooth takes from it once a revolution.
-//! Counting is exact only in one unit for all of them, so the turn is the longest length of which each period is a whole multiple.
+//! Laws of different periods may share a phase, e.g. a mesh stiffness and its reduction by a cracked tooth once per revolution.
+//! Counting is exact for all of them only in a common unit. The turn is the longest length of which each period is a whole
+//! multiple.
 
-/// Largest denominator of the ratio of two periods; others count as incommensurate.
-const LARGEST: u32 = 1000;
-/// Part of a ratio that is rounding of the periods.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+use crate::tolerance::phases::{TURN_RATIO, TURNS};
 
-/// The turn, and how many of it each of the `periods` is; `None` where they have no common measure.
+/// The turn, and the number of turns in each of the `periods`; `None` if they have no common measure.
 pub fn common(periods: &[f64]) -> Option<(f64, Vec<u32>)> {
     let shortest = periods.iter().copied().reduce(f64::min)?;
     let parts = periods.iter().map(|period| denominator(period / shortest)).collect::<Option<Vec<u32>>>()?;
     let parts = parts.into_iter().try_fold(1u32, |all, part| all.checked_mul(part / gcd(all, part)))?;
-    if parts > LARGEST {
+    if parts > TURNS {
         return None;
     }
     let turns = periods.iter().map(|period| (period / shortest * f64::from(parts)).round() as u32).collect();
     Some((shortest / f64::from(parts), turns))
 }
 
-/// The smallest denominator with which `ratio` is a fraction, to within rounding.
+/// The smallest denominator for which `ratio` is a fraction, to within rounding.
 fn denominator(ratio: f64) -> Option<u32> {
-    (1..=LARGEST).find(|&q| {
+    (1..=TURNS).find(|&q| {
         let p = ratio * f64::from(q);
-        (p - p.round()).abs() <= ROUNDING * p
+        (p - p.round()).abs() <= TURN_RATIO * p
     })
 }
 
@@ -39,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn periods_have_the_longest_common_turn() {
+    fn periods_have_the_longest_common_measure() {
         assert_eq!(common(&[TAU]), Some((TAU, vec![1])));
         assert_eq!(common(&[TAU, 24.0 * TAU]), Some((TAU, vec![1, 24])));
         assert_eq!(common(&[24.0 * TAU, TAU, 7.0 * TAU]), Some((TAU, vec![24, 1, 7])));

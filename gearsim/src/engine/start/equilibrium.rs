@@ -1,9 +1,9 @@
 //! Static equilibrium: the coordinates at which the generalised forces on them vanish.
 //!
-//! Newton's method on F(q, q'; k(s)) = 0 in the rows of the free coordinates. A law whose phase is free is followed from cell to
-//! cell: a step of the iteration ends at the first boundary on its way, the law enters the next cell there, and the iteration
-//! goes on with its stiffness. Where the forces of both cells push a phase towards the boundary between them, the phase is in
-//! equilibrium on that boundary.
+//! Newton's method on F(q, q'; k(s)) = 0, for the free coordinates. Its matrix is the exact derivative of the forces,
+//! [`Equations::jacobian`]. A law whose phase is free is followed from cell to cell: a step of the iteration ends at the first
+//! boundary on its way, the law enters the next cell there, and the iteration continues with its stiffness. If the forces of both
+//! cells push a phase towards the boundary between them, the phase is in equilibrium on that boundary.
 
 use std::f64::consts::PI;
 
@@ -18,65 +18,55 @@ use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Coordinate;
 use crate::scene::Scene;
+use crate::tolerance::start;
 
-/// The equilibrium of the coordinates `free`, the others as given.
+/// The problem of the equilibrium of the coordinates `free`, with the others given.
 pub struct Equilibrium<'a> {
     pub equations: &'a dyn Equations,
     pub scene: &'a Scene,
-    /// Coordinates that are to be in equilibrium.
+    /// Indices of the coordinates in equilibrium.
     pub free: &'a [usize],
-    /// Speeds at the start (N): forces that depend on them, of a governor, a motor or a damper, act as they do then.
+    /// Speeds at the start (N). Forces that depend on speeds, e.g. of a motor or a damper, act as at the start.
     pub q_dot: Vector,
 }
 
-/// An equilibrium: the state, and the laws in the cells in which it lies.
+/// An equilibrium: the state, and the laws in their cells.
 #[derive(Clone)]
 pub struct Settled {
     pub state: State,
     pub laws: Vec<Law>,
-    /// Whether the strain energy is at a minimum there, in the coordinates that are not on a boundary.
+    /// Whether the strain energy has a minimum there, with respect to the coordinates that are not on a boundary.
     pub stable: bool,
 }
 
-/// A step of the iteration (N), zero in the coordinates that do not move.
+/// A step of the iteration (N); zero for the coordinates that do not move.
 struct Step {
     step: Vector,
-    /// The stiffness of each coordinate by itself (N).
+    /// The diagonal of the stiffness matrix, absolute values (N).
     stiffness: Vector,
     /// Whether V is convex here.
     stable: bool,
 }
 
-/// Steps of the iteration, boundaries included.
-const MOST_STEPS: usize = 200;
-/// Curvature of V, relative to the stiffnesses of the coordinates by themselves, that counts as none.
-const FLAT: f64 = 1e-12;
-/// Step of the iteration, relative to what was reached, that ends it.
-const CONVERGED: f64 = 4.0 * f64::EPSILON;
-/// Relative difference below which two equilibria are the same one.
-const SAME: f64 = 1e-6;
-/// Step below which the iteration ends once it no longer falls: what is left is the rounding of the forces.
-const ROUNDING: f64 = 1e-8;
-
 impl Equilibrium<'_> {
-    /// The equilibrium that is found from the coordinates `guess` (N), with the dead bands in their present regimes.
+    /// The equilibrium found from the coordinates `guess` (N), with the dead bands in their present regimes.
     ///
     /// # Errors
-    /// [`Refusal::NoEquilibrium`] where the iteration finds none; those of [`Law::begin`].
+    /// [`Refusal::NoEquilibrium`] if the iteration finds none; those of [`Law::begin`].
     pub fn from(&self, guess: &Vector, bands: &[DeadBand]) -> Result<Settled, Refusal> {
         let mut bands = bands.to_vec();
         let mut state = State::new(guess.clone(), self.q_dot.clone());
         let mut laws = Law::begin(self.equations, self.scene, &mut state)?;
-        // The coordinates that are on a boundary to which both cells push them.
+        // The coordinates held on a boundary to which both cells push them.
         let mut held: Vec<usize> = vec![];
         let mut entered: Option<(usize, Side)> = None;
         let (mut reached, mut last) = (Vector::zeros(guess.len()), f64::INFINITY);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..start::STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
             let Step { step, stiffness, stable } =
-                self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.none())?;
+                self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.refusal())?;
             if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
-                // Pitches away: begin again there, rather than pass every boundary on the way.
+                // The step is longer than a pitch: restart at its end instead of passing every boundary on the way.
                 let here = Settled { state, laws, stable };
                 state = State::new(here.absolute() + &step, self.q_dot.clone());
                 laws = Law::begin(self.equations, self.scene, &mut state)?;
@@ -101,15 +91,15 @@ impl Equilibrium<'_> {
                 entered = None;
             }
             let size = energy(&stiffness, &step) / energy(&stiffness, &reached).max(f64::MIN_POSITIVE);
-            if size <= CONVERGED || (size <= ROUNDING && size >= 0.5 * last) {
+            if size <= start::CONVERGED || (size <= start::STALLED && size >= 0.5 * last) {
                 return self.settled(state, laws, stable);
             }
             last = size;
         }
-        Err(self.none())
+        Err(self.refusal())
     }
 
-    /// A phase on a boundary begins in the cell into which it moves, as everywhere.
+    /// The laws at the start of the motion: a phase on a boundary is in the cell into which it moves.
     fn settled(&self, mut state: State, mut laws: Vec<Law>, stable: bool) -> Result<Settled, Refusal> {
         for i in 0..laws.len() {
             let speed = self.q_dot[laws[i].phase];
@@ -122,8 +112,8 @@ impl Equilibrium<'_> {
         Ok(Settled { state, laws, stable })
     }
 
-    /// Newton's step. Where V is not convex its negative curvatures count as positive, so that the step leads downhill, to the
-    /// equilibrium in whose valley it begins. `None` where the step is not determined.
+    /// Newton's step. Where V is not convex, negative curvatures count as positive, so that the step reduces V and leads to the
+    /// minimum nearest to the guess. `None` if the forces do not determine the step.
     fn newton(&self, moving: &[usize], state: &State, laws: &[Law], bands: &mut [DeadBand]) -> Option<Step> {
         let (mut step, mut diagonal) = (Vector::zeros(self.q_dot.len()), Vector::zeros(self.q_dot.len()));
         if moving.is_empty() {
@@ -134,10 +124,10 @@ impl Equilibrium<'_> {
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
         let (unit, scaled) = scaled(&stiffness);
-        // Numbers that overflow have no curvatures; they are refused below.
+        // A matrix with an overflow has no curvatures. It is refused below.
         let curvatures = scaled.iter().all(|x| x.is_finite()).then(|| scaled.symmetric_eigen());
         let least = curvatures.as_ref().map_or(f64::NAN, |curvatures| curvatures.eigenvalues.min());
-        let (stable, concave) = (least > 0.0, curvatures.filter(|_| least < -FLAT));
+        let (stable, concave) = (least > 0.0, curvatures.filter(|_| least < -start::FLAT));
         let solved = match concave {
             Some(curvatures) => {
                 let along = curvatures.eigenvectors.tr_mul(&force.component_div(&unit));
@@ -153,7 +143,7 @@ impl Equilibrium<'_> {
         Some(Step { step, stiffness: diagonal, stable })
     }
 
-    /// The generalised forces (N), and what they lose by the coordinates (N x N).
+    /// The generalised forces (N), and minus their derivatives by the coordinates (N x N).
     fn balance(&self, state: &State, laws: &[Law], bands: &mut [DeadBand]) -> (Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
         for band in bands {
@@ -170,10 +160,10 @@ impl Equilibrium<'_> {
         (self.equations.force(q, v, &k, &dk), -slopes)
     }
 
-    /// Other equilibria, found from guesses around `settled`: nearest to `guess` first.
+    /// Other equilibria, found from guesses around `settled`, in order of their distance from `guess`.
     ///
-    /// Cells that are linear in given regimes have one equilibrium each; others are looked for only where phases are free, in the
-    /// neighbouring cells, or where cells are not linear.
+    /// A linear cell in given regimes has one equilibrium. Others are sought only if phases are free (in the neighbouring cells),
+    /// or if cells are not linear.
     pub fn others(&self, settled: &Settled, guess: &Vector, bands: &[DeadBand]) -> Vec<Settled> {
         let linear = self.scene.effects.nonlinear(self.scene.model).is_empty();
         let (at, mut found) = (settled.absolute(), vec![settled.clone()]);
@@ -187,7 +177,7 @@ impl Equilibrium<'_> {
                     [0.5, 1.0, -0.5, -1.0].map(|half_turns| half_turns * PI).into()
                 }
                 None => {
-                    // Mirrored, and of any size: the unit says nothing of the scale.
+                    // The mirrored place, and places of any size: the unit does not show the scale.
                     let sizes =
                         [1.0, 2.0, 4.0].map(|x| x * at[i].abs()).into_iter().chain((-6..2).map(|n| 10f64.powi(n)));
                     sizes.flat_map(|size| [size - at[i], -size - at[i]]).collect()
@@ -195,8 +185,8 @@ impl Equilibrium<'_> {
             };
             for step in steps.into_iter().filter(|step| *step != 0.0) {
                 let mut from = at.clone();
-                // Beyond a boundary, not on it.
-                from[i] += 1.001 * step;
+                // Start beyond the boundary, not on it.
+                from[i] += start::BEYOND * step;
                 let other = self.from(&from, bands).ok();
                 found.extend(other.filter(|other| !found.iter().any(|known| self.same(known, other))));
             }
@@ -212,10 +202,10 @@ impl Equilibrium<'_> {
 
     fn same(&self, a: &Settled, b: &Settled) -> bool {
         let (a, b) = (a.absolute(), b.absolute());
-        self.free.iter().all(|&i| (a[i] - b[i]).abs() <= SAME * a[i].abs().max(b[i].abs()))
+        self.free.iter().all(|&i| (a[i] - b[i]).abs() <= start::SAME * a[i].abs().max(b[i].abs()))
     }
 
-    /// What there is to say of `found` beside the equilibrium that is taken.
+    /// The message on the equilibria `found` besides the one that is taken; `None` if there is nothing to say.
     pub fn describe(&self, taken: &Settled, found: &[Settled]) -> Option<String> {
         let place = |settled: &Settled| {
             let at = settled.absolute();
@@ -239,28 +229,28 @@ impl Equilibrium<'_> {
         })
     }
 
-    fn none(&self) -> Refusal {
+    fn refusal(&self) -> Refusal {
         let names: Vec<_> = self.free.iter().map(|&i| self.scene.model.coordinates[i].name).collect();
         Refusal::NoEquilibrium { coordinates: names.join(", ") }
     }
 }
 
 impl Settled {
-    /// How deep a flank of a dead band is in contact there, with the band's edges as the laws of the scene have them.
+    /// Depth of contact at a flank of a dead band, with the edges given by the laws of the scene [unit of the deflection].
     pub fn depth(&self, scene: &Scene, band: &DeadBand, side: Side) -> f64 {
         let mut band = band.clone();
         band.follow(&courses(scene, &self.state, &self.laws)[0]);
         band.depth(side, &self.state.q)
     }
 
-    /// The coordinates, turns included (N).
+    /// The coordinates, with their whole turns (N).
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
 }
 
-/// The values of the laws and their first and second derivatives by their phases, in the present cells; behind the values, room
-/// for those of the dead bands.
+/// The values of the laws and their first and second derivatives by their phases, in the present cells. The values of the dead
+/// bands follow those of the laws.
 pub fn courses(scene: &Scene, state: &State, laws: &[Law]) -> [Vec<f64>; 3] {
     let courses: Vec<[f64; 3]> = laws.iter().map(|law| law.course(state.q[law.phase], 0.0)).collect();
     let padded = |i: usize| {
@@ -270,7 +260,7 @@ pub fn courses(scene: &Scene, state: &State, laws: &[Law]) -> [Vec<f64>; 3] {
     [scene.model.in_contact(courses.iter().map(|course| course[0])), padded(1), padded(2)]
 }
 
-/// The first boundary on the way from `state` along `step`: the part of the step up to it, its law and side.
+/// The first boundary on the way from `state` along `step`: the fraction of the step up to it, its law and its side.
 fn first_boundary(laws: &[Law], state: &State, step: &Vector) -> Option<(f64, usize, Side)> {
     let moved = |law: &Law| law.switching != Switching::Never && law.next_switch().is_none();
     let ways = laws.iter().enumerate().filter(|(_, law)| moved(law) && step[law.phase] != 0.0);
@@ -282,14 +272,14 @@ fn first_boundary(laws: &[Law], state: &State, step: &Vector) -> Option<(f64, us
     first.map(|(part, law, side)| (part.max(0.0), law, side))
 }
 
-/// The roots of the diagonal of a matrix, and the matrix with rows and columns divided by them, symmetric.
+/// The square roots of the diagonal of a matrix, and the matrix divided by them in rows and columns, symmetric.
 fn scaled(a: &DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
     let unit = a.diagonal().map(|x| if x == 0.0 { 1.0 } else { x.abs().sqrt() });
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| 0.5 * (a[(i, j)] + a[(j, i)]) / (unit[i] * unit[j]));
     (unit, scaled)
 }
 
-/// The size of a displacement by its strain energy, which has one unit for all coordinates \[J^(1/2)\].
+/// The size of a displacement as the root of its strain energy, which has the same unit for all coordinates \[J^(1/2)\].
 fn energy(stiffness: &Vector, x: &Vector) -> f64 {
     stiffness.zip_map(x, |k, x| k * x * x).sum().sqrt()
 }

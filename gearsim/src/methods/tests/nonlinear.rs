@@ -1,4 +1,4 @@
-//! A model whose cells are not linear, Duffing's oscillator: against its closed form.
+//! A model with nonlinear cells, Duffing's oscillator, against its closed form.
 
 use std::f64::consts::PI;
 
@@ -40,10 +40,10 @@ fn run(method: &str, pull: f64, start: &str, t_end: f64) -> Outcome {
     outcome
 }
 
-/// Its period at the amplitude a is 4 K(a²/(2 + 2 a²))/sqrt(1 + a²), with K by the arithmetic-geometric mean (Abramowitz &
-/// Stegun 17.6): after three periods it is back where it began, having lost no energy, by every method.
+/// Its period at the amplitude a is 4 K(a²/(2 + 2 a²))/sqrt(1 + a²), with K computed by the arithmetic-geometric mean (Abramowitz
+/// & Stegun 17.6). After three periods it is at its start again, without loss of energy, with every method.
 #[test]
-fn it_is_back_after_its_period() {
+fn it_returns_to_its_start_after_a_period() {
     for a in [0.1f64, 1.0, 3.0] {
         let m = a * a / (2.0 + 2.0 * a * a);
         let (mut x, mut y) = (1.0f64, (1.0 - m).sqrt());
@@ -55,7 +55,7 @@ fn it_is_back_after_its_period() {
             let outcome = run(method, 0.0, &format!("start.x = \"{a:?} m\""), 3.0 * period);
             let t = &outcome.trajectory;
             let (x, v) = (t.q[0][t.len() - 1], t.q_dot[0][t.len() - 1]);
-            // Three periods of a few dozen steps each at 1e-12.
+            // Three periods have a few dozen steps each, at a tolerance of 1e-12.
             assert!((x - a).abs() < 1e-9 * a && v.abs() < 1e-9 * a * (1.0 + a), "{method} {a}: {x} {v}");
             let lost = t.residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
             assert!(lost < 1e-9 * outcome.energy_at_start, "{method} {a}: {lost}");
@@ -63,9 +63,9 @@ fn it_is_back_after_its_period() {
     }
 }
 
-/// At rest under a pull of 2 N: x + x³ = 2 at x = 1. It stays there, and the summary says which term is to blame.
+/// Static equilibrium under a force of 2 N: x + x³ = 2 at x = 1. It stays there, and the summary names the nonlinear term.
 #[test]
-fn it_rests_where_its_forces_vanish() {
+fn it_rests_in_static_equilibrium() {
     let outcome = run("", 2.0, "", 1.0);
     let t = &outcome.trajectory;
     assert!((t.q[0][0] - 1.0).abs() < 1e-14 && (t.q[0][t.len() - 1] - 1.0).abs() < 1e-12);

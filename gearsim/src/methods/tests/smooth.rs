@@ -1,4 +1,4 @@
-//! Smooth stiffness laws, from the scene to the motion: against the jump rule, hand-written equations, and one another.
+//! Smooth stiffness laws in scenes, against the jump rule, against hand-written equations, and against one another.
 
 use std::f64::consts::TAU;
 
@@ -9,11 +9,11 @@ use crate::trajectory::Trajectory;
 
 const FOURIER: &str = r#"laws.k={mean="2.1 kN*m", harmonics=[{order=1, amplitude="0.6 kN*m", phase="0.4 rad"}, {order=2, amplitude="0.1 kN*m"}]}"#;
 
-/// Steps as the limit of ramps, both from scenes: transmission and reflection. The difference falls as O(eps): halving it four
-/// times halves the difference, to within the next order in eps.
+/// Steps as the limit of ramps, with transmission and with reflection. The difference is O(eps): halving eps four times reduces
+/// it by 16, up to the next order in eps.
 #[test]
 fn ramps_converge_to_the_jump_rule_in_first_order() {
-    // Start and end far from any ramp: through one step, or turned back by it and then through.
+    // Start and end are far from any ramp. The motion passes one step, or is reflected by it and then passes it.
     let through = ["start.theta=\"1 rad\"", "start.phi=\"0.005 rad\"", "start.speed=\"60 rpm\"", "run.t_end=\"8 ms\""];
     let back = ["start.theta=\"1.6 rad\"", "start.phi=\"0.01 rad\"", "start.speed=\"20 rpm\"", "run.t_end=\"4 ms\""];
     for (case, events) in [(through, (1, 0)), (back, (1, 1))] {
@@ -33,14 +33,14 @@ fn ramps_converge_to_the_jump_rule_in_first_order() {
     }
 }
 
-/// Eqs. (2), (3) of Oh, Grosh & Barber (2005) with k = k(theta), or (6) with k(Omega0 t), by hand: their end after `t_end`
-/// by the classical Runge-Kutta method in `n` steps; its error at 40,000 is below 1e-11 here.
+/// Eqs. (2) and (3) of Oh, Grosh & Barber (2005) with k = k(theta), or (6) with k(Omega0 t): the end state after `t_end` by the
+/// classical Runge-Kutta method in `n` steps. With 40,000 steps its error is below 1e-11 here.
 fn by_hand(frozen: bool, t_end: f64, n: usize) -> [f64; 4] {
     let (i1, i2): (f64, f64) = (2890e-6 / 576.0, 740200e-6 / 9216.0);
     let (m1, m2) = ((1.0 / i1 - 1.0 / i2) / 2.0, (1.0 / i1 + 1.0 / i2) / 2.0);
     let k = |s: f64| 2100.0 + 600.0 * (s + 0.4).cos() + 100.0 * (2.0 * s).cos();
     let dk = |s: f64| -600.0 * (s + 0.4).sin() - 200.0 * (2.0 * s).sin();
-    // (max + min)/2 of k, by a scan.
+    // (max + min)/2 of k, found by a scan.
     let scan = (0..1_000_000).map(|i| k(TAU * f64::from(i) * 1e-6));
     let (low, high) = scan.fold((f64::INFINITY, 0.0f64), |(low, high), k| (low.min(k), high.max(k)));
     let c = 2.0 * 0.05 * ((low + high) / 2.0 / m2).sqrt();
@@ -69,10 +69,10 @@ fn end(run: &Trajectory) -> [f64; 4] {
     [last(&run.q[0]), last(&run.q[1]), last(&run.q_dot[0]), last(&run.q_dot[1])]
 }
 
-/// A Fourier law by every method against the equations written by hand, moving and frozen. The scan finds k_mid to 1e-9,
-/// which is the damping's error.
+/// A Fourier law by every method against the hand-written equations, with moving and with frozen phase. The scan finds k_mid to
+/// 1e-9, which is the error of the damping.
 #[test]
-fn a_fourier_law_moves_as_the_equations_by_hand() {
+fn a_fourier_law_matches_hand_written_equations() {
     for (frozen, effects) in [
         (false, "effects=[\"stiffness_step\", \"damping\", \"torques\"]"),
         (true, "effects=[\"stiffness_step\", \"frozen_phase\", \"damping\", \"torques\"]"),
@@ -94,7 +94,8 @@ fn a_fourier_law_moves_as_the_equations_by_hand() {
     }
 }
 
-/// A table of a Fourier law's values converges to it as h⁴ at least: what swings between its points evens out over the motion.
+/// A table with values of a Fourier law converges to it as h⁴ or faster. The oscillating error between its points averages out
+/// over the motion.
 #[test]
 fn a_table_converges_to_the_law_it_samples() {
     let one = "laws.k={mean=\"2.1 kN*m\", harmonics=[{order=1, amplitude=\"0.6 kN*m\"}]}";
@@ -116,12 +117,12 @@ fn reason(outcome: &Outcome) -> (&str, &str) {
     (outcome.solver.method, &outcome.solver.why)
 }
 
-/// Which method runs, and why: exact cells where they are linear; else by the tolerance, and by how stiff the motion proves.
+/// The method and its reason: exact for linear cells; otherwise by the tolerance and by the stiffness of the motion.
 #[test]
-fn the_method_follows_from_the_scene() {
+fn the_method_depends_on_the_scene() {
     let plain = run(&[]);
     assert_eq!(reason(&plain), ("exact", "every cell is linear: M q'' + C q' + K q = f with constant M, C, K, f"));
-    // Without the effect the law is constant, whatever it is.
+    // Without the effect the law is constant.
     assert_eq!(run(&[FOURIER, "effects=[\"torques\"]"]).solver.method, "exact");
     let smooth = run(&[FOURIER]);
     assert_eq!(reason(&smooth), ("dop853", "cells are not linear: k(theta) varies within a cell, in V and its forces"));
@@ -129,14 +130,14 @@ fn the_method_follows_from_the_scene() {
     let Err(Refusal::Nonlinear { terms }) = try_run(&[FOURIER, "run.method=\"exact\""]) else { panic!("refused") };
     assert!(terms.contains("k(theta)"), "{terms}");
 
-    // A damper that brings phi to rest four decades faster than it swings.
+    // A damper whose rate is four decades above the natural frequency of phi.
     let stiff = [FOURIER, "parameters.zeta=200", "run.tolerance=1e-8"];
     let outcome = run(&stiff);
     let (method, why) = reason(&outcome);
     assert!(method == "radau" && why.contains("dop853 until t ="), "{method}: {why}");
     let explicit = run(&[&stiff[..], &["run.method=\"dop853\""]].concat());
     assert!(explicit.solver.steps > 5 * outcome.solver.steps, "{:?} {:?}", explicit.solver, outcome.solver);
-    // So damped, phi creeps, at speeds a hundred times below those that count as zero: their digits are as many fewer.
+    // With such damping phi moves slowly, at speeds a hundred times below those that count as zero, and has two digits less.
     let error = difference(&outcome.trajectory, &explicit.trajectory);
     assert!(error < 1e-4, "{error:e}");
 }

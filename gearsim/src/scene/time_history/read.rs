@@ -13,11 +13,10 @@ use crate::model::{Model, Parameter};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::mistake::{Report, list};
 use crate::scene::{field, keys};
+use crate::tolerance::scene::HISTORY_ENTRIES;
 
 /// Keys of the table.
 const KEYS: [&str; 5] = ["steps", "ramp", "table", "mean", "harmonics"];
-/// Largest number of entries in each list.
-const MOST: usize = 10_000;
 
 /// Reads `parameter` as a function of time.
 pub(in crate::scene) fn read(
@@ -99,9 +98,9 @@ impl HistoryReader<'_> {
     fn items<'a>(&self, key: &str, node: &'a Node, example: &str, report: &mut Report) -> Option<&'a [Node]> {
         let path = format!("{}.{key}", self.path);
         let items = field::array(&path, node, example, report)?;
-        if !(1..=MOST).contains(&items.len()) {
+        if !(1..=HISTORY_ENTRIES).contains(&items.len()) {
             let message = format!("`{path}` has {} entries", items.len());
-            let help = format!("give from 1 to {MOST}, for example {example}");
+            let help = format!("give from 1 to {HISTORY_ENTRIES}, for example {example}");
             report.add(&node.place, message, "too few or too many", help);
             return None;
         }

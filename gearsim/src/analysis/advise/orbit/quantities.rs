@@ -11,11 +11,11 @@ use super::{Orbit, Steady, Unknown};
 const LINES: usize = 200;
 
 impl Steady<'_> {
-    /// Evaluates the motion over a period of length `period` [s] from the state `start`, with the impulses `kicks` at the ends of `legs`.
-    pub(super) fn look(
+    /// Evaluates the motion over a period of length `period` [s] from the state `start`, with `impulses` at the ends of `legs`.
+    pub(super) fn quantities(
         &self,
         legs: &[Leg],
-        kicks: &[DVector<f64>],
+        impulses: &[DVector<f64>],
         start: DVector<f64>,
         period: f64,
         strength: f64,
@@ -28,7 +28,7 @@ impl Steady<'_> {
             let v = &self.shapes * y.rows(m, m);
             v.dot(&(&c * &v))
         };
-        for (leg, kick) in legs.iter().zip(kicks) {
+        for (leg, impulse) in legs.iter().zip(impulses) {
             for _ in 0..leg.substeps {
                 let next = leg.walk(&y);
                 lost += 0.5 * leg.step * (power(&y) + power(&next));
@@ -38,7 +38,7 @@ impl Steady<'_> {
                 points.push((t, leg.step / 2.0, &self.shapes * next.rows(0, m)));
                 y = next;
             }
-            y += kick;
+            y += impulse;
         }
         let mean = |i: usize| points.iter().map(|(_, w, q)| w * q[i]).sum::<f64>() / period;
         let means: Vec<f64> = (0..n).map(mean).collect();

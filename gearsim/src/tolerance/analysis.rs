@@ -1,0 +1,86 @@
+//! Tolerances of analyses: stability, modes, spectra, digits of a result, comparisons of runs.
+
+/// A Floquet multiplier within this distance of the unit circle [1] counts as being on it, and one with an imaginary part below
+/// this [relative] counts as real. A double multiplier has an error of sqrt(eps) = 1.5e-8. Smaller: undamped systems become
+/// unstable by rounding errors. Larger: slow growth is not seen.
+pub(crate) const UNIT_CIRCLE: f64 = 1e-7;
+/// The tolerance for a single vibration [1], for which the trace and the determinant of the monodromy matrix decide. They have no
+/// double roots, so their error is some thousand eps.
+pub(crate) const TRACE: f64 = 1e-11;
+/// Two multipliers on the unit circle coincide if their distance is at most this [1]: the root of sqrt(eps) = 1.5e-8, for a pair
+/// that is about to leave the circle. Larger: neighbouring vibrations are reported as a border of stability.
+pub(crate) const EQUAL_MULTIPLIERS: f64 = 1e-4;
+/// Singular values below this [relative to the largest] count as zero: rigid motions of all stiffness levels. It is 4500 eps.
+/// Larger: soft springs vanish.
+pub(crate) const RIGID: f64 = 1e-12;
+/// The ratio of two mesh frequencies is a fraction if it is this close to one [relative]. Speeds in scenes are written with about
+/// ten digits. Smaller: written ratios have no common period. Larger: incommensurate speeds get one.
+pub(crate) const FREQUENCY_RATIO: f64 = 1e-9;
+/// Largest number of pitches of one mesh in a common period with another [pitches]: numbers of teeth are smaller. Otherwise the
+/// analysis is refused.
+pub(crate) const COMMON_PITCHES: u64 = 1000;
+/// Largest number of steps in a period [steps]; the analysis is refused above it, since it would take minutes.
+pub(crate) const PERIOD_STEPS: usize = 100_000;
+/// Two steps of the stiffness closer than this are one [relative to the period]: their times are sums of some hundred terms.
+pub(crate) const SAME_TIME: f64 = 1e-12;
+/// Two rows of a chart have the same frequency ratios below this difference [relative].
+pub(crate) const SAME_RATIO: f64 = 1e-9;
+
+/// A parameter is a spring if K changes linearly with it, to within this [relative to the change]. Larger: parameters that act
+/// otherwise count as springs.
+pub(crate) const LINEAR_STIFFNESS: f64 = 1e-9;
+/// Rounding error of a difference of two stiffness matrices [relative to the largest entry].
+pub(crate) const STIFFNESS_ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// A harmonic of the mesh frequency is reported if it is this close to a damped natural frequency [relative].
+pub(crate) const NEAR_RESONANCE: f64 = 0.1;
+
+/// Samples are evenly spaced if their intervals differ by less than this [relative], in addition to the rounding error of the times.
+/// Times read from a file have six digits or more.
+pub(crate) const EVEN_SPACING: f64 = 1e-6;
+/// Rounding error of the difference of two times [relative to the time].
+pub(crate) const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Decimal digits of a plain number and of a double-double number [digits]: -log10 of half an eps, and of 1e-31.
+pub(crate) const PLAIN_DIGITS: f64 = 15.95;
+pub(crate) const COMPENSATED_DIGITS: f64 = 31.0;
+/// Relative change of start and parameters [eps] that shows how the motion amplifies rounding errors. It is a few roundings, so
+/// that every changed number differs from the old one. Larger: it leaves the linear range earlier in a chaotic motion.
+pub(crate) const PERTURBATION: f64 = 4.0;
+/// Claimed error over the distance of the two runs [1]. Two runs may come close to each other by chance. Larger: fewer digits are
+/// claimed.
+pub(crate) const CLAIM_MARGIN: f64 = 10.0;
+/// The largest distance over this last fraction of the run counts as that at the end [relative to the run]: differences
+/// oscillate.
+pub(crate) const LAST_PART: f64 = 0.02;
+/// Tolerance of the second run of a numerical method [relative to that of the run], and the largest one [relative].
+pub(crate) const COMPANION_TOLERANCE: f64 = 10.0;
+pub(crate) const LARGEST_COMPANION_TOLERANCE: f64 = 1e-2;
+
+/// Largest number of stretches of constant stiffness in a period of a settled motion [stretches]. With more, its computation takes
+/// longer than a run, so none is estimated.
+pub(crate) const ORBIT_STRETCHES: usize = 240;
+/// Largest part of the initial vibration that may be left at the end of a settled motion [relative].
+pub(crate) const SETTLED: f64 = 0.2;
+/// The speed is constant if the torques change it by less than this over the run [relative].
+pub(crate) const CONSTANT_SPEED: f64 = 1e-3;
+/// A frequency band with less than this part of the coordinate's power is not compared [relative].
+pub(crate) const FAINT_BAND: f64 = 1e-6;
+/// A motion below this part of the largest one with the same unit is a rounding error and is not compared [relative].
+pub(crate) const NO_MOTION: f64 = 1e-9;
+/// A difference of up to this number of events is not counted [events]: the ends of the run may cut one more.
+pub(crate) const COUNTED_EVENTS: f64 = 2.0;
+/// Two events closer than this are one [relative to the run].
+pub(crate) const SAME_INSTANT: f64 = 1e-10;
+
+/// Tolerance of references by numerical methods [relative]. Below it rounding errors dominate.
+pub(crate) const REFERENCE: f64 = 1e-13;
+/// Error of a sample of a compensated run [eps]: it is computed in plain numbers from the last event.
+pub(crate) const SAMPLE_ROUNDINGS: f64 = 16.0;
+/// A change of up to this part of the largest value is a rounding error, not a jump [relative].
+pub(crate) const NO_JUMP: f64 = 64.0 * f64::EPSILON;
+/// A motion is chaotic if the error of its reference exceeds this [relative]: errors of its states then mean nothing.
+pub(crate) const CHAOTIC: f64 = 1e-2;
+/// Tolerance of runs with ramps [relative to the width of the ramp in pitches], and the smallest one [relative]. It is far below
+/// the error caused by the ramp.
+pub(crate) const RAMP: f64 = 1e-2;
+pub(crate) const SMALLEST_RAMP: f64 = 1e-12;

@@ -1,0 +1,71 @@
+//! Tolerances of events: the search for the first crossing of a boundary, and the first root of a polynomial.
+
+/// Margin of a bound on the motion [relative]. A bound is a sum over the modes, a few roundings each; 4500 eps cover a thousand
+/// modes. Smaller: rounding errors could make a bound too low, and a crossing could be missed. Larger: more flights are searched
+/// step by step.
+pub(crate) const BOUND_MARGIN: f64 = 1e-12;
+
+/// Margin of the time interval that contains the crossing of a monotone phase [relative]. Its ends are quotients of two
+/// roundings, within 4.5 eps. Smaller: the root could lie outside the interval. Larger: no effect on the root.
+pub(crate) const BRACKET_MARGIN: f64 = 1e-15;
+
+/// Depth of a graze [relative to the distance between the two boundaries]: a boundary that is touched, but not passed by more
+/// than this, is not crossed. A phase is known to a few roundings of this distance. Smaller: rounding errors decide whether a
+/// touch is an event. Larger: shallow crossings are missed.
+pub(crate) const GRAZE_DEPTH: f64 = 4.0 * f64::EPSILON;
+
+/// Width of the bracket at which a search by bisection ends [relative to the time of the root]. Neighbouring numbers are up to 1
+/// eps apart, so about 2 eps can be reached. Larger: the time of the event loses digits.
+pub(crate) const BRACKET_WIDTH: f64 = 4.0 * f64::EPSILON;
+
+/// Error of a root at which Newton's method ends [relative to the root]: one rounding. Smaller: it cannot be reached. Larger: the
+/// time of the event loses digits.
+pub(crate) const ROOT_ERROR: f64 = f64::EPSILON;
+
+/// Remainder of the power series of a departure [relative to the speed at the start] up to which its root is used: one rounding.
+/// Larger: the return to the boundary loses digits. Smaller: the step-by-step search finds it instead, at a higher cost.
+pub(crate) const DEPARTURE_REMAINDER: f64 = f64::EPSILON;
+
+/// Longest departure that is computed by power series [1]: time times the fastest rate. The remainder of 12 derivatives is then
+/// 0.25¹³/14! = 2e-19 of the motion. Larger: the remainder exceeds the rounding error. Smaller: the step-by-step search does more
+/// of the work.
+pub(crate) const DEPARTURE_SPAN: f64 = 0.25;
+
+/// Largest second-order term of a reverted Taylor series [relative to the first-order term] for which its root is accepted. The
+/// terms then fall by a factor of five or more. Larger: the series may lead to another root, and the bracket corrects it.
+/// Smaller: more bisections. It decides the cost, not the root.
+pub(crate) const REVERSION_LIMIT: f64 = 0.1;
+
+/// A root counts as the only one if 2 B f is below this fraction of r² [1], with the distance f, the approach speed r and the
+/// bound B on the acceleration. The speed at the root is then at least sqrt(1 - 0.99) = 0.1 of r. Closer to 1: Newton's method
+/// becomes slow near a graze. Smaller: the search takes more steps.
+pub(crate) const SINGLE_ROOT: f64 = 0.99;
+
+/// Steps of one search after which the run ends with an error [steps]. They take about a second of computing time; a search of a
+/// scene with sensible numbers takes far fewer.
+pub(crate) const SEARCH_STEPS: u64 = 1_000_000;
+
+/// Rounding error of a polynomial's coefficient [relative to the coefficient], subtracted before the sign is decided. It covers
+/// the few operations of a coefficient and its change to Bernstein's basis. Smaller: a root could be missed. Larger: more
+/// bisections.
+pub(crate) const BERNSTEIN_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Rounding error of a derivative of a signal [relative to the sum of the absolute values of its terms]. A term has three or four
+/// roundings. Smaller: a proof that there is no crossing could fail. Larger: shorter steps of the search.
+pub(crate) const SIGNAL_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Rounding error of the distance to a boundary beside a vibration [relative to distance plus amplitude]. It is the difference of
+/// two sums of such terms. Smaller: a crossing could be missed. Larger: shorter steps of the search.
+pub(crate) const REACH_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Rounding error of the coefficients of a dense output [tolerance of the root search]: they are differences of states, times
+/// numbers up to some tens. A polynomial whose coefficients are all below this has no sign of its own within the step. Smaller:
+/// rounding errors become events. Larger: slow departures from a boundary are found a step late.
+pub(crate) const DENSE_NOISE: f64 = 16.0;
+
+/// Bisections after which an interval of the root search is a point [1]: 2⁻⁵² of the step is 1 eps. More have no effect.
+pub(crate) const ROOT_HALVINGS: u32 = 52;
+
+/// Longest correction of an event time that double-double numbers make by a second-order Taylor polynomial [1]: its length in the
+/// fastest time of the cell, and its curvature. The omitted cube is 1e-30. Larger: digits are lost. Smaller: one more iteration.
+pub(crate) const COMPENSATED_TAYLOR: f64 = 1e-10;

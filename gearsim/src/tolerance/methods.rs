@@ -1,0 +1,29 @@
+//! Tolerances of numerical methods: the error of a step, the choice of the method, and the tolerances that a scene may state.
+
+/// Tolerance of a step if the scene states none [relative to the size of each component].
+pub(crate) const DEFAULT: f64 = 1e-9;
+/// Tolerances that a scene may state [relative]. Below 1e-14, the rounding errors of a step are larger; above 1e-2, the error
+/// estimate is meaningless. Others are refused.
+pub(crate) const ALLOWED: std::ops::RangeInclusive<f64> = 1e-14..=1e-2;
+/// Steps after which a run stops if the scene states no limit [steps]: some hours of computing time.
+pub(crate) const STEPS: u64 = 10_000_000_000;
+/// Below this tolerance [relative] the method of order 8 is cheaper than that of order 5. It decides the cost, not the accuracy.
+pub(crate) const HIGH_ORDER: f64 = 1e-7;
+/// A speed below this counts as zero [relative to the speed that the energy of the start allows]: the error of a smaller
+/// component is measured against this size. Smaller: a component at rest forces tiny steps. Larger: small components are less
+/// accurate.
+pub(crate) const SMALLEST_SPEED: f64 = 1e-3;
+/// Length of the next step [relative to the one that would just meet the tolerance]. Larger: more steps are rejected.
+pub(crate) const SAFETY: f64 = 0.9;
+/// Smallest and largest ratio of a step's length to that of the last one [1] (Hairer, Norsett & Wanner, Solving Ordinary
+/// Differential Equations I, 1993, II.4).
+pub(crate) const STEP_RATIO: [f64; 2] = [0.2, 6.0];
+/// A step is extended to the end of the cell or run if that is not further than this [relative to the step]: the alternative is a
+/// very short step after it.
+pub(crate) const LAST_STEP: f64 = 1.1;
+/// Newton's method of the implicit method has converged below the larger of two limits [relative to the allowed error of the
+/// step]: ten roundings of the state, and the smaller of this and the root of the tolerance (Hairer & Wanner, Solving Ordinary
+/// Differential Equations II, 1996, IV.8). Larger: its error becomes visible beside that of the step. Smaller: more iterations.
+pub(crate) const NEWTON: f64 = 0.03;
+/// The ten roundings of [`NEWTON`] [relative to the state].
+pub(crate) const NEWTON_ROUNDING: f64 = 10.0 * f64::EPSILON;

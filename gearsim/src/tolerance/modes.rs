@@ -1,0 +1,97 @@
+//! Tolerances of modes: from the matrices of a cell to its modes, and the motion of one mode.
+
+/// Below this product of rate and time [1] a mode's response is computed by its Taylor series. The closed forms lose about one
+/// digit to cancellation at 0.5. Smaller: more digits are lost. Larger: the series needs more than its 24 terms. The kernel of
+/// plain events has no series, and leaves such short flights to the general loop.
+pub(crate) const SERIES_SPAN: f64 = 0.5;
+/// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
+pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
+/// A Taylor series ends at the first two terms whose sum is below this [relative to the first term]: 1/2000 of a rounding.
+/// Larger: the sum of the omitted terms becomes visible.
+pub(crate) const SERIES_TERM: f64 = 1e-19;
+/// The same for double-double numbers [relative], whose rounding is 1e-32.
+pub(crate) const COMPENSATED_SERIES_TERM: f64 = 1e-36;
+/// Longest shift of a motion by six terms of its series [1]: rate times time. The seventh term is then below 8e-3⁶/7! = 5e-17 of
+/// the first. Larger: the shifted motion loses digits. Smaller: the motion is evaluated in full more often.
+pub(crate) const SHIFT_SPAN: f64 = 8e-3;
+/// A mode is critically damped if omega² - sigma² is below this [relative to omega²]. The expansion about critical damping omits
+/// terms of the order of its square, 1e-20. Larger: the expansion loses digits over long times. Smaller: the root of the
+/// difference does.
+pub(crate) const CRITICAL_DAMPING: f64 = 1e-10;
+/// Ratio of kappa = sqrt(sigma² - omega²) to sigma [1] above which S2 of an overdamped mode is the difference of its two
+/// exponentials' integrals. Below, their difference cancels digits, and S2 follows from S1. At 0.5 both forms lose less than one
+/// digit.
+pub(crate) const OVERDAMPED: f64 = 0.5;
+/// Smallest distance of a mode's two eigenvalues [relative to their size] for which its dissipated energy is computed in closed
+/// form. Below, the closed form divides by that distance twice and would lose more than two digits, so quadrature is used.
+pub(crate) const EIGENVALUES_APART: f64 = 0.1;
+/// Decay times after which a motion no longer contributes to the dissipated energy [1]: the power has fallen to e⁻⁸⁰ = 2e-35.
+pub(crate) const DECAYED: f64 = 40.0;
+/// Length of a panel of the quadrature of dissipated energy [rad]: the fastest rate times the time. The 16-point Gauss-Legendre
+/// rule is exact to rounding there. Larger: it is not. Smaller: more panels.
+pub(crate) const QUADRATURE_PANEL: f64 = 2.0;
+
+/// An eigenvalue of K, scaled to a unit diagonal, below this [1] is zero: a rigid motion. It is 450 eps; rounding errors of K
+/// grow with the number of coordinates. A value below minus this makes the cell unstable, and the scene is refused. Larger: soft
+/// springs beside stiff ones vanish. Smaller: a rigid motion becomes a slow vibration, or the scene is refused.
+pub(crate) const RIGID: f64 = 1e-13;
+/// Two natural frequencies are equal if their squares differ by less than this [relative]. Their mode shapes are then rotated so
+/// that damping does not couple them. Jacobi's method gives the squares to some hundred eps. Smaller: rounding errors choose the
+/// shapes of equal frequencies. Larger: the rotation mixes different modes.
+pub(crate) const EQUAL_FREQUENCIES: f64 = 1e-12;
+/// Modal damping below this [relative to the strongest modal damping] is zero. It is 4.5 eps. An undamped mode must keep its
+/// energy, so rounding errors must not damp it. Larger: weak damping is lost.
+pub(crate) const UNDAMPED: f64 = 1e-15;
+/// Two modes are coupled if the damping between them exceeds this [relative to the geometric mean of their own dampings].
+/// Rounding errors of mode shapes of neighbouring frequencies reach it. Smaller: rounding errors couple modes, which costs time.
+/// Larger: weak couplings are ignored; the motion changes by about this fraction.
+pub(crate) const COUPLED_MODES: f64 = 1e-10;
+/// Rounding errors in the damping between two modes [eps, times the sum of the absolute values of its terms]. Each entry of the
+/// mode shapes has some tens of them. Smaller: rounding errors couple modes. Larger: weak couplings are ignored.
+pub(crate) const MODAL_DAMPING_ROUNDINGS: f64 = 64.0;
+/// Jacobi's method ends if every off-diagonal entry is below this [relative to the geometric mean of the two diagonal
+/// entries]. A tenth of a rounding keeps the relative accuracy of small eigenvalues (Demmel & Veselic, SIAM J. Matrix Anal. Appl.
+/// 13, 1992).
+pub(crate) const JACOBI: f64 = 0.1 * f64::EPSILON;
+
+/// An eigenvalue with an imaginary part below this [relative to its real part] counts as real. A double real eigenvalue splits by
+/// sqrt(eps) = 1.5e-8 into a complex pair by rounding. Smaller: such a pair is not recognised. Larger: strongly damped vibrations
+/// count as aperiodic motions; Newton's method corrects both afterwards.
+pub(crate) const NEARLY_REAL: f64 = 1e-6;
+/// Two pairs of eigenvalues are one cluster if they are closer than this [relative to the fastest eigenvalue]. The QR method has
+/// errors of some thousand eps. Smaller: the shapes of equal pairs are rounding errors. Larger: different pairs get common shapes
+/// at first.
+pub(crate) const EQUAL_PAIRS: f64 = 1e-11;
+/// Accuracy asked of the QR method for the eigenvalues [relative to the largest entry]: one rounding.
+pub(crate) const QR: f64 = f64::EPSILON;
+/// Iterations after which the QR method gives up and the cell is refused [1]. It needs about two for each eigenvalue.
+pub(crate) const QR_ITERATIONS: usize = 100_000;
+/// Damping of a pair of eigenvalues below this [relative to the terms whose sum it is] is zero: 45 eps. Smaller: rounding errors
+/// damp or drive an undamped motion. Larger: weak damping is lost.
+pub(crate) const UNDAMPED_PAIR: f64 = 1e-14;
+/// Largest condition number of a pair of eigenvalues [1]; the cell is refused above it. Parts of the motion are up to this much
+/// larger than the motion itself, and their phases have this many roundings of error: eight digits are left after 1e4 rad.
+/// Larger: results with fewer digits. Smaller: usable scenes are refused.
+pub(crate) const CONDITION: f64 = 1e4;
+/// Largest part of a motion that its modes may miss [relative]; the cell is refused above it. Modes of a good condition miss
+/// about 1e-12.
+pub(crate) const MISSED: f64 = 1e-8;
+/// Rounding errors in the products of biorthogonal vectors [relative to the sum of the absolute values of their terms]. Smaller:
+/// rounding errors are corrected as if they were couplings, which has no effect on the digits.
+pub(crate) const BIORTHOGONAL: f64 = 64.0 * f64::EPSILON;
+/// Largest singular value of the scaled matrix of a pair that counts as zero [1]; above, the eigenvalues are defective and the
+/// cell is refused. An eigenvalue known to 1e-11 in a cluster leaves singular values up to its square root. Larger: defective
+/// eigenvalues pass as regular. Smaller: close eigenvalues are refused.
+pub(crate) const NULL_SPACE: f64 = 1e-7;
+
+/// Damping between two modes in double-double numbers above this [relative to the strongest] couples them, and the cell is
+/// refused. The mode shapes are orthogonal to 1e-32; the scene's own numbers to 1e-16. Smaller: rounding errors of the scene's
+/// numbers refuse it.
+pub(crate) const COMPENSATED_COUPLED: f64 = 1e-18;
+/// Jacobi's method in double-double numbers ends below this [relative to the larger diagonal entry]: ten roundings.
+pub(crate) const COMPENSATED_JACOBI: f64 = 1e-31;
+
+/// Rounding error of a force on a rigid motion [relative to the sum of the absolute values of its terms]: a larger force means
+/// that springs or dampers act on the motion, and its momentum is not conserved. Smaller: momentum that is conserved is not
+/// corrected.
+pub(crate) const NO_FORCE: f64 = 16.0 * f64::EPSILON;

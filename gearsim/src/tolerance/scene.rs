@@ -1,0 +1,44 @@
+//! Tolerances and limits of the numbers in a scene, of gear geometry, and of sweeps. Numbers beyond a limit are refused.
+
+/// Shortest end time of a run [s]. For a smaller one the sampling rate would not be finite.
+pub(crate) const SHORTEST_RUN: f64 = 1e-300;
+/// Memory for the rows of a run if the scene states no limit [bytes]. A run with more rows stops.
+pub(crate) const ROW_MEMORY: f64 = 4e9;
+/// If all widths of a law are given, their sum may differ from the pitch by this [relative to the pitch], because written widths
+/// are rounded. Larger: mistakes in widths pass. Smaller: widths with nine digits are refused.
+pub(crate) const WIDTHS: f64 = 1e-9;
+/// A mesh phase within this distance of a fraction of a pitch is replaced by the fraction [pitches]. Written phases have about
+/// eleven digits. Smaller: planets that should be in phase are a rounding apart. Larger: no effect below the digits of written
+/// phases.
+pub(crate) const PHASE_FRACTION: f64 = 1e-11;
+/// Largest denominator of the fractions above [1]: one degree of a turn.
+pub(crate) const PHASE_DENOMINATOR: i32 = 360;
+/// Highest order of a harmonic of a smooth law [1]: its wavelength is then a thousandth of the period.
+pub(crate) const HARMONIC_ORDER: f64 = 1000.0;
+/// Largest number of points of a table [points].
+pub(crate) const TABLE_POINTS: usize = 1000;
+/// Largest number of entries in a list of a time history [entries].
+pub(crate) const HISTORY_ENTRIES: usize = 10_000;
+/// Largest number of pitches in one period of a transmission error [pitches].
+pub(crate) const ERROR_PITCHES: f64 = 10_000.0;
+/// Largest number of teeth of a gear [teeth].
+pub(crate) const TEETH: f64 = 10_000.0;
+
+/// If a tooth pair passes the pitch point this close to a boundary of a cell, no further boundary is added [base pitches].
+/// Smaller: a cell as short as a rounding error. Larger: the sign of the friction changes late.
+pub(crate) const PITCH_POINT: f64 = 1e-9;
+/// The limits of the pressure angle in ISO 6336-1 are widened by this [deg]: the rounding error of the conversion to degrees.
+pub(crate) const PRESSURE_ANGLE: f64 = 1e-9;
+/// Contact that extends this far into the fillet is accepted [modules]; the end of the flank is then used. Otherwise the teeth
+/// are refused.
+pub(crate) const FILLET_CONTACT: f64 = 1e-3;
+/// Overlap of tip and root circles above which gears are refused [modules]: the rounding error of a written centre distance.
+pub(crate) const OVERLAP: f64 = 1e-9;
+/// Largest undercut that is accepted [modules]: the standard pinion of 17 teeth has 0.006.
+pub(crate) const UNDERCUT: f64 = 0.02;
+/// Half the distance of the two points of a central difference [relative to the length of a curve]. The error of the slope, 1e-8,
+/// is far below that of the curve, 1e-4.
+pub(crate) const SLOPE_STEP: f64 = 1e-4;
+
+/// Largest number of points of a sweep, and of values on one axis [1]. The rows of more would not fit in memory.
+pub(crate) const SWEEP_POINTS: usize = 10_000_000;
