@@ -35,6 +35,8 @@ pub struct Simulation<'a> {
     pub now: Hybrid<'a>,
     /// How the motion between two events is found.
     solver: Box<dyn Solver + 'a>,
+    /// Whether the solver was told of the present mode; the kernel of plain events does without it.
+    entered: bool,
     /// The events that come ever faster.
     cascade: Cascade,
     /// The kernel of plain events, once it was asked for; `None` where no event is plain.
@@ -74,7 +76,7 @@ impl<'a> Simulation<'a> {
     /// Where the solver cannot solve the first mode.
     pub fn with(mut now: Hybrid<'a>, mut solver: Box<dyn Solver + 'a>) -> Result<Self, Refusal> {
         solver.enter(&mut now)?;
-        Ok(Simulation { now, solver, cascade: Cascade::default(), kernel: None })
+        Ok(Simulation { now, solver, entered: true, cascade: Cascade::default(), kernel: None })
     }
 
     /// The same simulation with state and time in twice the digits; `matrices` are those of a cell with given law values.
@@ -123,6 +125,9 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// Those of [`Simulation::run`].
     pub(crate) fn step_in_general(&mut self, recording: &mut Option<Recording<'_, '_>>) -> Result<bool, Stop> {
+        if !self.entered {
+            self.change_mode()?;
+        }
         let (now, mut cost) = (&self.now, self.now.counts.cost);
         // Solve: the motion in this mode.
         let horizon = locate::horizon(now);
@@ -169,9 +174,11 @@ impl<'a> Simulation<'a> {
     }
 
     /// Puts its only law into another cell, up to which the kernel has simulated it.
+    #[inline]
     pub(crate) fn stand_in(&mut self, cell: usize) {
         self.now.laws[0].cell = cell;
-        self.change_mode().expect("all cells of a plain simulation are prepared");
+        self.now.k[0] = self.now.laws[0].level();
+        self.entered = false;
     }
 
     /// Goes on from the state of another run of the scene: its coordinates and speeds, laws and dead bands.
@@ -187,6 +194,7 @@ impl<'a> Simulation<'a> {
     #[inline]
     fn change_mode(&mut self) -> Result<(), Stop> {
         self.now.set_levels();
+        self.entered = true;
         self.solver.enter(&mut self.now).map_err(|reason| self.no_modes(reason))
     }
 

@@ -113,13 +113,17 @@ impl Solver for Compensated<'_> {
 
     /// As [`Hybrid::jump`] does.
     fn jump(&self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
-        let mut state = State::of(&now.state);
-        let steps = law::met(&now.laws, law, side, &now.state).map(|i| (i, now.laws[i].exact_step(side)));
+        let State { q, q_dot } = &State::of(&now.state);
         // V is a quadratic form in q between two steps, and linear in the laws.
-        let q = &state.q;
-        let dv = steps.fold(Df64::from(0.0), |sum, (l, dk)| sum + q.dot(&(&self.surfaces[l].stiffness * q)) * dk * 0.5);
+        let mut dv = Df64::from(0.0);
+        for i in law::met(&now.laws, law, side, &now.state) {
+            let stiffness = &self.surfaces[i].stiffness;
+            let along = |r: usize| (0..q.len()).fold(Df64::from(0.0), |sum, c| sum + stiffness[(r, c)] * q[c]);
+            let twice = (0..q.len()).fold(Df64::from(0.0), |sum, r| sum + q[r] * along(r));
+            dv += twice * now.laws[i].exact_step(side) * 0.5;
+        }
         let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
-        let v = state.q_dot[*phase];
+        let v = q_dot[*phase];
         let lost = *compliance * dv * 2.0;
         let square = v * v - lost;
         let (passage, gained) = if square.hi() < 0.0 {
@@ -130,8 +134,10 @@ impl Solver for Compensated<'_> {
             let gained = if moves { -lost * side.sign() / (after + v.abs()) } else { Df64::from(0.0) };
             (Passage::Transmitted, gained)
         };
-        state.q_dot += direction * gained;
-        state.write(&mut now.state);
+        for i in 0..q_dot.len() {
+            let speed = q_dot[i] + direction[i] * gained;
+            (now.state.q_dot[i], now.state.lost[i]) = (speed.hi(), speed.lo());
+        }
         passage
     }
 }

@@ -36,8 +36,10 @@ impl Simulation<'_> {
     fn samples_until(&mut self, t: f64, recording: &mut Option<Recording<'_, '_>>) {
         let Some(recording) = recording else { return };
         let at = recording.due();
-        if self.now.clock.until(at) <= t
-            && at < self.now.t_end
+        if self.now.clock.until(at) > t || at >= self.now.t_end {
+            return;
+        }
+        if (self.entered || self.change_mode().is_ok())
             && let Ok(mut motion) = self.solver.solve(&self.now, t)
         {
             recording.samples(&self.now, &mut *motion, t);
