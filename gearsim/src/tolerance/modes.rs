@@ -6,6 +6,9 @@
 pub(crate) const SERIES_SPAN: f64 = 0.5;
 /// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
 pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
+/// Largest product of rate and time in the kernel of plain events [1]: its reduction of the arguments of sine and cosine is exact
+/// to rounding up to it. Longer flights are left to the general loop. Larger: sine and cosine lose digits.
+pub(crate) const KERNEL_ANGLE: f64 = 1e5;
 /// A Taylor series ends at the first two terms whose sum is below this [relative to the first term]: 1/2000 of a rounding.
 /// Larger: the sum of the omitted terms becomes visible.
 pub(crate) const SERIES_TERM: f64 = 1e-19;
