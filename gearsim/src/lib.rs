@@ -4,6 +4,7 @@
 //! [`run`] chooses among them: the [`engine`] solves linear cells exactly from event to event, the [`methods`] integrate nonlinear
 //! cells numerically, and [`ensemble`] runs many scenes at once. A [`trajectory`] holds the recorded rows. [`analysis`] and [`plot`]
 //! evaluate and draw it, [`output`] writes files, [`sweep`] runs a scene at many parameter values. `cli` is the command-line program.
+//! `tolerance` is the table of all numerical tolerances.
 
 // Units in square brackets are not links.
 #![allow(rustdoc::broken_intra_doc_links)]

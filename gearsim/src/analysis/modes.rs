@@ -167,7 +167,7 @@ pub struct Meeting {
 /// Number of harmonics of each mesh frequency that are compared with the natural frequencies.
 pub const HARMONICS: usize = 8;
 
-/// The harmonics of the mesh frequencies within [`NEAR_RESONANCE`] of a damped natural frequency, the nearest first.
+/// The harmonics of the mesh frequencies within `NEAR_RESONANCE` of a damped natural frequency, the nearest first.
 pub fn meetings(courses: &[Course], cell: &CellModes) -> Vec<Meeting> {
     let mut meetings = vec![];
     for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {

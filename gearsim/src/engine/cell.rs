@@ -282,7 +282,7 @@ impl<'a> Flight<'a> {
     }
 
     /// Moves `point` by a short time `dt` [s] of either sign: |`dt`| * rate <=
-    /// [`SHIFT_SPAN`](crate::tolerance::modes::SHIFT_SPAN).
+    /// `tolerance::modes::SHIFT_SPAN`.
     #[inline]
     pub fn shift(&self, point: &mut Point, dt: f64) {
         point.t += dt;

@@ -24,9 +24,8 @@ pub mod kind;
 pub mod pack;
 
 use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR};
-use crate::tolerance::modes::{SERIES_SPAN, SHIFT_SPAN};
+use crate::tolerance::modes::{KERNEL_ANGLE, SERIES_SPAN, SHIFT_SPAN};
 use cells::Cells;
-use elementary::LARGEST_ANGLE;
 use flight::{Flight, Point, Response, responses};
 use pack::{Mask, Pack};
 
@@ -322,7 +321,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
-        let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < LARGEST_ANGLE));
+        let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < KERNEL_ANGLE));
         (sure.and(done).and(in_time).and(resolved), taken, points, evaluations)
     }
 

@@ -194,7 +194,7 @@ impl Mode {
         matches!(self.kind, Kind::Under { .. })
     }
 
-    /// The response at t + `dt` from that at t, with |`dt`| * rate <= [`SHIFT_SPAN`](crate::tolerance::modes::SHIFT_SPAN). It
+    /// The response at t + `dt` from that at t, with |`dt`| * rate <= `tolerance::modes::SHIFT_SPAN`. It
     /// uses the series of S1(dt) and S2(dt), whose omitted terms are below rounding.
     #[inline]
     pub fn shifted(&self, at: &Response, dt: f64) -> Response {

@@ -64,7 +64,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
         if !settled.stable
             && let Some(nearest) = found.iter().find(|other| other.stable)
         {
-            // The equilibrium is unstable, at a maximum of the energy: take the nearest stable one.
+            // The equilibrium is unstable: take the nearest stable one.
             others = balance.describe(nearest, &[&found[..], &[settled]].concat());
             settled = nearest.clone();
         }

@@ -20,7 +20,6 @@ pub mod spectra;
 #[cfg(test)]
 mod tests;
 
-use crate::tolerance::scene::SWEEP_POINTS;
 use std::path::Path;
 
 pub use manifest::Manifest;
@@ -30,6 +29,7 @@ pub use shard::Shard;
 use crate::output::OutputError;
 use crate::run::Entry;
 use crate::scene::{Scene, SceneMistakes, Template};
+use crate::tolerance::scene::SWEEP_POINTS;
 use record::{Column, Group};
 
 /// The definition of a sweep, as the user wrote it.

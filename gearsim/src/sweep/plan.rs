@@ -16,7 +16,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Number of points; `None` if there are more than [`SWEEP_POINTS`].
+    /// Number of points; `None` if there are more than `SWEEP_POINTS`.
     pub fn points(&self) -> Option<usize> {
         let points = self.axes.iter().filter_map(Axis::count).try_fold(self.samples, usize::checked_mul);
         points.filter(|&points| points <= SWEEP_POINTS)

@@ -34,8 +34,8 @@ pub(crate) const STIFFNESS_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A harmonic of the mesh frequency is reported if it is this close to a damped natural frequency [relative].
 pub(crate) const NEAR_RESONANCE: f64 = 0.1;
 
-/// Samples are evenly spaced if their intervals differ by less than this [relative], in addition to the rounding error of the times.
-/// Times read from a file have six digits or more.
+/// Samples are evenly spaced if their intervals differ by less than this [relative], in addition to the rounding error of the
+/// times. Times read from a file have six digits or more.
 pub(crate) const EVEN_SPACING: f64 = 1e-6;
 /// Rounding error of the difference of two times [relative to the time].
 pub(crate) const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -56,8 +56,8 @@ pub(crate) const LAST_PART: f64 = 0.02;
 pub(crate) const COMPANION_TOLERANCE: f64 = 10.0;
 pub(crate) const LARGEST_COMPANION_TOLERANCE: f64 = 1e-2;
 
-/// Largest number of stretches of constant stiffness in a period of a settled motion [stretches]. With more, its computation takes
-/// longer than a run, so none is estimated.
+/// Largest number of stretches of constant stiffness in a period of a settled motion [stretches]. With more, its computation
+/// takes longer than a run, so none is estimated.
 pub(crate) const ORBIT_STRETCHES: usize = 240;
 /// Largest part of the initial vibration that may be left at the end of a settled motion [relative].
 pub(crate) const SETTLED: f64 = 0.2;

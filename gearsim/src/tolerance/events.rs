@@ -5,8 +5,8 @@
 /// step by step.
 pub(crate) const BOUND_MARGIN: f64 = 1e-12;
 
-/// Margin of the time interval that contains the crossing of a monotone phase [relative]. Its ends are quotients of two
-/// roundings, within 4.5 eps. Smaller: the root could lie outside the interval. Larger: no effect on the root.
+/// Margin of the time interval that contains the crossing of a monotone phase [relative]. It is 4.5 eps, and the ends of the
+/// interval have two or three roundings. Smaller: the root could lie outside the interval. Larger: no effect on the root.
 pub(crate) const BRACKET_MARGIN: f64 = 1e-15;
 
 /// Depth of a graze [relative to the distance between the two boundaries]: a boundary that is touched, but not passed by more

@@ -15,8 +15,8 @@ pub(crate) const HIGH_ORDER: f64 = 1e-7;
 pub(crate) const SMALLEST_SPEED: f64 = 1e-3;
 /// Length of the next step [relative to the one that would just meet the tolerance]. Larger: more steps are rejected.
 pub(crate) const SAFETY: f64 = 0.9;
-/// Smallest and largest ratio of a step's length to that of the last one [1] (Hairer, Norsett & Wanner, Solving Ordinary
-/// Differential Equations I, 1993, II.4).
+/// Smallest and largest ratio of a step's length to that of the last one [1], similar to the values of Hairer, Norsett & Wanner,
+/// Solving Ordinary Differential Equations I (1993), II.4. They decide the cost, not the accuracy.
 pub(crate) const STEP_RATIO: [f64; 2] = [0.2, 6.0];
 /// A step is extended to the end of the cell or run if that is not further than this [relative to the step]: the alternative is a
 /// very short step after it.

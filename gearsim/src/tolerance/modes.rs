@@ -1,11 +1,14 @@
 //! Tolerances of modes: from the matrices of a cell to its modes, and the motion of one mode.
 
 /// Below this product of rate and time [1] a mode's response is computed by its Taylor series. The closed forms lose about one
-/// digit to cancellation at 0.5. Smaller: more digits are lost. Larger: the series needs more than its 24 terms. The kernel of
-/// plain events has no series, and leaves such short flights to the general loop.
+/// digit to cancellation at 0.5. Smaller: they lose more. Larger: the series becomes long. The kernel of plain events has no
+/// series, and leaves such short flights to the general loop.
 pub(crate) const SERIES_SPAN: f64 = 0.5;
 /// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
 pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
+/// Largest product of rate and time in the kernel of plain events [1]: its reduction of the arguments of sine and cosine is exact
+/// to rounding up to it. Longer flights are left to the general loop. Larger: sine and cosine lose digits.
+pub(crate) const KERNEL_ANGLE: f64 = 1e5;
 /// A Taylor series ends at the first two terms whose sum is below this [relative to the first term]: 1/2000 of a rounding.
 /// Larger: the sum of the omitted terms becomes visible.
 pub(crate) const SERIES_TERM: f64 = 1e-19;
@@ -19,8 +22,8 @@ pub(crate) const SHIFT_SPAN: f64 = 8e-3;
 /// difference does.
 pub(crate) const CRITICAL_DAMPING: f64 = 1e-10;
 /// Ratio of kappa = sqrt(sigma² - omega²) to sigma [1] above which S2 of an overdamped mode is the difference of its two
-/// exponentials' integrals. Below, their difference cancels digits, and S2 follows from S1. At 0.5 both forms lose less than one
-/// digit.
+/// exponentials' integrals. Below, this difference cancels digits, and S2 follows from S1. At 0.5 both forms lose about one digit
+/// at most.
 pub(crate) const OVERDAMPED: f64 = 0.5;
 /// Smallest distance of a mode's two eigenvalues [relative to their size] for which its dissipated energy is computed in closed
 /// form. Below, the closed form divides by that distance twice and would lose more than two digits, so quadrature is used.
@@ -49,18 +52,17 @@ pub(crate) const COUPLED_MODES: f64 = 1e-10;
 /// Rounding errors in the damping between two modes [eps, times the sum of the absolute values of its terms]. Each entry of the
 /// mode shapes has some tens of them. Smaller: rounding errors couple modes. Larger: weak couplings are ignored.
 pub(crate) const MODAL_DAMPING_ROUNDINGS: f64 = 64.0;
-/// Jacobi's method ends if every off-diagonal entry is below this [relative to the geometric mean of the two diagonal
-/// entries]. A tenth of a rounding keeps the relative accuracy of small eigenvalues (Demmel & Veselic, SIAM J. Matrix Anal. Appl.
-/// 13, 1992).
+/// Jacobi's method ends if every off-diagonal entry is below this [relative to the geometric mean of the two diagonal entries]. A
+/// tenth of a rounding keeps the relative accuracy of small eigenvalues (Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13, 1992).
 pub(crate) const JACOBI: f64 = 0.1 * f64::EPSILON;
 
 /// An eigenvalue with an imaginary part below this [relative to its real part] counts as real. A double real eigenvalue splits by
 /// sqrt(eps) = 1.5e-8 into a complex pair by rounding. Smaller: such a pair is not recognised. Larger: strongly damped vibrations
 /// count as aperiodic motions; Newton's method corrects both afterwards.
 pub(crate) const NEARLY_REAL: f64 = 1e-6;
-/// Two pairs of eigenvalues are one cluster if they are closer than this [relative to the fastest eigenvalue]. The QR method has
-/// errors of some thousand eps. Smaller: the shapes of equal pairs are rounding errors. Larger: different pairs get common shapes
-/// at first.
+/// Two pairs of eigenvalues are one cluster if they are closer than this [relative to the fastest eigenvalue]. It is 45 000 eps,
+/// above the errors of the QR method. Smaller: the shapes of equal pairs are rounding errors. Larger: different pairs get common
+/// shapes before they are refined.
 pub(crate) const EQUAL_PAIRS: f64 = 1e-11;
 /// Accuracy asked of the QR method for the eigenvalues [relative to the largest entry]: one rounding.
 pub(crate) const QR: f64 = f64::EPSILON;
@@ -73,20 +75,20 @@ pub(crate) const UNDAMPED_PAIR: f64 = 1e-14;
 /// larger than the motion itself, and their phases have this many roundings of error: eight digits are left after 1e4 rad.
 /// Larger: results with fewer digits. Smaller: usable scenes are refused.
 pub(crate) const CONDITION: f64 = 1e4;
-/// Largest part of a motion that its modes may miss [relative]; the cell is refused above it. Modes of a good condition miss
-/// about 1e-12.
+/// Largest part of a motion that its modes may miss [relative]; the cell is refused above it. With condition numbers up to
+/// [`CONDITION`] rounding errors alone stay far below it. Larger: motions with fewer digits. Smaller: usable scenes are refused.
 pub(crate) const MISSED: f64 = 1e-8;
 /// Rounding errors in the products of biorthogonal vectors [relative to the sum of the absolute values of their terms]. Smaller:
 /// rounding errors are corrected as if they were couplings, which has no effect on the digits.
 pub(crate) const BIORTHOGONAL: f64 = 64.0 * f64::EPSILON;
 /// Largest singular value of the scaled matrix of a pair that counts as zero [1]; above, the eigenvalues are defective and the
-/// cell is refused. An eigenvalue known to 1e-11 in a cluster leaves singular values up to its square root. Larger: defective
-/// eigenvalues pass as regular. Smaller: close eigenvalues are refused.
+/// cell is refused. The eigenvalues have errors of sqrt(eps) = 1.5e-8 at worst, which leave singular values of this size. Larger:
+/// defective eigenvalues pass as regular. Smaller: close eigenvalues are refused.
 pub(crate) const NULL_SPACE: f64 = 1e-7;
 
 /// Damping between two modes in double-double numbers above this [relative to the strongest] couples them, and the cell is
-/// refused. The mode shapes are orthogonal to 1e-32; the scene's own numbers to 1e-16. Smaller: rounding errors of the scene's
-/// numbers refuse it.
+/// refused. Rounding errors are 1e-32 times the condition of the matrices. Larger: an ignored coupling would limit the digits of
+/// the result. Smaller: rounding errors could refuse a cell without coupling.
 pub(crate) const COMPENSATED_COUPLED: f64 = 1e-18;
 /// Jacobi's method in double-double numbers ends below this [relative to the larger diagonal entry]: ten roundings.
 pub(crate) const COMPENSATED_JACOBI: f64 = 1e-31;

@@ -11,9 +11,9 @@ pub(crate) const SAME_BOUNDARY: f64 = 4.0 * f64::EPSILON;
 /// Rounding error of the place of a boundary [relative to the period of the law]. Times the slopes it is part of the tolerance
 /// below which two curves meet without a step.
 pub(crate) const CURVE_PLACE: f64 = 16.0 * f64::EPSILON;
-/// Two curves meet without a step if their values differ by less than this [relative to the larger], in addition to the error of the
-/// place. Values of curves are sums of up to a thousand terms. Smaller: rounding errors become steps, each with an event. Larger:
-/// small steps are passed without their jump of the energy.
+/// Two curves meet without a step if their values differ by less than this [relative to the larger], in addition to the error of
+/// the place. Values of curves are sums of up to a thousand terms. Smaller: rounding errors become steps, each with an event.
+/// Larger: small steps are passed without their jump of the energy.
 pub(crate) const CURVE_VALUE: f64 = 1e-12;
 /// Largest number of turns in a period of a law, and largest denominator of the ratio of two periods [1]. Numbers of teeth are
 /// below it. Larger: rounded ratios are taken for fractions. Smaller: real gears have no common turn.

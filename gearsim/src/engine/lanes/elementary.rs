@@ -14,8 +14,6 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// pi/2 in three parts.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
-/// Largest argument of [`sin_cos`] [rad]. The reduction is exact to rounding up to it.
-pub const LARGEST_ANGLE: f64 = 1e5;
 
 /// e^x - 1 for -700 <= x <= 700.
 #[inline(always)]
@@ -36,7 +34,7 @@ pub fn exp_m1<const L: usize>(x: Pack<L>) -> Pack<L> {
     })
 }
 
-/// Sine and cosine for |x| <= [`LARGEST_ANGLE`].
+/// Sine and cosine for |x| <= `tolerance::modes::KERNEL_ANGLE`.
 #[inline(always)]
 pub fn sin_cos<const L: usize>(x: Pack<L>) -> (Pack<L>, Pack<L>) {
     let (mut sine, mut cosine) = ([0.0; L], [0.0; L]);
@@ -63,6 +61,7 @@ pub fn sin_cos<const L: usize>(x: Pack<L>) -> (Pack<L>, Pack<L>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tolerance::modes::KERNEL_ANGLE;
 
     /// Largest difference from the function of the standard library [units in the last place, of 1 or of the value].
     fn worst(
@@ -86,7 +85,7 @@ mod tests {
     fn functions_match_the_standard_library_within_two_ulp() {
         assert!(worst(-600.0, 2.0, exp_m1, f64::exp_m1, true) <= 2.0);
         assert!(worst(-1e-3, 1e-3, exp_m1, f64::exp_m1, true) <= 2.0);
-        for end in [1.0, 100.0, LARGEST_ANGLE] {
+        for end in [1.0, 100.0, KERNEL_ANGLE] {
             assert!(worst(-end, end, |x| sin_cos(x).0, f64::sin, false) <= 1.0, "sine up to {end}");
             assert!(worst(-end, end, |x| sin_cos(x).1, f64::cos, false) <= 1.0, "cosine up to {end}");
         }
