@@ -51,6 +51,12 @@ pub const PATHS: &[Path] = &[
         cells("spectrum_4500rpm_exact", &["effects=[\"stiffness_step\", \"torques\"]"])
     }),
     path("cell_600rpm", "a cell change at 600 rpm", None, || cells("spectrum_600rpm_exact", &[])),
+    path(
+        "event_of_a_stall",
+        "an event of the pair at 600 rpm under 50 N m, turned back by half of the steps",
+        None,
+        stall,
+    ),
     path("cell_compensated", "a cell change at 4500 rpm in double-double arithmetic", None, || {
         cells("spectrum_4500rpm_exact", &["run.precision=compensated"])
     }),
@@ -119,6 +125,14 @@ fn cells(name: &str, overrides: &[&str]) -> Job {
     Box::new(move || {
         simulation.run(None, &mut |_| {}).expect("the run ends");
         simulation.now.counts.cell_changes
+    })
+}
+
+fn stall() -> Job {
+    let mut simulation = simulation(&scene("spectrum_600rpm_exact", &["parameters.T0=50 N*m"]));
+    Box::new(move || {
+        simulation.run(None, &mut |_| {}).expect("the run ends");
+        simulation.now.counts.events()
     })
 }
 
