@@ -95,7 +95,7 @@
 //! | parse tokens into the structs of `model` | `parse`, `items`, `tokens` |
 //! | check the model, report all errors at once; resolve names | `check`, `effects`, `resolve`, `scope` |
 //! | replace constant factors by coefficients, computed once for each scene | `hoist` |
-//! | write the code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
+//! | write the code | `emit`, `describe`, `varies`, `functions`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
 
 mod cells;
 mod check;
@@ -105,18 +105,17 @@ mod describe;
 mod effects;
 mod emit;
 mod expand;
-mod forces;
-mod functions;
 mod gated;
 mod hoist;
 mod items;
 mod jumps;
+mod lets;
 mod model;
 mod parse;
 mod resolve;
 mod scope;
-mod share;
 mod sums;
+mod terms;
 #[cfg(test)]
 mod tests;
 mod tokens;
@@ -130,7 +129,7 @@ use proc_macro::TokenStream;
 ///
 /// # Errors
 /// Compile errors, all at once and each at its place: unknown names, names that are not allowed in a block, piecewise functions,
-/// duplicate names, missing rows and blocks, empty ranges, and more than 1024 sets of effects.
+/// duplicate names, missing rows and blocks, empty ranges, and more than 64 effects.
 #[proc_macro]
 pub fn equations(input: TokenStream) -> TokenStream {
     expand::expand(input.into()).into()
