@@ -1,5 +1,4 @@
-//! The functions that are not called at every step. Each is compiled once for a model and tests the effects at run time, so that the
-//! code for a set of effects only calls it.
+//! The functions that are not called at every step.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -14,7 +13,7 @@ use crate::model::*;
 use crate::scope::speed;
 use crate::sums::{block, body, by_index, position};
 
-/// A function of `Numbers` with the effects as its first argument, and without it a function of `Equations`.
+/// A function of `Numbers` with `met` as its first argument, and without it a function of `Equations`.
 pub struct Cold {
     pub name: &'static str,
     pub takes: &'static [Takes],
@@ -47,7 +46,7 @@ pub enum Returns {
 }
 
 impl Cold {
-    /// Itself, with the effects and conditions as variables, in numbers of type `r`.
+    /// Itself, in numbers of type `r`.
     pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
         let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
         let takes = self.takes.iter().map(|takes| match takes {

@@ -13,12 +13,11 @@ use crate::model::*;
 use crate::terms::{Terms, functions};
 
 /// All items that the macro defines for a model.
-pub fn emit(m: &Model) -> TokenStream {
+pub fn emit(mut m: Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let name = camel_case(&m.name);
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
-    let describe = describe(m);
-    let mut m = m.clone();
+    let describe = describe(&m);
     let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
     let terms = force.values().chain(dissipation.values());
     let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value);

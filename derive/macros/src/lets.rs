@@ -1,13 +1,13 @@
 //! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces.
-//! A piece of code defines those that it names, and no others. A deflection `q - edge - e` is `q` at first; `edge` and `e` are
-//! subtracted only with their effects.
+//! A piece of code defines those that it names, and no others.
 
 use std::collections::BTreeSet;
 
 use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{BinOp, Expr, Ident};
+use syn::Ident;
 
+use crate::deflections::{Offsets, deflection};
 use crate::effects::is_met;
 use crate::gated::{Gated, gated};
 use crate::model::{Assignment, Model, Row};
@@ -25,7 +25,7 @@ pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream 
                 let (met, neutral) = (is_met(effect), Literal::f64_suffixed(neutral));
                 values.extend(quote!(let #name = if #met { k[#place] } else { #neutral.into() };));
             }
-            Variable::Linear(deflection) => values.extend(linear(m, deflection, &mut offsets)),
+            Variable::Linear(linear) => values.extend(deflection(m, linear, &mut offsets)),
             Variable::Force(Row { name, sum }) => {
                 let value = block(sum);
                 forces.extend(quote!(let #name: f64 = #value;));
@@ -37,45 +37,6 @@ pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream 
         quote!(if #met { #add })
     });
     quote!(#values #(#offsets)* #forces)
-}
-
-/// The statements that complete deflections where an effect is present.
-type Offsets = Vec<(Ident, TokenStream)>;
-
-/// A deflection or a rate without the addends that exist only with an effect; those go to `offsets`.
-fn linear(m: &Model, Assignment { name, value }: &Assignment, offsets: &mut Offsets) -> TokenStream {
-    let mut all = vec![];
-    addends(value, quote!(+), &mut all);
-    let (mut always, mut mutable) = (quote!(), quote!());
-    for (sign, addend) in all {
-        let Some(Gated { name: symbol, effect, place, .. }) =
-            gated(m).find(|g| names(addend).contains(&g.name.to_string()))
-        else {
-            // The first addend has its sign only if it is a minus.
-            let sign = (!always.is_empty() || sign.to_string() == "-").then_some(sign);
-            always.extend(quote!(#sign #addend));
-            continue;
-        };
-        mutable = quote!(mut);
-        let add = quote!({ let #symbol = k[#place]; #name = #name #sign #addend; });
-        match offsets.iter_mut().find(|(known, _)| known == effect) {
-            Some((_, adds)) => adds.extend(add),
-            None => offsets.push((effect.clone(), add)),
-        }
-    }
-    quote!(let #mutable #name = #always;)
-}
-
-/// Appends the addends of a sum, each with its sign.
-fn addends<'a>(e: &'a Expr, sign: TokenStream, all: &mut Vec<(TokenStream, &'a Expr)>) {
-    match e {
-        Expr::Binary(e) if matches!(e.op, BinOp::Add(_) | BinOp::Sub(_)) => {
-            let minus = matches!(e.op, BinOp::Sub(_)) != (sign.to_string() == "-");
-            addends(&e.left, sign, all);
-            addends(&e.right, if minus { quote!(-) } else { quote!(+) }, all);
-        }
-        e => all.push((sign, e)),
-    }
 }
 
 /// `code` after the variables that it names.
@@ -112,7 +73,7 @@ fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
 }
 
 /// All names in a piece of code.
-fn names(code: impl ToTokens) -> BTreeSet<String> {
+pub fn names(code: impl ToTokens) -> BTreeSet<String> {
     let each = |token| match token {
         TokenTree::Ident(name) => BTreeSet::from([name.to_string()]),
         TokenTree::Group(group) => names(group.stream()),

@@ -1,7 +1,7 @@
 //! The `equations!` macro: Rust code from a file of derived equations.
 //!
-//! A generated file states the derived equations in the symbols of their source. The macro generates separate code for each set
-//! of effects, without the terms of absent effects. One invocation fills one module: it defines the model (`GearPair` for
+//! A generated file states the derived equations in the symbols of their source. The macro generates code that does
+//! not execute the terms of absent effects. One invocation fills one module: it defines the model (`GearPair` for
 //! `gear_pair`), which implements `gearsim::engine::equations::Derived`.
 //!
 //! # Grammar
@@ -95,12 +95,13 @@
 //! | parse tokens into the structs of `model` | `parse`, `items`, `tokens` |
 //! | check the model, report all errors at once; resolve names | `check`, `effects`, `resolve`, `scope` |
 //! | replace constant factors by coefficients, computed once for each scene | `hoist` |
-//! | write the code | `emit`, `describe`, `varies`, `functions`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
+//! | write the code | `emit`, `describe`, `varies`, `terms`, `cold`, `cells`, `jumps`, `lets`, `deflections`, `gated`, `dead_bands`, `sums` |
 
 mod cells;
 mod check;
 mod cold;
 mod dead_bands;
+mod deflections;
 mod describe;
 mod effects;
 mod emit;
@@ -123,7 +124,7 @@ mod varies;
 
 use proc_macro::TokenStream;
 
-/// Defines a model from its derived equations and implements `Derived` for it, with `Equations` for each set of effects.
+/// Defines a model from its derived equations and implements `Derived` for it, with `Equations` for any set of effects.
 ///
 /// The grammar is at the head of this crate; the files under `gearsim/src/generated` are written in it.
 ///

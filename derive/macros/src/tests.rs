@@ -214,7 +214,7 @@ fn the_documented_grammar_is_accepted() {
         .collect();
     let mut model = syn::parse_str::<Model>(&text).unwrap();
     check(&mut model).unwrap();
-    syn::parse2::<syn::File>(crate::emit::emit(&model)).unwrap();
+    syn::parse2::<syn::File>(crate::emit::emit(model)).unwrap();
 }
 
 /// Laws must have the same indices in scenes with and without their effects.
@@ -243,8 +243,8 @@ fn laws_with_an_effect_must_come_last() {
 fn laws_are_absent_without_their_effect() {
     let code = expand(tokens(&sample())).to_string();
     for said in [
-        "let mut over = q [1] ; if met . backlash { { let edge = k [5] ; over = over - edge ; } } \
-         if met . transmission_error { { let e = k [1] ; over = over - e ; } }",
+        "let mut over = q [1] ; if met . backlash { let edge = k [5] ; over = over - edge ; } \
+         if met . transmission_error { let e = k [1] ; over = over - e ; }",
         "let arm = if met . sliding_friction { k [3] } else { 0f64 . into () }",
         "if ! met . stiffness_step || law == 1 && ! met . transmission_error || law == 2 && ! met . sliding_friction",
     ] {

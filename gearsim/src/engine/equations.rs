@@ -1,7 +1,7 @@
 //! The equations of a model, as the engine sees them. Written by the `equations!` macro, never by hand.
 //!
 //! A model with n coordinates and L laws (stiffnesses, transmission errors, friction), for one chosen set of effects:
-//! T = q'ᵀM q'/2, V(q; k), D(q'), Q. Terms of effects that the set lacks are not in the code behind these functions.
+//! T = q'ᵀM q'/2, V(q; k), D(q'), Q. Terms of effects that the set lacks are not executed.
 
 use nalgebra::{DMatrix, DVector, Scalar};
 use xprec::Df64;

@@ -1,5 +1,7 @@
 //! The expansion of `equations!` against formulas written by hand, and what it does where a file is silent.
 
+mod many_effects;
+
 use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility};
 use crate::engine::vector::{Matrix, Vector};
 
