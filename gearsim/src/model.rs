@@ -198,10 +198,9 @@ impl Model {
     pub fn admits(&self, effects: u64) -> bool {
         let has = |i: usize| effects >> i & 1 == 1;
         let named = |name: &&str| self.effects.iter().position(|effect| effect.name == *name).is_some_and(has);
-        let mut present = self.effects.iter().enumerate().filter(|(i, _)| has(*i)).map(|(_, effect)| effect);
+        let goes = |effect: &Effect| effect.requires.iter().all(named) && !effect.excludes.iter().any(named);
         effects.checked_shr(self.effects.len() as u32).unwrap_or(0) == 0
-            && present
-                .all(|effect| effect.requires.iter().all(named) && !effect.excludes.iter().any(|name| named(&name)))
+            && self.effects.iter().enumerate().all(|(i, effect)| !has(i) || goes(effect))
     }
 }
 

@@ -18,7 +18,7 @@ pub fn jumps(m: &Model) -> [Cold; 4] {
         })
     });
     let numeric = quote!(equations::compliance(&equations::matrix(&self.mass(met)), &self.normal(met, law).into()));
-    let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(|sum| block(sum)));
+    let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(block));
     let numeric = quote!(*equations::array(&equations::direction(
         &equations::matrix(&self.mass(met)),
         &self.normal(met, law).into()

@@ -1,6 +1,6 @@
 //! A model of 24 effects that do not depend on one another: each of its 2^24 sets is admissible, and none has code of its own.
 
-use crate::engine::equations::{Derived, Equations};
+use crate::engine::equations::Derived;
 
 /// Effect i is a spring of 2^i N/m. Those of the set `effects` have the stiffness `effects` [N/m] together.
 mod springs {
