@@ -276,8 +276,7 @@ impl Model {
         Expr::var(Kind::Force, name)
     }
 
-    /// Declares that the effect `name`, declared before, excludes each of `others`: a scene may name one side only. Every
-    /// admissible set of effects is compiled separately, so that excluding sets that nobody needs shortens the compilation.
+    /// Declares that the effect `name`, declared before, excludes each of `others`: a scene may name one side only.
     pub fn exclude(&mut self, name: &str, others: &[&str]) {
         for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
             effect.excludes.extend(others.iter().map(|other| other.to_string()));

@@ -193,6 +193,15 @@ impl Model {
         let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
         laws.chain(self.dead_bands.iter().flat_map(|_| [1.0, 0.0, 1.0, 0.0])).collect()
     }
+
+    /// Whether the bit set `effects` has effects of the model only, with all that they require and none that they exclude.
+    pub fn admits(&self, effects: u64) -> bool {
+        let has = |i: usize| effects >> i & 1 == 1;
+        let named = |name: &&str| self.effects.iter().position(|effect| effect.name == *name).is_some_and(has);
+        let goes = |effect: &Effect| effect.requires.iter().all(named) && !effect.excludes.iter().any(named);
+        effects.checked_shr(self.effects.len() as u32).unwrap_or(0) == 0
+            && self.effects.iter().enumerate().all(|(i, effect)| !has(i) || goes(effect))
+    }
 }
 
 /// A rigid motion of the whole drivetrain, scaled by one number.

@@ -20,7 +20,7 @@ use points::{DAMPING, FROZEN_PHASE, POINTS, Point, RIGID_KINEMATICS, STIFFNESS_S
 pub const TOLERANCE: f64 = 1e-13;
 
 /// The equations that are written by hand, with the effects that give them.
-const FORMS: [(&str, u32); 3] = [
+const FORMS: [(&str, u64); 3] = [
     ("exact, Eqs. (2), (3)", STIFFNESS_STEP),
     ("rigid kinematics, Eqs. (4), (5)", STIFFNESS_STEP | RIGID_KINEMATICS),
     ("classical, Eq. (6)", STIFFNESS_STEP | FROZEN_PHASE),
@@ -39,7 +39,7 @@ fn by_hand(pair: &GearPair, p: &Point, exact: bool) -> ([f64; 2], [f64; 2]) {
 
 /// The largest error of the accelerations over all points, in units of the largest term. `change` may put an error into the
 /// hand-written pair.
-fn largest_error(effects: u32, change: impl Fn(&mut GearPair)) -> f64 {
+fn largest_error(effects: u64, change: impl Fn(&mut GearPair)) -> f64 {
     let mut worst: f64 = 0.0;
     for p in points(POINTS) {
         let equations = p.equations(effects);
@@ -99,7 +99,7 @@ fn generated_forces_equal_mass_times_acceleration() {
 /// The comparison can fail: a parameter that is wrong by 1e-12, or a missing term, is detected in every form that contains it.
 #[test]
 fn a_wrong_coefficient_is_detected() {
-    type Change = (&'static str, u32, fn(&mut GearPair));
+    type Change = (&'static str, u64, fn(&mut GearPair));
     let changes: [Change; 6] = [
         ("I1", 0, |p| p.i1 *= 1.0 + 1e-12),
         ("I2", 0, |p| p.i2 *= 1.0 + 1e-12),

@@ -5,19 +5,19 @@ use quote::quote;
 use syn::{Expr, Index, Lit};
 
 use crate::cold::{Cold, Returns, Takes};
-use crate::gated;
+use crate::effects::is_met;
+use crate::lets::with_lets;
 use crate::model::*;
-use crate::sums::{Ask, position};
+use crate::sums::position;
 
 /// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of type R.
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
-    let bands = gated::of_effects(m, Ask::Running);
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
     // What depends on the values of laws and dead bands.
     let of_values = |cold: Cold| {
-        let body = cold.body;
-        Cold { takes: &[Takes::Laws("k")], body: quote!(#bands #body), ..cold }
+        let body = with_lets(m, cold.body);
+        Cold { takes: &[Takes::Laws("k")], body, ..cold }
     };
     let mut all = vec![square("mass", &m.mass)];
     all.extend(m.mobility.as_ref().map(|entries| square("mobility", entries)));
@@ -38,20 +38,20 @@ pub fn cells(m: &Model) -> Vec<Cold> {
 /// These functions for `Numbers<R>`, and `matrices`, which calls all of them.
 pub fn matrices(m: &Model) -> TokenStream {
     let mobility = match &m.mobility {
-        Some(_) => quote!(Some(equations::matrix(&self.mobility(effects)))),
+        Some(_) => quote!(Some(equations::matrix(&self.mobility(met)))),
         None => quote!(None),
     };
     let each = cells(m).into_iter().map(|f| f.define(m, &quote!(R)));
     quote! {
         #(#each)*
 
-        fn matrices(&self, effects: u32, k: &[R]) -> equations::Matrices<R> {
+        fn matrices(&self, met: &Met, k: &[R]) -> equations::Matrices<R> {
             equations::Matrices {
-                mass: equations::matrix(&self.mass(effects)),
+                mass: equations::matrix(&self.mass(met)),
                 mobility: #mobility,
-                damping: equations::matrix(&self.damping(effects, k)),
-                stiffness: equations::matrix(&self.stiffness(effects, k)),
-                load: equations::vector(&self.load(effects, k)),
+                damping: equations::matrix(&self.damping(met, k)),
+                stiffness: equations::matrix(&self.stiffness(met, k)),
+                load: equations::vector(&self.load(met, k)),
             }
         }
     }
@@ -74,7 +74,7 @@ fn sum(sum: &Sum) -> TokenStream {
     }
     let terms = sum.iter().map(|Term { condition, value }| {
         let value = any_number(value);
-        match condition.as_ref().map(|c| Ask::Running.tell(c)) {
+        match condition.as_ref().map(is_met) {
             Some(met) => quote!(if #met { sum += #value; }),
             None => quote!(sum += #value;),
         }

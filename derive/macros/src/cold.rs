@@ -1,5 +1,4 @@
-//! The functions that are not called at every step. Each is compiled once for a model and tests the effects at run time, so that the
-//! code for a set of effects only calls it.
+//! The functions that are not called at every step.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -7,17 +6,14 @@ use syn::Index;
 
 use self::Takes::{Coordinates, Laws};
 use crate::dead_bands;
-
-use crate::effects::{self, has};
-use crate::forces;
-use crate::functions::deflections;
-use crate::gated;
+use crate::effects::{self, has, is_met};
 use crate::jumps::jumps;
+use crate::lets::with_lets;
 use crate::model::*;
 use crate::scope::speed;
-use crate::sums::{Ask, block, body, by_index, position};
+use crate::sums::{block, body, by_index, position};
 
-/// A function of `Numbers` with the effects as its first argument, and without it a function of `Equations`.
+/// A function of `Numbers` with `met` as its first argument, and without it a function of `Equations`.
 pub struct Cold {
     pub name: &'static str,
     pub takes: &'static [Takes],
@@ -33,6 +29,8 @@ pub enum Takes {
     Laws(&'static str),
     /// Which of several.
     Index(&'static str),
+    /// A number.
+    Number(&'static str),
 }
 
 /// A result.
@@ -48,13 +46,14 @@ pub enum Returns {
 }
 
 impl Cold {
-    /// Itself, with the effects and conditions as variables, in numbers of type `r`.
+    /// Itself, in numbers of type `r`.
     pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
         let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
         let takes = self.takes.iter().map(|takes| match takes {
             Takes::Coordinates(name) => argument(name, quote!(&[#r; #n])),
             Takes::Laws(name) => argument(name, quote!(&[#r])),
             Takes::Index(name) => argument(name, quote!(usize)),
+            Takes::Number(name) => argument(name, r.clone()),
         });
         let returns = match &self.returns {
             Returns::Plain(plain) => plain.clone(),
@@ -62,10 +61,9 @@ impl Cold {
             Returns::Matrix => quote!([[#r; #n]; #n]),
             Returns::Matrices => quote!([[[#r; #n]; #n]; 2]),
         };
-        let conditions = effects::variables(m);
         quote! {
             #[inline(never)]
-            fn #name(&self, effects: u32, #(#takes),*) -> #returns { #conditions #body }
+            fn #name(&self, met: &Met, #(#takes),*) -> #returns { #body }
         }
     }
 
@@ -75,13 +73,14 @@ impl Cold {
         let takes = self.takes.iter().map(|takes| match takes {
             Takes::Coordinates(name) | Takes::Laws(name) => argument(name, quote!(&[f64])),
             Takes::Index(name) => argument(name, quote!(usize)),
+            Takes::Number(name) => argument(name, quote!(f64)),
         });
         let given = self.takes.iter().map(|takes| {
-            let (Takes::Coordinates(name) | Takes::Laws(name) | Takes::Index(name)) = takes;
+            let (Takes::Coordinates(name) | Takes::Laws(name) | Takes::Index(name) | Takes::Number(name)) = takes;
             let name = format_ident!("{name}");
             if let Takes::Coordinates(_) = takes { quote!(equations::array(#name)) } else { quote!(#name) }
         });
-        let value = quote!(self.numbers.#name(self.effects, #(#given),*));
+        let value = quote!(self.numbers.#name(&self.met, #(#given),*));
         let (returns, value) = match &self.returns {
             Returns::Plain(plain) => (plain.clone(), value),
             Returns::Vector => (quote!(Vector), quote!(#value.into())),
@@ -100,22 +99,20 @@ fn argument(name: &str, of: TokenStream) -> TokenStream {
 /// The functions in f64. Those that give the matrices of a cell, in any kind of number, are in [`crate::cells`].
 pub fn cold(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
-    let (d, d_dot) = deflections(m);
     let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
     let number = || Returns::Plain(quote!(f64));
 
-    let kinetic = body(&m.kinetic, Ask::Running);
-    let potential = body(&m.potential, Ask::Running);
-    let torques = m.torques.iter().map(|t| block(&t.work, Ask::Running));
-    let work = body(&work(m), Ask::Running);
+    let kinetic = body(&m.kinetic);
+    let potential = body(&m.potential);
+    let torques = m.torques.iter().map(|t| block(&t.work));
+    let work = body(&work(m));
     let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
-    let bands = gated::of_effects(m, Ask::Running);
-    let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v);
+    let jacobian = with_lets(m, quote!(let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v));
     let motions = m.motions.iter().map(|x| motion(m, x));
     let i = || format_ident!("i");
     let mut all = vec![
         cold("kinetic", &[Coordinates("q_dot")], number(), kinetic),
-        cold("potential", &[Coordinates("q"), Laws("k")], number(), quote!(#bands #d #potential)),
+        cold("potential", &[Coordinates("q"), Laws("k")], number(), with_lets(m, potential)),
         cold("torque_work", &[Takes::Index("i"), Coordinates("dq")], number(), by_index("torque", i(), torques)),
         cold("work", &[Coordinates("dq")], number(), work),
         cold(
@@ -129,26 +126,25 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         dead_bands::cold(m),
     ];
     all.extend(jumps(m));
-    let forces = forces::of_effects(m, Ask::Running);
-    all.extend(powers(m, &quote!(#bands #d #d_dot #forces)));
+    all.extend(powers(m));
     all
 }
 
 /// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.
-fn powers(m: &Model, first: &TokenStream) -> Vec<Cold> {
+fn powers(m: &Model) -> Vec<Cold> {
     let terms: Vec<_> = m.torques.iter().flat_map(|t| &t.power).collect();
     if terms.is_empty() {
         return vec![];
     }
-    let power = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.power, Ask::Running)));
+    let power = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.power)));
     let always = terms.iter().any(|t| t.condition.is_none());
-    let present = terms.iter().filter_map(|t| t.condition.as_ref()).map(effects::constant);
+    let present = terms.iter().filter_map(|t| t.condition.as_ref()).map(is_met);
     vec![
         Cold {
             name: "torque_power",
             takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
             returns: Returns::Plain(quote!(f64)),
-            body: quote!(#first #power),
+            body: with_lets(m, power),
         },
         Cold {
             name: "has_powers",
@@ -187,26 +183,25 @@ fn jacobian(m: &Model, e: &Entry) -> TokenStream {
         Some(j) => (Index::from(1), Index::from(j)),
         None => (Index::from(0), position(m, &e.column)),
     };
-    let (i, value) = (position(m, &e.row), block(&e.sum, Ask::Running));
+    let (i, value) = (position(m, &e.row), block(&e.sum));
     quote!(v[#which][#i][#j] = #value;)
 }
 
 fn switching(m: &Model) -> TokenStream {
     let otherwise = |effect: &str, case: TokenStream| {
         has(m, effect).then(|| {
-            let name = format_ident!("{}", effect.to_uppercase());
+            let name = is_met(&format_ident!("{effect}"));
             quote!(if #name { equations::Switching::#case } else)
         })
     };
     if !has(m, effects::STIFFNESS_STEP) {
         return quote!(equations::Switching::Never);
     }
-    let step = format_ident!("{}", effects::STIFFNESS_STEP.to_uppercase());
+    let step = is_met(&format_ident!("{}", effects::STIFFNESS_STEP));
     let by_time = otherwise(effects::FROZEN_PHASE, quote!(ByTime));
     let without = otherwise(effects::RIGID_KINEMATICS, quote!(WithoutJump));
     // A law whose effect is absent is zero, and never switches.
-    let gated =
-        m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), effects::constant(law.with.as_ref()?))));
+    let gated = m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), is_met(law.with.as_ref()?))));
     let (gated, there): (Vec<_>, Vec<_>) = gated.unzip();
     quote! {
         if !#step #(|| law == #gated && !#there)* { equations::Switching::Never } else #by_time #without { equations::Switching::WithJump }

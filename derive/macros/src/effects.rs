@@ -1,7 +1,7 @@
-//! Effects: the admissible sets of them, and the constants and variables by which generated code tests them.
+//! Effects: checks of them, and the fields by which generated code tests them.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::{Error, Ident};
 
 use crate::check::unique;
@@ -14,19 +14,16 @@ pub const RIGID_KINEMATICS: &str = "rigid_kinematics";
 /// Laws switch at the times of a steady rotation.
 pub const FROZEN_PHASE: &str = "frozen_phase";
 
-/// Largest number of sets of effects: each is compiled separately.
-const MOST_SETS: usize = 1024;
-/// Largest number of effects: with more, even counting the sets takes long.
-const MOST_EFFECTS: usize = 16;
+/// Largest number of effects: a set of them is 64 bits.
+const MOST_EFFECTS: usize = 64;
 
 /// Whether the model offers an effect.
 pub fn has(m: &Model, effect: &str) -> bool {
     m.effects.iter().any(|e| e.name == effect)
 }
 
-/// Effects and conditions must refer to effects that exist, and there must not be too many sets of effects.
+/// Effects and conditions must refer to effects that exist, and a set of effects must have room for all of them.
 pub fn check(m: &Model, errors: &mut Vec<Error>) {
-    let before = errors.len();
     unique(
         "effect or condition",
         m.effects.iter().map(|e| &e.name).chain(m.conditions.iter().map(|c| &c.name)),
@@ -42,66 +39,44 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
             errors.push(Error::new(name.span(), format!("there is no effect `{name}`")));
         }
     }
-    if errors.len() == before && (m.effects.len() > MOST_EFFECTS || sets(m).nth(MOST_SETS).is_some()) {
-        let message = format!(
-            "the {} effects have more than {MOST_SETS} admissible sets, each of which is compiled separately: \
-             let effects exclude one another, or split the model",
-            m.effects.len()
-        );
-        errors.push(Error::new(m.name.span(), message));
+    if let Some(beyond) = m.effects.get(MOST_EFFECTS) {
+        let message = format!("{} effects: a set of effects has room for {MOST_EFFECTS}", m.effects.len());
+        errors.push(Error::new(beyond.name.span(), message));
     }
 }
 
-/// The admissible sets of effects, by `requires` and `excludes`: bit i stands for effect i.
-pub fn sets(m: &Model) -> impl Iterator<Item = u32> {
-    let bits = |names: &[Ident]| names.iter().filter_map(|n| index(m, n)).fold(0u32, |bits, i| bits | 1 << i);
-    let rules: Vec<_> = m.effects.iter().map(|e| (bits(&e.requires), bits(&e.excludes))).collect();
-    (0..1u32 << m.effects.len()).filter(move |set| {
-        let holds = |(i, (requires, excludes)): (usize, &(u32, u32))| {
-            set & 1 << i == 0 || (set & requires == *requires && set & excludes == 0)
-        };
-        rules.iter().enumerate().all(holds)
-    })
-}
-
-/// A set as a literal with one digit for each effect, the last effect first: `0b11001`.
-pub fn literal(m: &Model, set: u32) -> TokenStream {
-    format!("0b{set:0width$b}", width = m.effects.len().max(1)).parse().expect("digits")
-}
-
-/// `const DAMPING: bool = E & 8 != 0;` for each effect, and the conjunction of its effects for each condition.
-pub fn constants(m: &Model) -> TokenStream {
-    let named = named(m, &quote!(E), &quote!(Self::)).into_iter();
-    let named = named.map(|(name, value)| quote!(const #name: bool = #value;));
-    quote!(#(#named)*)
-}
-
-/// The same as variables, from the set `effects`.
-pub fn variables(m: &Model) -> TokenStream {
-    let named = named(m, &quote!(effects), &quote!()).into_iter();
-    let named = named.map(|(name, value)| quote!(let #name = #value;));
-    quote!(#(#named)*)
-}
-
-/// Every effect and condition with the boolean expression for it in `set`.
-fn named(m: &Model, set: &TokenStream, path: &TokenStream) -> Vec<(Ident, TokenStream)> {
-    let effects = m.effects.iter().enumerate().map(|(i, e)| {
-        let bit = Literal::u32_unsuffixed(1 << i);
-        (constant(&e.name), quote!(#set & #bit != 0))
-    });
-    let conditions = m.conditions.iter().map(|c| {
+/// `struct Met`: for each effect and condition whether a scene meets it, and its constructor from a set of effects.
+pub fn met(m: &Model) -> TokenStream {
+    let effects: Vec<_> = m.effects.iter().map(|e| &e.name).collect();
+    let bits = (0..effects.len()).map(|i| Literal::u64_unsuffixed(1 << i));
+    let conditions: Vec<_> = m.conditions.iter().map(|c| &c.name).collect();
+    let factors = m.conditions.iter().map(|c| {
         let factors = c.effects.iter().map(|(present, effect)| {
-            let (not, effect) = ((!present).then(|| quote!(!)), constant(effect));
-            quote!(#not #path #effect)
+            let not = (!present).then(|| quote!(!));
+            quote!(#not #effect)
         });
-        (constant(&c.name), quote!(#(#factors)&&*))
+        quote!(#(#factors)&&*)
     });
-    effects.chain(conditions).collect()
+    quote! {
+        /// Which effects and conditions a scene meets.
+        #[allow(dead_code, reason = "not every effect has its own terms")]
+        struct Met { #(#effects: bool,)* #(#conditions: bool,)* }
+
+        impl Met {
+            /// With the effects of the bit set `effects`.
+            #[allow(unused_variables, reason = "a model may have no effects")]
+            fn new(effects: u64) -> Self {
+                #(let #effects = effects & #bits != 0;)*
+                #(let #conditions = #factors;)*
+                Self { #(#effects,)* #(#conditions,)* }
+            }
+        }
+    }
 }
 
-/// `DAMPING` for `damping`.
-pub fn constant(name: &Ident) -> Ident {
-    format_ident!("{}", name.to_string().to_uppercase(), span = name.span())
+/// The boolean expression for an effect or condition, in a function that has `met`.
+pub fn is_met(condition: &Ident) -> TokenStream {
+    quote!(met.#condition)
 }
 
 fn index(m: &Model, name: &Ident) -> Option<usize> {

@@ -8,37 +8,28 @@ use crate::cells::{any_number, cells, matrices};
 use crate::cold::{Cold, cold};
 use crate::describe::describe;
 use crate::effects;
-use crate::functions::functions;
-use crate::gated;
 use crate::hoist::hoist;
 use crate::model::*;
+use crate::terms::{Terms, functions};
 
 /// All items that the macro defines for a model.
-pub fn emit(m: &Model) -> TokenStream {
+pub fn emit(mut m: Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let name = camel_case(&m.name);
     let doc = format!("The model `{}`: {}.", m.name, m.title.value());
-    let describe = describe(m);
-    let sets = effects::sets(m).map(|set| effects::literal(m, set));
-    let cold = cold(m);
-    let mut hot = m.clone();
-    let coefficients = hoist(&mut hot);
+    let describe = describe(&m);
+    let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
+    let terms = force.values().chain(dissipation.values());
+    let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value);
+    let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
+    let coefficients = hoist(variables.chain(forces).chain(terms).collect());
+    let m = &m;
     let numbers = numbers(m, &coefficients);
-    let functions = functions(&hot);
+    let functions = functions(m, &force, &dissipation);
+    let cold = cold(m);
     let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
-    let (constants, values) = (effects::constants(m), gated::count(m));
-    let deflections = (!m.deflections.is_empty()).then(|| {
-        let count = Index::from(m.deflections.len());
-        let (values, rates) = (hot.deflections.iter().map(|d| &d.value), hot.rates.iter().map(|d| &d.value));
-        let offsets = gated::offsets(m);
-        quote! {
-            #[inline]
-            fn deflections(&self, q: &[f64; #n], #(#offsets: f64),*) -> [f64; #count] { [#(#values),*] }
-            #[inline]
-            fn rates(&self, q_dot: &[f64; #n]) -> [f64; #count] { [#(#rates),*] }
-        }
-    });
+    let met = effects::met(m);
     quote! {
         use crate::engine::{equations, real, vector::{Matrix, Vector}};
         use crate::model;
@@ -51,47 +42,24 @@ pub fn emit(m: &Model) -> TokenStream {
         impl equations::Derived for #name {
             const MODEL: model::Model = #describe;
 
-            fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
-                let with = match effects {
-                    #(#sets => With::<#sets>::equations,)*
-                    _ => return None,
-                };
-                Some(Box::new(with(Numbers::<f64>::new(parameters, mids))))
+            fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
+                let equations = || Equations { numbers: Numbers::new(parameters, mids), met: Met::new(effects) };
+                Self::MODEL.admits(effects).then(|| Box::new(equations()) as Box<dyn equations::Equations>)
             }
 
-            fn matrices<R: real::Real>(effects: u32, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
-                Numbers::<R>::new(parameters, mids).matrices(effects, k)
+            fn matrices<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
+                Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), k)
             }
         }
 
         #numbers
 
-        /// The equations with a set of effects.
+        #met
+
+        /// The equations of a scene.
         struct Equations {
             numbers: Numbers<f64>,
-            effects: u32,
-            force: fn(&Numbers<f64>, &[f64; #n], &[f64; #n], &[f64], &[f64], &mut [f64; #n]),
-            dissipation: fn(&Numbers<f64>, &[f64; #n], &[f64]) -> f64,
-            step: fn(&Numbers<f64>, usize, &[f64; #n], &[f64], f64) -> f64,
-        }
-
-        /// The set of effects E.
-        struct With<const E: u32>;
-
-        #[allow(dead_code, reason = "not every effect has its own terms")]
-        impl<const E: u32> With<E> {
-            #constants
-            #values
-
-            fn equations(numbers: Numbers<f64>) -> Equations {
-                Equations {
-                    numbers,
-                    effects: E,
-                    force: Numbers::force::<E>,
-                    dissipation: Numbers::dissipation::<E>,
-                    step: Numbers::step::<E>,
-                }
-            }
+            met: Met,
         }
 
         #[allow(
@@ -99,7 +67,6 @@ pub fn emit(m: &Model) -> TokenStream {
             reason = "code is written as derived, and most terms use few of the variables",
         )]
         impl Numbers<f64> {
-            #deflections
             #functions
             #(#cold)*
         }
@@ -108,13 +75,10 @@ pub fn emit(m: &Model) -> TokenStream {
             fn coordinates(&self) -> usize { #n }
             fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
                 let (q, q_dot) = (equations::array(q), equations::array(q_dot));
-                (self.force)(&self.numbers, q, q_dot, k, dk, equations::array_mut(force));
+                self.numbers.force(&self.met, q, q_dot, k, dk, equations::array_mut(force));
             }
             fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
-                (self.dissipation)(&self.numbers, equations::array(q_dot), k)
-            }
-            fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64 {
-                (self.step)(&self.numbers, law, equations::array(q), k, dk)
+                self.numbers.dissipation(&self.met, equations::array(q_dot), k)
             }
             #(#calls)*
         }

@@ -10,5 +10,5 @@ pub fn expand(input: TokenStream) -> TokenStream {
         crate::check::check(&mut model)?;
         Ok(model)
     });
-    model.map_or_else(|e| e.to_compile_error(), |model| crate::emit::emit(&model))
+    model.map_or_else(|e| e.to_compile_error(), crate::emit::emit)
 }

@@ -5,26 +5,19 @@
 use quote::quote;
 use syn::{BinOp, Expr, Index, Lit, parse_quote};
 
-use crate::model::{Model, Sum};
-
-/// Replaces the constant factors in the forces, deflections and dissipation by `self.coefficients[i]`, and returns the coefficients in
-/// this order, as expressions in parameters, mid values and constants.
-pub fn hoist(m: &mut Model) -> Vec<Expr> {
+/// Replaces the constant factors in expressions by `self.coefficients[i]`, and returns the coefficients in this order, as expressions
+/// in parameters, mid values and constants.
+pub fn hoist(mut expressions: Vec<&mut Expr>) -> Vec<Expr> {
     let mut hoist = Hoist::default();
-    for term in m.force.iter().flatten().flat_map(|row| &row.sum) {
-        hoist.count(&term.value);
-    }
-    m.deflections.iter_mut().chain(&mut m.rates).for_each(|d| hoist.replace(&mut d.value));
-    let rows = m.force.iter_mut().flatten().chain(&mut m.forces);
-    rows.for_each(|row| hoist.sum(&mut row.sum));
-    hoist.sum(&mut m.dissipation);
+    expressions.iter().for_each(|e| hoist.count(e));
+    expressions.iter_mut().for_each(|e| hoist.replace(e));
     hoist.coefficients
 }
 
 #[derive(Default)]
 struct Hoist {
     coefficients: Vec<Expr>,
-    /// Factors of the forces, each with the number of products that contain it.
+    /// Factors, each with the number of products that contain it.
     counts: Vec<(Expr, usize)>,
 }
 
@@ -45,10 +38,6 @@ struct Group {
 }
 
 impl Hoist {
-    fn sum(&mut self, sum: &mut Sum) {
-        sum.iter_mut().for_each(|term| self.replace(&mut term.value));
-    }
-
     fn replace(&mut self, e: &mut Expr) {
         *e = self.expression(e);
     }

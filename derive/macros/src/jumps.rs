@@ -5,41 +5,39 @@ use quote::quote;
 use syn::Index;
 
 use crate::cold::{Cold, Returns, Takes};
-use crate::functions::deflections;
-use crate::gated;
+use crate::lets::with_lets;
 use crate::model::{Jump, Law, Model};
-use crate::sums::{Ask, block, position, vector};
+use crate::sums::{block, position, vector};
 
-/// n, G and M⁻¹n/G. If the file does not give G or M⁻¹n/G, they are computed from M and n at run time.
-pub fn jumps(m: &Model) -> [Cold; 3] {
+/// n, G, M⁻¹n/G and dV. If the file does not give G or M⁻¹n/G, they are computed from M and n at run time.
+pub fn jumps(m: &Model) -> [Cold; 4] {
     let normal = by_law(m, quote!(equations::no_such("law", law)), |law, jump| {
         Some(match jump.and_then(|j| j.normal.as_ref()) {
-            Some(rows) => vector(m, rows, Ask::Running),
+            Some(rows) => vector(m, rows),
             None => unit(m, law),
         })
     });
-    let numeric =
-        quote!(equations::compliance(&equations::matrix(&self.mass(effects)), &self.normal(effects, law).into()));
-    let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(|sum| block(sum, Ask::Running)));
+    let numeric = quote!(equations::compliance(&equations::matrix(&self.mass(met)), &self.normal(met, law).into()));
+    let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(block));
     let numeric = quote!(*equations::array(&equations::direction(
-        &equations::matrix(&self.mass(effects)),
-        &self.normal(effects, law).into()
+        &equations::matrix(&self.mass(met)),
+        &self.normal(met, law).into()
     )));
-    let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows, Ask::Running)));
+    let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows)));
+    let otherwise = quote!(equations::no_such("jump", law));
+    let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| with_lets(m, block(sum))));
     let of_law = |name, returns, body| Cold { name, takes: &[Takes::Index("law")], returns, body };
     [
         of_law("normal", Returns::Vector, normal),
         of_law("compliance", Returns::Plain(quote!(f64)), compliance),
         of_law("direction", Returns::Vector, direction),
+        Cold {
+            name: "step",
+            takes: &[Takes::Index("law"), Takes::Coordinates("q"), Takes::Laws("k"), Takes::Number("dk")],
+            returns: Returns::Plain(quote!(f64)),
+            body: step,
+        },
     ]
-}
-
-/// The body of the function that gives dV.
-pub fn step(m: &Model) -> TokenStream {
-    let otherwise = quote!(equations::no_such("jump", law));
-    let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| block(sum, Ask::Compiled)));
-    let (bands, (d, _)) = (gated::of_effects(m, Ask::Compiled), deflections(m));
-    quote!(#bands #d #step)
 }
 
 /// A match over the laws, with an arm for each law for which `arm` gives code.

@@ -1,7 +1,7 @@
 //! The `equations!` macro: Rust code from a file of derived equations.
 //!
-//! A generated file states the derived equations in the symbols of their source. The macro generates separate code for each set
-//! of effects, without the terms of absent effects. One invocation fills one module: it defines the model (`GearPair` for
+//! A generated file states the derived equations in the symbols of their source. The macro generates code that does
+//! not execute the terms of absent effects. One invocation fills one module: it defines the model (`GearPair` for
 //! `gear_pair`), which implements `gearsim::engine::equations::Derived`.
 //!
 //! # Grammar
@@ -95,28 +95,28 @@
 //! | parse tokens into the structs of `model` | `parse`, `items`, `tokens` |
 //! | check the model, report all errors at once; resolve names | `check`, `effects`, `resolve`, `scope` |
 //! | replace constant factors by coefficients, computed once for each scene | `hoist` |
-//! | write the code | `emit`, `describe`, `varies`, `functions`, `share`, `cold`, `cells`, `jumps`, `gated`, `dead_bands`, `forces`, `sums` |
+//! | write the code | `emit`, `describe`, `varies`, `terms`, `cold`, `cells`, `jumps`, `lets`, `deflections`, `gated`, `dead_bands`, `sums` |
 
 mod cells;
 mod check;
 mod cold;
 mod dead_bands;
+mod deflections;
 mod describe;
 mod effects;
 mod emit;
 mod expand;
-mod forces;
-mod functions;
 mod gated;
 mod hoist;
 mod items;
 mod jumps;
+mod lets;
 mod model;
 mod parse;
 mod resolve;
 mod scope;
-mod share;
 mod sums;
+mod terms;
 #[cfg(test)]
 mod tests;
 mod tokens;
@@ -124,13 +124,13 @@ mod varies;
 
 use proc_macro::TokenStream;
 
-/// Defines a model from its derived equations and implements `Derived` for it, with `Equations` for each set of effects.
+/// Defines a model from its derived equations and implements `Derived` for it, with `Equations` for any set of effects.
 ///
 /// The grammar is at the head of this crate; the files under `gearsim/src/generated` are written in it.
 ///
 /// # Errors
 /// Compile errors, all at once and each at its place: unknown names, names that are not allowed in a block, piecewise functions,
-/// duplicate names, missing rows and blocks, empty ranges, and more than 1024 sets of effects.
+/// duplicate names, missing rows and blocks, empty ranges, and more than 64 effects.
 #[proc_macro]
 pub fn equations(input: TokenStream) -> TokenStream {
     expand::expand(input.into()).into()

@@ -4,7 +4,6 @@ use quote::format_ident;
 use syn::{Expr, Ident, LitStr};
 
 /// One file of derived equations.
-#[derive(Clone)]
 pub struct Model {
     pub name: Ident,
     pub title: LitStr,
@@ -44,7 +43,6 @@ pub struct Model {
 }
 
 /// `theta "rad" start 0.0, "doc";`
-#[derive(Clone)]
 pub struct Coordinate {
     pub name: Ident,
     pub unit: LitStr,
@@ -54,7 +52,6 @@ pub struct Coordinate {
 }
 
 /// `N1 "1" default 24.0, open 0.0 to inf, "doc";`
-#[derive(Clone)]
 pub struct Parameter {
     pub name: Ident,
     pub unit: LitStr,
@@ -71,7 +68,6 @@ pub struct Parameter {
 
 /// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with transmission_error, "doc";`,
 /// `side "1" phase theta period 6.28 with sliding_friction as side, "doc";`
-#[derive(Clone)]
 pub struct Law {
     pub name: Ident,
     pub unit: LitStr,
@@ -99,7 +95,6 @@ pub enum Role {
 }
 
 /// `speed "rad/s" { theta_dot = N1; }, "doc";`
-#[derive(Clone)]
 pub struct Motion {
     pub name: Ident,
     pub unit: LitStr,
@@ -108,7 +103,6 @@ pub struct Motion {
 }
 
 /// `damping requires(a, b) excludes(c) "doc";`
-#[derive(Clone)]
 pub struct Effect {
     pub name: Ident,
     pub requires: Vec<Ident>,
@@ -117,21 +111,18 @@ pub struct Effect {
 }
 
 /// `jump_terms = stiffness_step, !frozen_phase;`: a conjunction of effects present (`true`) or absent.
-#[derive(Clone)]
 pub struct Condition {
     pub name: Ident,
     pub effects: Vec<(bool, Ident)>,
 }
 
 /// `NAME = EXPR;`
-#[derive(Clone)]
 pub struct Assignment {
     pub name: Ident,
     pub value: Expr,
 }
 
 /// `over "m" (touch, edge, damp, clip) half b with backlash, "doc";`: play of the deflection `over`.
-#[derive(Clone)]
 pub struct DeadBand {
     pub over: Ident,
     pub unit: LitStr,
@@ -145,7 +136,6 @@ pub struct DeadBand {
 }
 
 /// `drive "doc" { TERMS }`, `fan "doc" {} power { TERMS }`
-#[derive(Clone)]
 pub struct Torque {
     pub name: Ident,
     pub doc: LitStr,
@@ -156,14 +146,12 @@ pub struct Torque {
 }
 
 /// `fan_load "c*omega^2 in the torque `fan`";`
-#[derive(Clone)]
 pub struct NonlinearWith {
     pub effect: Ident,
     pub text: LitStr,
 }
 
 /// `jump k { normal { ROWS } compliance { TERMS } direction { ROWS } step { TERMS } }`
-#[derive(Clone)]
 pub struct Jump {
     pub law: Ident,
     pub normal: Option<Vec<Row>>,
@@ -176,7 +164,6 @@ pub struct Jump {
 pub type Sum = Vec<Term>;
 
 /// `COND => EXPR;`
-#[derive(Clone)]
 pub struct Term {
     /// `None`: `_`, always.
     pub condition: Option<Ident>,
@@ -184,14 +171,12 @@ pub struct Term {
 }
 
 /// `theta { TERMS }`: one component of a vector.
-#[derive(Clone)]
 pub struct Row {
     pub name: Ident,
     pub sum: Sum,
 }
 
 /// `theta phi { TERMS }`: one entry of a matrix.
-#[derive(Clone)]
 pub struct Entry {
     pub row: Ident,
     pub column: Ident,

@@ -1,10 +1,10 @@
 //! Resolves the names in every block: a block may use the arguments of its generated function and the numbers of the scene.
 
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::Error;
 
 use crate::model::{Assignment, Entry, Model, Row};
-use crate::scope::Scope;
+use crate::scope::{Scope, speed};
 
 /// Resolves every expression of the model in place.
 pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
@@ -16,7 +16,11 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
 
     // Deflections are linear: with speeds in place of coordinates, and edges and errors zero, they give the rates. Errors in them are
     // reported once, with the deflections.
-    m.rates = m.deflections.iter().map(|d| Assignment { name: d.name.clone(), value: d.value.clone() }).collect();
+    m.rates = m
+        .deflections
+        .iter()
+        .map(|d| Assignment { name: format_ident!("{}", speed(&d.name)), value: d.value.clone() })
+        .collect();
     let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").offsets(m, quote!(0.0));
     m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
     let deflections = Scope::of(m, "deflections").coordinates(m, "q").gated(m);

@@ -69,15 +69,15 @@ impl Scope {
         self
     }
 
-    /// Adds the deflections, as entries of `d`.
+    /// Adds the deflections, as plain variables that [`crate::lets`] defines.
     pub fn deflections(mut self, model: &Model) -> Self {
-        self.add(model.deflections.iter().map(|d| d.name.to_string()), "d");
+        model.deflections.iter().for_each(|d| self.declare(&d.name));
         self
     }
 
-    /// Adds the rates of deflections, as entries of `d_dot`.
+    /// Adds the rates of deflections, as plain variables that [`crate::lets`] defines.
     pub fn rates(mut self, model: &Model) -> Self {
-        self.add(model.deflections.iter().map(|d| speed(&d.name)), "d_dot");
+        model.rates.iter().for_each(|d| self.declare(&d.name));
         self
     }
 
@@ -90,13 +90,13 @@ impl Scope {
         self
     }
 
-    /// Adds the values that exist only with an effect, as plain variables that [`gated`] defines.
+    /// Adds the values that exist only with an effect, as plain variables that [`crate::lets`] defines.
     pub fn gated(mut self, model: &Model) -> Self {
-        gated::names(model).for_each(|name| self.declare(name));
+        gated::gated(model).for_each(|gated| self.declare(gated.name));
         self
     }
 
-    /// Adds the named forces, as plain variables that [`crate::forces`] defines.
+    /// Adds the named forces, as plain variables that [`crate::lets`] defines.
     pub fn forces(mut self, model: &Model) -> Self {
         model.forces.iter().for_each(|force| self.declare(&force.name));
         self

@@ -1,44 +1,24 @@
-//! Code for sums and vectors without the terms of absent effects, which are left out at compile time or at run time.
+//! Code for sums and vectors that passes over the terms of absent effects.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Ident, Index};
 
-use crate::effects::constant;
+use crate::effects::is_met;
 use crate::model::*;
 
-/// When generated code tests whether an effect or condition is met.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ask {
-    /// At compile time, by constants of `With<E>`: separate code for each set of effects, without the terms of absent ones.
-    Compiled,
-    /// At run time, by variables: one piece of code for all sets.
-    Running,
-}
-
-impl Ask {
-    /// The boolean expression for an effect or condition.
-    pub fn tell(self, condition: &Ident) -> TokenStream {
-        let constant = constant(condition);
-        match self {
-            Ask::Compiled => quote!(With::<E>::#constant),
-            Ask::Running => quote!(#constant),
-        }
-    }
-}
-
 /// The statements of a function that returns a vector; entries without a row are zero.
-pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>, ask: Ask) -> TokenStream {
+pub fn vector<'a>(m: &Model, rows: impl IntoIterator<Item = &'a Row>) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let rows = rows.into_iter().filter(|r| !r.sum.is_empty()).map(|r| {
-        let (i, value) = (position(m, &r.name), block(&r.sum, ask));
+        let (i, value) = (position(m, &r.name), block(&r.sum));
         quote!(v[#i] = #value;)
     });
     quote!(let mut v = [0.0; #n]; #(#rows)* v)
 }
 
 /// The statements of a function that returns a sum.
-pub fn body(sum: &Sum, ask: Ask) -> TokenStream {
+pub fn body(sum: &Sum) -> TokenStream {
     let (first, rest) = match &sum[..] {
         [] => return quote!(0.0),
         [Term { condition: None, value }] => return quote!(#value),
@@ -46,7 +26,7 @@ pub fn body(sum: &Sum, ask: Ask) -> TokenStream {
         // x + -0.0 is x for every x, so that the compiler drops the addition; x + 0.0 is not for x = -0.0.
         all => (quote!(-0.0), all),
     };
-    let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(|c| ask.tell(c)) {
+    let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(is_met) {
         Some(met) => quote!(if #met { sum += #value; }),
         None => quote!(sum += #value;),
     });
@@ -54,8 +34,8 @@ pub fn body(sum: &Sum, ask: Ask) -> TokenStream {
 }
 
 /// A sum as an expression.
-pub fn block(sum: &Sum, ask: Ask) -> TokenStream {
-    let body = body(sum, ask);
+pub fn block(sum: &Sum) -> TokenStream {
+    let body = body(sum);
     if matches!(&sum[..], [] | [Term { condition: None, .. }]) { body } else { quote!({ #body }) }
 }
 

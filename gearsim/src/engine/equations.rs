@@ -1,7 +1,7 @@
 //! The interface between a model and the engine. Its implementations are written by the `equations!` macro, never by hand.
 //!
 //! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by T =
-//! q'ᵀM q'/2, V(q; k), D(q') and Q. Terms of effects that the set does not contain are not compiled into these functions.
+//! q'ᵀM q'/2, V(q; k), D(q') and Q. Terms of effects that the set does not contain are not executed.
 
 use nalgebra::{DMatrix, DVector, Scalar};
 use xprec::Df64;
@@ -127,10 +127,10 @@ pub trait Derived: Sync {
 
     /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), the parameter values [SI, order of
     /// `MODEL.parameters`] and the mid value (max + min)/2 of each stiffness; `None` if the effects contradict one another.
-    fn equations(effects: u32, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
+    fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
 
     /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
-    fn matrices<R: Real>(effects: u32, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
+    fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
 }
 
 /// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
@@ -149,9 +149,9 @@ pub struct Matrices<R> {
 }
 
 /// [`Derived::equations`] of a model.
-pub type EquationsOf = fn(u32, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
+pub type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
 /// [`Derived::matrices`] of a model, in numbers of type R.
-pub type MatricesOf<R> = fn(u32, &[R], &[R], &[R]) -> Matrices<R>;
+pub type MatricesOf<R> = fn(u64, &[R], &[R], &[R]) -> Matrices<R>;
 
 /// A derived model as a value. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]

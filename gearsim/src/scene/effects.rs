@@ -9,7 +9,7 @@ use crate::model::{Effect, Model};
 impl Effects {
     /// Whether effect `i` of the model is in the set.
     pub fn contains(self, i: usize) -> bool {
-        i < u32::BITS as usize && self.0 >> i & 1 == 1
+        i < u64::BITS as usize && self.0 >> i & 1 == 1
     }
 
     /// The names of the effects, in the model's order.
@@ -44,7 +44,7 @@ impl Effects {
     }
 
     fn with(self, i: usize) -> Effects {
-        Effects(self.0 | 1u32.checked_shl(i as u32).unwrap_or(0))
+        Effects(self.0 | 1u64.checked_shl(i as u32).unwrap_or(0))
     }
 }
 

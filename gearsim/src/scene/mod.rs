@@ -160,7 +160,7 @@ impl Scene {
 
 /// A set of effects: bit `i` is `model.effects[i]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Effects(pub u32);
+pub struct Effects(pub u64);
 
 /// The state at t = 0, as the scene states it.
 #[derive(Debug, Clone, PartialEq)]

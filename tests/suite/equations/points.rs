@@ -6,11 +6,11 @@ use gearsim_tests::oh2005::{GearPair, PITCH};
 
 pub const POINTS: usize = 10_000;
 
-pub const STIFFNESS_STEP: u32 = 1;
-pub const RIGID_KINEMATICS: u32 = 2;
-pub const FROZEN_PHASE: u32 = 4;
-pub const DAMPING: u32 = 32;
-pub const TORQUES: u32 = 64;
+pub const STIFFNESS_STEP: u64 = 1;
+pub const RIGID_KINEMATICS: u64 = 2;
+pub const FROZEN_PHASE: u64 = 4;
+pub const DAMPING: u64 = 32;
+pub const TORQUES: u64 = 64;
 
 /// A gear pair and a state of it. `pair` always has damping and torque; `Point::pair` removes those that the effects exclude.
 #[derive(Debug, Clone, Copy)]
@@ -36,13 +36,13 @@ impl Point {
     }
 
     /// The hand-written gear pair, with zeta and T0 zero where their effects are absent.
-    pub fn pair(&self, effects: u32) -> GearPair {
+    pub fn pair(&self, effects: u64) -> GearPair {
         let keep = |effect, x| if effects & effect == 0 { 0.0 } else { x };
         GearPair { zeta: keep(DAMPING, self.pair.zeta), t0: keep(TORQUES, self.pair.t0), ..self.pair }
     }
 
     /// The generated equations with the same numbers.
-    pub fn equations(&self, effects: u32) -> Box<dyn Equations> {
+    pub fn equations(&self, effects: u64) -> Box<dyn Equations> {
         let p = &self.pair;
         Generated::equations(
             effects,

@@ -1,5 +1,7 @@
 //! The expansion of `equations!` against hand-written formulas, and its defaults for what a file does not state.
 
+mod many_effects;
+
 use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility};
 use crate::engine::vector::{Matrix, Vector};
 
@@ -8,13 +10,13 @@ use crate::generated::idler::Idler;
 use crate::model::{Range, Start};
 use crate::scene::Effects;
 
-const STIFFNESS_STEP: u32 = 1;
-const RIGID_KINEMATICS: u32 = 2;
-const FROZEN_PHASE: u32 = 4;
-const TRANSMISSION_ERROR: u32 = 8;
-const DAMPING: u32 = 32;
-const TORQUES: u32 = 64;
-const SLIDING_FRICTION: u32 = 128;
+const STIFFNESS_STEP: u64 = 1;
+const RIGID_KINEMATICS: u64 = 2;
+const FROZEN_PHASE: u64 = 4;
+const TRANSMISSION_ERROR: u64 = 8;
+const DAMPING: u64 = 32;
+const TORQUES: u64 = 64;
+const SLIDING_FRICTION: u64 = 128;
 
 /// N1, N2, I1, I2, zeta, T0, b, alpha, mu, w_mix, and the mid value of k.
 const NUMBERS: [f64; 10] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN, 0.35, f64::NAN, f64::NAN];
@@ -27,7 +29,7 @@ const K: [f64; 5] = [3.1e4, 1.0, 0.0, 1.0, 0.0];
 const DK: [f64; 1] = [1.7e5];
 const DDK: [f64; 1] = [-2.3e6];
 
-fn gear_pair(effects: u32) -> Box<dyn Equations> {
+fn gear_pair(effects: u64) -> Box<dyn Equations> {
     GearPair::equations(effects, &NUMBERS, &[MID]).unwrap()
 }
 

@@ -10,56 +10,45 @@ pub const TITLE: &str = "## Compile time\n";
 const NAMED: usize = 15;
 
 /// The part, without its title.
-pub fn write(models: &[Compiled], build: &Build) -> String {
+pub fn write(models: &[Compiled], effects: &[Compiled], build: &Build) -> String {
     format!(
-        "\nProcessor times of rustc, by `cargo xtask costs --compile`.\n\n\
+        "\nProcessor times of rustc, by `cargo xtask costs --compile`. Each model is compiled by itself, optimised. The exponent compares \
+         it with the one above of the same kind.\n\n\
          ### Models against the number n of coordinates\n\n\
-         Each file of gearsim/src/generated is compiled by itself, optimised: its equations for all sets of effects, and these with the \
-         engine for its number of coordinates. The exponent compares a model with the one above of the same kind.\n\n{}\n{}\n\
+         Each file of gearsim/src/generated.\n\n{}\n\
+         One more model adds {} to the compile time of gearsim (median of the table).\n\n\
+         ### Models against the number n of effects\n\n\
+         A chain whose n springs have a transmission error and a damper each, every one an effect of its own: all 2^n sets are admissible.\n\n\
+         {}\n\
          ### gearsim and its dependencies\n\n\
          `cargo build --release --package gearsim` from scratch. A dependency's time includes its build script's compilation.\n\n{}",
-        equations(models),
-        growth(models),
+        table(models),
+        time(median(models)),
+        table(effects),
         packages(build)
     )
 }
 
-fn equations(models: &[Compiled]) -> String {
+fn table(models: &[Compiled]) -> String {
     let mut text = String::from(
-        "| model | n | its file | equations: compile time | exponent | code | with the engine: compile time | code |\n\
-         | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "| model | n | its file | compile time | exponent | code |\n| --- | --- | --- | --- | --- | --- |\n",
     );
-    let kind = |c: &Compiled| c.model.trim_end_matches(|c: char| c.is_ascii_digit());
+    let kind = |c: &Compiled| c.model.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned();
     let mut before: Option<&Compiled> = None;
     for c in models {
         let before = before.replace(c).filter(|b| kind(b) == kind(c));
-        let grows = before.map_or(String::new(), |b| exponent([b.n, c.n], [b.equations.0, c.equations.0]));
-        text += &format!(
-            "| `{}` | {} | {} | {} | {grows} | {} | {} | {} |\n",
-            c.model,
-            c.n,
-            memory(c.source as f64),
-            time(c.equations.0),
-            memory(c.equations.1 as f64),
-            time(c.engine.0),
-            memory(c.engine.1 as f64),
-        );
+        let grows = before.map_or(String::new(), |b| exponent([b.n, c.n], [b.time, c.time]));
+        let (source, code) = (memory(c.source as f64), memory(c.code as f64));
+        text += &format!("| `{}` | {} | {source} | {} | {grows} | {code} |\n", c.model, c.n, time(c.time));
     }
     text
 }
 
-/// What one more model adds to the compile time of gearsim.
-fn growth(models: &[Compiled]) -> String {
-    let median = |of: fn(&Compiled) -> f64| {
-        let mut times: Vec<f64> = models.iter().map(of).collect();
-        times.sort_by(f64::total_cmp);
-        time(times.get(times.len() / 2).copied().unwrap_or(f64::NAN))
-    };
-    format!(
-        "One more model adds {} to the compile time of gearsim if another model has the same n, else {} (medians of the table).\n",
-        median(|c| c.equations.0),
-        median(|c| c.engine.0)
-    )
+/// What one more model adds to the compile time of gearsim [s].
+fn median(models: &[Compiled]) -> f64 {
+    let mut times: Vec<f64> = models.iter().map(|c| c.time).collect();
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 fn packages(build: &Build) -> String {

@@ -6,6 +6,7 @@
 mod build;
 mod compile_table;
 mod format;
+mod many_effects;
 mod models;
 mod planetary;
 mod processor_time;
@@ -49,7 +50,7 @@ fn main() -> anyhow::Result<()> {
     let old = std::fs::read_to_string(&arguments.table).unwrap_or_default();
     let (run, compile) = old.split_once(compile_table::TITLE).unwrap_or((&old, ""));
     let (run, compile) = if arguments.compile {
-        (run.to_owned(), compile_table::write(&models::all()?, &build::gearsim()?))
+        (run.to_owned(), compile_table::write(&models::all()?, &models::of_effects()?, &build::gearsim()?))
     } else {
         let rows = (0..ROWS.len()).map(row).collect::<anyhow::Result<Vec<_>>>()?;
         (run_table::write(&rows, &threads::all()?), compile.to_owned())

@@ -1,64 +1,63 @@
-//! Compile time of a model: its generated file compiled by itself against the library of gearsim, once with the equations
-//! alone, once with the engine for its number of coordinates.
+//! Compile time of a model: a file of derived equations compiled by itself against the library of gearsim.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, bail};
 use gearsim::generated::MODELS;
-use gearsim::model::Model;
 
-use crate::processor_time;
+use crate::{many_effects, processor_time};
 
 /// A model and what rustc needed for it.
 pub struct Compiled {
     /// Name of the model.
-    pub model: &'static str,
-    /// Number of coordinates.
+    pub model: String,
+    /// What the table compares: its number of coordinates, or of effects.
     pub n: usize,
-    /// Size of the generated file [bytes].
+    /// Size of the file [bytes].
     pub source: u64,
-    /// Of the equations: processor time of rustc [s], size of the object file [bytes].
-    pub equations: (f64, u64),
-    /// The same of the equations and the engine.
-    pub engine: (f64, u64),
+    /// Processor time of rustc [s].
+    pub time: f64,
+    /// Size of the object file [bytes].
+    pub code: u64,
 }
+
+/// Numbers of effects of the models that differ in it.
+const EFFECTS: [usize; 4] = [6, 12, 24, 48];
 
 /// Compiles the file of each model.
 ///
 /// # Errors
 /// If one does not compile.
 pub fn all() -> anyhow::Result<Vec<Compiled>> {
-    MODELS.iter().map(|entry| one(entry.model)).collect()
+    let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gearsim/src/generated");
+    let each = MODELS.iter().map(|entry| entry.model);
+    each.map(|model| compile(model.name, model.coordinates.len(), &generated.join(format!("{}.rs", model.name))))
+        .collect()
 }
 
-fn one(model: &'static Model) -> anyhow::Result<Compiled> {
-    let (name, n) = (model.name, model.coordinates.len());
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../gearsim/src/generated/{name}.rs"));
-    let type_name: String = name.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
-    let equations = format!(
-        "pub fn equations(e: u32, p: &[f64], m: &[f64]) -> Option<Box<dyn gearsim::engine::equations::Equations<{n}>>> {{
-            <derived::{type_name} as gearsim::engine::equations::Derived<{n}>>::equations(e, p, m)
-        }}"
-    );
-    let engine =
-        format!("pub static ENTRY: gearsim::run::Entry = gearsim::run::Entry::new::<derived::{type_name}, {n}>();");
-    let compiled = Compiled {
-        model: name,
-        n,
-        source: std::fs::metadata(&file).with_context(|| format!("cannot read {}", file.display()))?.len(),
-        equations: compile(&file, &equations)?,
-        engine: compile(&file, &engine)?,
+/// Compiles models that differ in the number of effects alone.
+///
+/// # Errors
+/// If one does not compile.
+pub fn of_effects() -> anyhow::Result<Vec<Compiled>> {
+    let one = |n: usize| {
+        let file = folder()?.join(format!("{}.rs", many_effects::name(n)));
+        std::fs::write(&file, many_effects::file(n))?;
+        compile(&many_effects::name(n), n, &file)
     };
-    eprintln!("{name}: {:?} {:?}", compiled.equations, compiled.engine);
-    Ok(compiled)
+    EFFECTS.into_iter().map(one).collect()
 }
 
-/// Compiles a library with the generated file as module `derived`, and with `item`: processor time [s], size of the object file [bytes].
-fn compile(file: &Path, item: &str) -> anyhow::Result<(f64, u64)> {
+/// Compiles a library with the file as module `derived`.
+fn compile(name: &str, n: usize, file: &Path) -> anyhow::Result<Compiled> {
     let (release, folder) = (release()?, folder()?);
     let (source, object) = (folder.join("one.rs"), folder.join("one.o"));
-    let text = format!("pub use gearsim::{{engine, model}};\n#[path = {file:?}]\npub mod derived;\n{item}\n");
+    let type_name: String = name.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+    let text = format!(
+        "pub use gearsim::{{engine, model}};\n#[path = {file:?}]\npub mod derived;\n\
+         pub static ENTRY: gearsim::run::Entry = gearsim::run::Entry::new::<derived::{type_name}>();\n"
+    );
     std::fs::write(&source, text)?;
     let before = processor_time::of_children()?;
     let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
@@ -71,7 +70,10 @@ fn compile(file: &Path, item: &str) -> anyhow::Result<(f64, u64)> {
     if !output.status.success() {
         bail!("{} does not compile by itself:\n{}", file.display(), String::from_utf8_lossy(&output.stderr));
     }
-    Ok((processor_time::of_children()? - before, std::fs::metadata(&object)?.len()))
+    let time = processor_time::of_children()? - before;
+    let size = |file: &Path| std::fs::metadata(file).map(|file| file.len());
+    eprintln!("{name}: {time} s");
+    Ok(Compiled { model: name.to_owned(), n, source: size(file)?, time, code: size(&object)? })
 }
 
 /// The folder of cargo's release profile, in which this program is.

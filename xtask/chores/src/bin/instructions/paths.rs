@@ -4,6 +4,8 @@ use gearsim::engine::equations::{Derived, Equations};
 use gearsim::engine::simulate::Simulation;
 use gearsim::ensemble;
 use gearsim::generated::gear_pair::GearPair;
+use gearsim::generated::gear_pair_bearings::GearPairBearings;
+use gearsim::generated::two_stage::TwoStage;
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
@@ -98,13 +100,38 @@ pub const PATHS: &[Path] = &[
     path("planetary_3_generated", "the same, generated", Some("planetary_3_by_hand"), || {
         sides::planetary().generated()
     }),
+    path("method_pair", "a step of dop853, the pair at 4500 rpm, with energy account", None, || {
+        steps::<GearPair>(
+            "oh2005/spectrum_4500rpm_exact",
+            &["run.method=dop853", "output.rate=1 kHz", "output.events=false"],
+        )
+    }),
+    path("method_two_stage", "a step of dop853, two stages", None, || {
+        steps::<TwoStage>("two_stage", &["run.method=dop853", "output.rate=1 kHz", "output.events=false"])
+    }),
+    path("method_friction", "a step of dop853, a pair on bearings with sliding friction", None, || {
+        steps::<GearPairBearings>("sliding_friction", &["output.rate=1 kHz", "output.events=false"])
+    }),
 ];
 
 fn scene(name: &str, overrides: &[&str]) -> Scene {
-    let path = format!("{}/../../models/scenes/oh2005/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let mut all = vec!["run.t_end=0.3 s".to_string()];
+    of_model::<GearPair>(&format!("oh2005/{name}"), "0.3 s", overrides)
+}
+
+fn of_model<D: Derived>(name: &str, t_end: &str, overrides: &[&str]) -> Scene {
+    let path = format!("{}/../../models/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut all = vec![format!("run.t_end={t_end}")];
     all.extend(overrides.iter().map(|text| text.to_string()));
-    Scene::load(path.as_ref(), &all, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::load(path.as_ref(), &all, &[&D::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+}
+
+/// A run by a method by steps; its items are the steps.
+fn steps<D: Derived>(name: &str, overrides: &[&str]) -> Job {
+    let scene = of_model::<D>(name, "0.02 s", overrides);
+    Box::new(move || {
+        let outcome = Entry::new::<D>().run(&scene, &mut |_| {}).expect("the scene is sound");
+        outcome.solver.steps + outcome.solver.rejected
+    })
 }
 
 fn equations(scene: &Scene) -> &'static dyn Equations {

@@ -1,0 +1,102 @@
+//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces.
+//! A piece of code defines those that it names, and no others.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Literal, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::Ident;
+
+use crate::deflections::{Offsets, deflection};
+use crate::effects::is_met;
+use crate::gated::{Gated, gated};
+use crate::model::{Assignment, Model, Row};
+use crate::sums::block;
+
+/// `let over = ..;` for each variable that `code` names, after those in which it is written itself; without those that
+/// [`lets`] defines for the code `before`.
+pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream {
+    let known = used(m, before);
+    let known: BTreeSet<_> = known.iter().map(Variable::name).collect();
+    let (mut values, mut offsets, mut forces) = (quote!(), Offsets::new(), quote!());
+    for variable in used(m, code).into_iter().filter(|variable| !known.contains(variable.name())) {
+        match variable {
+            Variable::Gated(Gated { name, effect, place, neutral }) => {
+                let (met, neutral) = (is_met(effect), Literal::f64_suffixed(neutral));
+                values.extend(quote!(let #name = if #met { k[#place] } else { #neutral.into() };));
+            }
+            Variable::Linear(linear) => values.extend(deflection(m, linear, &mut offsets)),
+            Variable::Force(Row { name, sum }) => {
+                let value = block(sum);
+                forces.extend(quote!(let #name: f64 = #value;));
+            }
+        }
+    }
+    let offsets = offsets.into_iter().map(|(effect, add)| {
+        let met = is_met(&effect);
+        quote!(if #met { #add })
+    });
+    quote!(#values #(#offsets)* #forces)
+}
+
+/// `code` after the variables that it names.
+pub fn with_lets(m: &Model, code: TokenStream) -> TokenStream {
+    let lets = lets(m, &code, &quote!());
+    quote!(#lets #code)
+}
+
+/// A variable.
+enum Variable<'a> {
+    Gated(Gated<'a>),
+    /// A deflection or a rate.
+    Linear(&'a Assignment),
+    /// A named force.
+    Force(&'a Row),
+}
+
+/// The variables that `code` names, and those in which they are written, in the order in which they are defined.
+fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
+    let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
+    let all = gated(m).map(Variable::Gated).chain(linear).chain(m.forces.iter().map(Variable::Force));
+    let mut used: Vec<_> = all.collect();
+    let mut names = names(code);
+    used.reverse();
+    used.retain(|variable| {
+        let named = names.contains(&variable.name().to_string());
+        if named {
+            names.extend(self::names(variable.written()));
+        }
+        named
+    });
+    used.reverse();
+    used
+}
+
+/// All names in a piece of code.
+pub fn names(code: impl ToTokens) -> BTreeSet<String> {
+    let each = |token| match token {
+        TokenTree::Ident(name) => BTreeSet::from([name.to_string()]),
+        TokenTree::Group(group) => names(group.stream()),
+        _ => BTreeSet::new(),
+    };
+    code.into_token_stream().into_iter().flat_map(each).collect()
+}
+
+impl Variable<'_> {
+    fn name(&self) -> &Ident {
+        match self {
+            Variable::Gated(gated) => gated.name,
+            Variable::Linear(Assignment { name, .. }) | Variable::Force(Row { name, .. }) => name,
+        }
+    }
+
+    /// The expressions of its value.
+    fn written(&self) -> TokenStream {
+        match self {
+            Variable::Gated(_) => quote!(),
+            // Without offsets: the deflection itself sees to them.
+            Variable::Linear(_) => quote!(),
+            Variable::Force(row) => row.sum.iter().map(|term| term.value.to_token_stream()).collect(),
+        }
+    }
+}
