@@ -3,11 +3,12 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::cell::{self, Cell};
-use crate::expr::{Expr, Kind};
+use crate::expr::{Expr, Kind, total};
 use crate::jump::{self, Jump};
-use crate::lagrange::{self, Motion, Symbols};
+use crate::lagrange::{self, Motion, rows};
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::slip::Slip;
+use crate::symbols::Symbols;
 use crate::{check, expr, file, markers, proof};
 
 /// Everything that is derived from the energies of a model.
@@ -29,12 +30,27 @@ pub struct Derivation<'a> {
 /// # Errors
 /// A [`Slip`] that names the offending symbol or term, if the model is not valid or a proof fails.
 pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
+    derive_with(model, |_| {})
+}
+
+/// What the proofs are about.
+pub(crate) struct Formulas {
+    pub symbols: Symbols,
+    pub motion: Motion,
+    pub jumps: Vec<Jump>,
+}
+
+/// [`derive`], with the formulas as `change` leaves them before they are proved.
+pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> Result<Derivation<'_>, Slip> {
     check::check(model)?;
-    let s = Symbols::new(model);
-    let motion = lagrange::derive(model, &s)?;
-    let jumps = jump::derive(model, &motion, &s);
+    let symbols = Symbols::new(model);
+    let motion = lagrange::derive(model, &symbols)?;
+    let jumps = jump::derive(model, &motion, &symbols);
+    let mut formulas = Formulas { symbols, motion, jumps };
+    change(&mut formulas);
+    let Formulas { symbols: s, motion, jumps } = formulas;
     let proofs = proof::prove(model, &s, &motion, &jumps)?;
-    let cell = cell::derive(model, &motion, &s);
+    let cell = cell::derive(model, &s);
     let jacobian = jacobian(model, &s, &motion);
     let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
     let derived = derived.chain(motion.mobility.iter().flatten().flatten());
@@ -124,10 +140,13 @@ impl Derivation<'_> {
         let [(kind, name)] = phase.as_slice() else { return false };
         let s = Symbols::new(self.model);
         let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
-        let moves = |e: &Atom| !s.by_coordinate(e, i).expand().is_zero();
-        let m = &self.motion;
-        let external = m.external.iter().map(|force| self.model.written_out(force));
-        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves) && !external.into_iter().any(|q| moves(&q))
+        let m = self.model;
+        let still = |parts: &mut dyn Iterator<Item = Atom>| {
+            let along = parts.flat_map(|e| s.by_coordinates(&e)).filter(|(j, _)| *j == i);
+            total(along.map(|(_, by)| by).collect()).expand().is_zero()
+        };
+        [&m.kinetic, &m.potential, &m.dissipation].iter().all(|e| still(&mut e.iter().map(|piece| piece.atom())))
+            && self.motion.external.iter().all(|force| still(&mut std::iter::once(m.written_out(force))))
     }
 
     /// Effects and conditions in the order in which terms are printed.
@@ -147,9 +166,11 @@ impl Derivation<'_> {
 }
 
 fn jacobian(model: &Model, s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
-    let rows = motion.force.iter().map(|row| model.written_out(row));
-    let by_q = |row: &Atom, i| lagrange::gradient(model, s, row, i, MOVING_PHASE).expand();
-    let by_v = |row: &Atom, i: usize| s.by_speed(row, i).expand();
     let n = s.q.len();
-    rows.map(|row| (0..n).map(|i| by_q(&row, i)).chain((0..n).map(|i| by_v(&row, i))).collect()).collect()
+    let row = |force: &Atom| {
+        let force = model.written_out(force);
+        let by_speed = s.by_speeds(&force).into_iter().map(|(i, by)| (n + i, by));
+        rows(2 * n, lagrange::gradient(s, &force, MOVING_PHASE).into_iter().chain(by_speed))
+    };
+    motion.force.iter().map(row).collect()
 }

@@ -130,6 +130,14 @@ pub(crate) fn number(n: i64) -> Atom {
     Atom::num(n)
 }
 
+/// The sum of many atoms, halves first: adding one after another copies the growing sum each time.
+pub(crate) fn total(mut parts: Vec<Atom>) -> Atom {
+    while parts.len() > 1 {
+        parts = parts.chunks(2).map(|pair| pair.iter().skip(1).fold(pair[0].clone(), |a, b| a + b)).collect();
+    }
+    parts.pop().unwrap_or_else(|| number(0))
+}
+
 impl Expr {
     pub(crate) fn new(atom: Atom) -> Expr {
         ARENA.with_borrow_mut(|arena| {

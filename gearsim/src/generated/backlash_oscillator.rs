@@ -49,11 +49,14 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
-//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
-//! - V is the same on both sides of the edges of over: no impulse there
 //! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
+//! - V is the same on both sides of the edges of over: no impulse there
+//! - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+//! - the damper of over, clipped to the force F = dV/dover of its spring, takes energy or none: clip F over_dot >= 0, since F over >= 0, over_dot dD/dover_dot >= 0 and, where it is clipped, clip over dD/dover_dot >= F over
+//! - every deflection equals the linear form by which the equations differentiate it
 //!
 //! # Operations, all effects present
 //!

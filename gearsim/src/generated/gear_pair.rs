@@ -103,16 +103,18 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
-//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
-//! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - at a step of e: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - V is the same on both sides of a step of side: no impulse there
-//! - V is the same on both sides of a step of arm: no impulse there
-//! - V is the same on both sides of the edges of over: no impulse there
-//! - the friction `roll` never feeds energy: its power is never positive
 //! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
+//! - at a step of k, e: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - V is the same on both sides of a step of side, arm: no impulse there
+//! - V is the same on both sides of the edges of over: no impulse there
+//! - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+//! - the damper of over, clipped to the force F = dV/dover of its spring, takes energy or none: clip F over_dot >= 0, since F over >= 0, over_dot dD/dover_dot >= 0 and, where it is clipped, clip over dD/dover_dot >= F over
+//! - the friction `roll` takes energy or none: its power is never positive
+//! - the friction `slide` takes with `roll` energy or none where psi_dot and arm psi_dot + side tau_dot have one sign: where flanks slide as rolling makes them
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot - 2*k*de*touch*over*theta_dot
 //!
 //! # Operations, all effects present

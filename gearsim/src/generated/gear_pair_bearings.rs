@@ -107,13 +107,17 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
-//! - V is the same on both sides of a step of side12: no impulse there
-//! - V is the same on both sides of a step of arm12: no impulse there
-//! - V is the same on both sides of the edges of over12: no impulse there
-//! - the friction `roll12` never feeds energy: its power is never positive
 //! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
+//! - at a step of k12, e12: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - V is the same on both sides of a step of side12, arm12: no impulse there
+//! - V is the same on both sides of the edges of over12: no impulse there
+//! - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+//! - the damper of over12, clipped to the force F = dV/dover12 of its spring, takes energy or none: clip12 F over12_dot >= 0, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and, where it is clipped, clip12 over12 dD/dover12_dot >= F over12
+//! - the friction `roll12` takes energy or none: its power is never positive
+//! - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where flanks slide as rolling makes them
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 - k12*de12*touch12*over12*theta_dot
 //!
 //! # Operations, all effects present

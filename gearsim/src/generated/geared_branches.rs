@@ -62,8 +62,10 @@
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+//! - every deflection equals the linear form by which the equations differentiate it
 //!
 //! # Operations, all effects present
 //!

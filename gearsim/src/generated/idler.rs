@@ -108,15 +108,17 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - V is the same on both sides of a step of side12: no impulse there
-//! - V is the same on both sides of a step of arm12: no impulse there
-//! - V is the same on both sides of a step of side23: no impulse there
-//! - V is the same on both sides of a step of arm23: no impulse there
-//! - the friction `roll12` never feeds energy: its power is never positive
-//! - the friction `roll23` never feeds energy: its power is never positive
 //! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - at a step of k12, k23, e12, e23: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - V is the same on both sides of a step of side12, arm12, side23, arm23: no impulse there
+//! - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+//! - the friction `roll12` takes energy or none: its power is never positive
+//! - the friction `roll23` takes energy or none: its power is never positive
+//! - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where flanks slide as rolling makes them
+//! - the friction `slide23` takes with `roll23` energy or none where psi23_dot and arm23 psi23_dot + side23 tau23_dot have one sign: where flanks slide as rolling makes them
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - without the jump terms the balance fails: energy is created at the rate dk12*delta12^2*theta_dot/2 - k12*de12*delta12*theta_dot - k23*de23*delta23*theta_dot + dk23*delta23^2*theta_dot/2
 //!
 //! # Operations, all effects present

@@ -248,8 +248,11 @@
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
 //! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: T is a sum of squares that vanish together only at rest
+//! - at a step of k_s1, k_r1, k_s2, k_r2, k_s3, k_r3, k_s4, k_r4, e_s1, e_r1, e_s2, e_r2, e_s3, e_r3, e_s4, e_r4: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+//! - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+//! - every deflection equals the linear form by which the equations differentiate it
 //! - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_r4*de_r4*delta_r4*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot - k_s4*de_s4*delta_s4*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_r4*delta_r4^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2 + dk_s4*delta_s4^2*theta_dot/2
 //!
 //! # Operations, all effects present

@@ -59,12 +59,11 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
-//! - at a step of c: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - at a step of g: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - M is symmetric
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
+//! - at a step of c, k, g: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 //! - without the jump terms the balance fails: energy is created at the rate (dg*beta^2*alpha_dot - dc*beta^2*alpha_dot + dk*beta^2*alpha_dot)/2
 //!
 //! # Operations, all effects present

@@ -38,9 +38,10 @@
 //! # Proved
 //!
 //! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
 //! - M is symmetric
+//! - T = q'.M q'/2, with M as written
 //! - M is positive definite: every leading minor is a sum of products of positive quantities
+//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
 //!
 //! # Operations, all effects present
 //!
