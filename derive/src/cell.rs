@@ -37,7 +37,7 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Cell, Vec<String>> {
     let mut nonlinear_with = vec![];
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
         let value = model.written_out(&torque.value.atom());
-        let value_text = print(&Tree::new(&all_present(&value)), Style::Plain);
+        let value_text = print(&Tree::new(&all_present(&torque.value.atom())), Style::Plain);
         let text = format!("{value_text} in the torque `{}`", torque.name);
         match &markers(&value)[..] {
             [effect] => nonlinear_with.push((effect.clone(), text)),

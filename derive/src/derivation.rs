@@ -7,9 +7,10 @@ use crate::expr::{Expr, Kind, total};
 use crate::jump::{self, Jump};
 use crate::lagrange::{self, Motion, rows};
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
+use crate::print::Style;
 use crate::slip::Slip;
 use crate::symbols::Symbols;
-use crate::{check, expr, file, markers, proof};
+use crate::{check, expr, file, markers, proof, text};
 
 /// Everything that is derived from the energies of a model.
 pub struct Derivation<'a> {
@@ -17,6 +18,8 @@ pub struct Derivation<'a> {
     pub(crate) motion: Motion,
     /// Derivatives of the generalised forces F (rows) by coordinates, then speeds (columns).
     pub(crate) jacobian: Vec<Vec<Atom>>,
+    /// The partial derivatives of forces in which the Jacobian is written: name, effect, value.
+    pub(crate) partials: Vec<(String, Option<String>, Atom)>,
     /// The matrices of a cell, or the terms that make it nonlinear.
     pub(crate) cell: Result<Cell, Vec<String>>,
     /// One jump rule for each law of the model.
@@ -51,24 +54,39 @@ pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> 
     let Formulas { symbols: s, motion, jumps } = formulas;
     let proofs = proof::prove(model, &s, &motion, &jumps)?;
     let cell = cell::derive(model, &s);
-    let jacobian = jacobian(model, &s, &motion);
+    let jacobian = jacobian(&s, &motion);
+    let named = model.forces.iter().zip(s.forces);
+    let partials: Vec<_> =
+        named.flat_map(|(force, f)| f.partials.into_iter().map(|(name, e)| (name, force.with.clone(), e))).collect();
     let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
+    let derived = derived.chain(partials.iter().map(|(.., value)| value));
     let derived = derived.chain(motion.mobility.iter().flatten().flatten());
     for equation in derived.chain(jumps.iter().map(|j| &j.step)).chain(motion.constants.iter().map(|c| &c.1)) {
         check::numbers(model, equation.as_view(), "the derived equations")?;
     }
-    Ok(Derivation { model, motion, jacobian, cell, jumps, proofs })
+    Ok(Derivation { model, partials, motion, jacobian, cell, jumps, proofs })
 }
 
 impl Derivation<'_> {
-    /// The whole text of the generated file.
+    /// The generated files: the path of each and its text. The first is what runs.
+    pub fn files(&self) -> [(String, String); 3] {
+        let [file, text, latex] = file::paths(&self.model.name);
+        [(file, self.file()), (text, self.text()), (latex, self.latex())]
+    }
+
+    /// The text of the file that runs.
     pub fn file(&self) -> String {
         file::write(self)
     }
 
-    /// The derived equations in readable form, one on each line.
+    /// The derived equations in readable form.
     pub fn text(&self) -> String {
-        crate::text::write(self).plain().map(|line| format!("{line}\n")).collect()
+        text::write(self, Style::Plain)
+    }
+
+    /// The derived equations in LaTeX.
+    pub fn latex(&self) -> String {
+        text::write(self, Style::Latex)
     }
 
     /// What was proved, one statement for each entry.
@@ -165,12 +183,11 @@ impl Derivation<'_> {
     }
 }
 
-fn jacobian(model: &Model, s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
+fn jacobian(s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
     let n = s.q.len();
     let row = |force: &Atom| {
-        let force = model.written_out(force);
-        let by_speed = s.by_speeds(&force).into_iter().map(|(i, by)| (n + i, by));
-        rows(2 * n, lagrange::gradient(s, &force, MOVING_PHASE).into_iter().chain(by_speed))
+        let by_speed = s.by_speeds(force).into_iter().map(|(i, by)| (n + i, by));
+        rows(2 * n, lagrange::gradient(s, force, MOVING_PHASE).into_iter().chain(by_speed))
     };
     motion.force.iter().map(row).collect()
 }

@@ -39,6 +39,8 @@ pub enum Kind {
     Friction,
     /// Named force, a factor in torques.
     Force,
+    /// Partial derivative of a named force, `F_mu_by_over`.
+    Partial,
     /// Whether a dead band is in contact: 1 or 0.
     Touch,
     /// Whether its damper acts: 1 or 0.
@@ -61,7 +63,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 20] = [
+const KINDS: [(Kind, &str); 21] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -72,6 +74,7 @@ const KINDS: [(Kind, &str); 20] = [
     (Kind::Curvature, "curvature"),
     (Kind::Friction, "friction"),
     (Kind::Force, "force"),
+    (Kind::Partial, "partial"),
     (Kind::Touch, "touch"),
     (Kind::Damp, "damp"),
     (Kind::Clip, "clip"),
@@ -233,6 +236,15 @@ impl Expr {
 /// Whether the value of a torque, with named forces written out, is not constant: it contains a speed or a friction law.
 pub(crate) fn varies(e: &Atom) -> bool {
     symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate | Kind::Friction))
+}
+
+/// The kinds of symbols that change along a motion, by which a force is differentiated.
+pub(crate) const MOVING: [Kind; 7] =
+    [Kind::Coordinate, Kind::Speed, Kind::Deflection, Kind::Rate, Kind::Law, Kind::Friction, Kind::Force];
+
+/// The name of the partial derivative of a force by one of its symbols.
+pub(crate) fn partial_name(force: &str, by: &str) -> String {
+    format!("{force}_by_{by}")
 }
 
 /// The name of the speed of a coordinate.

@@ -72,6 +72,10 @@ impl Proof<'_> {
 /// Replaces the names of constants by their definitions in parameters.
 pub(crate) fn exact(motion: &Motion, e: &Atom) -> Atom {
     motion.constants.iter().rev().fold(e.clone(), |e, (name, value)| {
-        e.replace(Atom::var(symbol(Kind::Constant, name)).to_pattern()).with(value.to_pattern())
+        let constant = symbol(Kind::Constant, name);
+        if !e.get_all_symbols(false).contains(&constant) {
+            return e;
+        }
+        e.replace(Atom::var(constant).to_pattern()).with(value.to_pattern())
     })
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Kind, number, speed_name, symbol};
+use crate::expr::{Kind, kind_and_name, number, partial_name, speed_name, symbol, total};
 use crate::model::{DeadBand, Deflection, Model};
 
 /// Nonzero entries of a vector: index and entry, by rising index.
@@ -22,6 +22,7 @@ pub(crate) struct Symbols {
     /// The gradient of the phase of each law.
     pub phase: Vec<Sparse>,
     pub deflections: Vec<Linear>,
+    pub forces: Vec<Force>,
     /// What each symbol is.
     places: HashMap<Symbol, Place>,
 }
@@ -35,6 +36,16 @@ pub(crate) enum Place {
     Rate(usize),
     Law(usize),
     Slope(usize),
+    Force(usize),
+}
+
+/// A named force, differentiated by name: its derivatives are written in its partial derivatives.
+pub(crate) struct Force {
+    /// The partial derivatives: name and value.
+    pub partials: Vec<(String, Atom)>,
+    by_coordinates: Sparse,
+    by_speeds: Sparse,
+    by_laws: Sparse,
 }
 
 /// A named deflection, delta = sum_i slope_i q_i + rest, and its rate, delta' = sum_i slope_i q'_i.
@@ -127,10 +138,36 @@ impl Symbols {
             curvature: laws(Kind::Curvature, "dd"),
             phase: vec![],
             deflections,
+            forces: vec![],
             places,
         };
+        for (f, force) in model.forces.iter().enumerate() {
+            // A force may contain those before it.
+            let partials = symbols.force(&force.name, &force.value.atom());
+            symbols.forces.push(partials);
+            symbols.places.insert(symbol(Kind::Force, &force.name), Place::Force(f));
+        }
         symbols.phase = model.laws.iter().map(|law| symbols.by_coordinates(&law.phase.atom())).collect();
         symbols
+    }
+
+    /// The partial derivatives of a force, and its gradients in their names.
+    fn force(&self, name: &str, value: &Atom) -> Force {
+        let mut partials = vec![];
+        // The force as a sum of its partial derivatives times its symbols has these gradients.
+        let mut linear = vec![];
+        for (s, _) in self.present(value) {
+            let partial = partial_name(name, &kind_and_name(s).1);
+            linear.push(Atom::var(symbol(Kind::Partial, &partial)) * Atom::var(s));
+            partials.push((partial, value.derivative(s)));
+        }
+        let linear = total(linear);
+        Force {
+            partials,
+            by_coordinates: self.by_coordinates(&linear),
+            by_speeds: self.by_speeds(&linear),
+            by_laws: self.by_laws(&linear),
+        }
     }
 
     /// The symbols of an expression that have a place, by their places.
@@ -163,6 +200,7 @@ impl Symbols {
         self.chain(e, |place| match place {
             Place::Coordinate(i) => Some(Part::Itself(i)),
             Place::Deflection(d) => Some(Part::Through(&self.deflections[d].slopes)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_coordinates)),
             _ => None,
         })
     }
@@ -172,6 +210,7 @@ impl Symbols {
         self.chain(e, |place| match place {
             Place::Speed(i) => Some(Part::Itself(i)),
             Place::Rate(d) => Some(Part::Through(&self.deflections[d].slopes)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_speeds)),
             _ => None,
         })
     }
@@ -181,6 +220,7 @@ impl Symbols {
         self.chain(e, |place| match place {
             Place::Law(l) => Some(Part::Itself(l)),
             Place::Deflection(d) => Some(Part::Through(&self.deflections[d].by_law)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_laws)),
             _ => None,
         })
     }

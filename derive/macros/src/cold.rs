@@ -110,7 +110,8 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let work = body(&work(m), Ask::Running);
     let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
     let bands = gated::of_effects(m, Ask::Running);
-    let jacobian = quote!(#bands #d #d_dot let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v);
+    let forces = forces::with_partials(m);
+    let jacobian = quote!(#bands #d #d_dot #forces let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v);
     let motions = m.motions.iter().map(|x| motion(m, x));
     let i = || format_ident!("i");
     let mut all = vec![

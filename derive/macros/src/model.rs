@@ -25,6 +25,8 @@ pub struct Model {
     pub dissipation: Sum,
     /// Named forces.
     pub forces: Vec<Row>,
+    /// Partial derivatives of the forces, in which the Jacobian is written.
+    pub partials: Vec<Row>,
     pub torques: Vec<Torque>,
     pub work: Vec<Row>,
     pub mass: Vec<Entry>,
@@ -39,8 +41,9 @@ pub struct Model {
     /// The terms that make it nonlinear with an effect.
     pub nonlinear_with: Vec<NonlinearWith>,
     pub jumps: Vec<Jump>,
-    pub text: Vec<LitStr>,
-    pub latex: Vec<LitStr>,
+    /// Paths of the equations as text and in LaTeX, from the file of the model.
+    pub text: Option<LitStr>,
+    pub latex: Option<LitStr>,
 }
 
 /// `theta "rad" start 0.0, "doc";`
@@ -238,6 +241,7 @@ impl Model {
             potential: vec![],
             dissipation: vec![],
             forces: vec![],
+            partials: vec![],
             torques: vec![],
             work: vec![],
             mass: vec![],
@@ -250,8 +254,8 @@ impl Model {
             nonlinear: None,
             nonlinear_with: vec![],
             jumps: vec![],
-            text: vec![],
-            latex: vec![],
+            text: None,
+            latex: None,
         }
     }
 }

@@ -27,16 +27,19 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     let names = |laws: &[(&Law, &Jump)]| laws.iter().map(|(law, _)| law.name.as_str()).collect::<Vec<_>>().join(", ");
 
     let mut rests = vec![];
-    let mut known: Vec<(Atom, &[Atom])> = vec![];
+    let mut known: Vec<(Atom, &Jump)> = vec![];
     for (law, jump) in &stepping {
         let phase = law.phase.atom();
-        // Laws of one phase have one n.
-        if !known.iter().any(|(other, normal)| *other == phase && *normal == jump.normal) {
+        // Laws of one phase have the same n, G and d.
+        let same = |other: &Jump| {
+            (&other.normal, &other.compliance, &other.direction) == (&jump.normal, &jump.compliance, &jump.direction)
+        };
+        if !known.iter().any(|(other, of)| *other == phase && same(of)) {
             rests.push(kinetic(p, law, jump));
+            rests.extend(direction(p, jump));
+            known.push((phase, jump));
         }
-        rests.extend(direction(p, jump));
         rests.push(potential(p.model, law) - &jump.step);
-        known.push((phase, &jump.normal));
     }
     p.claim(
         &format!(
