@@ -3,12 +3,14 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::cell::{self, Cell};
-use crate::expr::{Expr, Kind};
+use crate::expr::{Expr, Kind, total};
 use crate::jump::{self, Jump};
-use crate::lagrange::{self, Motion, Symbols};
+use crate::lagrange::{self, Motion, rows};
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
+use crate::print::Style;
 use crate::slip::Slip;
-use crate::{check, expr, file, markers, proof};
+use crate::symbols::Symbols;
+use crate::{check, expr, file, markers, proof, text};
 
 /// Everything that is derived from the energies of a model.
 pub struct Derivation<'a> {
@@ -16,6 +18,8 @@ pub struct Derivation<'a> {
     pub(crate) motion: Motion,
     /// Derivatives of the generalised forces F (rows) by coordinates, then speeds (columns).
     pub(crate) jacobian: Vec<Vec<Atom>>,
+    /// The partial derivatives of forces in which the Jacobian is written: name, effect, value.
+    pub(crate) partials: Vec<(String, Option<String>, Atom)>,
     /// The matrices of a cell, or the terms that make it nonlinear.
     pub(crate) cell: Result<Cell, Vec<String>>,
     /// One jump rule for each law of the model.
@@ -29,30 +33,60 @@ pub struct Derivation<'a> {
 /// # Errors
 /// A [`Slip`] that names the offending symbol or term, if the model is not valid or a proof fails.
 pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
+    derive_with(model, |_| {})
+}
+
+/// What the proofs are about.
+pub(crate) struct Formulas {
+    pub symbols: Symbols,
+    pub motion: Motion,
+    pub jumps: Vec<Jump>,
+}
+
+/// [`derive`], with the formulas as `change` leaves them before they are proved.
+pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> Result<Derivation<'_>, Slip> {
     check::check(model)?;
-    let s = Symbols::new(model);
-    let motion = lagrange::derive(model, &s)?;
-    let jumps = jump::derive(model, &motion, &s);
+    let symbols = Symbols::new(model);
+    let motion = lagrange::derive(model, &symbols)?;
+    let jumps = jump::derive(model, &motion, &symbols);
+    let mut formulas = Formulas { symbols, motion, jumps };
+    change(&mut formulas);
+    let Formulas { symbols: s, motion, jumps } = formulas;
     let proofs = proof::prove(model, &s, &motion, &jumps)?;
-    let cell = cell::derive(model, &motion, &s);
-    let jacobian = jacobian(model, &s, &motion);
+    let cell = cell::derive(model, &s);
+    let jacobian = jacobian(&s, &motion);
+    let named = model.forces.iter().zip(s.forces);
+    let partials: Vec<_> =
+        named.flat_map(|(force, f)| f.partials.into_iter().map(|(name, e)| (name, force.with.clone(), e))).collect();
     let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
+    let derived = derived.chain(partials.iter().map(|(.., value)| value));
     let derived = derived.chain(motion.mobility.iter().flatten().flatten());
     for equation in derived.chain(jumps.iter().map(|j| &j.step)).chain(motion.constants.iter().map(|c| &c.1)) {
         check::numbers(model, equation.as_view(), "the derived equations")?;
     }
-    Ok(Derivation { model, motion, jacobian, cell, jumps, proofs })
+    Ok(Derivation { model, partials, motion, jacobian, cell, jumps, proofs })
 }
 
 impl Derivation<'_> {
-    /// The whole text of the generated file.
+    /// The generated files: the path of each and its text. The first is what runs.
+    pub fn files(&self) -> [(String, String); 3] {
+        let [file, text, latex] = file::paths(&self.model.name);
+        [(file, self.file()), (text, self.text()), (latex, self.latex())]
+    }
+
+    /// The text of the file that runs.
     pub fn file(&self) -> String {
         file::write(self)
     }
 
-    /// The derived equations in readable form, one on each line.
+    /// The derived equations in readable form.
     pub fn text(&self) -> String {
-        crate::text::write(self).plain().map(|line| format!("{line}\n")).collect()
+        text::write(self, Style::Plain)
+    }
+
+    /// The derived equations in LaTeX.
+    pub fn latex(&self) -> String {
+        text::write(self, Style::Latex)
     }
 
     /// What was proved, one statement for each entry.
@@ -124,10 +158,13 @@ impl Derivation<'_> {
         let [(kind, name)] = phase.as_slice() else { return false };
         let s = Symbols::new(self.model);
         let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
-        let moves = |e: &Atom| !s.by_coordinate(e, i).expand().is_zero();
-        let m = &self.motion;
-        let external = m.external.iter().map(|force| self.model.written_out(force));
-        ![&m.kinetic, &m.potential, &m.dissipation].into_iter().any(moves) && !external.into_iter().any(|q| moves(&q))
+        let m = self.model;
+        let still = |parts: &mut dyn Iterator<Item = Atom>| {
+            let along = parts.flat_map(|e| s.by_coordinates(&e)).filter(|(j, _)| *j == i);
+            total(along.map(|(_, by)| by).collect()).expand().is_zero()
+        };
+        [&m.kinetic, &m.potential, &m.dissipation].iter().all(|e| still(&mut e.iter().map(|piece| piece.atom())))
+            && self.motion.external.iter().all(|force| still(&mut std::iter::once(m.written_out(force))))
     }
 
     /// Effects and conditions in the order in which terms are printed.
@@ -146,10 +183,11 @@ impl Derivation<'_> {
     }
 }
 
-fn jacobian(model: &Model, s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
-    let rows = motion.force.iter().map(|row| model.written_out(row));
-    let by_q = |row: &Atom, i| lagrange::gradient(model, s, row, i, MOVING_PHASE).expand();
-    let by_v = |row: &Atom, i: usize| s.by_speed(row, i).expand();
+fn jacobian(s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
     let n = s.q.len();
-    rows.map(|row| (0..n).map(|i| by_q(&row, i)).chain((0..n).map(|i| by_v(&row, i))).collect()).collect()
+    let row = |force: &Atom| {
+        let by_speed = s.by_speeds(force).into_iter().map(|(i, by)| (n + i, by));
+        rows(2 * n, lagrange::gradient(s, force, MOVING_PHASE).into_iter().chain(by_speed))
+    };
+    motion.force.iter().map(row).collect()
 }

@@ -39,6 +39,8 @@ pub enum Kind {
     Friction,
     /// Named force, a factor in torques.
     Force,
+    /// Partial derivative of a named force, `F_mu_by_over`.
+    Partial,
     /// Whether a dead band is in contact: 1 or 0.
     Touch,
     /// Whether its damper acts: 1 or 0.
@@ -61,7 +63,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 20] = [
+const KINDS: [(Kind, &str); 21] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -72,6 +74,7 @@ const KINDS: [(Kind, &str); 20] = [
     (Kind::Curvature, "curvature"),
     (Kind::Friction, "friction"),
     (Kind::Force, "force"),
+    (Kind::Partial, "partial"),
     (Kind::Touch, "touch"),
     (Kind::Damp, "damp"),
     (Kind::Clip, "clip"),
@@ -128,6 +131,14 @@ pub(crate) fn symbols(e: &Atom) -> Vec<(Kind, String)> {
 /// A number as an atom.
 pub(crate) fn number(n: i64) -> Atom {
     Atom::num(n)
+}
+
+/// The sum of many atoms, halves first: adding one after another copies the growing sum each time.
+pub(crate) fn total(mut parts: Vec<Atom>) -> Atom {
+    while parts.len() > 1 {
+        parts = parts.chunks(2).map(|pair| pair.iter().skip(1).fold(pair[0].clone(), |a, b| a + b)).collect();
+    }
+    parts.pop().unwrap_or_else(|| number(0))
 }
 
 impl Expr {
@@ -225,6 +236,15 @@ impl Expr {
 /// Whether the value of a torque, with named forces written out, is not constant: it contains a speed or a friction law.
 pub(crate) fn varies(e: &Atom) -> bool {
     symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate | Kind::Friction))
+}
+
+/// The kinds of symbols that change along a motion, by which a force is differentiated.
+pub(crate) const MOVING: [Kind; 7] =
+    [Kind::Coordinate, Kind::Speed, Kind::Deflection, Kind::Rate, Kind::Law, Kind::Friction, Kind::Force];
+
+/// The name of the partial derivative of a force by one of its symbols.
+pub(crate) fn partial_name(force: &str, by: &str) -> String {
+    format!("{force}_by_{by}")
 }
 
 /// The name of the speed of a coordinate.

@@ -1,7 +1,7 @@
-//! The text of a generated file, `gearsim/src/generated/<model>.rs`: a comment at the head, then the `equations!` block.
+//! The generated files of a model: `<model>.rs`, which runs, `text/<model>.txt` and `latex/<model>.tex`, which are printed.
 //!
-//! The block starts with the declarations, goes on with the equations, one file here for each part, and ends with the
-//! texts for people. Its grammar is documented at the head of the crate `gearsim-macros`.
+//! The first has the `equations!` block, with the declarations, then the equations, one file here for each part. Its grammar is
+//! documented at the head of the crate `gearsim-macros`.
 
 mod block;
 mod cell;
@@ -12,14 +12,13 @@ mod jumps;
 mod motion;
 mod names;
 mod operations;
+pub(crate) mod wrap;
 
 use crate::derivation::Derivation;
-use crate::text;
 use block::Block;
 
-/// The whole text of the generated file.
+/// The text of `<model>.rs`.
 pub(crate) fn write(d: &Derivation) -> String {
-    let texts = text::write(d);
     let mut equations = Block::new(d.order());
     names::write(&mut equations, d);
     energies::write(&mut equations, d);
@@ -33,9 +32,14 @@ pub(crate) fn write(d: &Derivation) -> String {
     block.blank();
     block.append(equations);
     block.blank();
-    block.strings("text", texts.plain());
-    block.strings("latex", &texts.latex);
+    let [_, text, latex] = paths(&d.model.name);
+    block.line(1, &format!("text {text:?};"));
+    block.line(1, &format!("latex {latex:?};"));
+    let (head, block, end) = (head::head(d), block.text(), head::end(d));
+    format!("{head}\n\nuse gearsim_macros::equations;\n\nequations! {{\n{block}}}\n\n{end}\n")
+}
 
-    let (head, block) = (head::write(d, &texts), block.text());
-    format!("{head}\n\nuse gearsim_macros::equations;\n\nequations! {{\n{block}}}\n")
+/// Where the files of a model are, beside each other.
+pub(crate) fn paths(model: &str) -> [String; 3] {
+    [format!("{model}.rs"), format!("text/{model}.txt"), format!("latex/{model}.tex")]
 }

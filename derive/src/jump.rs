@@ -6,9 +6,10 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::number;
-use crate::lagrange::{Motion, Symbols};
+use crate::expr::{number, total};
+use crate::lagrange::{Motion, rows};
 use crate::model::Model;
+use crate::symbols::Symbols;
 
 /// The jump rule of one law.
 pub(crate) struct Jump {
@@ -28,10 +29,10 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
         .laws
         .iter()
         .enumerate()
-        .map(|(l, law)| {
-            let phase = law.phase.atom();
-            let normal: Vec<Atom> = s.q.iter().map(|q| phase.derivative(*q).expand()).collect();
-            let beyond = s.stepped(&motion.potential, l);
+        .map(|(l, _)| {
+            let normal = rows(s.q.len(), s.phase[l].iter().cloned());
+            let energies = model.potential.iter().map(|v| v.atom());
+            let steps = energies.filter_map(|v| Some((s.stepped(&v, l)? - v).expand()));
             let (compliance, direction) = match &motion.mobility {
                 Some(w) => {
                     let (g, d) = response(w, &normal);
@@ -39,7 +40,7 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
                 }
                 None => (None, None),
             };
-            Jump { normal, compliance, direction, step: (beyond - &motion.potential).expand() }
+            Jump { normal, compliance, direction, step: total(steps.collect()) }
         })
         .collect()
 }

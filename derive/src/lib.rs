@@ -3,9 +3,10 @@
 //! A [`Model`] collects the kinetic energy T, the potential energy V, the dissipation function D and torques; [`derive`] turns
 //! them into a [`Derivation`]. The text of [`Derivation::file`] is committed under `gearsim/src/generated/`.
 //!
-//! The stages, in order: `expr` (symbols), `model` (what an author declares), `check` (errors in a model, `slip`), `lagrange`
-//! and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and `squares` (identities,
-//! definiteness of M), `tree` and `print` (sorted expressions as text), `text` and `file` (the generated file).
+//! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`
+//! (derivatives), `lagrange` and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and
+//! `squares` (identities, definiteness of M), `tree` and `print` (sorted expressions as text), `text` and `file` (the generated
+//! file). `wrong` makes mistakes for the tests of the proofs.
 
 mod cell;
 mod check;
@@ -21,10 +22,13 @@ mod print;
 mod proof;
 mod slip;
 mod squares;
+mod symbols;
 mod text;
 mod tree;
+mod wrong;
 
 pub use derivation::{Derivation, derive};
 pub use expr::{Expr, half};
 pub use model::{Friction, MeshError, MeshStiffness, Model, Play, Range, Start};
 pub use slip::Slip;
+pub use wrong::{Wrong, derive_wrong};

@@ -3,7 +3,7 @@
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
-use crate::expr::{Kind, number, symbol, symbols};
+use crate::expr::{Kind, kind_and_name, number, symbol};
 use crate::model::{JUMP_TERMS, MOVING_PHASE};
 use crate::tree::Tree;
 
@@ -16,7 +16,9 @@ pub(crate) struct Group {
 
 /// The sum with every marker set to 1: all effects present.
 pub(crate) fn all_present(e: &Atom) -> Atom {
-    set(e, &markers(e), 1)
+    markers(e).iter().fold(e.clone(), |e, name| {
+        e.replace(Atom::var(symbol(Kind::Marker, name)).to_pattern()).with(number(1).to_pattern())
+    })
 }
 
 /// The terms of the expanded sum, grouped by condition; `order` gives the order of effects.
@@ -33,7 +35,7 @@ fn collect(pieces: Vec<Atom>, order: &[String]) -> Vec<Group> {
     let mut groups: Vec<(Vec<usize>, Atom)> = vec![];
     for piece in pieces {
         let mut marks = markers(&piece);
-        let bare = set(&piece, &marks, 1);
+        let bare = if marks.is_empty() { piece } else { bare(&piece) };
         if marks.iter().any(|m| m == JUMP_TERMS) {
             marks.retain(|m| m != MOVING_PHASE); // implied by the jump terms
         }
@@ -64,11 +66,19 @@ pub(crate) fn terms(e: &Atom) -> Vec<Atom> {
 
 /// The effects that a term needs.
 pub(crate) fn markers(e: &Atom) -> Vec<String> {
-    symbols(e).into_iter().filter(|s| s.0 == Kind::Marker).map(|s| s.1).collect()
+    let all = e.get_all_symbols(false).into_iter().map(kind_and_name).filter(|(kind, _)| *kind == Kind::Marker);
+    let mut names: Vec<String> = all.map(|(_, name)| name).collect();
+    names.sort();
+    names
 }
 
-fn set(e: &Atom, names: &[String], value: i64) -> Atom {
-    names.iter().fold(e.clone(), |e, name| {
-        e.replace(Atom::var(symbol(Kind::Marker, name)).to_pattern()).with(number(value).to_pattern())
-    })
+/// The term with every marker 1.
+fn bare(term: &Atom) -> Atom {
+    let is_marker =
+        |factor: AtomView| matches!(factor, AtomView::Var(x) if kind_and_name(x.get_symbol()).0 == Kind::Marker);
+    let AtomView::Mul(product) = term.as_view() else { return all_present(term) };
+    let rest = product.iter().filter(|factor| !is_marker(*factor));
+    let rest = rest.fold(number(1), |product, factor| product * factor);
+    // A marker may also be within a factor that is a sum.
+    all_present(&rest)
 }

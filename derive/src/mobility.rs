@@ -48,7 +48,6 @@ pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
         }
         motion.constants.push((name.clone(), value.expand()));
     }
-    motion.mobility_exact = exact;
     motion.mobility = named;
     Ok(())
 }

@@ -4,7 +4,7 @@ mod parts;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, speed_name, symbol, varies};
+use crate::expr::{Expr, Kind, speed_name, symbol, symbols, varies};
 
 pub(crate) use parts::{Coordinate, DeadBand, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
@@ -162,8 +162,7 @@ impl Model {
     /// `rigid_kinematics` and `frozen_phase`, which do not conserve energy: the work of friction could not be accounted for.
     pub fn sliding_friction(&mut self, add: impl FnOnce(&mut Model)) {
         self.declare_mesh_effects();
-        let doc = "Coulomb friction between the flanks, against their sliding, which changes its direction when a tooth pair \
-                   passes the pitch point";
+        let doc = "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         self.declare(Effect::new(SLIDING_FRICTION, &[STIFFNESS_STEP], &["rigid_kinematics", "frozen_phase"], doc));
         self.effect(SLIDING_FRICTION, doc, add);
     }
@@ -242,20 +241,20 @@ impl Model {
             self.dissipation(alpha * t);
         }
         for v in potential {
-            let speeds = self
-                .coordinates
-                .iter()
-                .fold(v, |v, c| v.with((Kind::Coordinate, &c.name), (Kind::Speed, &speed_name(&c.name))));
-            let speeds = self
-                .deflections
-                .iter()
-                .fold(speeds, |v, d| v.with((Kind::Deflection, &d.name), (Kind::Rate, &speed_name(&d.name))));
-            let speeds = self
-                .dead_bands
-                .iter()
-                .fold(speeds, |v, band| v.with((Kind::Touch, &band.touch), (Kind::Damp, &band.damp)));
-            let at_mid =
-                self.laws.iter().fold(speeds, |v, l| v.with((Kind::Law, &l.name), (Kind::Mid, &mid_name(&l.name))));
+            // Only symbols that occur are replaced: a spring has few of those of the model.
+            let at_mid = symbols(&v.atom()).into_iter().fold(v, |v, (kind, name)| {
+                let rate = match kind {
+                    Kind::Coordinate => (Kind::Speed, speed_name(&name)),
+                    Kind::Deflection => (Kind::Rate, speed_name(&name)),
+                    Kind::Law => (Kind::Mid, mid_name(&name)),
+                    Kind::Touch => match self.dead_bands.iter().find(|band| band.touch == name) {
+                        Some(band) => (Kind::Damp, band.damp.clone()),
+                        None => return v,
+                    },
+                    _ => return v,
+                };
+                v.with((kind, &name), (rate.0, &rate.1))
+            });
             self.dissipation(beta * at_mid);
         }
     }
@@ -371,8 +370,7 @@ fn mesh_effects() -> [Effect; 3] {
             STIFFNESS_STEP,
             &[],
             &[],
-            "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; \
-             without it the stiffness is constant at its mid value",
+            "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value",
         ),
         Effect::new(
             "rigid_kinematics",

@@ -5,10 +5,10 @@ use symbolica::atom::{Atom, AtomCore, AtomView};
 
 use crate::check::{never_negative, positive};
 use crate::expr::{Kind, symbols};
-use crate::lagrange::Symbols;
 use crate::markers::all_present;
 use crate::mobility::is_zero;
 use crate::model::Model;
+use crate::symbols::Symbols;
 use crate::tree::Tree;
 
 /// The result of [`decide`].

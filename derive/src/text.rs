@@ -1,123 +1,132 @@
-//! The derived equations in readable form, as plain text and in LaTeX.
+//! The derived equations for reading, as plain text or in LaTeX: one section after another, each group of terms in its own line,
+//! with the effects that it needs.
 
-use symbolica::atom::{Atom, AtomCore};
+mod jumps;
+
+use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
-use crate::expr::{Kind, number, speed_name};
-use crate::markers::{self, Group, as_written, grouped};
+use crate::file::wrap::wrap;
+use crate::markers::{Group, as_written, grouped};
 use crate::model::{DeadBand, Law, Role};
-use crate::print::{Style, latex_name, print, symbol_text};
+use crate::print::{Style, latex_name, print};
 use crate::tree::Tree;
 
-/// Lines of text, by section.
-#[derive(Default)]
-pub(crate) struct Texts {
-    pub energies: Vec<String>,
-    pub constants: Vec<String>,
-    pub deflections: Vec<String>,
-    pub forces: Vec<String>,
-    pub motion: Vec<String>,
-    pub jump: Vec<String>,
-    pub cell: Vec<String>,
-    pub latex: Vec<String>,
+/// The text of a derivation in a style. LaTeX has the equations only, plain text also says what they mean.
+pub(crate) fn write(d: &Derivation, style: Style) -> String {
+    let w = Writer { order: d.order(), style };
+    let sections = [energies(d, &w), names(d, &w), motion(d, &w), jumps::write(d, &w), cells(d, &w)];
+    let text = |lines: Vec<String>| lines.iter().map(|line| wrap(line) + "\n").collect::<String>();
+    let sections = sections.into_iter().filter(|lines| !lines.is_empty()).map(text);
+    sections.collect::<Vec<_>>().join("\n")
 }
 
-impl Texts {
-    /// All plain lines.
-    pub fn plain(&self) -> impl Iterator<Item = &String> {
-        let equations = [&self.forces, &self.motion, &self.jump, &self.cell];
-        [&self.energies, &self.constants, &self.deflections].into_iter().chain(equations).flatten()
-    }
+struct Writer {
+    /// Effects and conditions in the order in which terms are written.
+    order: Vec<String>,
+    style: Style,
 }
 
-/// `a [torques] + b [jump terms]`: the sum, each group followed by the effects that it needs.
-fn sum(groups: &[Group], style: Style) -> String {
-    if groups.is_empty() {
-        return "0".into();
+impl Writer {
+    fn plain(&self) -> bool {
+        self.style != Style::Latex
     }
-    let mut out = String::new();
-    for (i, group) in groups.iter().enumerate() {
-        let text = print(&group.sum, style);
-        match (i, text.strip_prefix('-')) {
-            (0, _) => out.push_str(&text),
-            (_, Some(rest)) => out.push_str(&format!(" - {rest}")),
-            (_, None) => out.push_str(&format!(" + {text}")),
-        }
-        if !group.effects.is_empty() {
-            let names = group.effects.join(", ").replace('_', " ");
-            match style {
-                Style::Latex => out.push_str(&format!("\\ [\\text{{{}}}]", names)),
-                _ => out.push_str(&format!(" [{names}]")),
-            }
-        }
-    }
-    out
-}
 
-/// The texts of a derivation.
-pub(crate) fn write(d: &Derivation) -> Texts {
-    let (m, motion) = (d.model, &d.motion);
-    let order = d.order();
-    let whole = |a: &Atom, style| sum(&grouped(a, &order), style);
-    let written = |pieces: &[crate::Expr], style| {
-        sum(&as_written(&pieces.iter().map(|p| p.atom()).collect::<Vec<_>>(), &order), style)
-    };
-    let mut t = Texts::default();
+    fn name(&self, name: &str) -> String {
+        if self.plain() { name.into() } else { latex_name(name) }
+    }
 
-    for (name, pieces) in [("T", &m.kinetic), ("V", &m.potential), ("D", &m.dissipation)] {
-        t.energies.push(format!("{name} = {}", written(pieces, Style::Plain)));
-        t.latex.push(format!("{name} = {}", written(pieces, Style::Latex)));
+    fn print(&self, e: &Atom) -> String {
+        print(&Tree::new(e), self.style)
     }
-    for (c, q) in m.coordinates.iter().zip(&motion.external) {
-        t.energies.push(format!("Q_{} = {}", c.name, whole(q, Style::Plain)));
-        t.latex.push(format!("Q_{{{}}} = {}", latex_name(&c.name), whole(q, Style::Latex)));
+
+    fn grouped(&self, e: &Atom) -> Vec<Group> {
+        grouped(e, &self.order)
     }
-    for (name, value) in &motion.constants {
-        let value = Tree::new(value);
-        t.constants.push(format!("{name} = {}", print(&value, Style::Plain)));
-        t.latex.push(format!("{} = {}", latex_name(name), print(&value, Style::Latex)));
-    }
-    for d in &m.deflections {
-        let value = Tree::new(&d.value.atom());
-        t.deflections.push(format!("{} = {}", d.name, print(&value, Style::Plain)));
-        t.latex.push(format!("{} = {}", latex_name(&d.name), print(&value, Style::Latex)));
-    }
-    t.deflections.extend(m.laws.iter().filter_map(idle_text));
-    t.deflections.extend(m.dead_bands.iter().flat_map(band_text));
-    for force in &m.forces {
-        let value = Tree::new(&force.value.atom());
-        let with = force.with.as_ref().map_or(String::new(), |effect| format!(" [{}]", effect.replace('_', " ")));
-        t.forces.push(format!("{} = {}{with}", force.name, print(&value, Style::Plain)));
-        t.latex.push(format!("{} = {}", latex_name(&force.name), print(&value, Style::Latex)));
-    }
-    for i in 0..m.coordinates.len() {
-        let left = |j: usize, style| match style {
-            Style::Latex => format!("\\ddot{{{}}}", latex_name(&m.coordinates[j].name)),
-            _ => format!("{}''", m.coordinates[j].name),
-        };
-        for style in [Style::Plain, Style::Latex] {
-            let line = match &motion.acceleration {
-                Some(a) => format!("{} = {}", left(i, style), whole(&a[i], style)),
-                None => {
-                    let inertia: Vec<String> = (0..m.coordinates.len())
-                        .filter(|&j| !motion.mass[i][j].is_zero())
-                        .map(|j| format!("({}) {}", whole(&motion.mass[i][j], style), left(j, style)))
-                        .collect();
-                    format!("{} = {}", inertia.join(" + "), whole(&motion.force[i], style))
-                }
+
+    /// `left = a` and one more line for each further group of terms: `    + b [torques]`.
+    fn equation(&self, left: &str, groups: &[Group]) -> Vec<String> {
+        let mut lines = vec![];
+        for group in groups {
+            let text = print(&group.sum, self.style);
+            let line = match (lines.len(), text.strip_prefix('-')) {
+                (0, _) => format!("{left} = {text}"),
+                (_, Some(rest)) => format!("    - {rest}"),
+                (_, None) => format!("    + {text}"),
             };
-            if style == Style::Latex { t.latex.push(line) } else { t.motion.push(line) }
+            let effects = group.effects.join(", ").replace('_', " ");
+            lines.push(match (effects.as_str(), self.style) {
+                ("", _) => line,
+                (effects, Style::Latex) => format!("{line}\\ [\\text{{{effects}}}]"),
+                (effects, _) => format!("{line} [{effects}]"),
+            });
         }
+        if lines.is_empty() { vec![format!("{left} = 0")] } else { lines }
     }
-    jumps(d, &mut t);
+
+    /// The groups of terms in one line.
+    fn line(&self, e: &Atom) -> String {
+        let lines = self.equation("", &self.grouped(e));
+        lines.iter().map(|line| line.trim_start_matches(" = ").trim_start()).collect::<Vec<_>>().join(" ")
+    }
+}
+
+fn energies(d: &Derivation, w: &Writer) -> Vec<String> {
+    let m = d.model;
+    let mut lines = vec![];
+    for (name, pieces) in [("T", &m.kinetic), ("V", &m.potential), ("D", &m.dissipation)] {
+        let pieces: Vec<Atom> = pieces.iter().map(|p| p.atom()).collect();
+        lines.extend(w.equation(name, &as_written(&pieces, &w.order)));
+    }
+    for (c, q) in m.coordinates.iter().zip(&d.motion.external).filter(|(_, q)| !q.is_zero()) {
+        let left = if w.plain() { format!("Q_{}", c.name) } else { format!("Q_{{{}}}", latex_name(&c.name)) };
+        lines.extend(w.equation(&left, &w.grouped(q)));
+    }
+    lines
+}
+
+/// Constants, deflections and forces, and the symbols that the engine sets.
+fn names(d: &Derivation, w: &Writer) -> Vec<String> {
+    let m = d.model;
+    let is = |name: &str, value: &Atom| format!("{} = {}", w.name(name), w.print(value));
+    let mut lines: Vec<String> = d.motion.constants.iter().map(|(name, value)| is(name, value)).collect();
+    lines.extend(m.deflections.iter().map(|d| is(&d.name, &d.value.atom())));
+    for force in &m.forces {
+        let effect = force.with.as_ref().filter(|_| w.plain()).map(|effect| format!(" [{}]", effect.replace('_', " ")));
+        lines.push(is(&force.name, &force.value.atom()) + effect.as_deref().unwrap_or_default());
+    }
+    if w.plain() {
+        lines.extend(m.laws.iter().filter_map(idle_text));
+        lines.extend(m.dead_bands.iter().flat_map(band_text));
+    }
+    lines
+}
+
+/// The accelerations if M was inverted, else the rows of M q'' = F.
+fn motion(d: &Derivation, w: &Writer) -> Vec<String> {
+    let (m, motion) = (d.model, &d.motion);
+    let twice = |name: &str| if w.plain() { format!("{name}''") } else { format!("\\ddot{{{}}}", latex_name(name)) };
+    let row = |i: usize| match &motion.acceleration {
+        Some(a) => w.equation(&twice(&m.coordinates[i].name), &w.grouped(&a[i])),
+        None => {
+            let entries = motion.mass[i].iter().zip(&m.coordinates).filter(|(entry, _)| !entry.is_zero());
+            let inertia: Vec<String> =
+                entries.map(|(entry, c)| format!("({}) {}", w.line(entry), twice(&c.name))).collect();
+            let force = w.equation("", &w.grouped(&motion.force[i])).into_iter();
+            std::iter::once(inertia.join(" + ")).chain(force.map(|line| format!("    {}", line.trim_start()))).collect()
+        }
+    };
+    (0..m.coordinates.len()).flat_map(row).collect()
+}
+
+fn cells(d: &Derivation, w: &Writer) -> Vec<String> {
     match &d.cell {
-        Ok(cell) => {
-            t.cell.push("M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into());
-            t.cell.extend(cell.nonlinear_with.iter().map(|(effect, c)| format!("nonlinear with {effect}: {c}")));
+        _ if !w.plain() => vec![],
+        Ok(_) => {
+            vec!["between two steps M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into()]
         }
-        Err(culprits) => t.cell.extend(culprits.iter().map(|c| format!("nonlinear: {c}"))),
+        Err(culprits) => culprits.iter().map(|c| format!("nonlinear: {c}")).collect(),
     }
-    t
 }
 
 /// The value of a law in scenes without its effect.
@@ -147,57 +156,4 @@ fn band_text(band: &DeadBand) -> [String; 4] {
         format!("  {clip} = 1 if the damper would push more than the spring: its force is limited to the spring force"),
         format!("  {clip} = -1 if the damper would pull more than the spring pushes: the contact force is zero"),
     ]
-}
-
-/// The jump rule of every law: in the speeds of the coordinates if M was inverted, else in the normal speed v.
-fn jumps(d: &Derivation, t: &mut Texts) {
-    let order = d.order();
-    for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
-        if matches!(law.role, Role::Friction(_)) {
-            t.jump.push(format!("at a step of {}: dV = 0, the speeds do not change", law.name));
-            continue;
-        }
-        let phase = print(&Tree::new(&law.phase.atom()), Style::Plain);
-        let (Some(g), Some(direction)) = (&jump.compliance, &jump.direction) else {
-            t.jump.push(format!(
-                "at a step d{} of {} in {phase}: v+^2 = v-^2 - 2*G*({})",
-                law.name,
-                law.name,
-                sum(&grouped(&jump.step, &order), Style::Plain)
-            ));
-            continue;
-        };
-        let lost = (number(2) * g * &jump.step).expand();
-        let slope = symbol_text(Kind::Slope, &format!("d{}", law.name), Style::Plain);
-        let speed = speed_name(&phase);
-        let step = format!("\\Delta {}", latex_name(&law.name));
-        t.jump.push(format!("at a step {slope} of {} in {phase}, transmission if {speed}+^2 >= 0:", law.name));
-        let whole = |text: String| if markers::terms(&lost).len() > 1 { format!("({text})") } else { text };
-        t.jump.push(format!("{speed}+^2 = {speed}-^2 - {}", whole(sum(&grouped(&lost, &order), Style::Plain))));
-        let tex = |a: &Atom| {
-            sum(&grouped(a, &order), Style::Latex).replace(&symbol_text(Kind::Slope, &slope, Style::Latex), &step)
-        };
-        let dot = |name: &str, side: char| format!("\\dot{{{}}}_{side}", latex_name(name));
-        t.latex.push(format!("{}^2 = {}^2 - {}", dot(&phase, '+'), dot(&phase, '-'), whole(tex(&lost))));
-        for (c, part) in d.model.coordinates.iter().zip(direction) {
-            if c.name == phase || part.is_zero() {
-                continue;
-            }
-            let other = speed_name(&c.name);
-            t.jump.push(format!(
-                "{other}+ - {other}- = ({})*({speed}+ - {speed}-)",
-                sum(&grouped(part, &order), Style::Plain)
-            ));
-            t.latex.push(format!(
-                "{} - {} = {} \\left({} - {}\\right)",
-                dot(&c.name, '+'),
-                dot(&c.name, '-'),
-                tex(part),
-                dot(&phase, '+'),
-                dot(&phase, '-')
-            ));
-        }
-        let stays = if law.with.is_some() { &law.name } else { "the stiffness" };
-        t.jump.push(format!("else reflection: {speed}+ = -{speed}-, and {stays} does not step"));
-    }
 }

@@ -36,15 +36,19 @@ fn run() -> anyhow::Result<()> {
     let mut stale = vec![];
     for (name, describe) in MODELS.iter().filter(|m| names.is_empty() || names.iter().any(|n| n == m.0)) {
         let start = Instant::now();
-        let text = derive(&Model::new(name, describe))?.file();
-        let path = folder.join(format!("{name}.rs"));
-        let fresh = std::fs::read_to_string(&path).is_ok_and(|old| old == text);
+        let files = derive(&Model::new(name, describe))?.files();
+        let old = |path: &str| std::fs::read_to_string(folder.join(path)).unwrap_or_default();
+        let fresh = files.iter().all(|(path, text)| *text == old(path));
         let milliseconds = 1e3 * start.elapsed().as_secs_f64();
         match (check, fresh) {
             (_, true) => println!("{name}: up to date ({milliseconds:.1} ms)"),
             (true, false) => stale.push(*name),
             (false, false) => {
-                std::fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
+                for (path, text) in files {
+                    let path = folder.join(path);
+                    path.parent().map_or(Ok(()), std::fs::create_dir_all)?;
+                    std::fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
+                }
                 println!(
                     "{name}: derived, proved and written to gearsim/src/generated/{name}.rs ({milliseconds:.1} ms)"
                 );

@@ -18,6 +18,8 @@ mod models;
 mod newcomer;
 #[path = "derivation/odd.rs"]
 mod odd;
+#[path = "derivation/proofs.rs"]
+mod proofs;
 #[path = "derivation/slips.rs"]
 mod slips;
 
@@ -54,6 +56,9 @@ fn main() -> ExitCode {
         ("mobility_is_omitted_where_no_closed_form_exists", blocks::mobility_is_omitted_where_no_closed_form_exists),
         ("constant_offsets_do_no_work", blocks::constant_offsets_do_no_work),
         ("a_model_without_constants_has_no_constants_block", blocks::a_model_without_constants_has_no_constants_block),
+        ("a_wrong_formula_is_refused_by_its_proof", proofs::a_wrong_formula_is_refused),
+        ("a_model_that_feeds_energy_is_refused", proofs::a_model_that_feeds_energy_is_refused),
+        ("dampers_of_other_forms_are_proved", proofs::other_dampers_are_proved),
         ("every_mistake_is_refused_with_the_name_of_the_culprit", slips::every_mistake_is_refused),
         ("no_input_makes_the_derivation_panic", odd::no_input_panics),
     ];

@@ -52,6 +52,7 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
     m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
     m.forces.iter().for_each(|f| claim("force", &f.name, vec![]));
+    m.partials.iter().for_each(|f| claim("partial derivative", &f.name, vec![]));
     for band in &m.dead_bands {
         band.symbols.iter().for_each(|s| claim("symbol of a dead band", s, vec![]));
     }

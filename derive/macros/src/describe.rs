@@ -42,7 +42,7 @@ pub fn describe(m: &Model) -> TokenStream {
         let effect = effect.to_string();
         quote!((#effect, #text))
     });
-    let (equations, latex) = (joined(&m.text), joined(&m.latex));
+    let (equations, latex) = (included(&m.text), included(&m.latex));
     quote! {
         model::Model {
             name: #name,
@@ -119,6 +119,7 @@ fn strings(names: &[Ident]) -> TokenStream {
     quote!(&[#(#names),*])
 }
 
-fn joined(lines: &[LitStr]) -> String {
-    lines.iter().map(LitStr::value).collect::<Vec<_>>().join("\n")
+/// The contents of a file beside that of the model.
+fn included(path: &Option<LitStr>) -> TokenStream {
+    path.as_ref().map_or(quote!(""), |path| quote!(include_str!(#path)))
 }

@@ -1,4 +1,4 @@
-//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces.
+//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces and their partial derivatives.
 //! A piece of code defines those that it names, and no others.
 
 use std::collections::BTreeSet;
@@ -50,14 +50,15 @@ enum Variable<'a> {
     Gated(Gated<'a>),
     /// A deflection or a rate.
     Linear(&'a Assignment),
-    /// A named force.
+    /// A named force, or a partial derivative of one.
     Force(&'a Row),
 }
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
-    let all = gated(m).map(Variable::Gated).chain(linear).chain(m.forces.iter().map(Variable::Force));
+    let forces = m.forces.iter().chain(&m.partials).map(Variable::Force);
+    let all = gated(m).map(Variable::Gated).chain(linear).chain(forces);
     let mut used: Vec<_> = all.collect();
     let mut names = names(code);
     used.reverse();

@@ -50,6 +50,7 @@
 //!     over "m" (touch, edge, damp, clip) half b/2.0 with backlash, "play";   // 1, 0, 1, 0 without `backlash`
 //! }
 //! // forces { F { friction => c*k*x_dot; } }  // named forces, for rows of `force` and for powers
+//! // partials { F_by_x_dot { friction => c*k; } }   // partial derivatives of forces, for entries of `jacobian`
 //! energies {                          // sums of terms `COND => EXPR;`, where COND is an effect, a condition, or `_` for always
 //!     kinetic { _ => m*x_dot.powi(2)/2.0; }
 //!     potential { _ => k*x.powi(2)/2.0; }
@@ -78,8 +79,8 @@
 //!     direction { x { _ => 1.0; } }
 //!     step { _ => dk*x.powi(2)/2.0; }
 //! }
-//! text { "m x'' = ..."; }
-//! latex { r"m \ddot x = ..."; }
+//! text "text/oscillator.txt";         // files with the equations for reading, beside this one
+//! latex "latex/oscillator.tex";
 //! ```
 //!
 //! Expressions consist of numbers with a decimal point, names, `+ - * /`, parentheses and smooth methods of `f64` (`powi`, `sqrt`,

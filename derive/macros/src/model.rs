@@ -24,6 +24,8 @@ pub struct Model {
     pub dissipation: Sum,
     /// Named forces.
     pub forces: Vec<Row>,
+    /// Partial derivatives of the forces, in which the Jacobian is written.
+    pub partials: Vec<Row>,
     pub torques: Vec<Torque>,
     pub work: Vec<Row>,
     pub mass: Vec<Entry>,
@@ -38,8 +40,9 @@ pub struct Model {
     /// The terms that make it nonlinear with an effect.
     pub nonlinear_with: Vec<NonlinearWith>,
     pub jumps: Vec<Jump>,
-    pub text: Vec<LitStr>,
-    pub latex: Vec<LitStr>,
+    /// Paths of the equations as text and in LaTeX, from the file of the model.
+    pub text: Option<LitStr>,
+    pub latex: Option<LitStr>,
 }
 
 /// `theta "rad" start 0.0, "doc";`
@@ -223,6 +226,7 @@ impl Model {
             potential: vec![],
             dissipation: vec![],
             forces: vec![],
+            partials: vec![],
             torques: vec![],
             work: vec![],
             mass: vec![],
@@ -235,8 +239,8 @@ impl Model {
             nonlinear: None,
             nonlinear_with: vec![],
             jumps: vec![],
-            text: vec![],
-            latex: vec![],
+            text: None,
+            latex: None,
         }
     }
 }

@@ -5,7 +5,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Result, Token};
 
 use crate::model::*;
-use crate::tokens::{lines, list, parts, word};
+use crate::tokens::{list, parts, word};
 
 impl Parse for Model {
     fn parse(input: ParseStream) -> Result<Self> {
@@ -53,6 +53,7 @@ impl Model {
                 Ok(())
             })?,
             "forces" => self.forces = list(input)?,
+            "partials" => self.partials = list(input)?,
             "torques" => self.torques = list(input)?,
             "work" => self.work = list(input)?,
             "mass" => self.mass = list(input)?,
@@ -68,8 +69,14 @@ impl Model {
                 Ok(())
             })?,
             "jump" => self.jumps.push(input.parse()?),
-            "text" => self.text = lines(input)?,
-            "latex" => self.latex = lines(input)?,
+            "text" => {
+                self.text = Some(input.parse()?);
+                input.parse::<Token![;]>()?;
+            }
+            "latex" => {
+                self.latex = Some(input.parse()?);
+                input.parse::<Token![;]>()?;
+            }
             _ => {
                 return Err(Error::new(block.span(), format!("there is no block `{block}`")));
             }

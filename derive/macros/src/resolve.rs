@@ -45,6 +45,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     }
     let powers = forces.within("power");
     m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
+    let partials = powers.within("partials");
+    rows(&mut m.partials, &partials, errors);
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);
     let motions = Scope::of(m, "motions");
@@ -58,7 +60,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m);
         scope.laws(m, order).gated(m)
     };
-    let (force, jacobian) = (moving("force", 1).forces(m), moving("jacobian", 2));
+    let (force, jacobian) = (moving("force", 1).forces(m), moving("jacobian", 2).forces(m).partials(m));
     rows(m.force.iter_mut().flatten(), &force, errors);
     entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
 

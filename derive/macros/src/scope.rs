@@ -102,6 +102,12 @@ impl Scope {
         self
     }
 
+    /// Adds the partial derivatives of the forces, as plain variables too.
+    pub fn partials(mut self, model: &Model) -> Self {
+        model.partials.iter().for_each(|partial| self.declare(&partial.name));
+        self
+    }
+
     /// The same names for another block.
     pub fn within(self, block: &str) -> Self {
         Self { block: block.to_string(), ..self }

@@ -157,7 +157,7 @@ fn integers_and_unknown_functions_are_refused() {
 #[test]
 fn unknown_repeated_and_missing_blocks_are_refused() {
     refused("cell {", "cells {", "cells", "there is no block `cells`");
-    refused("work {", "text {} work {", "text", "a second `text`");
+    refused("work {", "text \"a\"; work {", "text", "a second `text`");
     refused("step { _ => dk*touch*over.powi(2); }", "", "k", "jump k: no block `step`");
 }
 

@@ -2,7 +2,6 @@
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::punctuated::Punctuated;
 use syn::{Error, Ident, Lit, LitStr, Result, Token, braced};
 
 /// `{ ITEM ITEM .. }`
@@ -14,13 +13,6 @@ pub fn list<T: Parse>(input: ParseStream) -> Result<Vec<T>> {
         items.push(inner.parse()?);
     }
     Ok(items)
-}
-
-/// `{ "line"; "line"; }`
-pub fn lines(input: ParseStream) -> Result<Vec<LitStr>> {
-    let inner;
-    braced!(inner in input);
-    Ok(Punctuated::<LitStr, Token![;]>::parse_terminated(&inner)?.into_iter().collect())
 }
 
 /// `{ NAME {..} NAME {..} }`, each name one of `names` and at most once; `store` parses what follows the name with this index.

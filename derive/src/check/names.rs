@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Kind, is_word, speed_name};
+use crate::expr::{Kind, MOVING, is_word, partial_name, speed_name, symbols};
 use crate::model::{CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
@@ -25,6 +25,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Error => "a transmission error",
         Kind::Friction => "a friction law",
         Kind::Force => "a force",
+        Kind::Partial => "a partial derivative of a force",
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",
@@ -75,7 +76,12 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
         declare(&format!("d{}", law.name), known(Slope), true)?;
         declare(&format!("dd{}", law.name), known(Curvature), true)?;
     }
-    model.forces.iter().try_for_each(|force| declare(&force.name, known(Force), false))?;
+    for force in &model.forces {
+        declare(&force.name, known(Force), false)?;
+        for by in symbols(&force.value.atom()).into_iter().filter(|(kind, _)| MOVING.contains(kind)) {
+            declare(&partial_name(&force.name, &by.1), known(Partial), true)?;
+        }
+    }
     model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use symbolica::atom::Atom;
 
+use super::wrap::{WIDTH, wrap};
 use crate::expr::Expr;
 use crate::markers::{Group, as_written, grouped};
 use crate::model::CONDITIONS;
@@ -41,19 +42,22 @@ impl Block {
     }
 
     pub fn line(&mut self, depth: usize, text: &str) {
-        let _ = writeln!(self.text, "{}{text}", "    ".repeat(depth));
+        let _ = writeln!(self.text, "{}", wrap(&format!("{}{text}", "    ".repeat(depth))));
     }
 
-    /// `name { .. }`, with the lines that `inside` writes.
+    /// `name { .. }`, with the lines that `inside` writes; in one line if there is only one, and it fits.
     pub fn braces(&mut self, depth: usize, name: &str, inside: impl FnOnce(&mut Self)) {
-        self.line(depth, &format!("{name} {{"));
+        let before = std::mem::take(&mut self.text);
         inside(self);
+        let inner = std::mem::replace(&mut self.text, before);
+        let alone = format!("{}{name} {{ {} }}", "    ".repeat(depth), inner.trim());
+        if inner.lines().count() == 1 && alone.chars().count() <= WIDTH {
+            let _ = writeln!(self.text, "{alone}");
+            return;
+        }
+        self.line(depth, &format!("{name} {{"));
+        self.text.push_str(&inner);
         self.line(depth, "}");
-    }
-
-    /// `name { "line"; .. }`
-    pub fn strings<'a>(&mut self, name: &str, lines: impl IntoIterator<Item = &'a String>) {
-        self.braces(1, name, |b| lines.into_iter().for_each(|line| b.line(2, &format!("{line:?};"))));
     }
 
     /// The expanded sum, grouped by condition.

@@ -2,7 +2,8 @@
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::lagrange::{self, Symbols};
+use crate::lagrange;
+use crate::symbols::Symbols;
 
 /// Writes the blocks `energies`, `torques` and `work`.
 pub(super) fn write(b: &mut Block, d: &Derivation) {

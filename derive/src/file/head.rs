@@ -1,51 +1,31 @@
-//! The comment at the head of a generated file: what it is, where it comes from, its equations for people, what is proved.
+//! The comments of a generated file: at its head what it is, at its end what is proved.
 
 use super::operations;
+use super::wrap::prose;
 use crate::derivation::Derivation;
-use crate::model::Role;
-use crate::text::Texts;
 
-/// The lines of the comment, each with its `//!`.
-pub(super) fn write(d: &Derivation, texts: &Texts) -> String {
-    let m = d.model;
-    let mut lines = vec![
-        format!("Equations of motion of `{}`: {}.", m.name, one_line(&m.title)),
+/// The comment at the head of the file: what it is and where it comes from.
+pub(super) fn head(d: &Derivation) -> String {
+    let (name, title) = (&d.model.name, one_line(&d.model.title));
+    let says = [
+        format!("Equations of motion of `{name}`: {title}."),
         String::new(),
         format!(
-            "Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {}`. Do not edit: change the",
-            described_in(&m.name),
-            m.name
+            "Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {name}`. Do not edit: change the energies and \
+             derive again. For reading: `text/{name}.txt`, `latex/{name}.tex`. What is proved: at the end.",
+            described_in(name)
         ),
-        "energies and derive again.".into(),
-        format!("Source: {}", one_line(&m.source)),
     ];
-    let mut section = |title: &str, fence: &str, content: &[String]| {
-        lines.extend([String::new(), format!("# {title}"), String::new(), format!("```{fence}")]);
-        lines.extend(content.iter().cloned());
-        lines.push("```".into());
-    };
-    section("Energies", "text", &texts.energies);
-    for (title, content) in
-        [("Constants", &texts.constants), ("Deflections", &texts.deflections), ("Forces", &texts.forces)]
-    {
-        if !content.is_empty() {
-            section(title, "text", content);
-        }
-    }
-    section("Equations of motion", "text", &texts.motion);
-    if !texts.jump.is_empty() {
-        let errors = m.laws.iter().any(|law| law.role == Role::Error);
-        let title =
-            if errors { "At a step of a stiffness or a transmission error" } else { "At a step of a stiffness" };
-        section(title, "text", &texts.jump);
-    }
-    section("Between two steps", "text", &texts.cell);
-    section("LaTeX", "latex", &texts.latex);
-    lines.extend([String::new(), "# Proved".into(), String::new()]);
-    lines.extend(d.proofs.iter().map(|p| format!("- {p}")));
-    lines.extend([String::new(), "# Operations, all effects present".into(), String::new()]);
-    lines.extend(operations::table(d));
-    lines.iter().map(|l| format!("//! {l}").trim_end().to_string()).collect::<Vec<_>>().join("\n")
+    says.map(|text| prose(&text, "//!", "//!").trim_end().to_string()).join("\n")
+}
+
+/// The comment at the end of the file: what is proved, and how many operations the equations take.
+pub(super) fn end(d: &Derivation) -> String {
+    let mut lines = vec!["// Proved of these equations, symbolically:".to_string(), "//".into()];
+    lines.extend(d.proofs.iter().map(|proof| prose(proof, "// -", "//   ")));
+    lines.extend(["//".into(), "// Operations, all effects present:".into(), "//".into()]);
+    lines.extend(operations::table(d).iter().map(|row| format!("// {row}")));
+    lines.join("\n")
 }
 
 /// The file stem in `models/src` of a model: `planetary_3` is the function of `planetary.rs` with 3 planets.

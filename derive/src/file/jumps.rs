@@ -3,13 +3,13 @@
 use super::block::Block;
 use crate::derivation::Derivation;
 
-/// Writes a block `jump` for each law.
+/// Writes a block `jump` for each law. Its n is the unit vector of the phase, which is not written; G and M⁻¹n/G are not needed
+/// where V does not step.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
     let names = d.coordinates();
     for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
         b.braces(1, &format!("jump {}", law.name), |b| {
-            b.sums(2, "normal", &names, &jump.normal);
-            if let (Some(g), Some(direction)) = (&jump.compliance, &jump.direction) {
+            if let (Some(g), Some(direction), false) = (&jump.compliance, &jump.direction, jump.step.is_zero()) {
                 b.sum(2, "compliance", &b.grouped(g));
                 b.sums(2, "direction", &names, direction);
             }

@@ -6,7 +6,7 @@ use crate::model::DeadBand;
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
-/// Writes the blocks `constants`, `deflections`, `forces` and `dead_bands`, those that are not empty.
+/// Writes the blocks `constants`, `deflections`, `forces`, `partials` and `dead_bands`, those that are not empty.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
     let (m, constants) = (d.model, &d.motion.constants);
     if !constants.is_empty() {
@@ -29,7 +29,16 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
             for force in &m.forces {
                 let condition = force.with.as_deref().unwrap_or("_");
                 let value = print(&Tree::new(&force.value.atom()), Style::Rust);
-                b.line(2, &format!("{} {{ {condition} => {value}; }}", force.name));
+                b.braces(2, &force.name, |b| b.line(3, &format!("{condition} => {value};")));
+            }
+        });
+    }
+    if !d.partials.is_empty() {
+        b.braces(1, "partials", |b| {
+            for (name, effect, value) in &d.partials {
+                let condition = effect.as_deref().unwrap_or("_");
+                let value = print(&Tree::new(value), Style::Rust);
+                b.braces(2, name, |b| b.line(3, &format!("{condition} => {value};")));
             }
         });
     }

@@ -1,66 +1,7 @@
 //! Equations of motion of `backlash_oscillator`: a rotor on a spring and damper with play.
 //!
 //! Derived from the energies in `models/src/backlash_oscillator.rs` by `cargo xtask derive backlash_oscillator`. Do not edit: change the
-//! energies and derive again.
-//! Source: Modelica Standard Library, Modelica.Mechanics.Rotational.Examples.Backlash
-//!
-//! # Energies
-//!
-//! ```text
-//! T = I*phi_dot^2/2
-//! V = c*touch*over^2/2
-//! D = d*damp*over_dot^2/2 [damping]
-//! Q_phi = 0
-//! ```
-//!
-//! # Deflections
-//!
-//! ```text
-//! over = phi - edge
-//! touch = 1 in contact, beyond edge = b/2 or -b/2; touch = 0 between the edges; without backlash touch = 1 and edge = 0
-//! damp = 1 and clip = 0 in contact while the damper force is less than the spring force, else damp = 0:
-//!   clip = 1 if the damper would push more than the spring: its force is limited to the spring force
-//!   clip = -1 if the damper would pull more than the spring pushes: the contact force is zero
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! phi'' = -c*touch*over/I - c*touch*clip*over/I [backlash] - d*damp*over_dot/I [damping]
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{I\, \dot{\varphi}^{2}}{2}
-//! V = \frac{c\, \mathrm{touch}\, \mathrm{over}^{2}}{2}
-//! D = \frac{d\, \mathrm{damp}\, \dot{\mathrm{over}}^{2}}{2}\ [\text{damping}]
-//! Q_{\varphi} = 0
-//! \mathrm{over} = \varphi - \mathrm{edge}
-//! \ddot{\varphi} = -\frac{c\, \mathrm{touch}\, \mathrm{over}}{I} - \frac{c\, \mathrm{touch}\, \mathrm{clip}\, \mathrm{over}}{I}\ [\text{backlash}] - \frac{d\, \mathrm{damp}\, \dot{\mathrm{over}}}{I}\ [\text{damping}]
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects; q'.dD/dq' includes the power of clipped damper forces
-//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
-//! - V is the same on both sides of the edges of over: no impulse there
-//! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
-//! - M is positive definite: every leading minor is a sum of products of positive quantities
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | force | 0 | 7 | 0 |
-//! | acceleration | 0 | 10 | 0 |
+//! energies and derive again. For reading: `text/backlash_oscillator.txt`, `latex/backlash_oscillator.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -68,9 +9,7 @@ equations! {
     model backlash_oscillator "a rotor on a spring and damper with play";
     source "Modelica Standard Library, Modelica.Mechanics.Rotational.Examples.Backlash";
 
-    coordinates {
-        phi "rad" start 0.0, "rotation";
-    }
+    coordinates { phi "rad" start 0.0, "rotation"; }
     parameters {
         I "kg*m^2" required, open 0.0 to inf, "moment of inertia of the rotor";
         c "N*m/rad" required, from 0.0 to inf, "stiffness of the contact";
@@ -79,9 +18,7 @@ equations! {
     }
     laws {
     }
-    motions {
-        speed "rad/s" { phi_dot = 1.0; }, "rotational speed";
-    }
+    motions { speed "rad/s" { phi_dot = 1.0; }, "rotational speed"; }
     effects {
         backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         damping "a damper parallel to the spring";
@@ -89,38 +26,18 @@ equations! {
     conditions {
     }
 
-    deflections {
-        over = phi - edge;
-    }
-    dead_bands {
-        over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the contact";
-    }
+    deflections { over = phi - edge; }
+    dead_bands { over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the contact"; }
     energies {
-        kinetic {
-            _ => I*phi_dot.powi(2)/2.0;
-        }
-        potential {
-            _ => c*touch*over.powi(2)/2.0;
-        }
-        dissipation {
-            damping => d*damp*over_dot.powi(2)/2.0;
-        }
+        kinetic { _ => I*phi_dot.powi(2)/2.0; }
+        potential { _ => c*touch*over.powi(2)/2.0; }
+        dissipation { damping => d*damp*over_dot.powi(2)/2.0; }
     }
     torques {
     }
-    work {
-        phi {}
-    }
-    mass {
-        phi phi {
-            _ => I;
-        }
-    }
-    mobility {
-        phi phi {
-            _ => 1.0/I;
-        }
-    }
+    work { phi {} }
+    mass { phi phi { _ => I; } }
+    mobility { phi phi { _ => 1.0/I; } }
     force {
         phi {
             _ => -c*touch*over;
@@ -133,9 +50,7 @@ equations! {
             _ => -c*touch;
             backlash => -c*touch*clip;
         }
-        phi phi_dot {
-            damping => -d*damp;
-        }
+        phi phi_dot { damping => -d*damp; }
     }
     cell {
         stiffness {
@@ -144,11 +59,7 @@ equations! {
                 backlash => c*touch*clip;
             }
         }
-        damping {
-            phi phi {
-                damping => d*damp;
-            }
-        }
+        damping { phi phi { damping => d*damp; } }
         load {
             phi {
                 _ => c*touch*edge;
@@ -157,25 +68,27 @@ equations! {
         }
     }
 
-    text {
-        "T = I*phi_dot^2/2";
-        "V = c*touch*over^2/2";
-        "D = d*damp*over_dot^2/2 [damping]";
-        "Q_phi = 0";
-        "over = phi - edge";
-        "touch = 1 in contact, beyond edge = b/2 or -b/2; touch = 0 between the edges; without backlash touch = 1 and edge = 0";
-        "damp = 1 and clip = 0 in contact while the damper force is less than the spring force, else damp = 0:";
-        "  clip = 1 if the damper would push more than the spring: its force is limited to the spring force";
-        "  clip = -1 if the damper would pull more than the spring pushes: the contact force is zero";
-        "phi'' = -c*touch*over/I - c*touch*clip*over/I [backlash] - d*damp*over_dot/I [damping]";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{I\\, \\dot{\\varphi}^{2}}{2}";
-        "V = \\frac{c\\, \\mathrm{touch}\\, \\mathrm{over}^{2}}{2}";
-        "D = \\frac{d\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}^{2}}{2}\\ [\\text{damping}]";
-        "Q_{\\varphi} = 0";
-        "\\mathrm{over} = \\varphi - \\mathrm{edge}";
-        "\\ddot{\\varphi} = -\\frac{c\\, \\mathrm{touch}\\, \\mathrm{over}}{I} - \\frac{c\\, \\mathrm{touch}\\, \\mathrm{clip}\\, \\mathrm{over}}{I}\\ [\\text{backlash}] - \\frac{d\\, \\mathrm{damp}\\, \\dot{\\mathrm{over}}}{I}\\ [\\text{damping}]";
-    }
+    text "text/backlash_oscillator.txt";
+    latex "latex/backlash_oscillator.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects; q'.dD/dq' includes the power of clipped damper forces
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: every leading minor is a sum of products of positive quantities
+// - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
+// - V is the same on both sides of the edges of over: no impulse there
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - the damper of over, clipped to the force F = dV/dover of its spring, takes energy or none: clip F over_dot >= 0, since F over >= 0,
+//   over_dot dD/dover_dot >= 0 and, where it is clipped, clip over dD/dover_dot >= F over
+// - every deflection equals the linear form by which the equations differentiate it
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | force | 0 | 7 | 0 |
+// | acceleration | 0 | 10 | 0 |

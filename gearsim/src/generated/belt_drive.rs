@@ -1,67 +1,7 @@
 //! Equations of motion of `belt_drive`: a belt drive with a sprung tensioner.
 //!
-//! Derived from the energies in `models/src/belt_drive.rs` by `cargo xtask derive belt_drive`. Do not edit: change the
-//! energies and derive again.
-//! Source: rotational model of Beikmann, Perkins & Ulsoy (1996), J. Vib. Acoust. 118(3), with one accessory
-//!
-//! # Energies
-//!
-//! ```text
-//! T = (I1*theta_dot^2 + I2*(r1*theta_dot/r2 - s_dot/r2)^2 + I_t*psi_dot^2)/2
-//! V = (k_p*s^2 + k_s*s_s^2 + k_t*psi^2)/2
-//! D = (I1*alpha_M*theta_dot^2 + I2*alpha_M*(r1*theta_dot/r2 - s_dot/r2)^2 + I_t*alpha_M*psi_dot^2 + beta_K*k_p*s_dot^2 + beta_K*k_s*s_s_dot^2 + beta_K*k_t*psi_dot^2)/2 [damping]
-//! Q_theta = T_crank - T_load*r1/r2 [torques]
-//! Q_s = T_load/r2 [torques]
-//! Q_psi = 0
-//! ```
-//!
-//! # Deflections
-//!
-//! ```text
-//! s_s = a*psi - s
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! (I1 + I2*r1^2/r2^2) theta'' + (-I2*r1/r2^2) s'' = T_crank - T_load*r1/r2 [torques] + I2*alpha_M*r1*s_dot/r2^2 - I1*alpha_M*theta_dot - I2*alpha_M*r1^2*theta_dot/r2^2 [damping]
-//! (-I2*r1/r2^2) theta'' + (I2/r2^2) s'' = k_s*s_s - k_p*s + T_load/r2 [torques] + I2*alpha_M*r1*theta_dot/r2^2 - I2*alpha_M*s_dot/r2^2 - beta_K*k_p*s_dot + beta_K*k_s*s_s_dot [damping]
-//! (I_t) psi'' = -a*k_s*s_s - k_t*psi - I_t*alpha_M*psi_dot - a*beta_K*k_s*s_s_dot - beta_K*k_t*psi_dot [damping]
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{1}{2} (I_{1}\, \dot{\theta}^{2} + I_{2}\, \left(\frac{r_{1}\, \dot{\theta}}{r_{2}} - \frac{\dot{s}}{r_{2}}\right)^{2} + I_{t}\, \dot{\psi}^{2})
-//! V = \frac{1}{2} (k_{p}\, s^{2} + k_{s}\, s_{s}^{2} + k_{t}\, \psi^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta}^{2} + I_{2}\, \alpha_{M}\, \left(\frac{r_{1}\, \dot{\theta}}{r_{2}} - \frac{\dot{s}}{r_{2}}\right)^{2} + I_{t}\, \alpha_{M}\, \dot{\psi}^{2} + \beta_{K}\, k_{p}\, \dot{s}^{2} + \beta_{K}\, k_{s}\, \dot{s_{s}}^{2} + \beta_{K}\, k_{t}\, \dot{\psi}^{2})\ [\text{damping}]
-//! Q_{\theta} = T_{crank} - \frac{T_{load}\, r_{1}}{r_{2}}\ [\text{torques}]
-//! Q_{s} = \frac{T_{load}}{r_{2}}\ [\text{torques}]
-//! Q_{\psi} = 0
-//! s_{s} = a\, \psi - s
-//! (I_{1} + \frac{I_{2}\, r_{1}^{2}}{r_{2}^{2}}) \ddot{\theta} + (-\frac{I_{2}\, r_{1}}{r_{2}^{2}}) \ddot{s} = T_{crank} - \frac{T_{load}\, r_{1}}{r_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, r_{1}\, \dot{s}}{r_{2}^{2}} - I_{1}\, \alpha_{M}\, \dot{\theta} - \frac{I_{2}\, \alpha_{M}\, r_{1}^{2}\, \dot{\theta}}{r_{2}^{2}}\ [\text{damping}]
-//! (-\frac{I_{2}\, r_{1}}{r_{2}^{2}}) \ddot{\theta} + (\frac{I_{2}}{r_{2}^{2}}) \ddot{s} = k_{s}\, s_{s} - k_{p}\, s + \frac{T_{load}}{r_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, r_{1}\, \dot{\theta}}{r_{2}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s}}{r_{2}^{2}} - \beta_{K}\, k_{p}\, \dot{s} + \beta_{K}\, k_{s}\, \dot{s_{s}}\ [\text{damping}]
-//! (I_{t}) \ddot{\psi} = -a\, k_{s}\, s_{s} - k_{t}\, \psi - I_{t}\, \alpha_{M}\, \dot{\psi} - a\, \beta_{K}\, k_{s}\, \dot{s_{s}} - \beta_{K}\, k_{t}\, \dot{\psi}\ [\text{damping}]
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
-//! - M is positive definite: every leading minor is a sum of products of positive quantities
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | force | 10 | 41 | 0 |
+//! Derived from the energies in `models/src/belt_drive.rs` by `cargo xtask derive belt_drive`. Do not edit: change the energies and derive
+//! again. For reading: `text/belt_drive.txt`, `latex/belt_drive.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -91,9 +31,7 @@ equations! {
     }
     laws {
     }
-    motions {
-        speed "rad/s" { theta_dot = 1.0; }, "rotational speed of the crankshaft";
-    }
+    motions { speed "rad/s" { theta_dot = 1.0; }, "rotational speed of the crankshaft"; }
     effects {
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -101,50 +39,29 @@ equations! {
     conditions {
     }
 
-    deflections {
-        s_s = a*psi - s;
-    }
+    deflections { s_s = a*psi - s; }
     energies {
-        kinetic {
-            _ => (I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0;
-        }
-        potential {
-            _ => (k_p*s.powi(2) + k_s*s_s.powi(2) + k_t*psi.powi(2))/2.0;
-        }
+        kinetic { _ => (I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0; }
+        potential { _ => (k_p*s.powi(2) + k_s*s_s.powi(2) + k_t*psi.powi(2))/2.0; }
         dissipation {
-            damping => (I1*alpha_M*theta_dot.powi(2) + I2*alpha_M*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*alpha_M*psi_dot.powi(2) + beta_K*k_p*s_dot.powi(2) + beta_K*k_s*s_s_dot.powi(2) + beta_K*k_t*psi_dot.powi(2))/2.0;
+            damping => (I1*alpha_M*theta_dot.powi(2) + I2*alpha_M*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*alpha_M*psi_dot.powi(2)
+                + beta_K*k_p*s_dot.powi(2) + beta_K*k_s*s_s_dot.powi(2) + beta_K*k_t*psi_dot.powi(2))/2.0;
         }
     }
     torques {
-        crank "driving torque of the crankshaft" {
-            torques => T_crank*theta;
-        }
-        load "load torque of the accessory, against its rotation" {
-            torques => T_load*(s/r2 - r1*theta/r2);
-        }
+        crank "driving torque of the crankshaft" { torques => T_crank*theta; }
+        load "load torque of the accessory, against its rotation" { torques => T_load*(s/r2 - r1*theta/r2); }
     }
     work {
-        theta {
-            torques => T_crank - T_load*r1/r2;
-        }
-        s {
-            torques => T_load/r2;
-        }
+        theta { torques => T_crank - T_load*r1/r2; }
+        s { torques => T_load/r2; }
         psi {}
     }
     mass {
-        theta theta {
-            _ => I1 + I2*r1.powi(2)/r2.powi(2);
-        }
-        theta s {
-            _ => -I2*r1/r2.powi(2);
-        }
-        s s {
-            _ => I2/r2.powi(2);
-        }
-        psi psi {
-            _ => I_t;
-        }
+        theta theta { _ => I1 + I2*r1.powi(2)/r2.powi(2); }
+        theta s { _ => -I2*r1/r2.powi(2); }
+        s s { _ => I2/r2.powi(2); }
+        psi psi { _ => I_t; }
     }
     force {
         theta {
@@ -162,102 +79,53 @@ equations! {
         }
     }
     jacobian {
-        theta theta_dot {
-            damping => -I1*alpha_M - I2*alpha_M*r1.powi(2)/r2.powi(2);
-        }
-        theta s_dot {
-            damping => I2*alpha_M*r1/r2.powi(2);
-        }
-        s s {
-            _ => -k_p - k_s;
-        }
-        s psi {
-            _ => a*k_s;
-        }
-        s theta_dot {
-            damping => I2*alpha_M*r1/r2.powi(2);
-        }
-        s s_dot {
-            damping => -I2*alpha_M/r2.powi(2) - beta_K*k_p - beta_K*k_s;
-        }
-        s psi_dot {
-            damping => a*beta_K*k_s;
-        }
-        psi s {
-            _ => a*k_s;
-        }
-        psi psi {
-            _ => -k_t - a.powi(2)*k_s;
-        }
-        psi s_dot {
-            damping => a*beta_K*k_s;
-        }
-        psi psi_dot {
-            damping => -I_t*alpha_M - beta_K*k_t - a.powi(2)*beta_K*k_s;
-        }
+        theta theta_dot { damping => -I1*alpha_M - I2*alpha_M*r1.powi(2)/r2.powi(2); }
+        theta s_dot { damping => I2*alpha_M*r1/r2.powi(2); }
+        s s { _ => -k_p - k_s; }
+        s psi { _ => a*k_s; }
+        s theta_dot { damping => I2*alpha_M*r1/r2.powi(2); }
+        s s_dot { damping => -I2*alpha_M/r2.powi(2) - beta_K*k_p - beta_K*k_s; }
+        s psi_dot { damping => a*beta_K*k_s; }
+        psi s { _ => a*k_s; }
+        psi psi { _ => -k_t - a.powi(2)*k_s; }
+        psi s_dot { damping => a*beta_K*k_s; }
+        psi psi_dot { damping => -I_t*alpha_M - beta_K*k_t - a.powi(2)*beta_K*k_s; }
     }
     cell {
         stiffness {
-            s s {
-                _ => k_p + k_s;
-            }
-            s psi {
-                _ => -a*k_s;
-            }
-            psi psi {
-                _ => k_t + a.powi(2)*k_s;
-            }
+            s s { _ => k_p + k_s; }
+            s psi { _ => -a*k_s; }
+            psi psi { _ => k_t + a.powi(2)*k_s; }
         }
         damping {
-            theta theta {
-                damping => I1*alpha_M + I2*alpha_M*r1.powi(2)/r2.powi(2);
-            }
-            theta s {
-                damping => -I2*alpha_M*r1/r2.powi(2);
-            }
-            s s {
-                damping => I2*alpha_M/r2.powi(2) + beta_K*k_p + beta_K*k_s;
-            }
-            s psi {
-                damping => -a*beta_K*k_s;
-            }
-            psi psi {
-                damping => I_t*alpha_M + beta_K*k_t + a.powi(2)*beta_K*k_s;
-            }
+            theta theta { damping => I1*alpha_M + I2*alpha_M*r1.powi(2)/r2.powi(2); }
+            theta s { damping => -I2*alpha_M*r1/r2.powi(2); }
+            s s { damping => I2*alpha_M/r2.powi(2) + beta_K*k_p + beta_K*k_s; }
+            s psi { damping => -a*beta_K*k_s; }
+            psi psi { damping => I_t*alpha_M + beta_K*k_t + a.powi(2)*beta_K*k_s; }
         }
         load {
-            theta {
-                torques => T_crank - T_load*r1/r2;
-            }
-            s {
-                torques => T_load/r2;
-            }
+            theta { torques => T_crank - T_load*r1/r2; }
+            s { torques => T_load/r2; }
         }
     }
 
-    text {
-        "T = (I1*theta_dot^2 + I2*(r1*theta_dot/r2 - s_dot/r2)^2 + I_t*psi_dot^2)/2";
-        "V = (k_p*s^2 + k_s*s_s^2 + k_t*psi^2)/2";
-        "D = (I1*alpha_M*theta_dot^2 + I2*alpha_M*(r1*theta_dot/r2 - s_dot/r2)^2 + I_t*alpha_M*psi_dot^2 + beta_K*k_p*s_dot^2 + beta_K*k_s*s_s_dot^2 + beta_K*k_t*psi_dot^2)/2 [damping]";
-        "Q_theta = T_crank - T_load*r1/r2 [torques]";
-        "Q_s = T_load/r2 [torques]";
-        "Q_psi = 0";
-        "s_s = a*psi - s";
-        "(I1 + I2*r1^2/r2^2) theta'' + (-I2*r1/r2^2) s'' = T_crank - T_load*r1/r2 [torques] + I2*alpha_M*r1*s_dot/r2^2 - I1*alpha_M*theta_dot - I2*alpha_M*r1^2*theta_dot/r2^2 [damping]";
-        "(-I2*r1/r2^2) theta'' + (I2/r2^2) s'' = k_s*s_s - k_p*s + T_load/r2 [torques] + I2*alpha_M*r1*theta_dot/r2^2 - I2*alpha_M*s_dot/r2^2 - beta_K*k_p*s_dot + beta_K*k_s*s_s_dot [damping]";
-        "(I_t) psi'' = -a*k_s*s_s - k_t*psi - I_t*alpha_M*psi_dot - a*beta_K*k_s*s_s_dot - beta_K*k_t*psi_dot [damping]";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta}^{2} + I_{2}\\, \\left(\\frac{r_{1}\\, \\dot{\\theta}}{r_{2}} - \\frac{\\dot{s}}{r_{2}}\\right)^{2} + I_{t}\\, \\dot{\\psi}^{2})";
-        "V = \\frac{1}{2} (k_{p}\\, s^{2} + k_{s}\\, s_{s}^{2} + k_{t}\\, \\psi^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta}^{2} + I_{2}\\, \\alpha_{M}\\, \\left(\\frac{r_{1}\\, \\dot{\\theta}}{r_{2}} - \\frac{\\dot{s}}{r_{2}}\\right)^{2} + I_{t}\\, \\alpha_{M}\\, \\dot{\\psi}^{2} + \\beta_{K}\\, k_{p}\\, \\dot{s}^{2} + \\beta_{K}\\, k_{s}\\, \\dot{s_{s}}^{2} + \\beta_{K}\\, k_{t}\\, \\dot{\\psi}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta} = T_{crank} - \\frac{T_{load}\\, r_{1}}{r_{2}}\\ [\\text{torques}]";
-        "Q_{s} = \\frac{T_{load}}{r_{2}}\\ [\\text{torques}]";
-        "Q_{\\psi} = 0";
-        "s_{s} = a\\, \\psi - s";
-        "(I_{1} + \\frac{I_{2}\\, r_{1}^{2}}{r_{2}^{2}}) \\ddot{\\theta} + (-\\frac{I_{2}\\, r_{1}}{r_{2}^{2}}) \\ddot{s} = T_{crank} - \\frac{T_{load}\\, r_{1}}{r_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, r_{1}\\, \\dot{s}}{r_{2}^{2}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta} - \\frac{I_{2}\\, \\alpha_{M}\\, r_{1}^{2}\\, \\dot{\\theta}}{r_{2}^{2}}\\ [\\text{damping}]";
-        "(-\\frac{I_{2}\\, r_{1}}{r_{2}^{2}}) \\ddot{\\theta} + (\\frac{I_{2}}{r_{2}^{2}}) \\ddot{s} = k_{s}\\, s_{s} - k_{p}\\, s + \\frac{T_{load}}{r_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, r_{1}\\, \\dot{\\theta}}{r_{2}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s}}{r_{2}^{2}} - \\beta_{K}\\, k_{p}\\, \\dot{s} + \\beta_{K}\\, k_{s}\\, \\dot{s_{s}}\\ [\\text{damping}]";
-        "(I_{t}) \\ddot{\\psi} = -a\\, k_{s}\\, s_{s} - k_{t}\\, \\psi - I_{t}\\, \\alpha_{M}\\, \\dot{\\psi} - a\\, \\beta_{K}\\, k_{s}\\, \\dot{s_{s}} - \\beta_{K}\\, k_{t}\\, \\dot{\\psi}\\ [\\text{damping}]";
-    }
+    text "text/belt_drive.txt";
+    latex "latex/belt_drive.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: every leading minor is a sum of products of positive quantities
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - every deflection equals the linear form by which the equations differentiate it
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | force | 10 | 41 | 0 |

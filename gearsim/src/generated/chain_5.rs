@@ -1,81 +1,7 @@
 //! Equations of motion of `chain_5`: a torsional chain of 5 discs.
 //!
-//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_5`. Do not edit: change the
-//! energies and derive again.
-//! Source: e.g. Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9
-//!
-//! # Energies
-//!
-//! ```text
-//! T = (I1*theta1_dot^2 + I2*theta2_dot^2 + I3*theta3_dot^2 + I4*theta4_dot^2 + I5*theta5_dot^2)/2
-//! V = (k1*twist1^2 + k2*twist2^2 + k3*twist3^2 + k4*twist4^2)/2
-//! D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + I3*alpha_M*theta3_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + beta_K*k1*twist1_dot^2 + beta_K*k2*twist2_dot^2 + beta_K*k3*twist3_dot^2 + beta_K*k4*twist4_dot^2)/2 [damping]
-//! Q_theta1 = T_motor [torques]
-//! Q_theta2 = 0
-//! Q_theta3 = 0
-//! Q_theta4 = 0
-//! Q_theta5 = -T_load [torques]
-//! ```
-//!
-//! # Deflections
-//!
-//! ```text
-//! twist1 = theta1 - theta2
-//! twist2 = theta2 - theta3
-//! twist3 = theta3 - theta4
-//! twist4 = theta4 - theta5
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! (I1) theta1'' = -k1*twist1 + T_motor [torques] - I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot [damping]
-//! (I2) theta2'' = k1*twist1 - k2*twist2 + beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot [damping]
-//! (I3) theta3'' = k2*twist2 - k3*twist3 + beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot [damping]
-//! (I4) theta4'' = k3*twist3 - k4*twist4 + beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot [damping]
-//! (I5) theta5'' = k4*twist4 - T_load [torques] + beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot [damping]
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + I_{2}\, \dot{\theta_{2}}^{2} + I_{3}\, \dot{\theta_{3}}^{2} + I_{4}\, \dot{\theta_{4}}^{2} + I_{5}\, \dot{\theta_{5}}^{2})
-//! V = \frac{1}{2} (k_{1}\, \mathrm{twist}_{1}^{2} + k_{2}\, \mathrm{twist}_{2}^{2} + k_{3}\, \mathrm{twist}_{3}^{2} + k_{4}\, \mathrm{twist}_{4}^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + I_{2}\, \alpha_{M}\, \dot{\theta_{2}}^{2} + I_{3}\, \alpha_{M}\, \dot{\theta_{3}}^{2} + I_{4}\, \alpha_{M}\, \dot{\theta_{4}}^{2} + I_{5}\, \alpha_{M}\, \dot{\theta_{5}}^{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}^{2} + \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}}^{2} + \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}}^{2} + \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}}^{2})\ [\text{damping}]
-//! Q_{\theta_{1}} = T_{motor}\ [\text{torques}]
-//! Q_{\theta_{2}} = 0
-//! Q_{\theta_{3}} = 0
-//! Q_{\theta_{4}} = 0
-//! Q_{\theta_{5}} = -T_{load}\ [\text{torques}]
-//! \mathrm{twist}_{1} = \theta_{1} - \theta_{2}
-//! \mathrm{twist}_{2} = \theta_{2} - \theta_{3}
-//! \mathrm{twist}_{3} = \theta_{3} - \theta_{4}
-//! \mathrm{twist}_{4} = \theta_{4} - \theta_{5}
-//! (I_{1}) \ddot{\theta_{1}} = -k_{1}\, \mathrm{twist}_{1} + T_{motor}\ [\text{torques}] - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}}\ [\text{damping}]
-//! (I_{2}) \ddot{\theta_{2}} = k_{1}\, \mathrm{twist}_{1} - k_{2}\, \mathrm{twist}_{2} + \beta_{K}\, k_{1}\, \dot{\mathrm{twist}_{1}} - I_{2}\, \alpha_{M}\, \dot{\theta_{2}} - \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}}\ [\text{damping}]
-//! (I_{3}) \ddot{\theta_{3}} = k_{2}\, \mathrm{twist}_{2} - k_{3}\, \mathrm{twist}_{3} + \beta_{K}\, k_{2}\, \dot{\mathrm{twist}_{2}} - I_{3}\, \alpha_{M}\, \dot{\theta_{3}} - \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}}\ [\text{damping}]
-//! (I_{4}) \ddot{\theta_{4}} = k_{3}\, \mathrm{twist}_{3} - k_{4}\, \mathrm{twist}_{4} + \beta_{K}\, k_{3}\, \dot{\mathrm{twist}_{3}} - I_{4}\, \alpha_{M}\, \dot{\theta_{4}} - \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}}\ [\text{damping}]
-//! (I_{5}) \ddot{\theta_{5}} = k_{4}\, \mathrm{twist}_{4} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{4}\, \dot{\mathrm{twist}_{4}} - I_{5}\, \alpha_{M}\, \dot{\theta_{5}}\ [\text{damping}]
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
-//! - M is positive definite: T is a sum of squares that vanish together only at rest
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | force | 11 | 34 | 0 |
+//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_5`. Do not edit: change the energies and derive again.
+//! For reading: `text/chain_5.txt`, `latex/chain_5.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -108,7 +34,8 @@ equations! {
     laws {
     }
     motions {
-        speed "rad/s" { theta1_dot = 1.0; theta2_dot = 1.0; theta3_dot = 1.0; theta4_dot = 1.0; theta5_dot = 1.0; }, "rotational speed of the shaft";
+        speed "rad/s" { theta1_dot = 1.0; theta2_dot = 1.0; theta3_dot = 1.0; theta4_dot = 1.0; theta5_dot = 1.0; },
+            "rotational speed of the shaft";
     }
     effects {
         torques "constant torques of motor and load";
@@ -125,50 +52,33 @@ equations! {
     }
     energies {
         kinetic {
-            _ => (I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2) + I3*theta3_dot.powi(2) + I4*theta4_dot.powi(2) + I5*theta5_dot.powi(2))/2.0;
+            _ => (I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2) + I3*theta3_dot.powi(2) + I4*theta4_dot.powi(2) + I5*theta5_dot.powi(2))
+                /2.0;
         }
-        potential {
-            _ => (k1*twist1.powi(2) + k2*twist2.powi(2) + k3*twist3.powi(2) + k4*twist4.powi(2))/2.0;
-        }
+        potential { _ => (k1*twist1.powi(2) + k2*twist2.powi(2) + k3*twist3.powi(2) + k4*twist4.powi(2))/2.0; }
         dissipation {
-            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + I3*alpha_M*theta3_dot.powi(2) + I4*alpha_M*theta4_dot.powi(2) + I5*alpha_M*theta5_dot.powi(2) + beta_K*k1*twist1_dot.powi(2) + beta_K*k2*twist2_dot.powi(2) + beta_K*k3*twist3_dot.powi(2) + beta_K*k4*twist4_dot.powi(2))/2.0;
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*alpha_M*theta2_dot.powi(2) + I3*alpha_M*theta3_dot.powi(2)
+                + I4*alpha_M*theta4_dot.powi(2) + I5*alpha_M*theta5_dot.powi(2) + beta_K*k1*twist1_dot.powi(2)
+                + beta_K*k2*twist2_dot.powi(2) + beta_K*k3*twist3_dot.powi(2) + beta_K*k4*twist4_dot.powi(2))/2.0;
         }
     }
     torques {
-        motor "driving torque of the first disc" {
-            torques => T_motor*theta1;
-        }
-        load "load torque of the last disc, against its rotation" {
-            torques => -T_load*theta5;
-        }
+        motor "driving torque of the first disc" { torques => T_motor*theta1; }
+        load "load torque of the last disc, against its rotation" { torques => -T_load*theta5; }
     }
     work {
-        theta1 {
-            torques => T_motor;
-        }
+        theta1 { torques => T_motor; }
         theta2 {}
         theta3 {}
         theta4 {}
-        theta5 {
-            torques => -T_load;
-        }
+        theta5 { torques => -T_load; }
     }
     mass {
-        theta1 theta1 {
-            _ => I1;
-        }
-        theta2 theta2 {
-            _ => I2;
-        }
-        theta3 theta3 {
-            _ => I3;
-        }
-        theta4 theta4 {
-            _ => I4;
-        }
-        theta5 theta5 {
-            _ => I5;
-        }
+        theta1 theta1 { _ => I1; }
+        theta2 theta2 { _ => I2; }
+        theta3 theta3 { _ => I3; }
+        theta4 theta4 { _ => I4; }
+        theta5 theta5 { _ => I5; }
     }
     force {
         theta1 {
@@ -195,191 +105,78 @@ equations! {
         }
     }
     jacobian {
-        theta1 theta1 {
-            _ => -k1;
-        }
-        theta1 theta2 {
-            _ => k1;
-        }
-        theta1 theta1_dot {
-            damping => -I1*alpha_M - beta_K*k1;
-        }
-        theta1 theta2_dot {
-            damping => beta_K*k1;
-        }
-        theta2 theta1 {
-            _ => k1;
-        }
-        theta2 theta2 {
-            _ => -k1 - k2;
-        }
-        theta2 theta3 {
-            _ => k2;
-        }
-        theta2 theta1_dot {
-            damping => beta_K*k1;
-        }
-        theta2 theta2_dot {
-            damping => -I2*alpha_M - beta_K*k1 - beta_K*k2;
-        }
-        theta2 theta3_dot {
-            damping => beta_K*k2;
-        }
-        theta3 theta2 {
-            _ => k2;
-        }
-        theta3 theta3 {
-            _ => -k2 - k3;
-        }
-        theta3 theta4 {
-            _ => k3;
-        }
-        theta3 theta2_dot {
-            damping => beta_K*k2;
-        }
-        theta3 theta3_dot {
-            damping => -I3*alpha_M - beta_K*k2 - beta_K*k3;
-        }
-        theta3 theta4_dot {
-            damping => beta_K*k3;
-        }
-        theta4 theta3 {
-            _ => k3;
-        }
-        theta4 theta4 {
-            _ => -k3 - k4;
-        }
-        theta4 theta5 {
-            _ => k4;
-        }
-        theta4 theta3_dot {
-            damping => beta_K*k3;
-        }
-        theta4 theta4_dot {
-            damping => -I4*alpha_M - beta_K*k3 - beta_K*k4;
-        }
-        theta4 theta5_dot {
-            damping => beta_K*k4;
-        }
-        theta5 theta4 {
-            _ => k4;
-        }
-        theta5 theta5 {
-            _ => -k4;
-        }
-        theta5 theta4_dot {
-            damping => beta_K*k4;
-        }
-        theta5 theta5_dot {
-            damping => -I5*alpha_M - beta_K*k4;
-        }
+        theta1 theta1 { _ => -k1; }
+        theta1 theta2 { _ => k1; }
+        theta1 theta1_dot { damping => -I1*alpha_M - beta_K*k1; }
+        theta1 theta2_dot { damping => beta_K*k1; }
+        theta2 theta1 { _ => k1; }
+        theta2 theta2 { _ => -k1 - k2; }
+        theta2 theta3 { _ => k2; }
+        theta2 theta1_dot { damping => beta_K*k1; }
+        theta2 theta2_dot { damping => -I2*alpha_M - beta_K*k1 - beta_K*k2; }
+        theta2 theta3_dot { damping => beta_K*k2; }
+        theta3 theta2 { _ => k2; }
+        theta3 theta3 { _ => -k2 - k3; }
+        theta3 theta4 { _ => k3; }
+        theta3 theta2_dot { damping => beta_K*k2; }
+        theta3 theta3_dot { damping => -I3*alpha_M - beta_K*k2 - beta_K*k3; }
+        theta3 theta4_dot { damping => beta_K*k3; }
+        theta4 theta3 { _ => k3; }
+        theta4 theta4 { _ => -k3 - k4; }
+        theta4 theta5 { _ => k4; }
+        theta4 theta3_dot { damping => beta_K*k3; }
+        theta4 theta4_dot { damping => -I4*alpha_M - beta_K*k3 - beta_K*k4; }
+        theta4 theta5_dot { damping => beta_K*k4; }
+        theta5 theta4 { _ => k4; }
+        theta5 theta5 { _ => -k4; }
+        theta5 theta4_dot { damping => beta_K*k4; }
+        theta5 theta5_dot { damping => -I5*alpha_M - beta_K*k4; }
     }
     cell {
         stiffness {
-            theta1 theta1 {
-                _ => k1;
-            }
-            theta1 theta2 {
-                _ => -k1;
-            }
-            theta2 theta2 {
-                _ => k1 + k2;
-            }
-            theta2 theta3 {
-                _ => -k2;
-            }
-            theta3 theta3 {
-                _ => k2 + k3;
-            }
-            theta3 theta4 {
-                _ => -k3;
-            }
-            theta4 theta4 {
-                _ => k3 + k4;
-            }
-            theta4 theta5 {
-                _ => -k4;
-            }
-            theta5 theta5 {
-                _ => k4;
-            }
+            theta1 theta1 { _ => k1; }
+            theta1 theta2 { _ => -k1; }
+            theta2 theta2 { _ => k1 + k2; }
+            theta2 theta3 { _ => -k2; }
+            theta3 theta3 { _ => k2 + k3; }
+            theta3 theta4 { _ => -k3; }
+            theta4 theta4 { _ => k3 + k4; }
+            theta4 theta5 { _ => -k4; }
+            theta5 theta5 { _ => k4; }
         }
         damping {
-            theta1 theta1 {
-                damping => I1*alpha_M + beta_K*k1;
-            }
-            theta1 theta2 {
-                damping => -beta_K*k1;
-            }
-            theta2 theta2 {
-                damping => I2*alpha_M + beta_K*k1 + beta_K*k2;
-            }
-            theta2 theta3 {
-                damping => -beta_K*k2;
-            }
-            theta3 theta3 {
-                damping => I3*alpha_M + beta_K*k2 + beta_K*k3;
-            }
-            theta3 theta4 {
-                damping => -beta_K*k3;
-            }
-            theta4 theta4 {
-                damping => I4*alpha_M + beta_K*k3 + beta_K*k4;
-            }
-            theta4 theta5 {
-                damping => -beta_K*k4;
-            }
-            theta5 theta5 {
-                damping => I5*alpha_M + beta_K*k4;
-            }
+            theta1 theta1 { damping => I1*alpha_M + beta_K*k1; }
+            theta1 theta2 { damping => -beta_K*k1; }
+            theta2 theta2 { damping => I2*alpha_M + beta_K*k1 + beta_K*k2; }
+            theta2 theta3 { damping => -beta_K*k2; }
+            theta3 theta3 { damping => I3*alpha_M + beta_K*k2 + beta_K*k3; }
+            theta3 theta4 { damping => -beta_K*k3; }
+            theta4 theta4 { damping => I4*alpha_M + beta_K*k3 + beta_K*k4; }
+            theta4 theta5 { damping => -beta_K*k4; }
+            theta5 theta5 { damping => I5*alpha_M + beta_K*k4; }
         }
         load {
-            theta1 {
-                torques => T_motor;
-            }
-            theta5 {
-                torques => -T_load;
-            }
+            theta1 { torques => T_motor; }
+            theta5 { torques => -T_load; }
         }
     }
 
-    text {
-        "T = (I1*theta1_dot^2 + I2*theta2_dot^2 + I3*theta3_dot^2 + I4*theta4_dot^2 + I5*theta5_dot^2)/2";
-        "V = (k1*twist1^2 + k2*twist2^2 + k3*twist3^2 + k4*twist4^2)/2";
-        "D = (I1*alpha_M*theta1_dot^2 + I2*alpha_M*theta2_dot^2 + I3*alpha_M*theta3_dot^2 + I4*alpha_M*theta4_dot^2 + I5*alpha_M*theta5_dot^2 + beta_K*k1*twist1_dot^2 + beta_K*k2*twist2_dot^2 + beta_K*k3*twist3_dot^2 + beta_K*k4*twist4_dot^2)/2 [damping]";
-        "Q_theta1 = T_motor [torques]";
-        "Q_theta2 = 0";
-        "Q_theta3 = 0";
-        "Q_theta4 = 0";
-        "Q_theta5 = -T_load [torques]";
-        "twist1 = theta1 - theta2";
-        "twist2 = theta2 - theta3";
-        "twist3 = theta3 - theta4";
-        "twist4 = theta4 - theta5";
-        "(I1) theta1'' = -k1*twist1 + T_motor [torques] - I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot [damping]";
-        "(I2) theta2'' = k1*twist1 - k2*twist2 + beta_K*k1*twist1_dot - I2*alpha_M*theta2_dot - beta_K*k2*twist2_dot [damping]";
-        "(I3) theta3'' = k2*twist2 - k3*twist3 + beta_K*k2*twist2_dot - I3*alpha_M*theta3_dot - beta_K*k3*twist3_dot [damping]";
-        "(I4) theta4'' = k3*twist3 - k4*twist4 + beta_K*k3*twist3_dot - I4*alpha_M*theta4_dot - beta_K*k4*twist4_dot [damping]";
-        "(I5) theta5'' = k4*twist4 - T_load [torques] + beta_K*k4*twist4_dot - I5*alpha_M*theta5_dot [damping]";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\dot{\\theta_{2}}^{2} + I_{3}\\, \\dot{\\theta_{3}}^{2} + I_{4}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\dot{\\theta_{5}}^{2})";
-        "V = \\frac{1}{2} (k_{1}\\, \\mathrm{twist}_{1}^{2} + k_{2}\\, \\mathrm{twist}_{2}^{2} + k_{3}\\, \\mathrm{twist}_{3}^{2} + k_{4}\\, \\mathrm{twist}_{4}^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}^{2} + I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}}^{2} + I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}}^{2} + I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}^{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}^{2} + \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}}^{2} + \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}}^{2} + \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta_{1}} = T_{motor}\\ [\\text{torques}]";
-        "Q_{\\theta_{2}} = 0";
-        "Q_{\\theta_{3}} = 0";
-        "Q_{\\theta_{4}} = 0";
-        "Q_{\\theta_{5}} = -T_{load}\\ [\\text{torques}]";
-        "\\mathrm{twist}_{1} = \\theta_{1} - \\theta_{2}";
-        "\\mathrm{twist}_{2} = \\theta_{2} - \\theta_{3}";
-        "\\mathrm{twist}_{3} = \\theta_{3} - \\theta_{4}";
-        "\\mathrm{twist}_{4} = \\theta_{4} - \\theta_{5}";
-        "(I_{1}) \\ddot{\\theta_{1}} = -k_{1}\\, \\mathrm{twist}_{1} + T_{motor}\\ [\\text{torques}] - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}}\\ [\\text{damping}]";
-        "(I_{2}) \\ddot{\\theta_{2}} = k_{1}\\, \\mathrm{twist}_{1} - k_{2}\\, \\mathrm{twist}_{2} + \\beta_{K}\\, k_{1}\\, \\dot{\\mathrm{twist}_{1}} - I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}} - \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}}\\ [\\text{damping}]";
-        "(I_{3}) \\ddot{\\theta_{3}} = k_{2}\\, \\mathrm{twist}_{2} - k_{3}\\, \\mathrm{twist}_{3} + \\beta_{K}\\, k_{2}\\, \\dot{\\mathrm{twist}_{2}} - I_{3}\\, \\alpha_{M}\\, \\dot{\\theta_{3}} - \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}}\\ [\\text{damping}]";
-        "(I_{4}) \\ddot{\\theta_{4}} = k_{3}\\, \\mathrm{twist}_{3} - k_{4}\\, \\mathrm{twist}_{4} + \\beta_{K}\\, k_{3}\\, \\dot{\\mathrm{twist}_{3}} - I_{4}\\, \\alpha_{M}\\, \\dot{\\theta_{4}} - \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}}\\ [\\text{damping}]";
-        "(I_{5}) \\ddot{\\theta_{5}} = k_{4}\\, \\mathrm{twist}_{4} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{4}\\, \\dot{\\mathrm{twist}_{4}} - I_{5}\\, \\alpha_{M}\\, \\dot{\\theta_{5}}\\ [\\text{damping}]";
-    }
+    text "text/chain_5.txt";
+    latex "latex/chain_5.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: T is a sum of squares that vanish together only at rest
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - every deflection equals the linear form by which the equations differentiate it
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | force | 11 | 34 | 0 |

@@ -1,75 +1,7 @@
 //! Equations of motion of `geared_branches`: two shafts geared rigidly, with a motor and two discs.
 //!
-//! Derived from the energies in `models/src/geared_branches.rs` by `cargo xtask derive geared_branches`. Do not edit: change the
-//! energies and derive again.
-//! Source: Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9: geared systems
-//!
-//! # Energies
-//!
-//! ```text
-//! T = (I1*theta1_dot^2 + I2*N1^2*theta1_dot^2/N2^2 + I_a*theta_a_dot^2 + I_b*theta_b_dot^2 + I_m*theta_m_dot^2)/2
-//! V = (k_a*twist_a^2 + k_b*twist_b^2 + k_m*twist_m^2)/2
-//! D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*twist_a_dot^2 + beta_K*k_b*twist_b_dot^2 + beta_K*k_m*twist_m_dot^2)/2 [damping]
-//! Q_theta1 = 0
-//! Q_theta_m = T_motor [torques]
-//! Q_theta_a = 0
-//! Q_theta_b = -T_load [torques]
-//! ```
-//!
-//! # Deflections
-//!
-//! ```text
-//! twist_m = theta_m - theta1
-//! twist_a = theta1 - theta_a
-//! twist_b = N1*theta1/N2 - theta_b
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! (I1 + I2*N1^2/N2^2) theta1'' = k_m*twist_m - N1*k_b*twist_b/N2 - k_a*twist_a + beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot [damping]
-//! (I_m) theta_m'' = -k_m*twist_m + T_motor [torques] - I_m*alpha_M*theta_m_dot - beta_K*k_m*twist_m_dot [damping]
-//! (I_a) theta_a'' = k_a*twist_a + beta_K*k_a*twist_a_dot - I_a*alpha_M*theta_a_dot [damping]
-//! (I_b) theta_b'' = k_b*twist_b - T_load [torques] + beta_K*k_b*twist_b_dot - I_b*alpha_M*theta_b_dot [damping]
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{1}{2} (I_{1}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \dot{\theta_{a}}^{2} + I_{b}\, \dot{\theta_{b}}^{2} + I_{m}\, \dot{\theta_{m}}^{2})
-//! V = \frac{1}{2} (k_{a}\, \mathrm{twist}_{a}^{2} + k_{b}\, \mathrm{twist}_{b}^{2} + k_{m}\, \mathrm{twist}_{m}^{2})
-//! D = \frac{1}{2} (I_{1}\, \alpha_{M}\, \dot{\theta_{1}}^{2} + \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\, \alpha_{M}\, \dot{\theta_{a}}^{2} + I_{b}\, \alpha_{M}\, \dot{\theta_{b}}^{2} + I_{m}\, \alpha_{M}\, \dot{\theta_{m}}^{2} + \beta_{K}\, k_{a}\, \dot{\mathrm{twist}_{a}}^{2} + \beta_{K}\, k_{b}\, \dot{\mathrm{twist}_{b}}^{2} + \beta_{K}\, k_{m}\, \dot{\mathrm{twist}_{m}}^{2})\ [\text{damping}]
-//! Q_{\theta_{1}} = 0
-//! Q_{\theta_{m}} = T_{motor}\ [\text{torques}]
-//! Q_{\theta_{a}} = 0
-//! Q_{\theta_{b}} = -T_{load}\ [\text{torques}]
-//! \mathrm{twist}_{m} = \theta_{m} - \theta_{1}
-//! \mathrm{twist}_{a} = \theta_{1} - \theta_{a}
-//! \mathrm{twist}_{b} = \frac{N_{1}\, \theta_{1}}{N_{2}} - \theta_{b}
-//! (I_{1} + \frac{I_{2}\, N_{1}^{2}}{N_{2}^{2}}) \ddot{\theta_{1}} = k_{m}\, \mathrm{twist}_{m} - \frac{N_{1}\, k_{b}\, \mathrm{twist}_{b}}{N_{2}} - k_{a}\, \mathrm{twist}_{a} + \beta_{K}\, k_{m}\, \dot{\mathrm{twist}_{m}} - I_{1}\, \alpha_{M}\, \dot{\theta_{1}} - \frac{I_{2}\, N_{1}^{2}\, \alpha_{M}\, \dot{\theta_{1}}}{N_{2}^{2}} - \frac{N_{1}\, \beta_{K}\, k_{b}\, \dot{\mathrm{twist}_{b}}}{N_{2}} - \beta_{K}\, k_{a}\, \dot{\mathrm{twist}_{a}}\ [\text{damping}]
-//! (I_{m}) \ddot{\theta_{m}} = -k_{m}\, \mathrm{twist}_{m} + T_{motor}\ [\text{torques}] - I_{m}\, \alpha_{M}\, \dot{\theta_{m}} - \beta_{K}\, k_{m}\, \dot{\mathrm{twist}_{m}}\ [\text{damping}]
-//! (I_{a}) \ddot{\theta_{a}} = k_{a}\, \mathrm{twist}_{a} + \beta_{K}\, k_{a}\, \dot{\mathrm{twist}_{a}} - I_{a}\, \alpha_{M}\, \dot{\theta_{a}}\ [\text{damping}]
-//! (I_{b}) \ddot{\theta_{b}} = k_{b}\, \mathrm{twist}_{b} - T_{load}\ [\text{torques}] + \beta_{K}\, k_{b}\, \dot{\mathrm{twist}_{b}} - I_{b}\, \alpha_{M}\, \dot{\theta_{b}}\ [\text{damping}]
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
-//! - M is positive definite: every leading minor is a sum of products of positive quantities
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | force | 9 | 36 | 0 |
+//! Derived from the energies in `models/src/geared_branches.rs` by `cargo xtask derive geared_branches`. Do not edit: change the energies
+//! and derive again. For reading: `text/geared_branches.txt`, `latex/geared_branches.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -102,7 +34,8 @@ equations! {
     laws {
     }
     motions {
-        speed "rad/s" { theta_m_dot = 1.0; theta1_dot = 1.0; theta_a_dot = 1.0; theta_b_dot = N1/N2; }, "rotational speed of the first shaft";
+        speed "rad/s" { theta_m_dot = 1.0; theta1_dot = 1.0; theta_a_dot = 1.0; theta_b_dot = N1/N2; },
+            "rotational speed of the first shaft";
     }
     effects {
         torques "constant torques of motor and load";
@@ -118,51 +51,37 @@ equations! {
     }
     energies {
         kinetic {
-            _ => (I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2) + I_b*theta_b_dot.powi(2) + I_m*theta_m_dot.powi(2))/2.0;
+            _ => (I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2) + I_b*theta_b_dot.powi(2)
+                + I_m*theta_m_dot.powi(2))/2.0;
         }
-        potential {
-            _ => (k_a*twist_a.powi(2) + k_b*twist_b.powi(2) + k_m*twist_m.powi(2))/2.0;
-        }
+        potential { _ => (k_a*twist_a.powi(2) + k_b*twist_b.powi(2) + k_m*twist_m.powi(2))/2.0; }
         dissipation {
-            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*N1.powi(2)*alpha_M*theta1_dot.powi(2)/N2.powi(2) + I_a*alpha_M*theta_a_dot.powi(2) + I_b*alpha_M*theta_b_dot.powi(2) + I_m*alpha_M*theta_m_dot.powi(2) + beta_K*k_a*twist_a_dot.powi(2) + beta_K*k_b*twist_b_dot.powi(2) + beta_K*k_m*twist_m_dot.powi(2))/2.0;
+            damping => (I1*alpha_M*theta1_dot.powi(2) + I2*N1.powi(2)*alpha_M*theta1_dot.powi(2)/N2.powi(2)
+                + I_a*alpha_M*theta_a_dot.powi(2) + I_b*alpha_M*theta_b_dot.powi(2) + I_m*alpha_M*theta_m_dot.powi(2)
+                + beta_K*k_a*twist_a_dot.powi(2) + beta_K*k_b*twist_b_dot.powi(2) + beta_K*k_m*twist_m_dot.powi(2))/2.0;
         }
     }
     torques {
-        motor "driving torque of the motor" {
-            torques => T_motor*theta_m;
-        }
-        load "load torque of the second shaft's disc, against its rotation" {
-            torques => -T_load*theta_b;
-        }
+        motor "driving torque of the motor" { torques => T_motor*theta_m; }
+        load "load torque of the second shaft's disc, against its rotation" { torques => -T_load*theta_b; }
     }
     work {
         theta1 {}
-        theta_m {
-            torques => T_motor;
-        }
+        theta_m { torques => T_motor; }
         theta_a {}
-        theta_b {
-            torques => -T_load;
-        }
+        theta_b { torques => -T_load; }
     }
     mass {
-        theta1 theta1 {
-            _ => I1 + I2*N1.powi(2)/N2.powi(2);
-        }
-        theta_m theta_m {
-            _ => I_m;
-        }
-        theta_a theta_a {
-            _ => I_a;
-        }
-        theta_b theta_b {
-            _ => I_b;
-        }
+        theta1 theta1 { _ => I1 + I2*N1.powi(2)/N2.powi(2); }
+        theta_m theta_m { _ => I_m; }
+        theta_a theta_a { _ => I_a; }
+        theta_b theta_b { _ => I_b; }
     }
     force {
         theta1 {
             _ => k_m*twist_m - N1*k_b*twist_b/N2 - k_a*twist_a;
-            damping => beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1.powi(2)*alpha_M*theta1_dot/N2.powi(2) - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot;
+            damping => beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1.powi(2)*alpha_M*theta1_dot/N2.powi(2)
+                - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot;
         }
         theta_m {
             _ => -k_m*twist_m;
@@ -180,155 +99,72 @@ equations! {
         }
     }
     jacobian {
-        theta1 theta1 {
-            _ => -k_a - k_m - N1.powi(2)*k_b/N2.powi(2);
-        }
-        theta1 theta_m {
-            _ => k_m;
-        }
-        theta1 theta_a {
-            _ => k_a;
-        }
-        theta1 theta_b {
-            _ => N1*k_b/N2;
-        }
+        theta1 theta1 { _ => -k_a - k_m - N1.powi(2)*k_b/N2.powi(2); }
+        theta1 theta_m { _ => k_m; }
+        theta1 theta_a { _ => k_a; }
+        theta1 theta_b { _ => N1*k_b/N2; }
         theta1 theta1_dot {
             damping => -I1*alpha_M - I2*N1.powi(2)*alpha_M/N2.powi(2) - beta_K*k_a - beta_K*k_m - N1.powi(2)*beta_K*k_b/N2.powi(2);
         }
-        theta1 theta_m_dot {
-            damping => beta_K*k_m;
-        }
-        theta1 theta_a_dot {
-            damping => beta_K*k_a;
-        }
-        theta1 theta_b_dot {
-            damping => N1*beta_K*k_b/N2;
-        }
-        theta_m theta1 {
-            _ => k_m;
-        }
-        theta_m theta_m {
-            _ => -k_m;
-        }
-        theta_m theta1_dot {
-            damping => beta_K*k_m;
-        }
-        theta_m theta_m_dot {
-            damping => -I_m*alpha_M - beta_K*k_m;
-        }
-        theta_a theta1 {
-            _ => k_a;
-        }
-        theta_a theta_a {
-            _ => -k_a;
-        }
-        theta_a theta1_dot {
-            damping => beta_K*k_a;
-        }
-        theta_a theta_a_dot {
-            damping => -I_a*alpha_M - beta_K*k_a;
-        }
-        theta_b theta1 {
-            _ => N1*k_b/N2;
-        }
-        theta_b theta_b {
-            _ => -k_b;
-        }
-        theta_b theta1_dot {
-            damping => N1*beta_K*k_b/N2;
-        }
-        theta_b theta_b_dot {
-            damping => -I_b*alpha_M - beta_K*k_b;
-        }
+        theta1 theta_m_dot { damping => beta_K*k_m; }
+        theta1 theta_a_dot { damping => beta_K*k_a; }
+        theta1 theta_b_dot { damping => N1*beta_K*k_b/N2; }
+        theta_m theta1 { _ => k_m; }
+        theta_m theta_m { _ => -k_m; }
+        theta_m theta1_dot { damping => beta_K*k_m; }
+        theta_m theta_m_dot { damping => -I_m*alpha_M - beta_K*k_m; }
+        theta_a theta1 { _ => k_a; }
+        theta_a theta_a { _ => -k_a; }
+        theta_a theta1_dot { damping => beta_K*k_a; }
+        theta_a theta_a_dot { damping => -I_a*alpha_M - beta_K*k_a; }
+        theta_b theta1 { _ => N1*k_b/N2; }
+        theta_b theta_b { _ => -k_b; }
+        theta_b theta1_dot { damping => N1*beta_K*k_b/N2; }
+        theta_b theta_b_dot { damping => -I_b*alpha_M - beta_K*k_b; }
     }
     cell {
         stiffness {
-            theta1 theta1 {
-                _ => k_a + k_m + N1.powi(2)*k_b/N2.powi(2);
-            }
-            theta1 theta_m {
-                _ => -k_m;
-            }
-            theta1 theta_a {
-                _ => -k_a;
-            }
-            theta1 theta_b {
-                _ => -N1*k_b/N2;
-            }
-            theta_m theta_m {
-                _ => k_m;
-            }
-            theta_a theta_a {
-                _ => k_a;
-            }
-            theta_b theta_b {
-                _ => k_b;
-            }
+            theta1 theta1 { _ => k_a + k_m + N1.powi(2)*k_b/N2.powi(2); }
+            theta1 theta_m { _ => -k_m; }
+            theta1 theta_a { _ => -k_a; }
+            theta1 theta_b { _ => -N1*k_b/N2; }
+            theta_m theta_m { _ => k_m; }
+            theta_a theta_a { _ => k_a; }
+            theta_b theta_b { _ => k_b; }
         }
         damping {
             theta1 theta1 {
                 damping => I1*alpha_M + I2*N1.powi(2)*alpha_M/N2.powi(2) + beta_K*k_a + beta_K*k_m + N1.powi(2)*beta_K*k_b/N2.powi(2);
             }
-            theta1 theta_m {
-                damping => -beta_K*k_m;
-            }
-            theta1 theta_a {
-                damping => -beta_K*k_a;
-            }
-            theta1 theta_b {
-                damping => -N1*beta_K*k_b/N2;
-            }
-            theta_m theta_m {
-                damping => I_m*alpha_M + beta_K*k_m;
-            }
-            theta_a theta_a {
-                damping => I_a*alpha_M + beta_K*k_a;
-            }
-            theta_b theta_b {
-                damping => I_b*alpha_M + beta_K*k_b;
-            }
+            theta1 theta_m { damping => -beta_K*k_m; }
+            theta1 theta_a { damping => -beta_K*k_a; }
+            theta1 theta_b { damping => -N1*beta_K*k_b/N2; }
+            theta_m theta_m { damping => I_m*alpha_M + beta_K*k_m; }
+            theta_a theta_a { damping => I_a*alpha_M + beta_K*k_a; }
+            theta_b theta_b { damping => I_b*alpha_M + beta_K*k_b; }
         }
         load {
-            theta_m {
-                torques => T_motor;
-            }
-            theta_b {
-                torques => -T_load;
-            }
+            theta_m { torques => T_motor; }
+            theta_b { torques => -T_load; }
         }
     }
 
-    text {
-        "T = (I1*theta1_dot^2 + I2*N1^2*theta1_dot^2/N2^2 + I_a*theta_a_dot^2 + I_b*theta_b_dot^2 + I_m*theta_m_dot^2)/2";
-        "V = (k_a*twist_a^2 + k_b*twist_b^2 + k_m*twist_m^2)/2";
-        "D = (I1*alpha_M*theta1_dot^2 + I2*N1^2*alpha_M*theta1_dot^2/N2^2 + I_a*alpha_M*theta_a_dot^2 + I_b*alpha_M*theta_b_dot^2 + I_m*alpha_M*theta_m_dot^2 + beta_K*k_a*twist_a_dot^2 + beta_K*k_b*twist_b_dot^2 + beta_K*k_m*twist_m_dot^2)/2 [damping]";
-        "Q_theta1 = 0";
-        "Q_theta_m = T_motor [torques]";
-        "Q_theta_a = 0";
-        "Q_theta_b = -T_load [torques]";
-        "twist_m = theta_m - theta1";
-        "twist_a = theta1 - theta_a";
-        "twist_b = N1*theta1/N2 - theta_b";
-        "(I1 + I2*N1^2/N2^2) theta1'' = k_m*twist_m - N1*k_b*twist_b/N2 - k_a*twist_a + beta_K*k_m*twist_m_dot - I1*alpha_M*theta1_dot - I2*N1^2*alpha_M*theta1_dot/N2^2 - N1*beta_K*k_b*twist_b_dot/N2 - beta_K*k_a*twist_a_dot [damping]";
-        "(I_m) theta_m'' = -k_m*twist_m + T_motor [torques] - I_m*alpha_M*theta_m_dot - beta_K*k_m*twist_m_dot [damping]";
-        "(I_a) theta_a'' = k_a*twist_a + beta_K*k_a*twist_a_dot - I_a*alpha_M*theta_a_dot [damping]";
-        "(I_b) theta_b'' = k_b*twist_b - T_load [torques] + beta_K*k_b*twist_b_dot - I_b*alpha_M*theta_b_dot [damping]";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{1}{2} (I_{1}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\dot{\\theta_{m}}^{2})";
-        "V = \\frac{1}{2} (k_{a}\\, \\mathrm{twist}_{a}^{2} + k_{b}\\, \\mathrm{twist}_{b}^{2} + k_{m}\\, \\mathrm{twist}_{m}^{2})";
-        "D = \\frac{1}{2} (I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2} + \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}^{2}}{N_{2}^{2}} + I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}}^{2} + I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}}^{2} + I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}}^{2} + \\beta_{K}\\, k_{a}\\, \\dot{\\mathrm{twist}_{a}}^{2} + \\beta_{K}\\, k_{b}\\, \\dot{\\mathrm{twist}_{b}}^{2} + \\beta_{K}\\, k_{m}\\, \\dot{\\mathrm{twist}_{m}}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta_{1}} = 0";
-        "Q_{\\theta_{m}} = T_{motor}\\ [\\text{torques}]";
-        "Q_{\\theta_{a}} = 0";
-        "Q_{\\theta_{b}} = -T_{load}\\ [\\text{torques}]";
-        "\\mathrm{twist}_{m} = \\theta_{m} - \\theta_{1}";
-        "\\mathrm{twist}_{a} = \\theta_{1} - \\theta_{a}";
-        "\\mathrm{twist}_{b} = \\frac{N_{1}\\, \\theta_{1}}{N_{2}} - \\theta_{b}";
-        "(I_{1} + \\frac{I_{2}\\, N_{1}^{2}}{N_{2}^{2}}) \\ddot{\\theta_{1}} = k_{m}\\, \\mathrm{twist}_{m} - \\frac{N_{1}\\, k_{b}\\, \\mathrm{twist}_{b}}{N_{2}} - k_{a}\\, \\mathrm{twist}_{a} + \\beta_{K}\\, k_{m}\\, \\dot{\\mathrm{twist}_{m}} - I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{1}} - \\frac{I_{2}\\, N_{1}^{2}\\, \\alpha_{M}\\, \\dot{\\theta_{1}}}{N_{2}^{2}} - \\frac{N_{1}\\, \\beta_{K}\\, k_{b}\\, \\dot{\\mathrm{twist}_{b}}}{N_{2}} - \\beta_{K}\\, k_{a}\\, \\dot{\\mathrm{twist}_{a}}\\ [\\text{damping}]";
-        "(I_{m}) \\ddot{\\theta_{m}} = -k_{m}\\, \\mathrm{twist}_{m} + T_{motor}\\ [\\text{torques}] - I_{m}\\, \\alpha_{M}\\, \\dot{\\theta_{m}} - \\beta_{K}\\, k_{m}\\, \\dot{\\mathrm{twist}_{m}}\\ [\\text{damping}]";
-        "(I_{a}) \\ddot{\\theta_{a}} = k_{a}\\, \\mathrm{twist}_{a} + \\beta_{K}\\, k_{a}\\, \\dot{\\mathrm{twist}_{a}} - I_{a}\\, \\alpha_{M}\\, \\dot{\\theta_{a}}\\ [\\text{damping}]";
-        "(I_{b}) \\ddot{\\theta_{b}} = k_{b}\\, \\mathrm{twist}_{b} - T_{load}\\ [\\text{torques}] + \\beta_{K}\\, k_{b}\\, \\dot{\\mathrm{twist}_{b}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{b}}\\ [\\text{damping}]";
-    }
+    text "text/geared_branches.txt";
+    latex "latex/geared_branches.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: every leading minor is a sum of products of positive quantities
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - every deflection equals the linear form by which the equations differentiate it
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | force | 9 | 36 | 0 |

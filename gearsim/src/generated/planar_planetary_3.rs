@@ -1,237 +1,7 @@
 //! Equations of motion of `planar_planetary_3`: a planetary stage with 3 planets, in the plane.
 //!
 //! Derived from the energies in `models/src/planar_planetary.rs` by `cargo xtask derive planar_planetary_3`. Do not edit: change the
-//! energies and derive again.
-//! Source: Lin & Parker (1999), J. Vib. Acoust. 121(3), doi:10.1115/1.2893982, without gyroscopic terms; phase on the sun
-//!
-//! # Energies
-//!
-//! ```text
-//! T = (I_c*(theta_c_dot + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_r*theta_r_dot^2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2 + m_c*x_c_dot^2 + m_c*y_c_dot^2 + m_p*zeta1_dot^2 + m_p*zeta2_dot^2 + m_p*zeta3_dot^2 + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_r*x_r_dot^2 + m_r*y_r_dot^2 + m_s*x_s_dot^2 + m_s*y_s_dot^2)/2
-//! V = (k_r*theta_r^2 + kb_c*x_c^2 + kb_c*y_c^2 + kb_p*radial1^2 + kb_p*radial2^2 + kb_p*radial3^2 + kb_p*tangential1^2 + kb_p*tangential2^2 + kb_p*tangential3^2 + kb_r*x_r^2 + kb_r*y_r^2 + kb_s*x_s^2 + kb_s*y_s^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_s1*delta_s1^2 + k_s2*delta_s2^2 + k_s3*delta_s3^2)/2
-//! D = (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_r*alpha_M*theta_r_dot^2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2 + alpha_M*m_c*x_c_dot^2 + alpha_M*m_c*y_c_dot^2 + alpha_M*m_p*zeta1_dot^2 + alpha_M*m_p*zeta2_dot^2 + alpha_M*m_p*zeta3_dot^2 + alpha_M*m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + alpha_M*m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + alpha_M*m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + alpha_M*m_r*x_r_dot^2 + alpha_M*m_r*y_r_dot^2 + alpha_M*m_s*x_s_dot^2 + alpha_M*m_s*y_s_dot^2 + beta_K*k_r*theta_r_dot^2 + beta_K*kb_c*x_c_dot^2 + beta_K*kb_c*y_c_dot^2 + beta_K*kb_p*radial1_dot^2 + beta_K*kb_p*radial2_dot^2 + beta_K*kb_p*radial3_dot^2 + beta_K*kb_p*tangential1_dot^2 + beta_K*kb_p*tangential2_dot^2 + beta_K*kb_p*tangential3_dot^2 + beta_K*kb_r*x_r_dot^2 + beta_K*kb_r*y_r_dot^2 + beta_K*kb_s*x_s_dot^2 + beta_K*kb_s*y_s_dot^2 + beta_K*k_r1_mid*delta_r1_dot^2 + beta_K*k_r2_mid*delta_r2_dot^2 + beta_K*k_r3_mid*delta_r3_dot^2 + beta_K*k_s1_mid*delta_s1_dot^2 + beta_K*k_s2_mid*delta_s2_dot^2 + beta_K*k_s3_mid*delta_s3_dot^2)/2 [damping]
-//! Q_theta = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques]
-//! Q_theta_c = T_motor - T_load [torques]
-//! Q_theta_r = 0
-//! Q_x_s = 0
-//! Q_y_s = 0
-//! Q_x_c = 0
-//! Q_y_c = 0
-//! Q_x_r = 0
-//! Q_y_r = 0
-//! Q_zeta1 = 0
-//! Q_eta1 = 0
-//! Q_u1 = 0
-//! Q_zeta2 = 0
-//! Q_eta2 = 0
-//! Q_u2 = 0
-//! Q_zeta3 = 0
-//! Q_eta3 = 0
-//! Q_u3 = 0
-//! ```
-//!
-//! # Constants
-//!
-//! ```text
-//! cos_a = cos(alpha)
-//! sin_a = sin(alpha)
-//! h = r_s/Z_s
-//! r_p = (h*Z_r - h*Z_s)/2
-//! a = (h*Z_r/cos_a + h*Z_s/cos_a)/2
-//! cos_c1 = cos(psi1)
-//! sin_c1 = sin(psi1)
-//! cos_s1 = cos(psi1 - alpha)
-//! sin_s1 = sin(psi1 - alpha)
-//! cos_r1 = cos(alpha + psi1)
-//! sin_r1 = sin(alpha + psi1)
-//! cos_c2 = cos(psi2)
-//! sin_c2 = sin(psi2)
-//! cos_s2 = cos(psi2 - alpha)
-//! sin_s2 = sin(psi2 - alpha)
-//! cos_r2 = cos(alpha + psi2)
-//! sin_r2 = sin(alpha + psi2)
-//! cos_c3 = cos(psi3)
-//! sin_c3 = sin(psi3)
-//! cos_s3 = cos(psi3 - alpha)
-//! sin_s3 = sin(psi3 - alpha)
-//! cos_r3 = cos(alpha + psi3)
-//! sin_r3 = sin(alpha + psi3)
-//! ```
-//!
-//! # Deflections
-//!
-//! ```text
-//! radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c
-//! tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c
-//! delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s
-//! delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r
-//! radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c
-//! tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c
-//! delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s
-//! delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r
-//! radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c
-//! tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c
-//! delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s
-//! delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r
-//! e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1
-//! e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1
-//! e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2
-//! e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2
-//! e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3
-//! e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! (I_c/Z_r^2 - 6*h*I_p/(r_p*Z_r) + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 3*h*I_p/r_p + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2)/2 [jump terms]
-//! (I_c/Z_r - 3*h*I_p/r_p + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p [damping]
-//! (I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]
-//! (m_s) x_s'' = sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 - kb_s*x_s + sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot [damping]
-//! (m_s) y_s'' = -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - kb_s*y_s - cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*y_s_dot [damping]
-//! (m_c) x_c'' = sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 + sin_c2*kb_p*tangential2 + sin_c3*kb_p*tangential3 - kb_c*x_c + sin_c1*beta_K*kb_p*tangential1_dot - cos_c1*beta_K*kb_p*radial1_dot - cos_c2*beta_K*kb_p*radial2_dot - cos_c3*beta_K*kb_p*radial3_dot + sin_c2*beta_K*kb_p*tangential2_dot + sin_c3*beta_K*kb_p*tangential3_dot - alpha_M*m_c*x_c_dot - beta_K*kb_c*x_c_dot [damping]
-//! (m_c) y_c'' = -cos_c1*kb_p*tangential1 - cos_c2*kb_p*tangential2 - cos_c3*kb_p*tangential3 - sin_c1*kb_p*radial1 - sin_c2*kb_p*radial2 - sin_c3*kb_p*radial3 - kb_c*y_c - cos_c1*beta_K*kb_p*tangential1_dot - cos_c2*beta_K*kb_p*tangential2_dot - cos_c3*beta_K*kb_p*tangential3_dot - sin_c1*beta_K*kb_p*radial1_dot - sin_c2*beta_K*kb_p*radial2_dot - sin_c3*beta_K*kb_p*radial3_dot - alpha_M*m_c*y_c_dot - beta_K*kb_c*y_c_dot [damping]
-//! (m_r) x_r'' = sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 - kb_r*x_r + sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*x_r_dot [damping]
-//! (m_r) y_r'' = -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - kb_r*y_r - cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*y_r_dot [damping]
-//! (m_p) zeta1'' = sin_a*k_s1*delta_s1 - sin_a*k_r1*delta_r1 + kb_p*radial1 + sin_a*beta_K*k_s1_mid*delta_s1_dot - sin_a*beta_K*k_r1_mid*delta_r1_dot - alpha_M*m_p*zeta1_dot + beta_K*kb_p*radial1_dot [damping]
-//! (a*m_p/Z_r) theta'' + (a*m_p) theta_c'' + (m_p) eta1'' = cos_a*k_r1*delta_r1 + cos_a*k_s1*delta_s1 + kb_p*tangential1 + cos_a*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s1_mid*delta_s1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot [damping]
-//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*delta_s1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
-//! (m_p) zeta2'' = sin_a*k_s2*delta_s2 - sin_a*k_r2*delta_r2 + kb_p*radial2 + sin_a*beta_K*k_s2_mid*delta_s2_dot - sin_a*beta_K*k_r2_mid*delta_r2_dot - alpha_M*m_p*zeta2_dot + beta_K*kb_p*radial2_dot [damping]
-//! (a*m_p/Z_r) theta'' + (a*m_p) theta_c'' + (m_p) eta2'' = cos_a*k_r2*delta_r2 + cos_a*k_s2*delta_s2 + kb_p*tangential2 + cos_a*beta_K*k_r2_mid*delta_r2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s2_mid*delta_s2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot [damping]
-//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*delta_s2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
-//! (m_p) zeta3'' = sin_a*k_s3*delta_s3 - sin_a*k_r3*delta_r3 + kb_p*radial3 + sin_a*beta_K*k_s3_mid*delta_s3_dot - sin_a*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_p*zeta3_dot + beta_K*kb_p*radial3_dot [damping]
-//! (a*m_p/Z_r) theta'' + (a*m_p) theta_c'' + (m_p) eta3'' = cos_a*k_r3*delta_r3 + cos_a*k_s3*delta_s3 + kb_p*tangential3 + cos_a*beta_K*k_r3_mid*delta_r3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot [damping]
-//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*delta_s3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
-//! ```
-//!
-//! # At a step of a stiffness or a transmission error
-//!
-//! ```text
-//! at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*delta_s1^2/2)
-//! at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)
-//! at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*delta_s2^2/2)
-//! at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)
-//! at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*delta_s3^2/2)
-//! at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)
-//! at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)
-//! at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)
-//! at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)
-//! at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)
-//! at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)
-//! at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{1}{2} (I_{c}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{r}\, \dot{\theta_{r}}^{2} + I_{s}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2} + m_{c}\, \dot{x_{c}}^{2} + m_{c}\, \dot{y_{c}}^{2} + m_{p}\, \dot{\zeta_{1}}^{2} + m_{p}\, \dot{\zeta_{2}}^{2} + m_{p}\, \dot{\zeta_{3}}^{2} + m_{p}\, \left(\dot{\eta_{1}} + a\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)\right)^{2} + m_{p}\, \left(\dot{\eta_{2}} + a\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)\right)^{2} + m_{p}\, \left(\dot{\eta_{3}} + a\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)\right)^{2} + m_{r}\, \dot{x_{r}}^{2} + m_{r}\, \dot{y_{r}}^{2} + m_{s}\, \dot{x_{s}}^{2} + m_{s}\, \dot{y_{s}}^{2})
-//! V = \frac{1}{2} (k_{r}\, \theta_{r}^{2} + \mathrm{kb}_{c}\, x_{c}^{2} + \mathrm{kb}_{c}\, y_{c}^{2} + \mathrm{kb}_{p}\, \mathrm{radial}_{1}^{2} + \mathrm{kb}_{p}\, \mathrm{radial}_{2}^{2} + \mathrm{kb}_{p}\, \mathrm{radial}_{3}^{2} + \mathrm{kb}_{p}\, \mathrm{tangential}_{1}^{2} + \mathrm{kb}_{p}\, \mathrm{tangential}_{2}^{2} + \mathrm{kb}_{p}\, \mathrm{tangential}_{3}^{2} + \mathrm{kb}_{r}\, x_{r}^{2} + \mathrm{kb}_{r}\, y_{r}^{2} + \mathrm{kb}_{s}\, x_{s}^{2} + \mathrm{kb}_{s}\, y_{s}^{2} + k_{r1}\, \delta_{r1}^{2} + k_{r2}\, \delta_{r2}^{2} + k_{r3}\, \delta_{r3}^{2} + k_{s1}\, \delta_{s1}^{2} + k_{s2}\, \delta_{s2}^{2} + k_{s3}\, \delta_{s3}^{2})
-//! D = \frac{1}{2} (I_{c}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2} + I_{r}\, \alpha_{M}\, \dot{\theta_{r}}^{2} + I_{s}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2} + \alpha_{M}\, m_{c}\, \dot{x_{c}}^{2} + \alpha_{M}\, m_{c}\, \dot{y_{c}}^{2} + \alpha_{M}\, m_{p}\, \dot{\zeta_{1}}^{2} + \alpha_{M}\, m_{p}\, \dot{\zeta_{2}}^{2} + \alpha_{M}\, m_{p}\, \dot{\zeta_{3}}^{2} + \alpha_{M}\, m_{p}\, \left(\dot{\eta_{1}} + a\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)\right)^{2} + \alpha_{M}\, m_{p}\, \left(\dot{\eta_{2}} + a\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)\right)^{2} + \alpha_{M}\, m_{p}\, \left(\dot{\eta_{3}} + a\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)\right)^{2} + \alpha_{M}\, m_{r}\, \dot{x_{r}}^{2} + \alpha_{M}\, m_{r}\, \dot{y_{r}}^{2} + \alpha_{M}\, m_{s}\, \dot{x_{s}}^{2} + \alpha_{M}\, m_{s}\, \dot{y_{s}}^{2} + \beta_{K}\, k_{r}\, \dot{\theta_{r}}^{2} + \beta_{K}\, \mathrm{kb}_{c}\, \dot{x_{c}}^{2} + \beta_{K}\, \mathrm{kb}_{c}\, \dot{y_{c}}^{2} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{3}}^{2} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{1}}^{2} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{2}}^{2} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{3}}^{2} + \beta_{K}\, \mathrm{kb}_{r}\, \dot{x_{r}}^{2} + \beta_{K}\, \mathrm{kb}_{r}\, \dot{y_{r}}^{2} + \beta_{K}\, \mathrm{kb}_{s}\, \dot{x_{s}}^{2} + \beta_{K}\, \mathrm{kb}_{s}\, \dot{y_{s}}^{2} + \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}}^{2} + \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}}^{2} + \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}}^{2} + \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}}^{2} + \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}}^{2} + \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}}^{2})\ [\text{damping}]
-//! Q_{\theta} = \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}]
-//! Q_{\theta_{c}} = T_{motor} - T_{load}\ [\text{torques}]
-//! Q_{\theta_{r}} = 0
-//! Q_{x_{s}} = 0
-//! Q_{y_{s}} = 0
-//! Q_{x_{c}} = 0
-//! Q_{y_{c}} = 0
-//! Q_{x_{r}} = 0
-//! Q_{y_{r}} = 0
-//! Q_{\zeta_{1}} = 0
-//! Q_{\eta_{1}} = 0
-//! Q_{u_{1}} = 0
-//! Q_{\zeta_{2}} = 0
-//! Q_{\eta_{2}} = 0
-//! Q_{u_{2}} = 0
-//! Q_{\zeta_{3}} = 0
-//! Q_{\eta_{3}} = 0
-//! Q_{u_{3}} = 0
-//! \mathrm{cos}_{a} = \cos\left(\alpha\right)
-//! \mathrm{sin}_{a} = \sin\left(\alpha\right)
-//! h = \frac{r_{s}}{Z_{s}}
-//! r_{p} = \frac{1}{2} (h\, Z_{r} - h\, Z_{s})
-//! a = \frac{1}{2} (\frac{h\, Z_{r}}{\mathrm{cos}_{a}} + \frac{h\, Z_{s}}{\mathrm{cos}_{a}})
-//! \mathrm{cos}_{c1} = \cos\left(\psi_{1}\right)
-//! \mathrm{sin}_{c1} = \sin\left(\psi_{1}\right)
-//! \mathrm{cos}_{s1} = \cos\left(\psi_{1} - \alpha\right)
-//! \mathrm{sin}_{s1} = \sin\left(\psi_{1} - \alpha\right)
-//! \mathrm{cos}_{r1} = \cos\left(\alpha + \psi_{1}\right)
-//! \mathrm{sin}_{r1} = \sin\left(\alpha + \psi_{1}\right)
-//! \mathrm{cos}_{c2} = \cos\left(\psi_{2}\right)
-//! \mathrm{sin}_{c2} = \sin\left(\psi_{2}\right)
-//! \mathrm{cos}_{s2} = \cos\left(\psi_{2} - \alpha\right)
-//! \mathrm{sin}_{s2} = \sin\left(\psi_{2} - \alpha\right)
-//! \mathrm{cos}_{r2} = \cos\left(\alpha + \psi_{2}\right)
-//! \mathrm{sin}_{r2} = \sin\left(\alpha + \psi_{2}\right)
-//! \mathrm{cos}_{c3} = \cos\left(\psi_{3}\right)
-//! \mathrm{sin}_{c3} = \sin\left(\psi_{3}\right)
-//! \mathrm{cos}_{s3} = \cos\left(\psi_{3} - \alpha\right)
-//! \mathrm{sin}_{s3} = \sin\left(\psi_{3} - \alpha\right)
-//! \mathrm{cos}_{r3} = \cos\left(\alpha + \psi_{3}\right)
-//! \mathrm{sin}_{r3} = \sin\left(\alpha + \psi_{3}\right)
-//! \mathrm{radial}_{1} = \mathrm{cos}_{c1}\, x_{c} - \zeta_{1} + \mathrm{sin}_{c1}\, y_{c}
-//! \mathrm{tangential}_{1} = \mathrm{cos}_{c1}\, y_{c} - \eta_{1} - \mathrm{sin}_{c1}\, x_{c}
-//! \delta_{s1} = u_{1} - e_{s1} - \mathrm{cos}_{a}\, \eta_{1} + \mathrm{cos}_{s1}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{s1}\, x_{s}
-//! \delta_{r1} = \mathrm{cos}_{r1}\, y_{r} - u_{1} - e_{r1} - \mathrm{cos}_{a}\, \eta_{1} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{1} - \mathrm{sin}_{r1}\, x_{r}
-//! \mathrm{radial}_{2} = \mathrm{cos}_{c2}\, x_{c} - \zeta_{2} + \mathrm{sin}_{c2}\, y_{c}
-//! \mathrm{tangential}_{2} = \mathrm{cos}_{c2}\, y_{c} - \eta_{2} - \mathrm{sin}_{c2}\, x_{c}
-//! \delta_{s2} = u_{2} - e_{s2} - \mathrm{cos}_{a}\, \eta_{2} + \mathrm{cos}_{s2}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{s2}\, x_{s}
-//! \delta_{r2} = \mathrm{cos}_{r2}\, y_{r} - u_{2} - e_{r2} - \mathrm{cos}_{a}\, \eta_{2} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{2} - \mathrm{sin}_{r2}\, x_{r}
-//! \mathrm{radial}_{3} = \mathrm{cos}_{c3}\, x_{c} - \zeta_{3} + \mathrm{sin}_{c3}\, y_{c}
-//! \mathrm{tangential}_{3} = \mathrm{cos}_{c3}\, y_{c} - \eta_{3} - \mathrm{sin}_{c3}\, x_{c}
-//! \delta_{s3} = u_{3} - e_{s3} - \mathrm{cos}_{a}\, \eta_{3} + \mathrm{cos}_{s3}\, y_{s} - \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{s3}\, x_{s}
-//! \delta_{r3} = \mathrm{cos}_{r3}\, y_{r} - u_{3} - e_{r3} - \mathrm{cos}_{a}\, \eta_{3} - h\, Z_{r}\, \theta_{c} + h\, Z_{r}\, \theta_{r} + \mathrm{sin}_{a}\, \zeta_{3} - \mathrm{sin}_{r3}\, x_{r}
-//! (\frac{I_{c}}{Z_{r}^{2}} - \frac{6\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{3\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{3\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{c}}{Z_{r}} - \frac{3\, h\, I_{p}}{r_{p}} + \frac{3\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{a\, m_{p}}{Z_{r}}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = k_{r1}\, e_{r1}'\, \delta_{r1} + k_{r2}\, e_{r2}'\, \delta_{r2} + k_{r3}\, e_{r3}'\, \delta_{r3} + k_{s1}\, e_{s1}'\, \delta_{s1} + k_{s2}\, e_{s2}'\, \delta_{s2} + k_{s3}\, e_{s3}'\, \delta_{s3}\ [\text{transmission error, jump terms}] + \frac{T_{motor}}{Z_{r}} - \frac{T_{load}}{Z_{r}} + \frac{T_{motor}}{Z_{s}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}}}{Z_{r}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}}}{Z_{r}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{3\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{6\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{3\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{s1}'\, \delta_{s1}^{2} - k_{s2}'\, \delta_{s2}^{2} - k_{s3}'\, \delta_{s3}^{2})\ [\text{jump terms}]
-//! (\frac{I_{c}}{Z_{r}} - \frac{3\, h\, I_{p}}{r_{p}} + \frac{3\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta} + (I_{c} + 3\, I_{p} + I_{s} + 3\, a^{2}\, m_{p}) \ddot{\theta_{c}} + (a\, m_{p}) \ddot{\eta_{1}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{1}} + (a\, m_{p}) \ddot{\eta_{2}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{2}} + (a\, m_{p}) \ddot{\eta_{3}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{3}} = h\, Z_{r}\, k_{r1}\, \delta_{r1} + h\, Z_{r}\, k_{r2}\, \delta_{r2} + h\, Z_{r}\, k_{r3}\, \delta_{r3} + T_{motor} - T_{load}\ [\text{torques}] + h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{1}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{2}} - a\, \alpha_{M}\, m_{p}\, \dot{\eta_{3}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} + \frac{3\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}} - I_{c}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - 3\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{s}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}} - 3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}}\ [\text{damping}]
-//! (I_{r}) \ddot{\theta_{r}} = -h\, Z_{r}\, k_{r1}\, \delta_{r1} - h\, Z_{r}\, k_{r2}\, \delta_{r2} - h\, Z_{r}\, k_{r3}\, \delta_{r3} - k_{r}\, \theta_{r} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - I_{r}\, \alpha_{M}\, \dot{\theta_{r}} - \beta_{K}\, k_{r}\, \dot{\theta_{r}}\ [\text{damping}]
-//! (m_{s}) \ddot{x_{s}} = \mathrm{sin}_{s1}\, k_{s1}\, \delta_{s1} + \mathrm{sin}_{s2}\, k_{s2}\, \delta_{s2} + \mathrm{sin}_{s3}\, k_{s3}\, \delta_{s3} - \mathrm{kb}_{s}\, x_{s} + \mathrm{sin}_{s1}\, \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} + \mathrm{sin}_{s2}\, \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} + \mathrm{sin}_{s3}\, \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} - \alpha_{M}\, m_{s}\, \dot{x_{s}} - \beta_{K}\, \mathrm{kb}_{s}\, \dot{x_{s}}\ [\text{damping}]
-//! (m_{s}) \ddot{y_{s}} = -\mathrm{cos}_{s1}\, k_{s1}\, \delta_{s1} - \mathrm{cos}_{s2}\, k_{s2}\, \delta_{s2} - \mathrm{cos}_{s3}\, k_{s3}\, \delta_{s3} - \mathrm{kb}_{s}\, y_{s} - \mathrm{cos}_{s1}\, \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} - \mathrm{cos}_{s2}\, \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} - \mathrm{cos}_{s3}\, \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} - \alpha_{M}\, m_{s}\, \dot{y_{s}} - \beta_{K}\, \mathrm{kb}_{s}\, \dot{y_{s}}\ [\text{damping}]
-//! (m_{c}) \ddot{x_{c}} = \mathrm{sin}_{c1}\, \mathrm{kb}_{p}\, \mathrm{tangential}_{1} - \mathrm{cos}_{c1}\, \mathrm{kb}_{p}\, \mathrm{radial}_{1} - \mathrm{cos}_{c2}\, \mathrm{kb}_{p}\, \mathrm{radial}_{2} - \mathrm{cos}_{c3}\, \mathrm{kb}_{p}\, \mathrm{radial}_{3} + \mathrm{sin}_{c2}\, \mathrm{kb}_{p}\, \mathrm{tangential}_{2} + \mathrm{sin}_{c3}\, \mathrm{kb}_{p}\, \mathrm{tangential}_{3} - \mathrm{kb}_{c}\, x_{c} + \mathrm{sin}_{c1}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{1}} - \mathrm{cos}_{c1}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{1}} - \mathrm{cos}_{c2}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{2}} - \mathrm{cos}_{c3}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{3}} + \mathrm{sin}_{c2}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{2}} + \mathrm{sin}_{c3}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{3}} - \alpha_{M}\, m_{c}\, \dot{x_{c}} - \beta_{K}\, \mathrm{kb}_{c}\, \dot{x_{c}}\ [\text{damping}]
-//! (m_{c}) \ddot{y_{c}} = -\mathrm{cos}_{c1}\, \mathrm{kb}_{p}\, \mathrm{tangential}_{1} - \mathrm{cos}_{c2}\, \mathrm{kb}_{p}\, \mathrm{tangential}_{2} - \mathrm{cos}_{c3}\, \mathrm{kb}_{p}\, \mathrm{tangential}_{3} - \mathrm{sin}_{c1}\, \mathrm{kb}_{p}\, \mathrm{radial}_{1} - \mathrm{sin}_{c2}\, \mathrm{kb}_{p}\, \mathrm{radial}_{2} - \mathrm{sin}_{c3}\, \mathrm{kb}_{p}\, \mathrm{radial}_{3} - \mathrm{kb}_{c}\, y_{c} - \mathrm{cos}_{c1}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{1}} - \mathrm{cos}_{c2}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{2}} - \mathrm{cos}_{c3}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{3}} - \mathrm{sin}_{c1}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{1}} - \mathrm{sin}_{c2}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{2}} - \mathrm{sin}_{c3}\, \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{3}} - \alpha_{M}\, m_{c}\, \dot{y_{c}} - \beta_{K}\, \mathrm{kb}_{c}\, \dot{y_{c}}\ [\text{damping}]
-//! (m_{r}) \ddot{x_{r}} = \mathrm{sin}_{r1}\, k_{r1}\, \delta_{r1} + \mathrm{sin}_{r2}\, k_{r2}\, \delta_{r2} + \mathrm{sin}_{r3}\, k_{r3}\, \delta_{r3} - \mathrm{kb}_{r}\, x_{r} + \mathrm{sin}_{r1}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} + \mathrm{sin}_{r2}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + \mathrm{sin}_{r3}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \alpha_{M}\, m_{r}\, \dot{x_{r}} - \beta_{K}\, \mathrm{kb}_{r}\, \dot{x_{r}}\ [\text{damping}]
-//! (m_{r}) \ddot{y_{r}} = -\mathrm{cos}_{r1}\, k_{r1}\, \delta_{r1} - \mathrm{cos}_{r2}\, k_{r2}\, \delta_{r2} - \mathrm{cos}_{r3}\, k_{r3}\, \delta_{r3} - \mathrm{kb}_{r}\, y_{r} - \mathrm{cos}_{r1}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - \mathrm{cos}_{r2}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - \mathrm{cos}_{r3}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \alpha_{M}\, m_{r}\, \dot{y_{r}} - \beta_{K}\, \mathrm{kb}_{r}\, \dot{y_{r}}\ [\text{damping}]
-//! (m_{p}) \ddot{\zeta_{1}} = \mathrm{sin}_{a}\, k_{s1}\, \delta_{s1} - \mathrm{sin}_{a}\, k_{r1}\, \delta_{r1} + \mathrm{kb}_{p}\, \mathrm{radial}_{1} + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - \alpha_{M}\, m_{p}\, \dot{\zeta_{1}} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{1}}\ [\text{damping}]
-//! (\frac{a\, m_{p}}{Z_{r}}) \ddot{\theta} + (a\, m_{p}) \ddot{\theta_{c}} + (m_{p}) \ddot{\eta_{1}} = \mathrm{cos}_{a}\, k_{r1}\, \delta_{r1} + \mathrm{cos}_{a}\, k_{s1}\, \delta_{s1} + \mathrm{kb}_{p}\, \mathrm{tangential}_{1} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - a\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} - \alpha_{M}\, m_{p}\, \dot{\eta_{1}} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{1}}\ [\text{damping}]
-//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{1}} = k_{r1}\, \delta_{r1} - k_{s1}\, \delta_{s1} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
-//! (m_{p}) \ddot{\zeta_{2}} = \mathrm{sin}_{a}\, k_{s2}\, \delta_{s2} - \mathrm{sin}_{a}\, k_{r2}\, \delta_{r2} + \mathrm{kb}_{p}\, \mathrm{radial}_{2} + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - \alpha_{M}\, m_{p}\, \dot{\zeta_{2}} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{2}}\ [\text{damping}]
-//! (\frac{a\, m_{p}}{Z_{r}}) \ddot{\theta} + (a\, m_{p}) \ddot{\theta_{c}} + (m_{p}) \ddot{\eta_{2}} = \mathrm{cos}_{a}\, k_{r2}\, \delta_{r2} + \mathrm{cos}_{a}\, k_{s2}\, \delta_{s2} + \mathrm{kb}_{p}\, \mathrm{tangential}_{2} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - a\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} - \alpha_{M}\, m_{p}\, \dot{\eta_{2}} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{2}}\ [\text{damping}]
-//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{2}} = k_{r2}\, \delta_{r2} - k_{s2}\, \delta_{s2} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
-//! (m_{p}) \ddot{\zeta_{3}} = \mathrm{sin}_{a}\, k_{s3}\, \delta_{s3} - \mathrm{sin}_{a}\, k_{r3}\, \delta_{r3} + \mathrm{kb}_{p}\, \mathrm{radial}_{3} + \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} - \mathrm{sin}_{a}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \alpha_{M}\, m_{p}\, \dot{\zeta_{3}} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{radial}_{3}}\ [\text{damping}]
-//! (\frac{a\, m_{p}}{Z_{r}}) \ddot{\theta} + (a\, m_{p}) \ddot{\theta_{c}} + (m_{p}) \ddot{\eta_{3}} = \mathrm{cos}_{a}\, k_{r3}\, \delta_{r3} + \mathrm{cos}_{a}\, k_{s3}\, \delta_{s3} + \mathrm{kb}_{p}\, \mathrm{tangential}_{3} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - a\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{a\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} + \mathrm{cos}_{a}\, \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} - \alpha_{M}\, m_{p}\, \dot{\eta_{3}} + \beta_{K}\, \mathrm{kb}_{p}\, \dot{\mathrm{tangential}_{3}}\ [\text{damping}]
-//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = k_{r3}\, \delta_{r3} - k_{s3}\, \delta_{s3} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
-//! - M is positive definite: T is a sum of squares that vanish together only at rest
-//! - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | constants (once a scene) | 14 | 11 | 20 |
-//! | force | 170 | 566 | 0 |
-//! | energy step of k_s1 | 0 | 3 | 0 |
-//! | energy step of k_r1 | 0 | 3 | 0 |
-//! | energy step of k_s2 | 0 | 3 | 0 |
-//! | energy step of k_r2 | 0 | 3 | 0 |
-//! | energy step of k_s3 | 0 | 3 | 0 |
-//! | energy step of k_r3 | 0 | 3 | 0 |
-//! | energy step of e_s1 | 1 | 5 | 0 |
-//! | energy step of e_r1 | 1 | 5 | 0 |
-//! | energy step of e_s2 | 1 | 5 | 0 |
-//! | energy step of e_r2 | 1 | 5 | 0 |
-//! | energy step of e_s3 | 1 | 5 | 0 |
-//! | energy step of e_r3 | 1 | 5 | 0 |
+//! energies and derive again. For reading: `text/planar_planetary_3.txt`, `latex/planar_planetary_3.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -292,21 +62,29 @@ equations! {
         k_r2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 2 along the line of action";
         k_s3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 3 along the line of action";
         k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error, "transmission error of the mesh of ring and planet 3 along the line of action";
+        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+            "transmission error of the mesh of sun and planet 1 along the line of action";
+        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+            "transmission error of the mesh of ring and planet 1 along the line of action";
+        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+            "transmission error of the mesh of sun and planet 2 along the line of action";
+        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+            "transmission error of the mesh of ring and planet 2 along the line of action";
+        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+            "transmission error of the mesh of sun and planet 3 along the line of action";
+        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+            "transmission error of the mesh of ring and planet 3 along the line of action";
     }
-    motions {
-        speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest";
-    }
+    motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
     effects {
-        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
-        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        stiffness_step
+            "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
+            "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
+            "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -358,30 +136,47 @@ equations! {
     }
     energies {
         kinetic {
-            _ => (I_c*(theta_c_dot + theta_dot/Z_r).powi(2) + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_r*theta_r_dot.powi(2) + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2) + m_c*x_c_dot.powi(2) + m_c*y_c_dot.powi(2) + m_p*zeta1_dot.powi(2) + m_p*zeta2_dot.powi(2) + m_p*zeta3_dot.powi(2) + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_r*x_r_dot.powi(2) + m_r*y_r_dot.powi(2) + m_s*x_s_dot.powi(2) + m_s*y_s_dot.powi(2))/2.0;
+            _ => (I_c*(theta_c_dot + theta_dot/Z_r).powi(2) + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
+                + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
+                + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_r*theta_r_dot.powi(2)
+                + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2) + m_c*x_c_dot.powi(2) + m_c*y_c_dot.powi(2)
+                + m_p*zeta1_dot.powi(2) + m_p*zeta2_dot.powi(2) + m_p*zeta3_dot.powi(2)
+                + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2)
+                + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_r*x_r_dot.powi(2) + m_r*y_r_dot.powi(2)
+                + m_s*x_s_dot.powi(2) + m_s*y_s_dot.powi(2))/2.0;
         }
         potential {
-            _ => (k_r*theta_r.powi(2) + kb_c*x_c.powi(2) + kb_c*y_c.powi(2) + kb_p*radial1.powi(2) + kb_p*radial2.powi(2) + kb_p*radial3.powi(2) + kb_p*tangential1.powi(2) + kb_p*tangential2.powi(2) + kb_p*tangential3.powi(2) + kb_r*x_r.powi(2) + kb_r*y_r.powi(2) + kb_s*x_s.powi(2) + kb_s*y_s.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2))/2.0;
+            _ => (k_r*theta_r.powi(2) + kb_c*x_c.powi(2) + kb_c*y_c.powi(2) + kb_p*radial1.powi(2) + kb_p*radial2.powi(2)
+                + kb_p*radial3.powi(2) + kb_p*tangential1.powi(2) + kb_p*tangential2.powi(2) + kb_p*tangential3.powi(2) + kb_r*x_r.powi(2)
+                + kb_r*y_r.powi(2) + kb_s*x_s.powi(2) + kb_s*y_s.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2)
+                + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2))/2.0;
         }
         dissipation {
-            damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2) + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_r*alpha_M*theta_r_dot.powi(2) + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2) + alpha_M*m_c*x_c_dot.powi(2) + alpha_M*m_c*y_c_dot.powi(2) + alpha_M*m_p*zeta1_dot.powi(2) + alpha_M*m_p*zeta2_dot.powi(2) + alpha_M*m_p*zeta3_dot.powi(2) + alpha_M*m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + alpha_M*m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + alpha_M*m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + alpha_M*m_r*x_r_dot.powi(2) + alpha_M*m_r*y_r_dot.powi(2) + alpha_M*m_s*x_s_dot.powi(2) + alpha_M*m_s*y_s_dot.powi(2) + beta_K*k_r*theta_r_dot.powi(2) + beta_K*kb_c*x_c_dot.powi(2) + beta_K*kb_c*y_c_dot.powi(2) + beta_K*kb_p*radial1_dot.powi(2) + beta_K*kb_p*radial2_dot.powi(2) + beta_K*kb_p*radial3_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2) + beta_K*kb_p*tangential2_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2) + beta_K*kb_r*x_r_dot.powi(2) + beta_K*kb_r*y_r_dot.powi(2) + beta_K*kb_s*x_s_dot.powi(2) + beta_K*kb_s*y_s_dot.powi(2) + beta_K*k_r1_mid*delta_r1_dot.powi(2) + beta_K*k_r2_mid*delta_r2_dot.powi(2) + beta_K*k_r3_mid*delta_r3_dot.powi(2) + beta_K*k_s1_mid*delta_s1_dot.powi(2) + beta_K*k_s2_mid*delta_s2_dot.powi(2) + beta_K*k_s3_mid*delta_s3_dot.powi(2))/2.0;
+            damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)
+                + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
+                + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
+                + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_r*alpha_M*theta_r_dot.powi(2)
+                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2) + alpha_M*m_c*x_c_dot.powi(2)
+                + alpha_M*m_c*y_c_dot.powi(2) + alpha_M*m_p*zeta1_dot.powi(2) + alpha_M*m_p*zeta2_dot.powi(2)
+                + alpha_M*m_p*zeta3_dot.powi(2) + alpha_M*m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2)
+                + alpha_M*m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2)
+                + alpha_M*m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + alpha_M*m_r*x_r_dot.powi(2)
+                + alpha_M*m_r*y_r_dot.powi(2) + alpha_M*m_s*x_s_dot.powi(2) + alpha_M*m_s*y_s_dot.powi(2) + beta_K*k_r*theta_r_dot.powi(2)
+                + beta_K*kb_c*x_c_dot.powi(2) + beta_K*kb_c*y_c_dot.powi(2) + beta_K*kb_p*radial1_dot.powi(2)
+                + beta_K*kb_p*radial2_dot.powi(2) + beta_K*kb_p*radial3_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2)
+                + beta_K*kb_p*tangential2_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2) + beta_K*kb_r*x_r_dot.powi(2)
+                + beta_K*kb_r*y_r_dot.powi(2) + beta_K*kb_s*x_s_dot.powi(2) + beta_K*kb_s*y_s_dot.powi(2)
+                + beta_K*k_r1_mid*delta_r1_dot.powi(2) + beta_K*k_r2_mid*delta_r2_dot.powi(2) + beta_K*k_r3_mid*delta_r3_dot.powi(2)
+                + beta_K*k_s1_mid*delta_s1_dot.powi(2) + beta_K*k_s2_mid*delta_s2_dot.powi(2) + beta_K*k_s3_mid*delta_s3_dot.powi(2))/2.0;
         }
     }
     torques {
-        motor "driving torque of the sun" {
-            torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
-        }
-        load "load torque of the carrier, against its rotation" {
-            torques => T_load*(-theta_c - theta/Z_r);
-        }
+        motor "driving torque of the sun" { torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s)); }
+        load "load torque of the carrier, against its rotation" { torques => T_load*(-theta_c - theta/Z_r); }
     }
     work {
-        theta {
-            torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-        }
-        theta_c {
-            torques => T_motor - T_load;
-        }
+        theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
+        theta_c { torques => T_motor - T_load; }
         theta_r {}
         x_s {}
         y_s {}
@@ -401,180 +196,158 @@ equations! {
     }
     mass {
         theta theta {
-            _ => I_c/Z_r.powi(2) - 6.0*h*I_p/(r_p*Z_r) + 3.0*I_p/Z_r.powi(2) + I_s/Z_r.powi(2) + 2.0*I_s/(Z_r*Z_s) + I_s/Z_s.powi(2) + 3.0*a.powi(2)*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p/r_p.powi(2);
+            _ => I_c/Z_r.powi(2) - 6.0*h*I_p/(r_p*Z_r) + 3.0*I_p/Z_r.powi(2) + I_s/Z_r.powi(2) + 2.0*I_s/(Z_r*Z_s) + I_s/Z_s.powi(2)
+                + 3.0*a.powi(2)*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p/r_p.powi(2);
         }
-        theta theta_c {
-            _ => I_c/Z_r - 3.0*h*I_p/r_p + 3.0*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3.0*a.powi(2)*m_p/Z_r;
-        }
-        theta eta1 {
-            _ => a*m_p/Z_r;
-        }
-        theta u1 {
-            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
-        }
-        theta eta2 {
-            _ => a*m_p/Z_r;
-        }
-        theta u2 {
-            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
-        }
-        theta eta3 {
-            _ => a*m_p/Z_r;
-        }
-        theta u3 {
-            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
-        }
-        theta_c theta_c {
-            _ => I_c + 3.0*I_p + I_s + 3.0*a.powi(2)*m_p;
-        }
-        theta_c eta1 {
-            _ => a*m_p;
-        }
-        theta_c u1 {
-            _ => I_p/r_p;
-        }
-        theta_c eta2 {
-            _ => a*m_p;
-        }
-        theta_c u2 {
-            _ => I_p/r_p;
-        }
-        theta_c eta3 {
-            _ => a*m_p;
-        }
-        theta_c u3 {
-            _ => I_p/r_p;
-        }
-        theta_r theta_r {
-            _ => I_r;
-        }
-        x_s x_s {
-            _ => m_s;
-        }
-        y_s y_s {
-            _ => m_s;
-        }
-        x_c x_c {
-            _ => m_c;
-        }
-        y_c y_c {
-            _ => m_c;
-        }
-        x_r x_r {
-            _ => m_r;
-        }
-        y_r y_r {
-            _ => m_r;
-        }
-        zeta1 zeta1 {
-            _ => m_p;
-        }
-        eta1 eta1 {
-            _ => m_p;
-        }
-        u1 u1 {
-            _ => I_p/r_p.powi(2);
-        }
-        zeta2 zeta2 {
-            _ => m_p;
-        }
-        eta2 eta2 {
-            _ => m_p;
-        }
-        u2 u2 {
-            _ => I_p/r_p.powi(2);
-        }
-        zeta3 zeta3 {
-            _ => m_p;
-        }
-        eta3 eta3 {
-            _ => m_p;
-        }
-        u3 u3 {
-            _ => I_p/r_p.powi(2);
-        }
+        theta theta_c { _ => I_c/Z_r - 3.0*h*I_p/r_p + 3.0*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3.0*a.powi(2)*m_p/Z_r; }
+        theta eta1 { _ => a*m_p/Z_r; }
+        theta u1 { _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2); }
+        theta eta2 { _ => a*m_p/Z_r; }
+        theta u2 { _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2); }
+        theta eta3 { _ => a*m_p/Z_r; }
+        theta u3 { _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2); }
+        theta_c theta_c { _ => I_c + 3.0*I_p + I_s + 3.0*a.powi(2)*m_p; }
+        theta_c eta1 { _ => a*m_p; }
+        theta_c u1 { _ => I_p/r_p; }
+        theta_c eta2 { _ => a*m_p; }
+        theta_c u2 { _ => I_p/r_p; }
+        theta_c eta3 { _ => a*m_p; }
+        theta_c u3 { _ => I_p/r_p; }
+        theta_r theta_r { _ => I_r; }
+        x_s x_s { _ => m_s; }
+        y_s y_s { _ => m_s; }
+        x_c x_c { _ => m_c; }
+        y_c y_c { _ => m_c; }
+        x_r x_r { _ => m_r; }
+        y_r y_r { _ => m_r; }
+        zeta1 zeta1 { _ => m_p; }
+        eta1 eta1 { _ => m_p; }
+        u1 u1 { _ => I_p/r_p.powi(2); }
+        zeta2 zeta2 { _ => m_p; }
+        eta2 eta2 { _ => m_p; }
+        u2 u2 { _ => I_p/r_p.powi(2); }
+        zeta3 zeta3 { _ => m_p; }
+        eta3 eta3 { _ => m_p; }
+        u3 u3 { _ => I_p/r_p.powi(2); }
     }
     force {
         theta {
-            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3;
+            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1
+                + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-            damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2) + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2) - I_c*alpha_M*theta_c_dot/Z_r - 3.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 3.0*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2) - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 3.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r);
-            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_s1*delta_s1.powi(2) - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2))/2.0;
+            damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r
+                - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
+                + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2)
+                - I_c*alpha_M*theta_c_dot/Z_r - 3.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 3.0*I_p*alpha_M*theta_c_dot/Z_r
+                - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s)
+                - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2)
+                - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 3.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2)
+                - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r);
+            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_s1*delta_s1.powi(2)
+                - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2))/2.0;
         }
         theta_c {
             _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3;
             torques => T_motor - T_load;
-            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3.0*I_p*alpha_M*theta_c_dot - 3.0*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p;
+            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot
+                + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p
+                - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3.0*I_p*alpha_M*theta_c_dot - 3.0*I_p*alpha_M*theta_dot/Z_r
+                - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot
+                - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p;
         }
         theta_r {
             _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*theta_r;
-            damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot;
+            damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot
+                - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot;
         }
         x_s {
             _ => sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 - kb_s*x_s;
-            damping => sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot;
+            damping => sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot
+                - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot;
         }
         y_s {
             _ => -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - kb_s*y_s;
-            damping => -cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*y_s_dot;
+            damping => -cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot
+                - alpha_M*m_s*y_s_dot - beta_K*kb_s*y_s_dot;
         }
         x_c {
-            _ => sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 + sin_c2*kb_p*tangential2 + sin_c3*kb_p*tangential3 - kb_c*x_c;
-            damping => sin_c1*beta_K*kb_p*tangential1_dot - cos_c1*beta_K*kb_p*radial1_dot - cos_c2*beta_K*kb_p*radial2_dot - cos_c3*beta_K*kb_p*radial3_dot + sin_c2*beta_K*kb_p*tangential2_dot + sin_c3*beta_K*kb_p*tangential3_dot - alpha_M*m_c*x_c_dot - beta_K*kb_c*x_c_dot;
+            _ => sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 + sin_c2*kb_p*tangential2
+                + sin_c3*kb_p*tangential3 - kb_c*x_c;
+            damping => sin_c1*beta_K*kb_p*tangential1_dot - cos_c1*beta_K*kb_p*radial1_dot - cos_c2*beta_K*kb_p*radial2_dot
+                - cos_c3*beta_K*kb_p*radial3_dot + sin_c2*beta_K*kb_p*tangential2_dot + sin_c3*beta_K*kb_p*tangential3_dot
+                - alpha_M*m_c*x_c_dot - beta_K*kb_c*x_c_dot;
         }
         y_c {
-            _ => -cos_c1*kb_p*tangential1 - cos_c2*kb_p*tangential2 - cos_c3*kb_p*tangential3 - sin_c1*kb_p*radial1 - sin_c2*kb_p*radial2 - sin_c3*kb_p*radial3 - kb_c*y_c;
-            damping => -cos_c1*beta_K*kb_p*tangential1_dot - cos_c2*beta_K*kb_p*tangential2_dot - cos_c3*beta_K*kb_p*tangential3_dot - sin_c1*beta_K*kb_p*radial1_dot - sin_c2*beta_K*kb_p*radial2_dot - sin_c3*beta_K*kb_p*radial3_dot - alpha_M*m_c*y_c_dot - beta_K*kb_c*y_c_dot;
+            _ => -cos_c1*kb_p*tangential1 - cos_c2*kb_p*tangential2 - cos_c3*kb_p*tangential3 - sin_c1*kb_p*radial1 - sin_c2*kb_p*radial2
+                - sin_c3*kb_p*radial3 - kb_c*y_c;
+            damping => -cos_c1*beta_K*kb_p*tangential1_dot - cos_c2*beta_K*kb_p*tangential2_dot - cos_c3*beta_K*kb_p*tangential3_dot
+                - sin_c1*beta_K*kb_p*radial1_dot - sin_c2*beta_K*kb_p*radial2_dot - sin_c3*beta_K*kb_p*radial3_dot - alpha_M*m_c*y_c_dot
+                - beta_K*kb_c*y_c_dot;
         }
         x_r {
             _ => sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 - kb_r*x_r;
-            damping => sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*x_r_dot;
+            damping => sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot
+                - alpha_M*m_r*x_r_dot - beta_K*kb_r*x_r_dot;
         }
         y_r {
             _ => -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - kb_r*y_r;
-            damping => -cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*y_r_dot;
+            damping => -cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot
+                - alpha_M*m_r*y_r_dot - beta_K*kb_r*y_r_dot;
         }
         zeta1 {
             _ => sin_a*k_s1*delta_s1 - sin_a*k_r1*delta_r1 + kb_p*radial1;
-            damping => sin_a*beta_K*k_s1_mid*delta_s1_dot - sin_a*beta_K*k_r1_mid*delta_r1_dot - alpha_M*m_p*zeta1_dot + beta_K*kb_p*radial1_dot;
+            damping => sin_a*beta_K*k_s1_mid*delta_s1_dot - sin_a*beta_K*k_r1_mid*delta_r1_dot - alpha_M*m_p*zeta1_dot
+                + beta_K*kb_p*radial1_dot;
         }
         eta1 {
             _ => cos_a*k_r1*delta_r1 + cos_a*k_s1*delta_s1 + kb_p*tangential1;
-            damping => cos_a*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s1_mid*delta_s1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot;
+            damping => cos_a*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s1_mid*delta_s1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot;
         }
         u1 {
             _ => k_r1*delta_r1 - k_s1*delta_s1;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot
+                - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta2 {
             _ => sin_a*k_s2*delta_s2 - sin_a*k_r2*delta_r2 + kb_p*radial2;
-            damping => sin_a*beta_K*k_s2_mid*delta_s2_dot - sin_a*beta_K*k_r2_mid*delta_r2_dot - alpha_M*m_p*zeta2_dot + beta_K*kb_p*radial2_dot;
+            damping => sin_a*beta_K*k_s2_mid*delta_s2_dot - sin_a*beta_K*k_r2_mid*delta_r2_dot - alpha_M*m_p*zeta2_dot
+                + beta_K*kb_p*radial2_dot;
         }
         eta2 {
             _ => cos_a*k_r2*delta_r2 + cos_a*k_s2*delta_s2 + kb_p*tangential2;
-            damping => cos_a*beta_K*k_r2_mid*delta_r2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s2_mid*delta_s2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot;
+            damping => cos_a*beta_K*k_r2_mid*delta_r2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s2_mid*delta_s2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot;
         }
         u2 {
             _ => k_r2*delta_r2 - k_s2*delta_s2;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot
+                - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta3 {
             _ => sin_a*k_s3*delta_s3 - sin_a*k_r3*delta_r3 + kb_p*radial3;
-            damping => sin_a*beta_K*k_s3_mid*delta_s3_dot - sin_a*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_p*zeta3_dot + beta_K*kb_p*radial3_dot;
+            damping => sin_a*beta_K*k_s3_mid*delta_s3_dot - sin_a*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_p*zeta3_dot
+                + beta_K*kb_p*radial3_dot;
         }
         eta3 {
             _ => cos_a*k_r3*delta_r3 + cos_a*k_s3*delta_s3 + kb_p*tangential3;
-            damping => cos_a*beta_K*k_r3_mid*delta_r3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot;
+            damping => cos_a*beta_K*k_r3_mid*delta_r3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot;
         }
         u3 {
             _ => k_r3*delta_r3 - k_s3*delta_s3;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot
+                - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
     }
     jacobian {
         theta theta {
-            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2 + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3;
-            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
+            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2)
+                + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2
+                - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2
+                + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3;
+            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*delta_s1.powi(2)
+                - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
         }
         theta theta_c {
             transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
@@ -637,2162 +410,810 @@ equations! {
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta theta_dot {
-            damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2) - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
+            damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
+                - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
+                - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
         }
         theta theta_c_dot {
-            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
+            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta eta1_dot {
-            damping => -a*alpha_M*m_p/Z_r;
-        }
-        theta u1_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta eta2_dot {
-            damping => -a*alpha_M*m_p/Z_r;
-        }
-        theta u2_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta eta3_dot {
-            damping => -a*alpha_M*m_p/Z_r;
-        }
-        theta u3_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
+        theta eta1_dot { damping => -a*alpha_M*m_p/Z_r; }
+        theta u1_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta eta2_dot { damping => -a*alpha_M*m_p/Z_r; }
+        theta u2_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta eta3_dot { damping => -a*alpha_M*m_p/Z_r; }
+        theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
             transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
-        theta_c theta_c {
-            _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3;
-        }
-        theta_c theta_r {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
-        }
-        theta_c x_r {
-            _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3;
-        }
-        theta_c y_r {
-            _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3;
-        }
-        theta_c zeta1 {
-            _ => h*sin_a*Z_r*k_r1;
-        }
-        theta_c eta1 {
-            _ => -cos_a*h*Z_r*k_r1;
-        }
-        theta_c u1 {
-            _ => -h*Z_r*k_r1;
-        }
-        theta_c zeta2 {
-            _ => h*sin_a*Z_r*k_r2;
-        }
-        theta_c eta2 {
-            _ => -cos_a*h*Z_r*k_r2;
-        }
-        theta_c u2 {
-            _ => -h*Z_r*k_r2;
-        }
-        theta_c zeta3 {
-            _ => h*sin_a*Z_r*k_r3;
-        }
-        theta_c eta3 {
-            _ => -cos_a*h*Z_r*k_r3;
-        }
-        theta_c u3 {
-            _ => -h*Z_r*k_r3;
-        }
+        theta_c theta_c { _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
+        theta_c theta_r { _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
+        theta_c x_r { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3; }
+        theta_c y_r { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3; }
+        theta_c zeta1 { _ => h*sin_a*Z_r*k_r1; }
+        theta_c eta1 { _ => -cos_a*h*Z_r*k_r1; }
+        theta_c u1 { _ => -h*Z_r*k_r1; }
+        theta_c zeta2 { _ => h*sin_a*Z_r*k_r2; }
+        theta_c eta2 { _ => -cos_a*h*Z_r*k_r2; }
+        theta_c u2 { _ => -h*Z_r*k_r2; }
+        theta_c zeta3 { _ => h*sin_a*Z_r*k_r3; }
+        theta_c eta3 { _ => -cos_a*h*Z_r*k_r3; }
+        theta_c u3 { _ => -h*Z_r*k_r3; }
         theta_c theta_dot {
-            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
+            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
         theta_c theta_c_dot {
-            damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+            damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
         }
         theta_c theta_r_dot {
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
+                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
         }
-        theta_c x_r_dot {
-            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid;
-        }
-        theta_c y_r_dot {
-            damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid;
-        }
-        theta_c zeta1_dot {
-            damping => h*sin_a*Z_r*beta_K*k_r1_mid;
-        }
-        theta_c eta1_dot {
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid;
-        }
-        theta_c u1_dot {
-            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
-        }
-        theta_c zeta2_dot {
-            damping => h*sin_a*Z_r*beta_K*k_r2_mid;
-        }
-        theta_c eta2_dot {
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid;
-        }
-        theta_c u2_dot {
-            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
-        }
-        theta_c zeta3_dot {
-            damping => h*sin_a*Z_r*beta_K*k_r3_mid;
-        }
-        theta_c eta3_dot {
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid;
-        }
-        theta_c u3_dot {
-            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
-        }
+        theta_c x_r_dot { damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid; }
+        theta_c y_r_dot { damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid; }
+        theta_c zeta1_dot { damping => h*sin_a*Z_r*beta_K*k_r1_mid; }
+        theta_c eta1_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid; }
+        theta_c u1_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
+        theta_c zeta2_dot { damping => h*sin_a*Z_r*beta_K*k_r2_mid; }
+        theta_c eta2_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid; }
+        theta_c u2_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
+        theta_c zeta3_dot { damping => h*sin_a*Z_r*beta_K*k_r3_mid; }
+        theta_c eta3_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid; }
+        theta_c u3_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
         theta_r theta {
             transmission_error_and_moving_phase => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3;
             moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3;
         }
-        theta_r theta_c {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
-        }
-        theta_r theta_r {
-            _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3;
-        }
-        theta_r x_r {
-            _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3;
-        }
-        theta_r y_r {
-            _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3;
-        }
-        theta_r zeta1 {
-            _ => -h*sin_a*Z_r*k_r1;
-        }
-        theta_r eta1 {
-            _ => cos_a*h*Z_r*k_r1;
-        }
-        theta_r u1 {
-            _ => h*Z_r*k_r1;
-        }
-        theta_r zeta2 {
-            _ => -h*sin_a*Z_r*k_r2;
-        }
-        theta_r eta2 {
-            _ => cos_a*h*Z_r*k_r2;
-        }
-        theta_r u2 {
-            _ => h*Z_r*k_r2;
-        }
-        theta_r zeta3 {
-            _ => -h*sin_a*Z_r*k_r3;
-        }
-        theta_r eta3 {
-            _ => cos_a*h*Z_r*k_r3;
-        }
-        theta_r u3 {
-            _ => h*Z_r*k_r3;
-        }
+        theta_r theta_c { _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
+        theta_r theta_r { _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
+        theta_r x_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3; }
+        theta_r y_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3; }
+        theta_r zeta1 { _ => -h*sin_a*Z_r*k_r1; }
+        theta_r eta1 { _ => cos_a*h*Z_r*k_r1; }
+        theta_r u1 { _ => h*Z_r*k_r1; }
+        theta_r zeta2 { _ => -h*sin_a*Z_r*k_r2; }
+        theta_r eta2 { _ => cos_a*h*Z_r*k_r2; }
+        theta_r u2 { _ => h*Z_r*k_r2; }
+        theta_r zeta3 { _ => -h*sin_a*Z_r*k_r3; }
+        theta_r eta3 { _ => cos_a*h*Z_r*k_r3; }
+        theta_r u3 { _ => h*Z_r*k_r3; }
         theta_r theta_c_dot {
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
+                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
         }
         theta_r theta_r_dot {
-            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
         }
-        theta_r x_r_dot {
-            damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid;
-        }
-        theta_r y_r_dot {
-            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid;
-        }
-        theta_r zeta1_dot {
-            damping => -h*sin_a*Z_r*beta_K*k_r1_mid;
-        }
-        theta_r eta1_dot {
-            damping => cos_a*h*Z_r*beta_K*k_r1_mid;
-        }
-        theta_r u1_dot {
-            damping => h*Z_r*beta_K*k_r1_mid;
-        }
-        theta_r zeta2_dot {
-            damping => -h*sin_a*Z_r*beta_K*k_r2_mid;
-        }
-        theta_r eta2_dot {
-            damping => cos_a*h*Z_r*beta_K*k_r2_mid;
-        }
-        theta_r u2_dot {
-            damping => h*Z_r*beta_K*k_r2_mid;
-        }
-        theta_r zeta3_dot {
-            damping => -h*sin_a*Z_r*beta_K*k_r3_mid;
-        }
-        theta_r eta3_dot {
-            damping => cos_a*h*Z_r*beta_K*k_r3_mid;
-        }
-        theta_r u3_dot {
-            damping => h*Z_r*beta_K*k_r3_mid;
-        }
+        theta_r x_r_dot { damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid; }
+        theta_r y_r_dot { damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid; }
+        theta_r zeta1_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
+        theta_r eta1_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid; }
+        theta_r u1_dot { damping => h*Z_r*beta_K*k_r1_mid; }
+        theta_r zeta2_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
+        theta_r eta2_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid; }
+        theta_r u2_dot { damping => h*Z_r*beta_K*k_r2_mid; }
+        theta_r zeta3_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
+        theta_r eta3_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid; }
+        theta_r u3_dot { damping => h*Z_r*beta_K*k_r3_mid; }
         x_s theta {
             transmission_error_and_moving_phase => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3;
             moving_phase => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3;
         }
-        x_s x_s {
-            _ => -kb_s - sin_s1.powi(2)*k_s1 - sin_s2.powi(2)*k_s2 - sin_s3.powi(2)*k_s3;
-        }
-        x_s y_s {
-            _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3;
-        }
-        x_s zeta1 {
-            _ => -sin_a*sin_s1*k_s1;
-        }
-        x_s eta1 {
-            _ => -cos_a*sin_s1*k_s1;
-        }
-        x_s u1 {
-            _ => sin_s1*k_s1;
-        }
-        x_s zeta2 {
-            _ => -sin_a*sin_s2*k_s2;
-        }
-        x_s eta2 {
-            _ => -cos_a*sin_s2*k_s2;
-        }
-        x_s u2 {
-            _ => sin_s2*k_s2;
-        }
-        x_s zeta3 {
-            _ => -sin_a*sin_s3*k_s3;
-        }
-        x_s eta3 {
-            _ => -cos_a*sin_s3*k_s3;
-        }
-        x_s u3 {
-            _ => sin_s3*k_s3;
-        }
+        x_s x_s { _ => -kb_s - sin_s1.powi(2)*k_s1 - sin_s2.powi(2)*k_s2 - sin_s3.powi(2)*k_s3; }
+        x_s y_s { _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3; }
+        x_s zeta1 { _ => -sin_a*sin_s1*k_s1; }
+        x_s eta1 { _ => -cos_a*sin_s1*k_s1; }
+        x_s u1 { _ => sin_s1*k_s1; }
+        x_s zeta2 { _ => -sin_a*sin_s2*k_s2; }
+        x_s eta2 { _ => -cos_a*sin_s2*k_s2; }
+        x_s u2 { _ => sin_s2*k_s2; }
+        x_s zeta3 { _ => -sin_a*sin_s3*k_s3; }
+        x_s eta3 { _ => -cos_a*sin_s3*k_s3; }
+        x_s u3 { _ => sin_s3*k_s3; }
         x_s x_s_dot {
-            damping => -alpha_M*m_s - beta_K*kb_s - sin_s1.powi(2)*beta_K*k_s1_mid - sin_s2.powi(2)*beta_K*k_s2_mid - sin_s3.powi(2)*beta_K*k_s3_mid;
+            damping => -alpha_M*m_s - beta_K*kb_s - sin_s1.powi(2)*beta_K*k_s1_mid - sin_s2.powi(2)*beta_K*k_s2_mid
+                - sin_s3.powi(2)*beta_K*k_s3_mid;
         }
-        x_s y_s_dot {
-            damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid;
-        }
-        x_s zeta1_dot {
-            damping => -sin_a*sin_s1*beta_K*k_s1_mid;
-        }
-        x_s eta1_dot {
-            damping => -cos_a*sin_s1*beta_K*k_s1_mid;
-        }
-        x_s u1_dot {
-            damping => sin_s1*beta_K*k_s1_mid;
-        }
-        x_s zeta2_dot {
-            damping => -sin_a*sin_s2*beta_K*k_s2_mid;
-        }
-        x_s eta2_dot {
-            damping => -cos_a*sin_s2*beta_K*k_s2_mid;
-        }
-        x_s u2_dot {
-            damping => sin_s2*beta_K*k_s2_mid;
-        }
-        x_s zeta3_dot {
-            damping => -sin_a*sin_s3*beta_K*k_s3_mid;
-        }
-        x_s eta3_dot {
-            damping => -cos_a*sin_s3*beta_K*k_s3_mid;
-        }
-        x_s u3_dot {
-            damping => sin_s3*beta_K*k_s3_mid;
-        }
+        x_s y_s_dot { damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid; }
+        x_s zeta1_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid; }
+        x_s eta1_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid; }
+        x_s u1_dot { damping => sin_s1*beta_K*k_s1_mid; }
+        x_s zeta2_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid; }
+        x_s eta2_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid; }
+        x_s u2_dot { damping => sin_s2*beta_K*k_s2_mid; }
+        x_s zeta3_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid; }
+        x_s eta3_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid; }
+        x_s u3_dot { damping => sin_s3*beta_K*k_s3_mid; }
         y_s theta {
             transmission_error_and_moving_phase => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3;
             moving_phase => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3;
         }
-        y_s x_s {
-            _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3;
-        }
-        y_s y_s {
-            _ => -kb_s - cos_s1.powi(2)*k_s1 - cos_s2.powi(2)*k_s2 - cos_s3.powi(2)*k_s3;
-        }
-        y_s zeta1 {
-            _ => cos_s1*sin_a*k_s1;
-        }
-        y_s eta1 {
-            _ => cos_a*cos_s1*k_s1;
-        }
-        y_s u1 {
-            _ => -cos_s1*k_s1;
-        }
-        y_s zeta2 {
-            _ => cos_s2*sin_a*k_s2;
-        }
-        y_s eta2 {
-            _ => cos_a*cos_s2*k_s2;
-        }
-        y_s u2 {
-            _ => -cos_s2*k_s2;
-        }
-        y_s zeta3 {
-            _ => cos_s3*sin_a*k_s3;
-        }
-        y_s eta3 {
-            _ => cos_a*cos_s3*k_s3;
-        }
-        y_s u3 {
-            _ => -cos_s3*k_s3;
-        }
-        y_s x_s_dot {
-            damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid;
-        }
+        y_s x_s { _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3; }
+        y_s y_s { _ => -kb_s - cos_s1.powi(2)*k_s1 - cos_s2.powi(2)*k_s2 - cos_s3.powi(2)*k_s3; }
+        y_s zeta1 { _ => cos_s1*sin_a*k_s1; }
+        y_s eta1 { _ => cos_a*cos_s1*k_s1; }
+        y_s u1 { _ => -cos_s1*k_s1; }
+        y_s zeta2 { _ => cos_s2*sin_a*k_s2; }
+        y_s eta2 { _ => cos_a*cos_s2*k_s2; }
+        y_s u2 { _ => -cos_s2*k_s2; }
+        y_s zeta3 { _ => cos_s3*sin_a*k_s3; }
+        y_s eta3 { _ => cos_a*cos_s3*k_s3; }
+        y_s u3 { _ => -cos_s3*k_s3; }
+        y_s x_s_dot { damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid; }
         y_s y_s_dot {
-            damping => -alpha_M*m_s - beta_K*kb_s - cos_s1.powi(2)*beta_K*k_s1_mid - cos_s2.powi(2)*beta_K*k_s2_mid - cos_s3.powi(2)*beta_K*k_s3_mid;
+            damping => -alpha_M*m_s - beta_K*kb_s - cos_s1.powi(2)*beta_K*k_s1_mid - cos_s2.powi(2)*beta_K*k_s2_mid
+                - cos_s3.powi(2)*beta_K*k_s3_mid;
         }
-        y_s zeta1_dot {
-            damping => cos_s1*sin_a*beta_K*k_s1_mid;
-        }
-        y_s eta1_dot {
-            damping => cos_a*cos_s1*beta_K*k_s1_mid;
-        }
-        y_s u1_dot {
-            damping => -cos_s1*beta_K*k_s1_mid;
-        }
-        y_s zeta2_dot {
-            damping => cos_s2*sin_a*beta_K*k_s2_mid;
-        }
-        y_s eta2_dot {
-            damping => cos_a*cos_s2*beta_K*k_s2_mid;
-        }
-        y_s u2_dot {
-            damping => -cos_s2*beta_K*k_s2_mid;
-        }
-        y_s zeta3_dot {
-            damping => cos_s3*sin_a*beta_K*k_s3_mid;
-        }
-        y_s eta3_dot {
-            damping => cos_a*cos_s3*beta_K*k_s3_mid;
-        }
-        y_s u3_dot {
-            damping => -cos_s3*beta_K*k_s3_mid;
-        }
+        y_s zeta1_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid; }
+        y_s eta1_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid; }
+        y_s u1_dot { damping => -cos_s1*beta_K*k_s1_mid; }
+        y_s zeta2_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid; }
+        y_s eta2_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid; }
+        y_s u2_dot { damping => -cos_s2*beta_K*k_s2_mid; }
+        y_s zeta3_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid; }
+        y_s eta3_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid; }
+        y_s u3_dot { damping => -cos_s3*beta_K*k_s3_mid; }
         x_c x_c {
-            _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p - sin_c3.powi(2)*kb_p;
+            _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p
+                - sin_c3.powi(2)*kb_p;
         }
-        x_c zeta1 {
-            _ => cos_c1*kb_p;
-        }
-        x_c eta1 {
-            _ => -sin_c1*kb_p;
-        }
-        x_c zeta2 {
-            _ => cos_c2*kb_p;
-        }
-        x_c eta2 {
-            _ => -sin_c2*kb_p;
-        }
-        x_c zeta3 {
-            _ => cos_c3*kb_p;
-        }
-        x_c eta3 {
-            _ => -sin_c3*kb_p;
-        }
+        x_c zeta1 { _ => cos_c1*kb_p; }
+        x_c eta1 { _ => -sin_c1*kb_p; }
+        x_c zeta2 { _ => cos_c2*kb_p; }
+        x_c eta2 { _ => -sin_c2*kb_p; }
+        x_c zeta3 { _ => cos_c3*kb_p; }
+        x_c eta3 { _ => -sin_c3*kb_p; }
         x_c x_c_dot {
-            damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
+            damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p
+                - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
         }
-        x_c zeta1_dot {
-            damping => cos_c1*beta_K*kb_p;
-        }
-        x_c eta1_dot {
-            damping => -sin_c1*beta_K*kb_p;
-        }
-        x_c zeta2_dot {
-            damping => cos_c2*beta_K*kb_p;
-        }
-        x_c eta2_dot {
-            damping => -sin_c2*beta_K*kb_p;
-        }
-        x_c zeta3_dot {
-            damping => cos_c3*beta_K*kb_p;
-        }
-        x_c eta3_dot {
-            damping => -sin_c3*beta_K*kb_p;
-        }
+        x_c zeta1_dot { damping => cos_c1*beta_K*kb_p; }
+        x_c eta1_dot { damping => -sin_c1*beta_K*kb_p; }
+        x_c zeta2_dot { damping => cos_c2*beta_K*kb_p; }
+        x_c eta2_dot { damping => -sin_c2*beta_K*kb_p; }
+        x_c zeta3_dot { damping => cos_c3*beta_K*kb_p; }
+        x_c eta3_dot { damping => -sin_c3*beta_K*kb_p; }
         y_c y_c {
-            _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p - sin_c3.powi(2)*kb_p;
+            _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p
+                - sin_c3.powi(2)*kb_p;
         }
-        y_c zeta1 {
-            _ => sin_c1*kb_p;
-        }
-        y_c eta1 {
-            _ => cos_c1*kb_p;
-        }
-        y_c zeta2 {
-            _ => sin_c2*kb_p;
-        }
-        y_c eta2 {
-            _ => cos_c2*kb_p;
-        }
-        y_c zeta3 {
-            _ => sin_c3*kb_p;
-        }
-        y_c eta3 {
-            _ => cos_c3*kb_p;
-        }
+        y_c zeta1 { _ => sin_c1*kb_p; }
+        y_c eta1 { _ => cos_c1*kb_p; }
+        y_c zeta2 { _ => sin_c2*kb_p; }
+        y_c eta2 { _ => cos_c2*kb_p; }
+        y_c zeta3 { _ => sin_c3*kb_p; }
+        y_c eta3 { _ => cos_c3*kb_p; }
         y_c y_c_dot {
-            damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
+            damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p
+                - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
         }
-        y_c zeta1_dot {
-            damping => sin_c1*beta_K*kb_p;
-        }
-        y_c eta1_dot {
-            damping => cos_c1*beta_K*kb_p;
-        }
-        y_c zeta2_dot {
-            damping => sin_c2*beta_K*kb_p;
-        }
-        y_c eta2_dot {
-            damping => cos_c2*beta_K*kb_p;
-        }
-        y_c zeta3_dot {
-            damping => sin_c3*beta_K*kb_p;
-        }
-        y_c eta3_dot {
-            damping => cos_c3*beta_K*kb_p;
-        }
+        y_c zeta1_dot { damping => sin_c1*beta_K*kb_p; }
+        y_c eta1_dot { damping => cos_c1*beta_K*kb_p; }
+        y_c zeta2_dot { damping => sin_c2*beta_K*kb_p; }
+        y_c eta2_dot { damping => cos_c2*beta_K*kb_p; }
+        y_c zeta3_dot { damping => sin_c3*beta_K*kb_p; }
+        y_c eta3_dot { damping => cos_c3*beta_K*kb_p; }
         x_r theta {
             transmission_error_and_moving_phase => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3;
             moving_phase => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3;
         }
-        x_r theta_c {
-            _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3;
-        }
-        x_r theta_r {
-            _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3;
-        }
-        x_r x_r {
-            _ => -kb_r - sin_r1.powi(2)*k_r1 - sin_r2.powi(2)*k_r2 - sin_r3.powi(2)*k_r3;
-        }
-        x_r y_r {
-            _ => cos_r1*sin_r1*k_r1 + cos_r2*sin_r2*k_r2 + cos_r3*sin_r3*k_r3;
-        }
-        x_r zeta1 {
-            _ => sin_a*sin_r1*k_r1;
-        }
-        x_r eta1 {
-            _ => -cos_a*sin_r1*k_r1;
-        }
-        x_r u1 {
-            _ => -sin_r1*k_r1;
-        }
-        x_r zeta2 {
-            _ => sin_a*sin_r2*k_r2;
-        }
-        x_r eta2 {
-            _ => -cos_a*sin_r2*k_r2;
-        }
-        x_r u2 {
-            _ => -sin_r2*k_r2;
-        }
-        x_r zeta3 {
-            _ => sin_a*sin_r3*k_r3;
-        }
-        x_r eta3 {
-            _ => -cos_a*sin_r3*k_r3;
-        }
-        x_r u3 {
-            _ => -sin_r3*k_r3;
-        }
-        x_r theta_c_dot {
-            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid;
-        }
-        x_r theta_r_dot {
-            damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid;
-        }
+        x_r theta_c { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3; }
+        x_r theta_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3; }
+        x_r x_r { _ => -kb_r - sin_r1.powi(2)*k_r1 - sin_r2.powi(2)*k_r2 - sin_r3.powi(2)*k_r3; }
+        x_r y_r { _ => cos_r1*sin_r1*k_r1 + cos_r2*sin_r2*k_r2 + cos_r3*sin_r3*k_r3; }
+        x_r zeta1 { _ => sin_a*sin_r1*k_r1; }
+        x_r eta1 { _ => -cos_a*sin_r1*k_r1; }
+        x_r u1 { _ => -sin_r1*k_r1; }
+        x_r zeta2 { _ => sin_a*sin_r2*k_r2; }
+        x_r eta2 { _ => -cos_a*sin_r2*k_r2; }
+        x_r u2 { _ => -sin_r2*k_r2; }
+        x_r zeta3 { _ => sin_a*sin_r3*k_r3; }
+        x_r eta3 { _ => -cos_a*sin_r3*k_r3; }
+        x_r u3 { _ => -sin_r3*k_r3; }
+        x_r theta_c_dot { damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid; }
+        x_r theta_r_dot { damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid; }
         x_r x_r_dot {
-            damping => -alpha_M*m_r - beta_K*kb_r - sin_r1.powi(2)*beta_K*k_r1_mid - sin_r2.powi(2)*beta_K*k_r2_mid - sin_r3.powi(2)*beta_K*k_r3_mid;
+            damping => -alpha_M*m_r - beta_K*kb_r - sin_r1.powi(2)*beta_K*k_r1_mid - sin_r2.powi(2)*beta_K*k_r2_mid
+                - sin_r3.powi(2)*beta_K*k_r3_mid;
         }
-        x_r y_r_dot {
-            damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid;
-        }
-        x_r zeta1_dot {
-            damping => sin_a*sin_r1*beta_K*k_r1_mid;
-        }
-        x_r eta1_dot {
-            damping => -cos_a*sin_r1*beta_K*k_r1_mid;
-        }
-        x_r u1_dot {
-            damping => -sin_r1*beta_K*k_r1_mid;
-        }
-        x_r zeta2_dot {
-            damping => sin_a*sin_r2*beta_K*k_r2_mid;
-        }
-        x_r eta2_dot {
-            damping => -cos_a*sin_r2*beta_K*k_r2_mid;
-        }
-        x_r u2_dot {
-            damping => -sin_r2*beta_K*k_r2_mid;
-        }
-        x_r zeta3_dot {
-            damping => sin_a*sin_r3*beta_K*k_r3_mid;
-        }
-        x_r eta3_dot {
-            damping => -cos_a*sin_r3*beta_K*k_r3_mid;
-        }
-        x_r u3_dot {
-            damping => -sin_r3*beta_K*k_r3_mid;
-        }
+        x_r y_r_dot { damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid; }
+        x_r zeta1_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid; }
+        x_r eta1_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid; }
+        x_r u1_dot { damping => -sin_r1*beta_K*k_r1_mid; }
+        x_r zeta2_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid; }
+        x_r eta2_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid; }
+        x_r u2_dot { damping => -sin_r2*beta_K*k_r2_mid; }
+        x_r zeta3_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid; }
+        x_r eta3_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid; }
+        x_r u3_dot { damping => -sin_r3*beta_K*k_r3_mid; }
         y_r theta {
             transmission_error_and_moving_phase => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3;
             moving_phase => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3;
         }
-        y_r theta_c {
-            _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3;
-        }
-        y_r theta_r {
-            _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3;
-        }
-        y_r x_r {
-            _ => cos_r1*sin_r1*k_r1 + cos_r2*sin_r2*k_r2 + cos_r3*sin_r3*k_r3;
-        }
-        y_r y_r {
-            _ => -kb_r - cos_r1.powi(2)*k_r1 - cos_r2.powi(2)*k_r2 - cos_r3.powi(2)*k_r3;
-        }
-        y_r zeta1 {
-            _ => -cos_r1*sin_a*k_r1;
-        }
-        y_r eta1 {
-            _ => cos_a*cos_r1*k_r1;
-        }
-        y_r u1 {
-            _ => cos_r1*k_r1;
-        }
-        y_r zeta2 {
-            _ => -cos_r2*sin_a*k_r2;
-        }
-        y_r eta2 {
-            _ => cos_a*cos_r2*k_r2;
-        }
-        y_r u2 {
-            _ => cos_r2*k_r2;
-        }
-        y_r zeta3 {
-            _ => -cos_r3*sin_a*k_r3;
-        }
-        y_r eta3 {
-            _ => cos_a*cos_r3*k_r3;
-        }
-        y_r u3 {
-            _ => cos_r3*k_r3;
-        }
-        y_r theta_c_dot {
-            damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid;
-        }
-        y_r theta_r_dot {
-            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid;
-        }
-        y_r x_r_dot {
-            damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid;
-        }
+        y_r theta_c { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3; }
+        y_r theta_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3; }
+        y_r x_r { _ => cos_r1*sin_r1*k_r1 + cos_r2*sin_r2*k_r2 + cos_r3*sin_r3*k_r3; }
+        y_r y_r { _ => -kb_r - cos_r1.powi(2)*k_r1 - cos_r2.powi(2)*k_r2 - cos_r3.powi(2)*k_r3; }
+        y_r zeta1 { _ => -cos_r1*sin_a*k_r1; }
+        y_r eta1 { _ => cos_a*cos_r1*k_r1; }
+        y_r u1 { _ => cos_r1*k_r1; }
+        y_r zeta2 { _ => -cos_r2*sin_a*k_r2; }
+        y_r eta2 { _ => cos_a*cos_r2*k_r2; }
+        y_r u2 { _ => cos_r2*k_r2; }
+        y_r zeta3 { _ => -cos_r3*sin_a*k_r3; }
+        y_r eta3 { _ => cos_a*cos_r3*k_r3; }
+        y_r u3 { _ => cos_r3*k_r3; }
+        y_r theta_c_dot { damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid; }
+        y_r theta_r_dot { damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid; }
+        y_r x_r_dot { damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid; }
         y_r y_r_dot {
-            damping => -alpha_M*m_r - beta_K*kb_r - cos_r1.powi(2)*beta_K*k_r1_mid - cos_r2.powi(2)*beta_K*k_r2_mid - cos_r3.powi(2)*beta_K*k_r3_mid;
+            damping => -alpha_M*m_r - beta_K*kb_r - cos_r1.powi(2)*beta_K*k_r1_mid - cos_r2.powi(2)*beta_K*k_r2_mid
+                - cos_r3.powi(2)*beta_K*k_r3_mid;
         }
-        y_r zeta1_dot {
-            damping => -cos_r1*sin_a*beta_K*k_r1_mid;
-        }
-        y_r eta1_dot {
-            damping => cos_a*cos_r1*beta_K*k_r1_mid;
-        }
-        y_r u1_dot {
-            damping => cos_r1*beta_K*k_r1_mid;
-        }
-        y_r zeta2_dot {
-            damping => -cos_r2*sin_a*beta_K*k_r2_mid;
-        }
-        y_r eta2_dot {
-            damping => cos_a*cos_r2*beta_K*k_r2_mid;
-        }
-        y_r u2_dot {
-            damping => cos_r2*beta_K*k_r2_mid;
-        }
-        y_r zeta3_dot {
-            damping => -cos_r3*sin_a*beta_K*k_r3_mid;
-        }
-        y_r eta3_dot {
-            damping => cos_a*cos_r3*beta_K*k_r3_mid;
-        }
-        y_r u3_dot {
-            damping => cos_r3*beta_K*k_r3_mid;
-        }
+        y_r zeta1_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid; }
+        y_r eta1_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid; }
+        y_r u1_dot { damping => cos_r1*beta_K*k_r1_mid; }
+        y_r zeta2_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid; }
+        y_r eta2_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid; }
+        y_r u2_dot { damping => cos_r2*beta_K*k_r2_mid; }
+        y_r zeta3_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid; }
+        y_r eta3_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid; }
+        y_r u3_dot { damping => cos_r3*beta_K*k_r3_mid; }
         zeta1 theta {
             transmission_error_and_moving_phase => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
             moving_phase => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
-        zeta1 theta_c {
-            _ => h*sin_a*Z_r*k_r1;
-        }
-        zeta1 theta_r {
-            _ => -h*sin_a*Z_r*k_r1;
-        }
-        zeta1 x_s {
-            _ => -sin_a*sin_s1*k_s1;
-        }
-        zeta1 y_s {
-            _ => cos_s1*sin_a*k_s1;
-        }
-        zeta1 x_c {
-            _ => cos_c1*kb_p;
-        }
-        zeta1 y_c {
-            _ => sin_c1*kb_p;
-        }
-        zeta1 x_r {
-            _ => sin_a*sin_r1*k_r1;
-        }
-        zeta1 y_r {
-            _ => -cos_r1*sin_a*k_r1;
-        }
-        zeta1 zeta1 {
-            _ => -kb_p - sin_a.powi(2)*k_r1 - sin_a.powi(2)*k_s1;
-        }
-        zeta1 eta1 {
-            _ => cos_a*sin_a*k_r1 - cos_a*sin_a*k_s1;
-        }
-        zeta1 u1 {
-            _ => sin_a*k_r1 + sin_a*k_s1;
-        }
-        zeta1 theta_c_dot {
-            damping => h*sin_a*Z_r*beta_K*k_r1_mid;
-        }
-        zeta1 theta_r_dot {
-            damping => -h*sin_a*Z_r*beta_K*k_r1_mid;
-        }
-        zeta1 x_s_dot {
-            damping => -sin_a*sin_s1*beta_K*k_s1_mid;
-        }
-        zeta1 y_s_dot {
-            damping => cos_s1*sin_a*beta_K*k_s1_mid;
-        }
-        zeta1 x_c_dot {
-            damping => cos_c1*beta_K*kb_p;
-        }
-        zeta1 y_c_dot {
-            damping => sin_c1*beta_K*kb_p;
-        }
-        zeta1 x_r_dot {
-            damping => sin_a*sin_r1*beta_K*k_r1_mid;
-        }
-        zeta1 y_r_dot {
-            damping => -cos_r1*sin_a*beta_K*k_r1_mid;
-        }
-        zeta1 zeta1_dot {
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid - sin_a.powi(2)*beta_K*k_s1_mid;
-        }
-        zeta1 eta1_dot {
-            damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid;
-        }
-        zeta1 u1_dot {
-            damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid;
-        }
+        zeta1 theta_c { _ => h*sin_a*Z_r*k_r1; }
+        zeta1 theta_r { _ => -h*sin_a*Z_r*k_r1; }
+        zeta1 x_s { _ => -sin_a*sin_s1*k_s1; }
+        zeta1 y_s { _ => cos_s1*sin_a*k_s1; }
+        zeta1 x_c { _ => cos_c1*kb_p; }
+        zeta1 y_c { _ => sin_c1*kb_p; }
+        zeta1 x_r { _ => sin_a*sin_r1*k_r1; }
+        zeta1 y_r { _ => -cos_r1*sin_a*k_r1; }
+        zeta1 zeta1 { _ => -kb_p - sin_a.powi(2)*k_r1 - sin_a.powi(2)*k_s1; }
+        zeta1 eta1 { _ => cos_a*sin_a*k_r1 - cos_a*sin_a*k_s1; }
+        zeta1 u1 { _ => sin_a*k_r1 + sin_a*k_s1; }
+        zeta1 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r1_mid; }
+        zeta1 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
+        zeta1 x_s_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid; }
+        zeta1 y_s_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid; }
+        zeta1 x_c_dot { damping => cos_c1*beta_K*kb_p; }
+        zeta1 y_c_dot { damping => sin_c1*beta_K*kb_p; }
+        zeta1 x_r_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid; }
+        zeta1 y_r_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid; }
+        zeta1 zeta1_dot { damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid - sin_a.powi(2)*beta_K*k_s1_mid; }
+        zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
+        zeta1 u1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
         eta1 theta {
             transmission_error_and_moving_phase => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
             moving_phase => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
-        eta1 theta_c {
-            _ => -cos_a*h*Z_r*k_r1;
-        }
-        eta1 theta_r {
-            _ => cos_a*h*Z_r*k_r1;
-        }
-        eta1 x_s {
-            _ => -cos_a*sin_s1*k_s1;
-        }
-        eta1 y_s {
-            _ => cos_a*cos_s1*k_s1;
-        }
-        eta1 x_c {
-            _ => -sin_c1*kb_p;
-        }
-        eta1 y_c {
-            _ => cos_c1*kb_p;
-        }
-        eta1 x_r {
-            _ => -cos_a*sin_r1*k_r1;
-        }
-        eta1 y_r {
-            _ => cos_a*cos_r1*k_r1;
-        }
-        eta1 zeta1 {
-            _ => cos_a*sin_a*k_r1 - cos_a*sin_a*k_s1;
-        }
-        eta1 eta1 {
-            _ => -kb_p - cos_a.powi(2)*k_r1 - cos_a.powi(2)*k_s1;
-        }
-        eta1 u1 {
-            _ => cos_a*k_s1 - cos_a*k_r1;
-        }
-        eta1 theta_dot {
-            damping => -a*alpha_M*m_p/Z_r;
-        }
-        eta1 theta_c_dot {
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid;
-        }
-        eta1 theta_r_dot {
-            damping => cos_a*h*Z_r*beta_K*k_r1_mid;
-        }
-        eta1 x_s_dot {
-            damping => -cos_a*sin_s1*beta_K*k_s1_mid;
-        }
-        eta1 y_s_dot {
-            damping => cos_a*cos_s1*beta_K*k_s1_mid;
-        }
-        eta1 x_c_dot {
-            damping => -sin_c1*beta_K*kb_p;
-        }
-        eta1 y_c_dot {
-            damping => cos_c1*beta_K*kb_p;
-        }
-        eta1 x_r_dot {
-            damping => -cos_a*sin_r1*beta_K*k_r1_mid;
-        }
-        eta1 y_r_dot {
-            damping => cos_a*cos_r1*beta_K*k_r1_mid;
-        }
-        eta1 zeta1_dot {
-            damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid;
-        }
-        eta1 eta1_dot {
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid;
-        }
-        eta1 u1_dot {
-            damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid;
-        }
+        eta1 theta_c { _ => -cos_a*h*Z_r*k_r1; }
+        eta1 theta_r { _ => cos_a*h*Z_r*k_r1; }
+        eta1 x_s { _ => -cos_a*sin_s1*k_s1; }
+        eta1 y_s { _ => cos_a*cos_s1*k_s1; }
+        eta1 x_c { _ => -sin_c1*kb_p; }
+        eta1 y_c { _ => cos_c1*kb_p; }
+        eta1 x_r { _ => -cos_a*sin_r1*k_r1; }
+        eta1 y_r { _ => cos_a*cos_r1*k_r1; }
+        eta1 zeta1 { _ => cos_a*sin_a*k_r1 - cos_a*sin_a*k_s1; }
+        eta1 eta1 { _ => -kb_p - cos_a.powi(2)*k_r1 - cos_a.powi(2)*k_s1; }
+        eta1 u1 { _ => cos_a*k_s1 - cos_a*k_r1; }
+        eta1 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
+        eta1 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid; }
+        eta1 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid; }
+        eta1 x_s_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid; }
+        eta1 y_s_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid; }
+        eta1 x_c_dot { damping => -sin_c1*beta_K*kb_p; }
+        eta1 y_c_dot { damping => cos_c1*beta_K*kb_p; }
+        eta1 x_r_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid; }
+        eta1 y_r_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid; }
+        eta1 zeta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
+        eta1 eta1_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid; }
+        eta1 u1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
         u1 theta {
             transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
-        u1 theta_c {
-            _ => -h*Z_r*k_r1;
-        }
-        u1 theta_r {
-            _ => h*Z_r*k_r1;
-        }
-        u1 x_s {
-            _ => sin_s1*k_s1;
-        }
-        u1 y_s {
-            _ => -cos_s1*k_s1;
-        }
-        u1 x_r {
-            _ => -sin_r1*k_r1;
-        }
-        u1 y_r {
-            _ => cos_r1*k_r1;
-        }
-        u1 zeta1 {
-            _ => sin_a*k_r1 + sin_a*k_s1;
-        }
-        u1 eta1 {
-            _ => cos_a*k_s1 - cos_a*k_r1;
-        }
-        u1 u1 {
-            _ => -k_r1 - k_s1;
-        }
-        u1 theta_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        u1 theta_c_dot {
-            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
-        }
-        u1 theta_r_dot {
-            damping => h*Z_r*beta_K*k_r1_mid;
-        }
-        u1 x_s_dot {
-            damping => sin_s1*beta_K*k_s1_mid;
-        }
-        u1 y_s_dot {
-            damping => -cos_s1*beta_K*k_s1_mid;
-        }
-        u1 x_r_dot {
-            damping => -sin_r1*beta_K*k_r1_mid;
-        }
-        u1 y_r_dot {
-            damping => cos_r1*beta_K*k_r1_mid;
-        }
-        u1 zeta1_dot {
-            damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid;
-        }
-        u1 eta1_dot {
-            damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid;
-        }
-        u1 u1_dot {
-            damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2);
-        }
+        u1 theta_c { _ => -h*Z_r*k_r1; }
+        u1 theta_r { _ => h*Z_r*k_r1; }
+        u1 x_s { _ => sin_s1*k_s1; }
+        u1 y_s { _ => -cos_s1*k_s1; }
+        u1 x_r { _ => -sin_r1*k_r1; }
+        u1 y_r { _ => cos_r1*k_r1; }
+        u1 zeta1 { _ => sin_a*k_r1 + sin_a*k_s1; }
+        u1 eta1 { _ => cos_a*k_s1 - cos_a*k_r1; }
+        u1 u1 { _ => -k_r1 - k_s1; }
+        u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u1 theta_c_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
+        u1 theta_r_dot { damping => h*Z_r*beta_K*k_r1_mid; }
+        u1 x_s_dot { damping => sin_s1*beta_K*k_s1_mid; }
+        u1 y_s_dot { damping => -cos_s1*beta_K*k_s1_mid; }
+        u1 x_r_dot { damping => -sin_r1*beta_K*k_r1_mid; }
+        u1 y_r_dot { damping => cos_r1*beta_K*k_r1_mid; }
+        u1 zeta1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
+        u1 eta1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
+        u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
         zeta2 theta {
             transmission_error_and_moving_phase => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
             moving_phase => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
-        zeta2 theta_c {
-            _ => h*sin_a*Z_r*k_r2;
-        }
-        zeta2 theta_r {
-            _ => -h*sin_a*Z_r*k_r2;
-        }
-        zeta2 x_s {
-            _ => -sin_a*sin_s2*k_s2;
-        }
-        zeta2 y_s {
-            _ => cos_s2*sin_a*k_s2;
-        }
-        zeta2 x_c {
-            _ => cos_c2*kb_p;
-        }
-        zeta2 y_c {
-            _ => sin_c2*kb_p;
-        }
-        zeta2 x_r {
-            _ => sin_a*sin_r2*k_r2;
-        }
-        zeta2 y_r {
-            _ => -cos_r2*sin_a*k_r2;
-        }
-        zeta2 zeta2 {
-            _ => -kb_p - sin_a.powi(2)*k_r2 - sin_a.powi(2)*k_s2;
-        }
-        zeta2 eta2 {
-            _ => cos_a*sin_a*k_r2 - cos_a*sin_a*k_s2;
-        }
-        zeta2 u2 {
-            _ => sin_a*k_r2 + sin_a*k_s2;
-        }
-        zeta2 theta_c_dot {
-            damping => h*sin_a*Z_r*beta_K*k_r2_mid;
-        }
-        zeta2 theta_r_dot {
-            damping => -h*sin_a*Z_r*beta_K*k_r2_mid;
-        }
-        zeta2 x_s_dot {
-            damping => -sin_a*sin_s2*beta_K*k_s2_mid;
-        }
-        zeta2 y_s_dot {
-            damping => cos_s2*sin_a*beta_K*k_s2_mid;
-        }
-        zeta2 x_c_dot {
-            damping => cos_c2*beta_K*kb_p;
-        }
-        zeta2 y_c_dot {
-            damping => sin_c2*beta_K*kb_p;
-        }
-        zeta2 x_r_dot {
-            damping => sin_a*sin_r2*beta_K*k_r2_mid;
-        }
-        zeta2 y_r_dot {
-            damping => -cos_r2*sin_a*beta_K*k_r2_mid;
-        }
-        zeta2 zeta2_dot {
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid - sin_a.powi(2)*beta_K*k_s2_mid;
-        }
-        zeta2 eta2_dot {
-            damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid;
-        }
-        zeta2 u2_dot {
-            damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid;
-        }
+        zeta2 theta_c { _ => h*sin_a*Z_r*k_r2; }
+        zeta2 theta_r { _ => -h*sin_a*Z_r*k_r2; }
+        zeta2 x_s { _ => -sin_a*sin_s2*k_s2; }
+        zeta2 y_s { _ => cos_s2*sin_a*k_s2; }
+        zeta2 x_c { _ => cos_c2*kb_p; }
+        zeta2 y_c { _ => sin_c2*kb_p; }
+        zeta2 x_r { _ => sin_a*sin_r2*k_r2; }
+        zeta2 y_r { _ => -cos_r2*sin_a*k_r2; }
+        zeta2 zeta2 { _ => -kb_p - sin_a.powi(2)*k_r2 - sin_a.powi(2)*k_s2; }
+        zeta2 eta2 { _ => cos_a*sin_a*k_r2 - cos_a*sin_a*k_s2; }
+        zeta2 u2 { _ => sin_a*k_r2 + sin_a*k_s2; }
+        zeta2 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r2_mid; }
+        zeta2 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
+        zeta2 x_s_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid; }
+        zeta2 y_s_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid; }
+        zeta2 x_c_dot { damping => cos_c2*beta_K*kb_p; }
+        zeta2 y_c_dot { damping => sin_c2*beta_K*kb_p; }
+        zeta2 x_r_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid; }
+        zeta2 y_r_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid; }
+        zeta2 zeta2_dot { damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid - sin_a.powi(2)*beta_K*k_s2_mid; }
+        zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
+        zeta2 u2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
         eta2 theta {
             transmission_error_and_moving_phase => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
             moving_phase => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
-        eta2 theta_c {
-            _ => -cos_a*h*Z_r*k_r2;
-        }
-        eta2 theta_r {
-            _ => cos_a*h*Z_r*k_r2;
-        }
-        eta2 x_s {
-            _ => -cos_a*sin_s2*k_s2;
-        }
-        eta2 y_s {
-            _ => cos_a*cos_s2*k_s2;
-        }
-        eta2 x_c {
-            _ => -sin_c2*kb_p;
-        }
-        eta2 y_c {
-            _ => cos_c2*kb_p;
-        }
-        eta2 x_r {
-            _ => -cos_a*sin_r2*k_r2;
-        }
-        eta2 y_r {
-            _ => cos_a*cos_r2*k_r2;
-        }
-        eta2 zeta2 {
-            _ => cos_a*sin_a*k_r2 - cos_a*sin_a*k_s2;
-        }
-        eta2 eta2 {
-            _ => -kb_p - cos_a.powi(2)*k_r2 - cos_a.powi(2)*k_s2;
-        }
-        eta2 u2 {
-            _ => cos_a*k_s2 - cos_a*k_r2;
-        }
-        eta2 theta_dot {
-            damping => -a*alpha_M*m_p/Z_r;
-        }
-        eta2 theta_c_dot {
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid;
-        }
-        eta2 theta_r_dot {
-            damping => cos_a*h*Z_r*beta_K*k_r2_mid;
-        }
-        eta2 x_s_dot {
-            damping => -cos_a*sin_s2*beta_K*k_s2_mid;
-        }
-        eta2 y_s_dot {
-            damping => cos_a*cos_s2*beta_K*k_s2_mid;
-        }
-        eta2 x_c_dot {
-            damping => -sin_c2*beta_K*kb_p;
-        }
-        eta2 y_c_dot {
-            damping => cos_c2*beta_K*kb_p;
-        }
-        eta2 x_r_dot {
-            damping => -cos_a*sin_r2*beta_K*k_r2_mid;
-        }
-        eta2 y_r_dot {
-            damping => cos_a*cos_r2*beta_K*k_r2_mid;
-        }
-        eta2 zeta2_dot {
-            damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid;
-        }
-        eta2 eta2_dot {
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid;
-        }
-        eta2 u2_dot {
-            damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid;
-        }
+        eta2 theta_c { _ => -cos_a*h*Z_r*k_r2; }
+        eta2 theta_r { _ => cos_a*h*Z_r*k_r2; }
+        eta2 x_s { _ => -cos_a*sin_s2*k_s2; }
+        eta2 y_s { _ => cos_a*cos_s2*k_s2; }
+        eta2 x_c { _ => -sin_c2*kb_p; }
+        eta2 y_c { _ => cos_c2*kb_p; }
+        eta2 x_r { _ => -cos_a*sin_r2*k_r2; }
+        eta2 y_r { _ => cos_a*cos_r2*k_r2; }
+        eta2 zeta2 { _ => cos_a*sin_a*k_r2 - cos_a*sin_a*k_s2; }
+        eta2 eta2 { _ => -kb_p - cos_a.powi(2)*k_r2 - cos_a.powi(2)*k_s2; }
+        eta2 u2 { _ => cos_a*k_s2 - cos_a*k_r2; }
+        eta2 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
+        eta2 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid; }
+        eta2 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid; }
+        eta2 x_s_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid; }
+        eta2 y_s_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid; }
+        eta2 x_c_dot { damping => -sin_c2*beta_K*kb_p; }
+        eta2 y_c_dot { damping => cos_c2*beta_K*kb_p; }
+        eta2 x_r_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid; }
+        eta2 y_r_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid; }
+        eta2 zeta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
+        eta2 eta2_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid; }
+        eta2 u2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
         u2 theta {
             transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
-        u2 theta_c {
-            _ => -h*Z_r*k_r2;
-        }
-        u2 theta_r {
-            _ => h*Z_r*k_r2;
-        }
-        u2 x_s {
-            _ => sin_s2*k_s2;
-        }
-        u2 y_s {
-            _ => -cos_s2*k_s2;
-        }
-        u2 x_r {
-            _ => -sin_r2*k_r2;
-        }
-        u2 y_r {
-            _ => cos_r2*k_r2;
-        }
-        u2 zeta2 {
-            _ => sin_a*k_r2 + sin_a*k_s2;
-        }
-        u2 eta2 {
-            _ => cos_a*k_s2 - cos_a*k_r2;
-        }
-        u2 u2 {
-            _ => -k_r2 - k_s2;
-        }
-        u2 theta_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        u2 theta_c_dot {
-            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
-        }
-        u2 theta_r_dot {
-            damping => h*Z_r*beta_K*k_r2_mid;
-        }
-        u2 x_s_dot {
-            damping => sin_s2*beta_K*k_s2_mid;
-        }
-        u2 y_s_dot {
-            damping => -cos_s2*beta_K*k_s2_mid;
-        }
-        u2 x_r_dot {
-            damping => -sin_r2*beta_K*k_r2_mid;
-        }
-        u2 y_r_dot {
-            damping => cos_r2*beta_K*k_r2_mid;
-        }
-        u2 zeta2_dot {
-            damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid;
-        }
-        u2 eta2_dot {
-            damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid;
-        }
-        u2 u2_dot {
-            damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2);
-        }
+        u2 theta_c { _ => -h*Z_r*k_r2; }
+        u2 theta_r { _ => h*Z_r*k_r2; }
+        u2 x_s { _ => sin_s2*k_s2; }
+        u2 y_s { _ => -cos_s2*k_s2; }
+        u2 x_r { _ => -sin_r2*k_r2; }
+        u2 y_r { _ => cos_r2*k_r2; }
+        u2 zeta2 { _ => sin_a*k_r2 + sin_a*k_s2; }
+        u2 eta2 { _ => cos_a*k_s2 - cos_a*k_r2; }
+        u2 u2 { _ => -k_r2 - k_s2; }
+        u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u2 theta_c_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
+        u2 theta_r_dot { damping => h*Z_r*beta_K*k_r2_mid; }
+        u2 x_s_dot { damping => sin_s2*beta_K*k_s2_mid; }
+        u2 y_s_dot { damping => -cos_s2*beta_K*k_s2_mid; }
+        u2 x_r_dot { damping => -sin_r2*beta_K*k_r2_mid; }
+        u2 y_r_dot { damping => cos_r2*beta_K*k_r2_mid; }
+        u2 zeta2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
+        u2 eta2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
+        u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
         zeta3 theta {
             transmission_error_and_moving_phase => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
             moving_phase => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
-        zeta3 theta_c {
-            _ => h*sin_a*Z_r*k_r3;
-        }
-        zeta3 theta_r {
-            _ => -h*sin_a*Z_r*k_r3;
-        }
-        zeta3 x_s {
-            _ => -sin_a*sin_s3*k_s3;
-        }
-        zeta3 y_s {
-            _ => cos_s3*sin_a*k_s3;
-        }
-        zeta3 x_c {
-            _ => cos_c3*kb_p;
-        }
-        zeta3 y_c {
-            _ => sin_c3*kb_p;
-        }
-        zeta3 x_r {
-            _ => sin_a*sin_r3*k_r3;
-        }
-        zeta3 y_r {
-            _ => -cos_r3*sin_a*k_r3;
-        }
-        zeta3 zeta3 {
-            _ => -kb_p - sin_a.powi(2)*k_r3 - sin_a.powi(2)*k_s3;
-        }
-        zeta3 eta3 {
-            _ => cos_a*sin_a*k_r3 - cos_a*sin_a*k_s3;
-        }
-        zeta3 u3 {
-            _ => sin_a*k_r3 + sin_a*k_s3;
-        }
-        zeta3 theta_c_dot {
-            damping => h*sin_a*Z_r*beta_K*k_r3_mid;
-        }
-        zeta3 theta_r_dot {
-            damping => -h*sin_a*Z_r*beta_K*k_r3_mid;
-        }
-        zeta3 x_s_dot {
-            damping => -sin_a*sin_s3*beta_K*k_s3_mid;
-        }
-        zeta3 y_s_dot {
-            damping => cos_s3*sin_a*beta_K*k_s3_mid;
-        }
-        zeta3 x_c_dot {
-            damping => cos_c3*beta_K*kb_p;
-        }
-        zeta3 y_c_dot {
-            damping => sin_c3*beta_K*kb_p;
-        }
-        zeta3 x_r_dot {
-            damping => sin_a*sin_r3*beta_K*k_r3_mid;
-        }
-        zeta3 y_r_dot {
-            damping => -cos_r3*sin_a*beta_K*k_r3_mid;
-        }
-        zeta3 zeta3_dot {
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid - sin_a.powi(2)*beta_K*k_s3_mid;
-        }
-        zeta3 eta3_dot {
-            damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid;
-        }
-        zeta3 u3_dot {
-            damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid;
-        }
+        zeta3 theta_c { _ => h*sin_a*Z_r*k_r3; }
+        zeta3 theta_r { _ => -h*sin_a*Z_r*k_r3; }
+        zeta3 x_s { _ => -sin_a*sin_s3*k_s3; }
+        zeta3 y_s { _ => cos_s3*sin_a*k_s3; }
+        zeta3 x_c { _ => cos_c3*kb_p; }
+        zeta3 y_c { _ => sin_c3*kb_p; }
+        zeta3 x_r { _ => sin_a*sin_r3*k_r3; }
+        zeta3 y_r { _ => -cos_r3*sin_a*k_r3; }
+        zeta3 zeta3 { _ => -kb_p - sin_a.powi(2)*k_r3 - sin_a.powi(2)*k_s3; }
+        zeta3 eta3 { _ => cos_a*sin_a*k_r3 - cos_a*sin_a*k_s3; }
+        zeta3 u3 { _ => sin_a*k_r3 + sin_a*k_s3; }
+        zeta3 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r3_mid; }
+        zeta3 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
+        zeta3 x_s_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid; }
+        zeta3 y_s_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid; }
+        zeta3 x_c_dot { damping => cos_c3*beta_K*kb_p; }
+        zeta3 y_c_dot { damping => sin_c3*beta_K*kb_p; }
+        zeta3 x_r_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid; }
+        zeta3 y_r_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid; }
+        zeta3 zeta3_dot { damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid - sin_a.powi(2)*beta_K*k_s3_mid; }
+        zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
+        zeta3 u3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
         eta3 theta {
             transmission_error_and_moving_phase => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
             moving_phase => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
-        eta3 theta_c {
-            _ => -cos_a*h*Z_r*k_r3;
-        }
-        eta3 theta_r {
-            _ => cos_a*h*Z_r*k_r3;
-        }
-        eta3 x_s {
-            _ => -cos_a*sin_s3*k_s3;
-        }
-        eta3 y_s {
-            _ => cos_a*cos_s3*k_s3;
-        }
-        eta3 x_c {
-            _ => -sin_c3*kb_p;
-        }
-        eta3 y_c {
-            _ => cos_c3*kb_p;
-        }
-        eta3 x_r {
-            _ => -cos_a*sin_r3*k_r3;
-        }
-        eta3 y_r {
-            _ => cos_a*cos_r3*k_r3;
-        }
-        eta3 zeta3 {
-            _ => cos_a*sin_a*k_r3 - cos_a*sin_a*k_s3;
-        }
-        eta3 eta3 {
-            _ => -kb_p - cos_a.powi(2)*k_r3 - cos_a.powi(2)*k_s3;
-        }
-        eta3 u3 {
-            _ => cos_a*k_s3 - cos_a*k_r3;
-        }
-        eta3 theta_dot {
-            damping => -a*alpha_M*m_p/Z_r;
-        }
-        eta3 theta_c_dot {
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid;
-        }
-        eta3 theta_r_dot {
-            damping => cos_a*h*Z_r*beta_K*k_r3_mid;
-        }
-        eta3 x_s_dot {
-            damping => -cos_a*sin_s3*beta_K*k_s3_mid;
-        }
-        eta3 y_s_dot {
-            damping => cos_a*cos_s3*beta_K*k_s3_mid;
-        }
-        eta3 x_c_dot {
-            damping => -sin_c3*beta_K*kb_p;
-        }
-        eta3 y_c_dot {
-            damping => cos_c3*beta_K*kb_p;
-        }
-        eta3 x_r_dot {
-            damping => -cos_a*sin_r3*beta_K*k_r3_mid;
-        }
-        eta3 y_r_dot {
-            damping => cos_a*cos_r3*beta_K*k_r3_mid;
-        }
-        eta3 zeta3_dot {
-            damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid;
-        }
-        eta3 eta3_dot {
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid;
-        }
-        eta3 u3_dot {
-            damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid;
-        }
+        eta3 theta_c { _ => -cos_a*h*Z_r*k_r3; }
+        eta3 theta_r { _ => cos_a*h*Z_r*k_r3; }
+        eta3 x_s { _ => -cos_a*sin_s3*k_s3; }
+        eta3 y_s { _ => cos_a*cos_s3*k_s3; }
+        eta3 x_c { _ => -sin_c3*kb_p; }
+        eta3 y_c { _ => cos_c3*kb_p; }
+        eta3 x_r { _ => -cos_a*sin_r3*k_r3; }
+        eta3 y_r { _ => cos_a*cos_r3*k_r3; }
+        eta3 zeta3 { _ => cos_a*sin_a*k_r3 - cos_a*sin_a*k_s3; }
+        eta3 eta3 { _ => -kb_p - cos_a.powi(2)*k_r3 - cos_a.powi(2)*k_s3; }
+        eta3 u3 { _ => cos_a*k_s3 - cos_a*k_r3; }
+        eta3 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
+        eta3 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid; }
+        eta3 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid; }
+        eta3 x_s_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid; }
+        eta3 y_s_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid; }
+        eta3 x_c_dot { damping => -sin_c3*beta_K*kb_p; }
+        eta3 y_c_dot { damping => cos_c3*beta_K*kb_p; }
+        eta3 x_r_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid; }
+        eta3 y_r_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid; }
+        eta3 zeta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
+        eta3 eta3_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid; }
+        eta3 u3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
         u3 theta {
             transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
-        u3 theta_c {
-            _ => -h*Z_r*k_r3;
-        }
-        u3 theta_r {
-            _ => h*Z_r*k_r3;
-        }
-        u3 x_s {
-            _ => sin_s3*k_s3;
-        }
-        u3 y_s {
-            _ => -cos_s3*k_s3;
-        }
-        u3 x_r {
-            _ => -sin_r3*k_r3;
-        }
-        u3 y_r {
-            _ => cos_r3*k_r3;
-        }
-        u3 zeta3 {
-            _ => sin_a*k_r3 + sin_a*k_s3;
-        }
-        u3 eta3 {
-            _ => cos_a*k_s3 - cos_a*k_r3;
-        }
-        u3 u3 {
-            _ => -k_r3 - k_s3;
-        }
-        u3 theta_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        u3 theta_c_dot {
-            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
-        }
-        u3 theta_r_dot {
-            damping => h*Z_r*beta_K*k_r3_mid;
-        }
-        u3 x_s_dot {
-            damping => sin_s3*beta_K*k_s3_mid;
-        }
-        u3 y_s_dot {
-            damping => -cos_s3*beta_K*k_s3_mid;
-        }
-        u3 x_r_dot {
-            damping => -sin_r3*beta_K*k_r3_mid;
-        }
-        u3 y_r_dot {
-            damping => cos_r3*beta_K*k_r3_mid;
-        }
-        u3 zeta3_dot {
-            damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid;
-        }
-        u3 eta3_dot {
-            damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid;
-        }
-        u3 u3_dot {
-            damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2);
-        }
+        u3 theta_c { _ => -h*Z_r*k_r3; }
+        u3 theta_r { _ => h*Z_r*k_r3; }
+        u3 x_s { _ => sin_s3*k_s3; }
+        u3 y_s { _ => -cos_s3*k_s3; }
+        u3 x_r { _ => -sin_r3*k_r3; }
+        u3 y_r { _ => cos_r3*k_r3; }
+        u3 zeta3 { _ => sin_a*k_r3 + sin_a*k_s3; }
+        u3 eta3 { _ => cos_a*k_s3 - cos_a*k_r3; }
+        u3 u3 { _ => -k_r3 - k_s3; }
+        u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u3 theta_c_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
+        u3 theta_r_dot { damping => h*Z_r*beta_K*k_r3_mid; }
+        u3 x_s_dot { damping => sin_s3*beta_K*k_s3_mid; }
+        u3 y_s_dot { damping => -cos_s3*beta_K*k_s3_mid; }
+        u3 x_r_dot { damping => -sin_r3*beta_K*k_r3_mid; }
+        u3 y_r_dot { damping => cos_r3*beta_K*k_r3_mid; }
+        u3 zeta3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
+        u3 eta3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
+        u3 u3_dot { damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2); }
     }
     cell {
         stiffness {
-            theta_c theta_c {
-                _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
-            }
-            theta_c theta_r {
-                _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3;
-            }
-            theta_c x_r {
-                _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3;
-            }
-            theta_c y_r {
-                _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3;
-            }
-            theta_c zeta1 {
-                _ => -h*sin_a*Z_r*k_r1;
-            }
-            theta_c eta1 {
-                _ => cos_a*h*Z_r*k_r1;
-            }
-            theta_c u1 {
-                _ => h*Z_r*k_r1;
-            }
-            theta_c zeta2 {
-                _ => -h*sin_a*Z_r*k_r2;
-            }
-            theta_c eta2 {
-                _ => cos_a*h*Z_r*k_r2;
-            }
-            theta_c u2 {
-                _ => h*Z_r*k_r2;
-            }
-            theta_c zeta3 {
-                _ => -h*sin_a*Z_r*k_r3;
-            }
-            theta_c eta3 {
-                _ => cos_a*h*Z_r*k_r3;
-            }
-            theta_c u3 {
-                _ => h*Z_r*k_r3;
-            }
-            theta_r theta_r {
-                _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
-            }
-            theta_r x_r {
-                _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3;
-            }
-            theta_r y_r {
-                _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3;
-            }
-            theta_r zeta1 {
-                _ => h*sin_a*Z_r*k_r1;
-            }
-            theta_r eta1 {
-                _ => -cos_a*h*Z_r*k_r1;
-            }
-            theta_r u1 {
-                _ => -h*Z_r*k_r1;
-            }
-            theta_r zeta2 {
-                _ => h*sin_a*Z_r*k_r2;
-            }
-            theta_r eta2 {
-                _ => -cos_a*h*Z_r*k_r2;
-            }
-            theta_r u2 {
-                _ => -h*Z_r*k_r2;
-            }
-            theta_r zeta3 {
-                _ => h*sin_a*Z_r*k_r3;
-            }
-            theta_r eta3 {
-                _ => -cos_a*h*Z_r*k_r3;
-            }
-            theta_r u3 {
-                _ => -h*Z_r*k_r3;
-            }
-            x_s x_s {
-                _ => kb_s + sin_s1.powi(2)*k_s1 + sin_s2.powi(2)*k_s2 + sin_s3.powi(2)*k_s3;
-            }
-            x_s y_s {
-                _ => -cos_s1*sin_s1*k_s1 - cos_s2*sin_s2*k_s2 - cos_s3*sin_s3*k_s3;
-            }
-            x_s zeta1 {
-                _ => sin_a*sin_s1*k_s1;
-            }
-            x_s eta1 {
-                _ => cos_a*sin_s1*k_s1;
-            }
-            x_s u1 {
-                _ => -sin_s1*k_s1;
-            }
-            x_s zeta2 {
-                _ => sin_a*sin_s2*k_s2;
-            }
-            x_s eta2 {
-                _ => cos_a*sin_s2*k_s2;
-            }
-            x_s u2 {
-                _ => -sin_s2*k_s2;
-            }
-            x_s zeta3 {
-                _ => sin_a*sin_s3*k_s3;
-            }
-            x_s eta3 {
-                _ => cos_a*sin_s3*k_s3;
-            }
-            x_s u3 {
-                _ => -sin_s3*k_s3;
-            }
-            y_s y_s {
-                _ => kb_s + cos_s1.powi(2)*k_s1 + cos_s2.powi(2)*k_s2 + cos_s3.powi(2)*k_s3;
-            }
-            y_s zeta1 {
-                _ => -cos_s1*sin_a*k_s1;
-            }
-            y_s eta1 {
-                _ => -cos_a*cos_s1*k_s1;
-            }
-            y_s u1 {
-                _ => cos_s1*k_s1;
-            }
-            y_s zeta2 {
-                _ => -cos_s2*sin_a*k_s2;
-            }
-            y_s eta2 {
-                _ => -cos_a*cos_s2*k_s2;
-            }
-            y_s u2 {
-                _ => cos_s2*k_s2;
-            }
-            y_s zeta3 {
-                _ => -cos_s3*sin_a*k_s3;
-            }
-            y_s eta3 {
-                _ => -cos_a*cos_s3*k_s3;
-            }
-            y_s u3 {
-                _ => cos_s3*k_s3;
-            }
+            theta_c theta_c { _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
+            theta_c theta_r { _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
+            theta_c x_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3; }
+            theta_c y_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3; }
+            theta_c zeta1 { _ => -h*sin_a*Z_r*k_r1; }
+            theta_c eta1 { _ => cos_a*h*Z_r*k_r1; }
+            theta_c u1 { _ => h*Z_r*k_r1; }
+            theta_c zeta2 { _ => -h*sin_a*Z_r*k_r2; }
+            theta_c eta2 { _ => cos_a*h*Z_r*k_r2; }
+            theta_c u2 { _ => h*Z_r*k_r2; }
+            theta_c zeta3 { _ => -h*sin_a*Z_r*k_r3; }
+            theta_c eta3 { _ => cos_a*h*Z_r*k_r3; }
+            theta_c u3 { _ => h*Z_r*k_r3; }
+            theta_r theta_r { _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
+            theta_r x_r { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3; }
+            theta_r y_r { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3; }
+            theta_r zeta1 { _ => h*sin_a*Z_r*k_r1; }
+            theta_r eta1 { _ => -cos_a*h*Z_r*k_r1; }
+            theta_r u1 { _ => -h*Z_r*k_r1; }
+            theta_r zeta2 { _ => h*sin_a*Z_r*k_r2; }
+            theta_r eta2 { _ => -cos_a*h*Z_r*k_r2; }
+            theta_r u2 { _ => -h*Z_r*k_r2; }
+            theta_r zeta3 { _ => h*sin_a*Z_r*k_r3; }
+            theta_r eta3 { _ => -cos_a*h*Z_r*k_r3; }
+            theta_r u3 { _ => -h*Z_r*k_r3; }
+            x_s x_s { _ => kb_s + sin_s1.powi(2)*k_s1 + sin_s2.powi(2)*k_s2 + sin_s3.powi(2)*k_s3; }
+            x_s y_s { _ => -cos_s1*sin_s1*k_s1 - cos_s2*sin_s2*k_s2 - cos_s3*sin_s3*k_s3; }
+            x_s zeta1 { _ => sin_a*sin_s1*k_s1; }
+            x_s eta1 { _ => cos_a*sin_s1*k_s1; }
+            x_s u1 { _ => -sin_s1*k_s1; }
+            x_s zeta2 { _ => sin_a*sin_s2*k_s2; }
+            x_s eta2 { _ => cos_a*sin_s2*k_s2; }
+            x_s u2 { _ => -sin_s2*k_s2; }
+            x_s zeta3 { _ => sin_a*sin_s3*k_s3; }
+            x_s eta3 { _ => cos_a*sin_s3*k_s3; }
+            x_s u3 { _ => -sin_s3*k_s3; }
+            y_s y_s { _ => kb_s + cos_s1.powi(2)*k_s1 + cos_s2.powi(2)*k_s2 + cos_s3.powi(2)*k_s3; }
+            y_s zeta1 { _ => -cos_s1*sin_a*k_s1; }
+            y_s eta1 { _ => -cos_a*cos_s1*k_s1; }
+            y_s u1 { _ => cos_s1*k_s1; }
+            y_s zeta2 { _ => -cos_s2*sin_a*k_s2; }
+            y_s eta2 { _ => -cos_a*cos_s2*k_s2; }
+            y_s u2 { _ => cos_s2*k_s2; }
+            y_s zeta3 { _ => -cos_s3*sin_a*k_s3; }
+            y_s eta3 { _ => -cos_a*cos_s3*k_s3; }
+            y_s u3 { _ => cos_s3*k_s3; }
             x_c x_c {
-                _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p + sin_c3.powi(2)*kb_p;
+                _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p
+                    + sin_c3.powi(2)*kb_p;
             }
-            x_c zeta1 {
-                _ => -cos_c1*kb_p;
-            }
-            x_c eta1 {
-                _ => sin_c1*kb_p;
-            }
-            x_c zeta2 {
-                _ => -cos_c2*kb_p;
-            }
-            x_c eta2 {
-                _ => sin_c2*kb_p;
-            }
-            x_c zeta3 {
-                _ => -cos_c3*kb_p;
-            }
-            x_c eta3 {
-                _ => sin_c3*kb_p;
-            }
+            x_c zeta1 { _ => -cos_c1*kb_p; }
+            x_c eta1 { _ => sin_c1*kb_p; }
+            x_c zeta2 { _ => -cos_c2*kb_p; }
+            x_c eta2 { _ => sin_c2*kb_p; }
+            x_c zeta3 { _ => -cos_c3*kb_p; }
+            x_c eta3 { _ => sin_c3*kb_p; }
             y_c y_c {
-                _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p + sin_c3.powi(2)*kb_p;
+                _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p
+                    + sin_c3.powi(2)*kb_p;
             }
-            y_c zeta1 {
-                _ => -sin_c1*kb_p;
-            }
-            y_c eta1 {
-                _ => -cos_c1*kb_p;
-            }
-            y_c zeta2 {
-                _ => -sin_c2*kb_p;
-            }
-            y_c eta2 {
-                _ => -cos_c2*kb_p;
-            }
-            y_c zeta3 {
-                _ => -sin_c3*kb_p;
-            }
-            y_c eta3 {
-                _ => -cos_c3*kb_p;
-            }
-            x_r x_r {
-                _ => kb_r + sin_r1.powi(2)*k_r1 + sin_r2.powi(2)*k_r2 + sin_r3.powi(2)*k_r3;
-            }
-            x_r y_r {
-                _ => -cos_r1*sin_r1*k_r1 - cos_r2*sin_r2*k_r2 - cos_r3*sin_r3*k_r3;
-            }
-            x_r zeta1 {
-                _ => -sin_a*sin_r1*k_r1;
-            }
-            x_r eta1 {
-                _ => cos_a*sin_r1*k_r1;
-            }
-            x_r u1 {
-                _ => sin_r1*k_r1;
-            }
-            x_r zeta2 {
-                _ => -sin_a*sin_r2*k_r2;
-            }
-            x_r eta2 {
-                _ => cos_a*sin_r2*k_r2;
-            }
-            x_r u2 {
-                _ => sin_r2*k_r2;
-            }
-            x_r zeta3 {
-                _ => -sin_a*sin_r3*k_r3;
-            }
-            x_r eta3 {
-                _ => cos_a*sin_r3*k_r3;
-            }
-            x_r u3 {
-                _ => sin_r3*k_r3;
-            }
-            y_r y_r {
-                _ => kb_r + cos_r1.powi(2)*k_r1 + cos_r2.powi(2)*k_r2 + cos_r3.powi(2)*k_r3;
-            }
-            y_r zeta1 {
-                _ => cos_r1*sin_a*k_r1;
-            }
-            y_r eta1 {
-                _ => -cos_a*cos_r1*k_r1;
-            }
-            y_r u1 {
-                _ => -cos_r1*k_r1;
-            }
-            y_r zeta2 {
-                _ => cos_r2*sin_a*k_r2;
-            }
-            y_r eta2 {
-                _ => -cos_a*cos_r2*k_r2;
-            }
-            y_r u2 {
-                _ => -cos_r2*k_r2;
-            }
-            y_r zeta3 {
-                _ => cos_r3*sin_a*k_r3;
-            }
-            y_r eta3 {
-                _ => -cos_a*cos_r3*k_r3;
-            }
-            y_r u3 {
-                _ => -cos_r3*k_r3;
-            }
-            zeta1 zeta1 {
-                _ => kb_p + sin_a.powi(2)*k_r1 + sin_a.powi(2)*k_s1;
-            }
-            zeta1 eta1 {
-                _ => cos_a*sin_a*k_s1 - cos_a*sin_a*k_r1;
-            }
-            zeta1 u1 {
-                _ => -sin_a*k_r1 - sin_a*k_s1;
-            }
-            eta1 eta1 {
-                _ => kb_p + cos_a.powi(2)*k_r1 + cos_a.powi(2)*k_s1;
-            }
-            eta1 u1 {
-                _ => cos_a*k_r1 - cos_a*k_s1;
-            }
-            u1 u1 {
-                _ => k_r1 + k_s1;
-            }
-            zeta2 zeta2 {
-                _ => kb_p + sin_a.powi(2)*k_r2 + sin_a.powi(2)*k_s2;
-            }
-            zeta2 eta2 {
-                _ => cos_a*sin_a*k_s2 - cos_a*sin_a*k_r2;
-            }
-            zeta2 u2 {
-                _ => -sin_a*k_r2 - sin_a*k_s2;
-            }
-            eta2 eta2 {
-                _ => kb_p + cos_a.powi(2)*k_r2 + cos_a.powi(2)*k_s2;
-            }
-            eta2 u2 {
-                _ => cos_a*k_r2 - cos_a*k_s2;
-            }
-            u2 u2 {
-                _ => k_r2 + k_s2;
-            }
-            zeta3 zeta3 {
-                _ => kb_p + sin_a.powi(2)*k_r3 + sin_a.powi(2)*k_s3;
-            }
-            zeta3 eta3 {
-                _ => cos_a*sin_a*k_s3 - cos_a*sin_a*k_r3;
-            }
-            zeta3 u3 {
-                _ => -sin_a*k_r3 - sin_a*k_s3;
-            }
-            eta3 eta3 {
-                _ => kb_p + cos_a.powi(2)*k_r3 + cos_a.powi(2)*k_s3;
-            }
-            eta3 u3 {
-                _ => cos_a*k_r3 - cos_a*k_s3;
-            }
-            u3 u3 {
-                _ => k_r3 + k_s3;
-            }
+            y_c zeta1 { _ => -sin_c1*kb_p; }
+            y_c eta1 { _ => -cos_c1*kb_p; }
+            y_c zeta2 { _ => -sin_c2*kb_p; }
+            y_c eta2 { _ => -cos_c2*kb_p; }
+            y_c zeta3 { _ => -sin_c3*kb_p; }
+            y_c eta3 { _ => -cos_c3*kb_p; }
+            x_r x_r { _ => kb_r + sin_r1.powi(2)*k_r1 + sin_r2.powi(2)*k_r2 + sin_r3.powi(2)*k_r3; }
+            x_r y_r { _ => -cos_r1*sin_r1*k_r1 - cos_r2*sin_r2*k_r2 - cos_r3*sin_r3*k_r3; }
+            x_r zeta1 { _ => -sin_a*sin_r1*k_r1; }
+            x_r eta1 { _ => cos_a*sin_r1*k_r1; }
+            x_r u1 { _ => sin_r1*k_r1; }
+            x_r zeta2 { _ => -sin_a*sin_r2*k_r2; }
+            x_r eta2 { _ => cos_a*sin_r2*k_r2; }
+            x_r u2 { _ => sin_r2*k_r2; }
+            x_r zeta3 { _ => -sin_a*sin_r3*k_r3; }
+            x_r eta3 { _ => cos_a*sin_r3*k_r3; }
+            x_r u3 { _ => sin_r3*k_r3; }
+            y_r y_r { _ => kb_r + cos_r1.powi(2)*k_r1 + cos_r2.powi(2)*k_r2 + cos_r3.powi(2)*k_r3; }
+            y_r zeta1 { _ => cos_r1*sin_a*k_r1; }
+            y_r eta1 { _ => -cos_a*cos_r1*k_r1; }
+            y_r u1 { _ => -cos_r1*k_r1; }
+            y_r zeta2 { _ => cos_r2*sin_a*k_r2; }
+            y_r eta2 { _ => -cos_a*cos_r2*k_r2; }
+            y_r u2 { _ => -cos_r2*k_r2; }
+            y_r zeta3 { _ => cos_r3*sin_a*k_r3; }
+            y_r eta3 { _ => -cos_a*cos_r3*k_r3; }
+            y_r u3 { _ => -cos_r3*k_r3; }
+            zeta1 zeta1 { _ => kb_p + sin_a.powi(2)*k_r1 + sin_a.powi(2)*k_s1; }
+            zeta1 eta1 { _ => cos_a*sin_a*k_s1 - cos_a*sin_a*k_r1; }
+            zeta1 u1 { _ => -sin_a*k_r1 - sin_a*k_s1; }
+            eta1 eta1 { _ => kb_p + cos_a.powi(2)*k_r1 + cos_a.powi(2)*k_s1; }
+            eta1 u1 { _ => cos_a*k_r1 - cos_a*k_s1; }
+            u1 u1 { _ => k_r1 + k_s1; }
+            zeta2 zeta2 { _ => kb_p + sin_a.powi(2)*k_r2 + sin_a.powi(2)*k_s2; }
+            zeta2 eta2 { _ => cos_a*sin_a*k_s2 - cos_a*sin_a*k_r2; }
+            zeta2 u2 { _ => -sin_a*k_r2 - sin_a*k_s2; }
+            eta2 eta2 { _ => kb_p + cos_a.powi(2)*k_r2 + cos_a.powi(2)*k_s2; }
+            eta2 u2 { _ => cos_a*k_r2 - cos_a*k_s2; }
+            u2 u2 { _ => k_r2 + k_s2; }
+            zeta3 zeta3 { _ => kb_p + sin_a.powi(2)*k_r3 + sin_a.powi(2)*k_s3; }
+            zeta3 eta3 { _ => cos_a*sin_a*k_s3 - cos_a*sin_a*k_r3; }
+            zeta3 u3 { _ => -sin_a*k_r3 - sin_a*k_s3; }
+            eta3 eta3 { _ => kb_p + cos_a.powi(2)*k_r3 + cos_a.powi(2)*k_s3; }
+            eta3 u3 { _ => cos_a*k_r3 - cos_a*k_s3; }
+            u3 u3 { _ => k_r3 + k_s3; }
         }
         damping {
             theta theta {
-                damping => I_c*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2) + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
+                damping => I_c*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2)
+                    + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
+                    + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
             }
             theta theta_c {
-                damping => I_c*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
+                damping => I_c*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s
+                    + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
-            theta eta1 {
-                damping => a*alpha_M*m_p/Z_r;
-            }
-            theta u1 {
-                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
-            }
-            theta eta2 {
-                damping => a*alpha_M*m_p/Z_r;
-            }
-            theta u2 {
-                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
-            }
-            theta eta3 {
-                damping => a*alpha_M*m_p/Z_r;
-            }
-            theta u3 {
-                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
-            }
+            theta eta1 { damping => a*alpha_M*m_p/Z_r; }
+            theta u1 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
+            theta eta2 { damping => a*alpha_M*m_p/Z_r; }
+            theta u2 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
+            theta eta3 { damping => a*alpha_M*m_p/Z_r; }
+            theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta_c theta_c {
-                damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+                damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
             }
             theta_c theta_r {
-                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
+                    - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
             }
-            theta_c x_r {
-                damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid;
-            }
-            theta_c y_r {
-                damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid;
-            }
-            theta_c zeta1 {
-                damping => -h*sin_a*Z_r*beta_K*k_r1_mid;
-            }
-            theta_c eta1 {
-                damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r1_mid;
-            }
-            theta_c u1 {
-                damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p;
-            }
-            theta_c zeta2 {
-                damping => -h*sin_a*Z_r*beta_K*k_r2_mid;
-            }
-            theta_c eta2 {
-                damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r2_mid;
-            }
-            theta_c u2 {
-                damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p;
-            }
-            theta_c zeta3 {
-                damping => -h*sin_a*Z_r*beta_K*k_r3_mid;
-            }
-            theta_c eta3 {
-                damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r3_mid;
-            }
-            theta_c u3 {
-                damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p;
-            }
+            theta_c x_r { damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid; }
+            theta_c y_r { damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid; }
+            theta_c zeta1 { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
+            theta_c eta1 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r1_mid; }
+            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p; }
+            theta_c zeta2 { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
+            theta_c eta2 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r2_mid; }
+            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p; }
+            theta_c zeta3 { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
+            theta_c eta3 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r3_mid; }
+            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p; }
             theta_r theta_r {
-                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
             }
-            theta_r x_r {
-                damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid;
-            }
-            theta_r y_r {
-                damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid;
-            }
-            theta_r zeta1 {
-                damping => h*sin_a*Z_r*beta_K*k_r1_mid;
-            }
-            theta_r eta1 {
-                damping => -cos_a*h*Z_r*beta_K*k_r1_mid;
-            }
-            theta_r u1 {
-                damping => -h*Z_r*beta_K*k_r1_mid;
-            }
-            theta_r zeta2 {
-                damping => h*sin_a*Z_r*beta_K*k_r2_mid;
-            }
-            theta_r eta2 {
-                damping => -cos_a*h*Z_r*beta_K*k_r2_mid;
-            }
-            theta_r u2 {
-                damping => -h*Z_r*beta_K*k_r2_mid;
-            }
-            theta_r zeta3 {
-                damping => h*sin_a*Z_r*beta_K*k_r3_mid;
-            }
-            theta_r eta3 {
-                damping => -cos_a*h*Z_r*beta_K*k_r3_mid;
-            }
-            theta_r u3 {
-                damping => -h*Z_r*beta_K*k_r3_mid;
-            }
+            theta_r x_r { damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid; }
+            theta_r y_r { damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid; }
+            theta_r zeta1 { damping => h*sin_a*Z_r*beta_K*k_r1_mid; }
+            theta_r eta1 { damping => -cos_a*h*Z_r*beta_K*k_r1_mid; }
+            theta_r u1 { damping => -h*Z_r*beta_K*k_r1_mid; }
+            theta_r zeta2 { damping => h*sin_a*Z_r*beta_K*k_r2_mid; }
+            theta_r eta2 { damping => -cos_a*h*Z_r*beta_K*k_r2_mid; }
+            theta_r u2 { damping => -h*Z_r*beta_K*k_r2_mid; }
+            theta_r zeta3 { damping => h*sin_a*Z_r*beta_K*k_r3_mid; }
+            theta_r eta3 { damping => -cos_a*h*Z_r*beta_K*k_r3_mid; }
+            theta_r u3 { damping => -h*Z_r*beta_K*k_r3_mid; }
             x_s x_s {
-                damping => alpha_M*m_s + beta_K*kb_s + sin_s1.powi(2)*beta_K*k_s1_mid + sin_s2.powi(2)*beta_K*k_s2_mid + sin_s3.powi(2)*beta_K*k_s3_mid;
+                damping => alpha_M*m_s + beta_K*kb_s + sin_s1.powi(2)*beta_K*k_s1_mid + sin_s2.powi(2)*beta_K*k_s2_mid
+                    + sin_s3.powi(2)*beta_K*k_s3_mid;
             }
-            x_s y_s {
-                damping => -cos_s1*sin_s1*beta_K*k_s1_mid - cos_s2*sin_s2*beta_K*k_s2_mid - cos_s3*sin_s3*beta_K*k_s3_mid;
-            }
-            x_s zeta1 {
-                damping => sin_a*sin_s1*beta_K*k_s1_mid;
-            }
-            x_s eta1 {
-                damping => cos_a*sin_s1*beta_K*k_s1_mid;
-            }
-            x_s u1 {
-                damping => -sin_s1*beta_K*k_s1_mid;
-            }
-            x_s zeta2 {
-                damping => sin_a*sin_s2*beta_K*k_s2_mid;
-            }
-            x_s eta2 {
-                damping => cos_a*sin_s2*beta_K*k_s2_mid;
-            }
-            x_s u2 {
-                damping => -sin_s2*beta_K*k_s2_mid;
-            }
-            x_s zeta3 {
-                damping => sin_a*sin_s3*beta_K*k_s3_mid;
-            }
-            x_s eta3 {
-                damping => cos_a*sin_s3*beta_K*k_s3_mid;
-            }
-            x_s u3 {
-                damping => -sin_s3*beta_K*k_s3_mid;
-            }
+            x_s y_s { damping => -cos_s1*sin_s1*beta_K*k_s1_mid - cos_s2*sin_s2*beta_K*k_s2_mid - cos_s3*sin_s3*beta_K*k_s3_mid; }
+            x_s zeta1 { damping => sin_a*sin_s1*beta_K*k_s1_mid; }
+            x_s eta1 { damping => cos_a*sin_s1*beta_K*k_s1_mid; }
+            x_s u1 { damping => -sin_s1*beta_K*k_s1_mid; }
+            x_s zeta2 { damping => sin_a*sin_s2*beta_K*k_s2_mid; }
+            x_s eta2 { damping => cos_a*sin_s2*beta_K*k_s2_mid; }
+            x_s u2 { damping => -sin_s2*beta_K*k_s2_mid; }
+            x_s zeta3 { damping => sin_a*sin_s3*beta_K*k_s3_mid; }
+            x_s eta3 { damping => cos_a*sin_s3*beta_K*k_s3_mid; }
+            x_s u3 { damping => -sin_s3*beta_K*k_s3_mid; }
             y_s y_s {
-                damping => alpha_M*m_s + beta_K*kb_s + cos_s1.powi(2)*beta_K*k_s1_mid + cos_s2.powi(2)*beta_K*k_s2_mid + cos_s3.powi(2)*beta_K*k_s3_mid;
+                damping => alpha_M*m_s + beta_K*kb_s + cos_s1.powi(2)*beta_K*k_s1_mid + cos_s2.powi(2)*beta_K*k_s2_mid
+                    + cos_s3.powi(2)*beta_K*k_s3_mid;
             }
-            y_s zeta1 {
-                damping => -cos_s1*sin_a*beta_K*k_s1_mid;
-            }
-            y_s eta1 {
-                damping => -cos_a*cos_s1*beta_K*k_s1_mid;
-            }
-            y_s u1 {
-                damping => cos_s1*beta_K*k_s1_mid;
-            }
-            y_s zeta2 {
-                damping => -cos_s2*sin_a*beta_K*k_s2_mid;
-            }
-            y_s eta2 {
-                damping => -cos_a*cos_s2*beta_K*k_s2_mid;
-            }
-            y_s u2 {
-                damping => cos_s2*beta_K*k_s2_mid;
-            }
-            y_s zeta3 {
-                damping => -cos_s3*sin_a*beta_K*k_s3_mid;
-            }
-            y_s eta3 {
-                damping => -cos_a*cos_s3*beta_K*k_s3_mid;
-            }
-            y_s u3 {
-                damping => cos_s3*beta_K*k_s3_mid;
-            }
+            y_s zeta1 { damping => -cos_s1*sin_a*beta_K*k_s1_mid; }
+            y_s eta1 { damping => -cos_a*cos_s1*beta_K*k_s1_mid; }
+            y_s u1 { damping => cos_s1*beta_K*k_s1_mid; }
+            y_s zeta2 { damping => -cos_s2*sin_a*beta_K*k_s2_mid; }
+            y_s eta2 { damping => -cos_a*cos_s2*beta_K*k_s2_mid; }
+            y_s u2 { damping => cos_s2*beta_K*k_s2_mid; }
+            y_s zeta3 { damping => -cos_s3*sin_a*beta_K*k_s3_mid; }
+            y_s eta3 { damping => -cos_a*cos_s3*beta_K*k_s3_mid; }
+            y_s u3 { damping => cos_s3*beta_K*k_s3_mid; }
             x_c x_c {
-                damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
+                damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p
+                    + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
             }
-            x_c zeta1 {
-                damping => -cos_c1*beta_K*kb_p;
-            }
-            x_c eta1 {
-                damping => sin_c1*beta_K*kb_p;
-            }
-            x_c zeta2 {
-                damping => -cos_c2*beta_K*kb_p;
-            }
-            x_c eta2 {
-                damping => sin_c2*beta_K*kb_p;
-            }
-            x_c zeta3 {
-                damping => -cos_c3*beta_K*kb_p;
-            }
-            x_c eta3 {
-                damping => sin_c3*beta_K*kb_p;
-            }
+            x_c zeta1 { damping => -cos_c1*beta_K*kb_p; }
+            x_c eta1 { damping => sin_c1*beta_K*kb_p; }
+            x_c zeta2 { damping => -cos_c2*beta_K*kb_p; }
+            x_c eta2 { damping => sin_c2*beta_K*kb_p; }
+            x_c zeta3 { damping => -cos_c3*beta_K*kb_p; }
+            x_c eta3 { damping => sin_c3*beta_K*kb_p; }
             y_c y_c {
-                damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
+                damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p
+                    + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
             }
-            y_c zeta1 {
-                damping => -sin_c1*beta_K*kb_p;
-            }
-            y_c eta1 {
-                damping => -cos_c1*beta_K*kb_p;
-            }
-            y_c zeta2 {
-                damping => -sin_c2*beta_K*kb_p;
-            }
-            y_c eta2 {
-                damping => -cos_c2*beta_K*kb_p;
-            }
-            y_c zeta3 {
-                damping => -sin_c3*beta_K*kb_p;
-            }
-            y_c eta3 {
-                damping => -cos_c3*beta_K*kb_p;
-            }
+            y_c zeta1 { damping => -sin_c1*beta_K*kb_p; }
+            y_c eta1 { damping => -cos_c1*beta_K*kb_p; }
+            y_c zeta2 { damping => -sin_c2*beta_K*kb_p; }
+            y_c eta2 { damping => -cos_c2*beta_K*kb_p; }
+            y_c zeta3 { damping => -sin_c3*beta_K*kb_p; }
+            y_c eta3 { damping => -cos_c3*beta_K*kb_p; }
             x_r x_r {
-                damping => alpha_M*m_r + beta_K*kb_r + sin_r1.powi(2)*beta_K*k_r1_mid + sin_r2.powi(2)*beta_K*k_r2_mid + sin_r3.powi(2)*beta_K*k_r3_mid;
+                damping => alpha_M*m_r + beta_K*kb_r + sin_r1.powi(2)*beta_K*k_r1_mid + sin_r2.powi(2)*beta_K*k_r2_mid
+                    + sin_r3.powi(2)*beta_K*k_r3_mid;
             }
-            x_r y_r {
-                damping => -cos_r1*sin_r1*beta_K*k_r1_mid - cos_r2*sin_r2*beta_K*k_r2_mid - cos_r3*sin_r3*beta_K*k_r3_mid;
-            }
-            x_r zeta1 {
-                damping => -sin_a*sin_r1*beta_K*k_r1_mid;
-            }
-            x_r eta1 {
-                damping => cos_a*sin_r1*beta_K*k_r1_mid;
-            }
-            x_r u1 {
-                damping => sin_r1*beta_K*k_r1_mid;
-            }
-            x_r zeta2 {
-                damping => -sin_a*sin_r2*beta_K*k_r2_mid;
-            }
-            x_r eta2 {
-                damping => cos_a*sin_r2*beta_K*k_r2_mid;
-            }
-            x_r u2 {
-                damping => sin_r2*beta_K*k_r2_mid;
-            }
-            x_r zeta3 {
-                damping => -sin_a*sin_r3*beta_K*k_r3_mid;
-            }
-            x_r eta3 {
-                damping => cos_a*sin_r3*beta_K*k_r3_mid;
-            }
-            x_r u3 {
-                damping => sin_r3*beta_K*k_r3_mid;
-            }
+            x_r y_r { damping => -cos_r1*sin_r1*beta_K*k_r1_mid - cos_r2*sin_r2*beta_K*k_r2_mid - cos_r3*sin_r3*beta_K*k_r3_mid; }
+            x_r zeta1 { damping => -sin_a*sin_r1*beta_K*k_r1_mid; }
+            x_r eta1 { damping => cos_a*sin_r1*beta_K*k_r1_mid; }
+            x_r u1 { damping => sin_r1*beta_K*k_r1_mid; }
+            x_r zeta2 { damping => -sin_a*sin_r2*beta_K*k_r2_mid; }
+            x_r eta2 { damping => cos_a*sin_r2*beta_K*k_r2_mid; }
+            x_r u2 { damping => sin_r2*beta_K*k_r2_mid; }
+            x_r zeta3 { damping => -sin_a*sin_r3*beta_K*k_r3_mid; }
+            x_r eta3 { damping => cos_a*sin_r3*beta_K*k_r3_mid; }
+            x_r u3 { damping => sin_r3*beta_K*k_r3_mid; }
             y_r y_r {
-                damping => alpha_M*m_r + beta_K*kb_r + cos_r1.powi(2)*beta_K*k_r1_mid + cos_r2.powi(2)*beta_K*k_r2_mid + cos_r3.powi(2)*beta_K*k_r3_mid;
+                damping => alpha_M*m_r + beta_K*kb_r + cos_r1.powi(2)*beta_K*k_r1_mid + cos_r2.powi(2)*beta_K*k_r2_mid
+                    + cos_r3.powi(2)*beta_K*k_r3_mid;
             }
-            y_r zeta1 {
-                damping => cos_r1*sin_a*beta_K*k_r1_mid;
-            }
-            y_r eta1 {
-                damping => -cos_a*cos_r1*beta_K*k_r1_mid;
-            }
-            y_r u1 {
-                damping => -cos_r1*beta_K*k_r1_mid;
-            }
-            y_r zeta2 {
-                damping => cos_r2*sin_a*beta_K*k_r2_mid;
-            }
-            y_r eta2 {
-                damping => -cos_a*cos_r2*beta_K*k_r2_mid;
-            }
-            y_r u2 {
-                damping => -cos_r2*beta_K*k_r2_mid;
-            }
-            y_r zeta3 {
-                damping => cos_r3*sin_a*beta_K*k_r3_mid;
-            }
-            y_r eta3 {
-                damping => -cos_a*cos_r3*beta_K*k_r3_mid;
-            }
-            y_r u3 {
-                damping => -cos_r3*beta_K*k_r3_mid;
-            }
-            zeta1 zeta1 {
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid + sin_a.powi(2)*beta_K*k_s1_mid;
-            }
-            zeta1 eta1 {
-                damping => cos_a*sin_a*beta_K*k_s1_mid - cos_a*sin_a*beta_K*k_r1_mid;
-            }
-            zeta1 u1 {
-                damping => -sin_a*beta_K*k_r1_mid - sin_a*beta_K*k_s1_mid;
-            }
-            eta1 eta1 {
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid + cos_a.powi(2)*beta_K*k_s1_mid;
-            }
-            eta1 u1 {
-                damping => cos_a*beta_K*k_r1_mid - cos_a*beta_K*k_s1_mid;
-            }
-            u1 u1 {
-                damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2);
-            }
-            zeta2 zeta2 {
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid + sin_a.powi(2)*beta_K*k_s2_mid;
-            }
-            zeta2 eta2 {
-                damping => cos_a*sin_a*beta_K*k_s2_mid - cos_a*sin_a*beta_K*k_r2_mid;
-            }
-            zeta2 u2 {
-                damping => -sin_a*beta_K*k_r2_mid - sin_a*beta_K*k_s2_mid;
-            }
-            eta2 eta2 {
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid + cos_a.powi(2)*beta_K*k_s2_mid;
-            }
-            eta2 u2 {
-                damping => cos_a*beta_K*k_r2_mid - cos_a*beta_K*k_s2_mid;
-            }
-            u2 u2 {
-                damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2);
-            }
-            zeta3 zeta3 {
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid + sin_a.powi(2)*beta_K*k_s3_mid;
-            }
-            zeta3 eta3 {
-                damping => cos_a*sin_a*beta_K*k_s3_mid - cos_a*sin_a*beta_K*k_r3_mid;
-            }
-            zeta3 u3 {
-                damping => -sin_a*beta_K*k_r3_mid - sin_a*beta_K*k_s3_mid;
-            }
-            eta3 eta3 {
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid + cos_a.powi(2)*beta_K*k_s3_mid;
-            }
-            eta3 u3 {
-                damping => cos_a*beta_K*k_r3_mid - cos_a*beta_K*k_s3_mid;
-            }
-            u3 u3 {
-                damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2);
-            }
+            y_r zeta1 { damping => cos_r1*sin_a*beta_K*k_r1_mid; }
+            y_r eta1 { damping => -cos_a*cos_r1*beta_K*k_r1_mid; }
+            y_r u1 { damping => -cos_r1*beta_K*k_r1_mid; }
+            y_r zeta2 { damping => cos_r2*sin_a*beta_K*k_r2_mid; }
+            y_r eta2 { damping => -cos_a*cos_r2*beta_K*k_r2_mid; }
+            y_r u2 { damping => -cos_r2*beta_K*k_r2_mid; }
+            y_r zeta3 { damping => cos_r3*sin_a*beta_K*k_r3_mid; }
+            y_r eta3 { damping => -cos_a*cos_r3*beta_K*k_r3_mid; }
+            y_r u3 { damping => -cos_r3*beta_K*k_r3_mid; }
+            zeta1 zeta1 { damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid + sin_a.powi(2)*beta_K*k_s1_mid; }
+            zeta1 eta1 { damping => cos_a*sin_a*beta_K*k_s1_mid - cos_a*sin_a*beta_K*k_r1_mid; }
+            zeta1 u1 { damping => -sin_a*beta_K*k_r1_mid - sin_a*beta_K*k_s1_mid; }
+            eta1 eta1 { damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid + cos_a.powi(2)*beta_K*k_s1_mid; }
+            eta1 u1 { damping => cos_a*beta_K*k_r1_mid - cos_a*beta_K*k_s1_mid; }
+            u1 u1 { damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2); }
+            zeta2 zeta2 { damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid + sin_a.powi(2)*beta_K*k_s2_mid; }
+            zeta2 eta2 { damping => cos_a*sin_a*beta_K*k_s2_mid - cos_a*sin_a*beta_K*k_r2_mid; }
+            zeta2 u2 { damping => -sin_a*beta_K*k_r2_mid - sin_a*beta_K*k_s2_mid; }
+            eta2 eta2 { damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid + cos_a.powi(2)*beta_K*k_s2_mid; }
+            eta2 u2 { damping => cos_a*beta_K*k_r2_mid - cos_a*beta_K*k_s2_mid; }
+            u2 u2 { damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2); }
+            zeta3 zeta3 { damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid + sin_a.powi(2)*beta_K*k_s3_mid; }
+            zeta3 eta3 { damping => cos_a*sin_a*beta_K*k_s3_mid - cos_a*sin_a*beta_K*k_r3_mid; }
+            zeta3 u3 { damping => -sin_a*beta_K*k_r3_mid - sin_a*beta_K*k_s3_mid; }
+            eta3 eta3 { damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid + cos_a.powi(2)*beta_K*k_s3_mid; }
+            eta3 u3 { damping => cos_a*beta_K*k_r3_mid - cos_a*beta_K*k_s3_mid; }
+            u3 u3 { damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2); }
         }
         load {
-            theta {
-                torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-            }
+            theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
             theta_c {
                 _ => -h*Z_r*k_r1*e_r1 - h*Z_r*k_r2*e_r2 - h*Z_r*k_r3*e_r3;
                 torques => T_motor - T_load;
             }
-            theta_r {
-                _ => h*Z_r*k_r1*e_r1 + h*Z_r*k_r2*e_r2 + h*Z_r*k_r3*e_r3;
-            }
-            x_s {
-                _ => -sin_s1*k_s1*e_s1 - sin_s2*k_s2*e_s2 - sin_s3*k_s3*e_s3;
-            }
-            y_s {
-                _ => cos_s1*k_s1*e_s1 + cos_s2*k_s2*e_s2 + cos_s3*k_s3*e_s3;
-            }
-            x_r {
-                _ => -sin_r1*k_r1*e_r1 - sin_r2*k_r2*e_r2 - sin_r3*k_r3*e_r3;
-            }
-            y_r {
-                _ => cos_r1*k_r1*e_r1 + cos_r2*k_r2*e_r2 + cos_r3*k_r3*e_r3;
-            }
-            zeta1 {
-                _ => sin_a*k_r1*e_r1 - sin_a*k_s1*e_s1;
-            }
-            eta1 {
-                _ => -cos_a*k_r1*e_r1 - cos_a*k_s1*e_s1;
-            }
-            u1 {
-                _ => k_s1*e_s1 - k_r1*e_r1;
-            }
-            zeta2 {
-                _ => sin_a*k_r2*e_r2 - sin_a*k_s2*e_s2;
-            }
-            eta2 {
-                _ => -cos_a*k_r2*e_r2 - cos_a*k_s2*e_s2;
-            }
-            u2 {
-                _ => k_s2*e_s2 - k_r2*e_r2;
-            }
-            zeta3 {
-                _ => sin_a*k_r3*e_r3 - sin_a*k_s3*e_s3;
-            }
-            eta3 {
-                _ => -cos_a*k_r3*e_r3 - cos_a*k_s3*e_s3;
-            }
-            u3 {
-                _ => k_s3*e_s3 - k_r3*e_r3;
-            }
+            theta_r { _ => h*Z_r*k_r1*e_r1 + h*Z_r*k_r2*e_r2 + h*Z_r*k_r3*e_r3; }
+            x_s { _ => -sin_s1*k_s1*e_s1 - sin_s2*k_s2*e_s2 - sin_s3*k_s3*e_s3; }
+            y_s { _ => cos_s1*k_s1*e_s1 + cos_s2*k_s2*e_s2 + cos_s3*k_s3*e_s3; }
+            x_r { _ => -sin_r1*k_r1*e_r1 - sin_r2*k_r2*e_r2 - sin_r3*k_r3*e_r3; }
+            y_r { _ => cos_r1*k_r1*e_r1 + cos_r2*k_r2*e_r2 + cos_r3*k_r3*e_r3; }
+            zeta1 { _ => sin_a*k_r1*e_r1 - sin_a*k_s1*e_s1; }
+            eta1 { _ => -cos_a*k_r1*e_r1 - cos_a*k_s1*e_s1; }
+            u1 { _ => k_s1*e_s1 - k_r1*e_r1; }
+            zeta2 { _ => sin_a*k_r2*e_r2 - sin_a*k_s2*e_s2; }
+            eta2 { _ => -cos_a*k_r2*e_r2 - cos_a*k_s2*e_s2; }
+            u2 { _ => k_s2*e_s2 - k_r2*e_r2; }
+            zeta3 { _ => sin_a*k_r3*e_r3 - sin_a*k_s3*e_s3; }
+            eta3 { _ => -cos_a*k_r3*e_r3 - cos_a*k_s3*e_s3; }
+            u3 { _ => k_s3*e_s3 - k_r3*e_r3; }
         }
     }
-    jump k_s1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_s1*delta_s1.powi(2)/2.0;
-        }
-    }
-    jump k_r1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_r1*delta_r1.powi(2)/2.0;
-        }
-    }
-    jump k_s2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_s2*delta_s2.powi(2)/2.0;
-        }
-    }
-    jump k_r2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_r2*delta_r2.powi(2)/2.0;
-        }
-    }
-    jump k_s3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_s3*delta_s3.powi(2)/2.0;
-        }
-    }
-    jump k_r3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_r3*delta_r3.powi(2)/2.0;
-        }
-    }
-    jump e_s1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1;
-        }
-    }
-    jump e_r1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1;
-        }
-    }
-    jump e_s2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2;
-        }
-    }
-    jump e_r2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2;
-        }
-    }
-    jump e_s3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3;
-        }
-    }
-    jump e_r3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3;
-        }
-    }
+    jump k_s1 { step { _ => dk_s1*delta_s1.powi(2)/2.0; } }
+    jump k_r1 { step { _ => dk_r1*delta_r1.powi(2)/2.0; } }
+    jump k_s2 { step { _ => dk_s2*delta_s2.powi(2)/2.0; } }
+    jump k_r2 { step { _ => dk_r2*delta_r2.powi(2)/2.0; } }
+    jump k_s3 { step { _ => dk_s3*delta_s3.powi(2)/2.0; } }
+    jump k_r3 { step { _ => dk_r3*delta_r3.powi(2)/2.0; } }
+    jump e_s1 { step { _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1; } }
+    jump e_r1 { step { _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1; } }
+    jump e_s2 { step { _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2; } }
+    jump e_r2 { step { _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2; } }
+    jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
+    jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
 
-    text {
-        "T = (I_c*(theta_c_dot + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_r*theta_r_dot^2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2 + m_c*x_c_dot^2 + m_c*y_c_dot^2 + m_p*zeta1_dot^2 + m_p*zeta2_dot^2 + m_p*zeta3_dot^2 + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + m_r*x_r_dot^2 + m_r*y_r_dot^2 + m_s*x_s_dot^2 + m_s*y_s_dot^2)/2";
-        "V = (k_r*theta_r^2 + kb_c*x_c^2 + kb_c*y_c^2 + kb_p*radial1^2 + kb_p*radial2^2 + kb_p*radial3^2 + kb_p*tangential1^2 + kb_p*tangential2^2 + kb_p*tangential3^2 + kb_r*x_r^2 + kb_r*y_r^2 + kb_s*x_s^2 + kb_s*y_s^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_s1*delta_s1^2 + k_s2*delta_s2^2 + k_s3*delta_s3^2)/2";
-        "D = (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2 + I_r*alpha_M*theta_r_dot^2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2 + alpha_M*m_c*x_c_dot^2 + alpha_M*m_c*y_c_dot^2 + alpha_M*m_p*zeta1_dot^2 + alpha_M*m_p*zeta2_dot^2 + alpha_M*m_p*zeta3_dot^2 + alpha_M*m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + alpha_M*m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + alpha_M*m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r))^2 + alpha_M*m_r*x_r_dot^2 + alpha_M*m_r*y_r_dot^2 + alpha_M*m_s*x_s_dot^2 + alpha_M*m_s*y_s_dot^2 + beta_K*k_r*theta_r_dot^2 + beta_K*kb_c*x_c_dot^2 + beta_K*kb_c*y_c_dot^2 + beta_K*kb_p*radial1_dot^2 + beta_K*kb_p*radial2_dot^2 + beta_K*kb_p*radial3_dot^2 + beta_K*kb_p*tangential1_dot^2 + beta_K*kb_p*tangential2_dot^2 + beta_K*kb_p*tangential3_dot^2 + beta_K*kb_r*x_r_dot^2 + beta_K*kb_r*y_r_dot^2 + beta_K*kb_s*x_s_dot^2 + beta_K*kb_s*y_s_dot^2 + beta_K*k_r1_mid*delta_r1_dot^2 + beta_K*k_r2_mid*delta_r2_dot^2 + beta_K*k_r3_mid*delta_r3_dot^2 + beta_K*k_s1_mid*delta_s1_dot^2 + beta_K*k_s2_mid*delta_s2_dot^2 + beta_K*k_s3_mid*delta_s3_dot^2)/2 [damping]";
-        "Q_theta = T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques]";
-        "Q_theta_c = T_motor - T_load [torques]";
-        "Q_theta_r = 0";
-        "Q_x_s = 0";
-        "Q_y_s = 0";
-        "Q_x_c = 0";
-        "Q_y_c = 0";
-        "Q_x_r = 0";
-        "Q_y_r = 0";
-        "Q_zeta1 = 0";
-        "Q_eta1 = 0";
-        "Q_u1 = 0";
-        "Q_zeta2 = 0";
-        "Q_eta2 = 0";
-        "Q_u2 = 0";
-        "Q_zeta3 = 0";
-        "Q_eta3 = 0";
-        "Q_u3 = 0";
-        "cos_a = cos(alpha)";
-        "sin_a = sin(alpha)";
-        "h = r_s/Z_s";
-        "r_p = (h*Z_r - h*Z_s)/2";
-        "a = (h*Z_r/cos_a + h*Z_s/cos_a)/2";
-        "cos_c1 = cos(psi1)";
-        "sin_c1 = sin(psi1)";
-        "cos_s1 = cos(psi1 - alpha)";
-        "sin_s1 = sin(psi1 - alpha)";
-        "cos_r1 = cos(alpha + psi1)";
-        "sin_r1 = sin(alpha + psi1)";
-        "cos_c2 = cos(psi2)";
-        "sin_c2 = sin(psi2)";
-        "cos_s2 = cos(psi2 - alpha)";
-        "sin_s2 = sin(psi2 - alpha)";
-        "cos_r2 = cos(alpha + psi2)";
-        "sin_r2 = sin(alpha + psi2)";
-        "cos_c3 = cos(psi3)";
-        "sin_c3 = sin(psi3)";
-        "cos_s3 = cos(psi3 - alpha)";
-        "sin_s3 = sin(psi3 - alpha)";
-        "cos_r3 = cos(alpha + psi3)";
-        "sin_r3 = sin(alpha + psi3)";
-        "radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c";
-        "tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c";
-        "delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s";
-        "delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r";
-        "radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c";
-        "tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c";
-        "delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s";
-        "delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r";
-        "radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c";
-        "tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c";
-        "delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s";
-        "delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r";
-        "e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1";
-        "e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1";
-        "e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2";
-        "e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2";
-        "e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3";
-        "e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3";
-        "(I_c/Z_r^2 - 6*h*I_p/(r_p*Z_r) + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_c/Z_r - 3*h*I_p/r_p + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (a*m_p/Z_r) eta1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (a*m_p/Z_r) eta2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (a*m_p/Z_r) eta3'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 [transmission error, jump terms] + T_motor/Z_r - T_load/Z_r + T_motor/Z_s [torques] + h*I_p*alpha_M*u1_dot/r_p^2 - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2)/2 [jump terms]";
-        "(I_c/Z_r - 3*h*I_p/r_p + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (a*m_p) eta1'' + (I_p/r_p) u1'' + (a*m_p) eta2'' + (I_p/r_p) u2'' + (a*m_p) eta3'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + T_motor - T_load [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p [damping]";
-        "(I_r) theta_r'' = -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*theta_r - h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot [damping]";
-        "(m_s) x_s'' = sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 - kb_s*x_s + sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot [damping]";
-        "(m_s) y_s'' = -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - kb_s*y_s - cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*y_s_dot [damping]";
-        "(m_c) x_c'' = sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 + sin_c2*kb_p*tangential2 + sin_c3*kb_p*tangential3 - kb_c*x_c + sin_c1*beta_K*kb_p*tangential1_dot - cos_c1*beta_K*kb_p*radial1_dot - cos_c2*beta_K*kb_p*radial2_dot - cos_c3*beta_K*kb_p*radial3_dot + sin_c2*beta_K*kb_p*tangential2_dot + sin_c3*beta_K*kb_p*tangential3_dot - alpha_M*m_c*x_c_dot - beta_K*kb_c*x_c_dot [damping]";
-        "(m_c) y_c'' = -cos_c1*kb_p*tangential1 - cos_c2*kb_p*tangential2 - cos_c3*kb_p*tangential3 - sin_c1*kb_p*radial1 - sin_c2*kb_p*radial2 - sin_c3*kb_p*radial3 - kb_c*y_c - cos_c1*beta_K*kb_p*tangential1_dot - cos_c2*beta_K*kb_p*tangential2_dot - cos_c3*beta_K*kb_p*tangential3_dot - sin_c1*beta_K*kb_p*radial1_dot - sin_c2*beta_K*kb_p*radial2_dot - sin_c3*beta_K*kb_p*radial3_dot - alpha_M*m_c*y_c_dot - beta_K*kb_c*y_c_dot [damping]";
-        "(m_r) x_r'' = sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 - kb_r*x_r + sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*x_r_dot [damping]";
-        "(m_r) y_r'' = -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - kb_r*y_r - cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*y_r_dot [damping]";
-        "(m_p) zeta1'' = sin_a*k_s1*delta_s1 - sin_a*k_r1*delta_r1 + kb_p*radial1 + sin_a*beta_K*k_s1_mid*delta_s1_dot - sin_a*beta_K*k_r1_mid*delta_r1_dot - alpha_M*m_p*zeta1_dot + beta_K*kb_p*radial1_dot [damping]";
-        "(a*m_p/Z_r) theta'' + (a*m_p) theta_c'' + (m_p) eta1'' = cos_a*k_r1*delta_r1 + cos_a*k_s1*delta_s1 + kb_p*tangential1 + cos_a*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s1_mid*delta_s1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot [damping]";
-        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*delta_s1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
-        "(m_p) zeta2'' = sin_a*k_s2*delta_s2 - sin_a*k_r2*delta_r2 + kb_p*radial2 + sin_a*beta_K*k_s2_mid*delta_s2_dot - sin_a*beta_K*k_r2_mid*delta_r2_dot - alpha_M*m_p*zeta2_dot + beta_K*kb_p*radial2_dot [damping]";
-        "(a*m_p/Z_r) theta'' + (a*m_p) theta_c'' + (m_p) eta2'' = cos_a*k_r2*delta_r2 + cos_a*k_s2*delta_s2 + kb_p*tangential2 + cos_a*beta_K*k_r2_mid*delta_r2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s2_mid*delta_s2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot [damping]";
-        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*delta_s2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
-        "(m_p) zeta3'' = sin_a*k_s3*delta_s3 - sin_a*k_r3*delta_r3 + kb_p*radial3 + sin_a*beta_K*k_s3_mid*delta_s3_dot - sin_a*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_p*zeta3_dot + beta_K*kb_p*radial3_dot [damping]";
-        "(a*m_p/Z_r) theta'' + (a*m_p) theta_c'' + (m_p) eta3'' = cos_a*k_r3*delta_r3 + cos_a*k_s3*delta_s3 + kb_p*tangential3 + cos_a*beta_K*k_r3_mid*delta_r3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r + cos_a*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot [damping]";
-        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*delta_s3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
-        "at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*delta_s1^2/2)";
-        "at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)";
-        "at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*delta_s2^2/2)";
-        "at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)";
-        "at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*delta_s3^2/2)";
-        "at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)";
-        "at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)";
-        "at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)";
-        "at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)";
-        "at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)";
-        "at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)";
-        "at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{1}{2} (I_{c}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{r}\\, \\dot{\\theta_{r}}^{2} + I_{s}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2} + m_{c}\\, \\dot{x_{c}}^{2} + m_{c}\\, \\dot{y_{c}}^{2} + m_{p}\\, \\dot{\\zeta_{1}}^{2} + m_{p}\\, \\dot{\\zeta_{2}}^{2} + m_{p}\\, \\dot{\\zeta_{3}}^{2} + m_{p}\\, \\left(\\dot{\\eta_{1}} + a\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)\\right)^{2} + m_{p}\\, \\left(\\dot{\\eta_{2}} + a\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)\\right)^{2} + m_{p}\\, \\left(\\dot{\\eta_{3}} + a\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)\\right)^{2} + m_{r}\\, \\dot{x_{r}}^{2} + m_{r}\\, \\dot{y_{r}}^{2} + m_{s}\\, \\dot{x_{s}}^{2} + m_{s}\\, \\dot{y_{s}}^{2})";
-        "V = \\frac{1}{2} (k_{r}\\, \\theta_{r}^{2} + \\mathrm{kb}_{c}\\, x_{c}^{2} + \\mathrm{kb}_{c}\\, y_{c}^{2} + \\mathrm{kb}_{p}\\, \\mathrm{radial}_{1}^{2} + \\mathrm{kb}_{p}\\, \\mathrm{radial}_{2}^{2} + \\mathrm{kb}_{p}\\, \\mathrm{radial}_{3}^{2} + \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{1}^{2} + \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{2}^{2} + \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{3}^{2} + \\mathrm{kb}_{r}\\, x_{r}^{2} + \\mathrm{kb}_{r}\\, y_{r}^{2} + \\mathrm{kb}_{s}\\, x_{s}^{2} + \\mathrm{kb}_{s}\\, y_{s}^{2} + k_{r1}\\, \\delta_{r1}^{2} + k_{r2}\\, \\delta_{r2}^{2} + k_{r3}\\, \\delta_{r3}^{2} + k_{s1}\\, \\delta_{s1}^{2} + k_{s2}\\, \\delta_{s2}^{2} + k_{s3}\\, \\delta_{s3}^{2})";
-        "D = \\frac{1}{2} (I_{c}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2} + I_{r}\\, \\alpha_{M}\\, \\dot{\\theta_{r}}^{2} + I_{s}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2} + \\alpha_{M}\\, m_{c}\\, \\dot{x_{c}}^{2} + \\alpha_{M}\\, m_{c}\\, \\dot{y_{c}}^{2} + \\alpha_{M}\\, m_{p}\\, \\dot{\\zeta_{1}}^{2} + \\alpha_{M}\\, m_{p}\\, \\dot{\\zeta_{2}}^{2} + \\alpha_{M}\\, m_{p}\\, \\dot{\\zeta_{3}}^{2} + \\alpha_{M}\\, m_{p}\\, \\left(\\dot{\\eta_{1}} + a\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)\\right)^{2} + \\alpha_{M}\\, m_{p}\\, \\left(\\dot{\\eta_{2}} + a\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)\\right)^{2} + \\alpha_{M}\\, m_{p}\\, \\left(\\dot{\\eta_{3}} + a\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)\\right)^{2} + \\alpha_{M}\\, m_{r}\\, \\dot{x_{r}}^{2} + \\alpha_{M}\\, m_{r}\\, \\dot{y_{r}}^{2} + \\alpha_{M}\\, m_{s}\\, \\dot{x_{s}}^{2} + \\alpha_{M}\\, m_{s}\\, \\dot{y_{s}}^{2} + \\beta_{K}\\, k_{r}\\, \\dot{\\theta_{r}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{c}\\, \\dot{x_{c}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{c}\\, \\dot{y_{c}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{3}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{1}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{2}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{3}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{r}\\, \\dot{x_{r}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{r}\\, \\dot{y_{r}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{s}\\, \\dot{x_{s}}^{2} + \\beta_{K}\\, \\mathrm{kb}_{s}\\, \\dot{y_{s}}^{2} + \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}}^{2} + \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}}^{2} + \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}}^{2} + \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}}^{2} + \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}}^{2} + \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}}^{2})\\ [\\text{damping}]";
-        "Q_{\\theta} = \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}]";
-        "Q_{\\theta_{c}} = T_{motor} - T_{load}\\ [\\text{torques}]";
-        "Q_{\\theta_{r}} = 0";
-        "Q_{x_{s}} = 0";
-        "Q_{y_{s}} = 0";
-        "Q_{x_{c}} = 0";
-        "Q_{y_{c}} = 0";
-        "Q_{x_{r}} = 0";
-        "Q_{y_{r}} = 0";
-        "Q_{\\zeta_{1}} = 0";
-        "Q_{\\eta_{1}} = 0";
-        "Q_{u_{1}} = 0";
-        "Q_{\\zeta_{2}} = 0";
-        "Q_{\\eta_{2}} = 0";
-        "Q_{u_{2}} = 0";
-        "Q_{\\zeta_{3}} = 0";
-        "Q_{\\eta_{3}} = 0";
-        "Q_{u_{3}} = 0";
-        "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
-        "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
-        "h = \\frac{r_{s}}{Z_{s}}";
-        "r_{p} = \\frac{1}{2} (h\\, Z_{r} - h\\, Z_{s})";
-        "a = \\frac{1}{2} (\\frac{h\\, Z_{r}}{\\mathrm{cos}_{a}} + \\frac{h\\, Z_{s}}{\\mathrm{cos}_{a}})";
-        "\\mathrm{cos}_{c1} = \\cos\\left(\\psi_{1}\\right)";
-        "\\mathrm{sin}_{c1} = \\sin\\left(\\psi_{1}\\right)";
-        "\\mathrm{cos}_{s1} = \\cos\\left(\\psi_{1} - \\alpha\\right)";
-        "\\mathrm{sin}_{s1} = \\sin\\left(\\psi_{1} - \\alpha\\right)";
-        "\\mathrm{cos}_{r1} = \\cos\\left(\\alpha + \\psi_{1}\\right)";
-        "\\mathrm{sin}_{r1} = \\sin\\left(\\alpha + \\psi_{1}\\right)";
-        "\\mathrm{cos}_{c2} = \\cos\\left(\\psi_{2}\\right)";
-        "\\mathrm{sin}_{c2} = \\sin\\left(\\psi_{2}\\right)";
-        "\\mathrm{cos}_{s2} = \\cos\\left(\\psi_{2} - \\alpha\\right)";
-        "\\mathrm{sin}_{s2} = \\sin\\left(\\psi_{2} - \\alpha\\right)";
-        "\\mathrm{cos}_{r2} = \\cos\\left(\\alpha + \\psi_{2}\\right)";
-        "\\mathrm{sin}_{r2} = \\sin\\left(\\alpha + \\psi_{2}\\right)";
-        "\\mathrm{cos}_{c3} = \\cos\\left(\\psi_{3}\\right)";
-        "\\mathrm{sin}_{c3} = \\sin\\left(\\psi_{3}\\right)";
-        "\\mathrm{cos}_{s3} = \\cos\\left(\\psi_{3} - \\alpha\\right)";
-        "\\mathrm{sin}_{s3} = \\sin\\left(\\psi_{3} - \\alpha\\right)";
-        "\\mathrm{cos}_{r3} = \\cos\\left(\\alpha + \\psi_{3}\\right)";
-        "\\mathrm{sin}_{r3} = \\sin\\left(\\alpha + \\psi_{3}\\right)";
-        "\\mathrm{radial}_{1} = \\mathrm{cos}_{c1}\\, x_{c} - \\zeta_{1} + \\mathrm{sin}_{c1}\\, y_{c}";
-        "\\mathrm{tangential}_{1} = \\mathrm{cos}_{c1}\\, y_{c} - \\eta_{1} - \\mathrm{sin}_{c1}\\, x_{c}";
-        "\\delta_{s1} = u_{1} - e_{s1} - \\mathrm{cos}_{a}\\, \\eta_{1} + \\mathrm{cos}_{s1}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{s1}\\, x_{s}";
-        "\\delta_{r1} = \\mathrm{cos}_{r1}\\, y_{r} - u_{1} - e_{r1} - \\mathrm{cos}_{a}\\, \\eta_{1} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{1} - \\mathrm{sin}_{r1}\\, x_{r}";
-        "\\mathrm{radial}_{2} = \\mathrm{cos}_{c2}\\, x_{c} - \\zeta_{2} + \\mathrm{sin}_{c2}\\, y_{c}";
-        "\\mathrm{tangential}_{2} = \\mathrm{cos}_{c2}\\, y_{c} - \\eta_{2} - \\mathrm{sin}_{c2}\\, x_{c}";
-        "\\delta_{s2} = u_{2} - e_{s2} - \\mathrm{cos}_{a}\\, \\eta_{2} + \\mathrm{cos}_{s2}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{s2}\\, x_{s}";
-        "\\delta_{r2} = \\mathrm{cos}_{r2}\\, y_{r} - u_{2} - e_{r2} - \\mathrm{cos}_{a}\\, \\eta_{2} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{2} - \\mathrm{sin}_{r2}\\, x_{r}";
-        "\\mathrm{radial}_{3} = \\mathrm{cos}_{c3}\\, x_{c} - \\zeta_{3} + \\mathrm{sin}_{c3}\\, y_{c}";
-        "\\mathrm{tangential}_{3} = \\mathrm{cos}_{c3}\\, y_{c} - \\eta_{3} - \\mathrm{sin}_{c3}\\, x_{c}";
-        "\\delta_{s3} = u_{3} - e_{s3} - \\mathrm{cos}_{a}\\, \\eta_{3} + \\mathrm{cos}_{s3}\\, y_{s} - \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{s3}\\, x_{s}";
-        "\\delta_{r3} = \\mathrm{cos}_{r3}\\, y_{r} - u_{3} - e_{r3} - \\mathrm{cos}_{a}\\, \\eta_{3} - h\\, Z_{r}\\, \\theta_{c} + h\\, Z_{r}\\, \\theta_{r} + \\mathrm{sin}_{a}\\, \\zeta_{3} - \\mathrm{sin}_{r3}\\, x_{r}";
-        "(\\frac{I_{c}}{Z_{r}^{2}} - \\frac{6\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{3\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{3\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{c}}{Z_{r}} - \\frac{3\\, h\\, I_{p}}{r_{p}} + \\frac{3\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = k_{r1}\\, e_{r1}'\\, \\delta_{r1} + k_{r2}\\, e_{r2}'\\, \\delta_{r2} + k_{r3}\\, e_{r3}'\\, \\delta_{r3} + k_{s1}\\, e_{s1}'\\, \\delta_{s1} + k_{s2}\\, e_{s2}'\\, \\delta_{s2} + k_{s3}\\, e_{s3}'\\, \\delta_{s3}\\ [\\text{transmission error, jump terms}] + \\frac{T_{motor}}{Z_{r}} - \\frac{T_{load}}{Z_{r}} + \\frac{T_{motor}}{Z_{s}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}}}{Z_{r}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}}}{Z_{r}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{3\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{6\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{3\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{s1}'\\, \\delta_{s1}^{2} - k_{s2}'\\, \\delta_{s2}^{2} - k_{s3}'\\, \\delta_{s3}^{2})\\ [\\text{jump terms}]";
-        "(\\frac{I_{c}}{Z_{r}} - \\frac{3\\, h\\, I_{p}}{r_{p}} + \\frac{3\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (I_{c} + 3\\, I_{p} + I_{s} + 3\\, a^{2}\\, m_{p}) \\ddot{\\theta_{c}} + (a\\, m_{p}) \\ddot{\\eta_{1}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{1}} + (a\\, m_{p}) \\ddot{\\eta_{2}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{2}} + (a\\, m_{p}) \\ddot{\\eta_{3}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{3}} = h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} + h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} + h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} + T_{motor} - T_{load}\\ [\\text{torques}] + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} + \\frac{3\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}} - I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - 3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}} - 3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}}\\ [\\text{damping}]";
-        "(I_{r}) \\ddot{\\theta_{r}} = -h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} - h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} - h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} - k_{r}\\, \\theta_{r} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - I_{r}\\, \\alpha_{M}\\, \\dot{\\theta_{r}} - \\beta_{K}\\, k_{r}\\, \\dot{\\theta_{r}}\\ [\\text{damping}]";
-        "(m_{s}) \\ddot{x_{s}} = \\mathrm{sin}_{s1}\\, k_{s1}\\, \\delta_{s1} + \\mathrm{sin}_{s2}\\, k_{s2}\\, \\delta_{s2} + \\mathrm{sin}_{s3}\\, k_{s3}\\, \\delta_{s3} - \\mathrm{kb}_{s}\\, x_{s} + \\mathrm{sin}_{s1}\\, \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} + \\mathrm{sin}_{s2}\\, \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} + \\mathrm{sin}_{s3}\\, \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} - \\alpha_{M}\\, m_{s}\\, \\dot{x_{s}} - \\beta_{K}\\, \\mathrm{kb}_{s}\\, \\dot{x_{s}}\\ [\\text{damping}]";
-        "(m_{s}) \\ddot{y_{s}} = -\\mathrm{cos}_{s1}\\, k_{s1}\\, \\delta_{s1} - \\mathrm{cos}_{s2}\\, k_{s2}\\, \\delta_{s2} - \\mathrm{cos}_{s3}\\, k_{s3}\\, \\delta_{s3} - \\mathrm{kb}_{s}\\, y_{s} - \\mathrm{cos}_{s1}\\, \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} - \\mathrm{cos}_{s2}\\, \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} - \\mathrm{cos}_{s3}\\, \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} - \\alpha_{M}\\, m_{s}\\, \\dot{y_{s}} - \\beta_{K}\\, \\mathrm{kb}_{s}\\, \\dot{y_{s}}\\ [\\text{damping}]";
-        "(m_{c}) \\ddot{x_{c}} = \\mathrm{sin}_{c1}\\, \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{1} - \\mathrm{cos}_{c1}\\, \\mathrm{kb}_{p}\\, \\mathrm{radial}_{1} - \\mathrm{cos}_{c2}\\, \\mathrm{kb}_{p}\\, \\mathrm{radial}_{2} - \\mathrm{cos}_{c3}\\, \\mathrm{kb}_{p}\\, \\mathrm{radial}_{3} + \\mathrm{sin}_{c2}\\, \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{2} + \\mathrm{sin}_{c3}\\, \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{3} - \\mathrm{kb}_{c}\\, x_{c} + \\mathrm{sin}_{c1}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{1}} - \\mathrm{cos}_{c1}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{1}} - \\mathrm{cos}_{c2}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{2}} - \\mathrm{cos}_{c3}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{3}} + \\mathrm{sin}_{c2}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{2}} + \\mathrm{sin}_{c3}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{3}} - \\alpha_{M}\\, m_{c}\\, \\dot{x_{c}} - \\beta_{K}\\, \\mathrm{kb}_{c}\\, \\dot{x_{c}}\\ [\\text{damping}]";
-        "(m_{c}) \\ddot{y_{c}} = -\\mathrm{cos}_{c1}\\, \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{1} - \\mathrm{cos}_{c2}\\, \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{2} - \\mathrm{cos}_{c3}\\, \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{3} - \\mathrm{sin}_{c1}\\, \\mathrm{kb}_{p}\\, \\mathrm{radial}_{1} - \\mathrm{sin}_{c2}\\, \\mathrm{kb}_{p}\\, \\mathrm{radial}_{2} - \\mathrm{sin}_{c3}\\, \\mathrm{kb}_{p}\\, \\mathrm{radial}_{3} - \\mathrm{kb}_{c}\\, y_{c} - \\mathrm{cos}_{c1}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{1}} - \\mathrm{cos}_{c2}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{2}} - \\mathrm{cos}_{c3}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{3}} - \\mathrm{sin}_{c1}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{1}} - \\mathrm{sin}_{c2}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{2}} - \\mathrm{sin}_{c3}\\, \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{3}} - \\alpha_{M}\\, m_{c}\\, \\dot{y_{c}} - \\beta_{K}\\, \\mathrm{kb}_{c}\\, \\dot{y_{c}}\\ [\\text{damping}]";
-        "(m_{r}) \\ddot{x_{r}} = \\mathrm{sin}_{r1}\\, k_{r1}\\, \\delta_{r1} + \\mathrm{sin}_{r2}\\, k_{r2}\\, \\delta_{r2} + \\mathrm{sin}_{r3}\\, k_{r3}\\, \\delta_{r3} - \\mathrm{kb}_{r}\\, x_{r} + \\mathrm{sin}_{r1}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} + \\mathrm{sin}_{r2}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + \\mathrm{sin}_{r3}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\alpha_{M}\\, m_{r}\\, \\dot{x_{r}} - \\beta_{K}\\, \\mathrm{kb}_{r}\\, \\dot{x_{r}}\\ [\\text{damping}]";
-        "(m_{r}) \\ddot{y_{r}} = -\\mathrm{cos}_{r1}\\, k_{r1}\\, \\delta_{r1} - \\mathrm{cos}_{r2}\\, k_{r2}\\, \\delta_{r2} - \\mathrm{cos}_{r3}\\, k_{r3}\\, \\delta_{r3} - \\mathrm{kb}_{r}\\, y_{r} - \\mathrm{cos}_{r1}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - \\mathrm{cos}_{r2}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - \\mathrm{cos}_{r3}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\alpha_{M}\\, m_{r}\\, \\dot{y_{r}} - \\beta_{K}\\, \\mathrm{kb}_{r}\\, \\dot{y_{r}}\\ [\\text{damping}]";
-        "(m_{p}) \\ddot{\\zeta_{1}} = \\mathrm{sin}_{a}\\, k_{s1}\\, \\delta_{s1} - \\mathrm{sin}_{a}\\, k_{r1}\\, \\delta_{r1} + \\mathrm{kb}_{p}\\, \\mathrm{radial}_{1} + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - \\alpha_{M}\\, m_{p}\\, \\dot{\\zeta_{1}} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{1}}\\ [\\text{damping}]";
-        "(\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (a\\, m_{p}) \\ddot{\\theta_{c}} + (m_{p}) \\ddot{\\eta_{1}} = \\mathrm{cos}_{a}\\, k_{r1}\\, \\delta_{r1} + \\mathrm{cos}_{a}\\, k_{s1}\\, \\delta_{s1} + \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{1} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} - \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{1}} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{1}}\\ [\\text{damping}]";
-        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} = k_{r1}\\, \\delta_{r1} - k_{s1}\\, \\delta_{s1} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
-        "(m_{p}) \\ddot{\\zeta_{2}} = \\mathrm{sin}_{a}\\, k_{s2}\\, \\delta_{s2} - \\mathrm{sin}_{a}\\, k_{r2}\\, \\delta_{r2} + \\mathrm{kb}_{p}\\, \\mathrm{radial}_{2} + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - \\alpha_{M}\\, m_{p}\\, \\dot{\\zeta_{2}} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{2}}\\ [\\text{damping}]";
-        "(\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (a\\, m_{p}) \\ddot{\\theta_{c}} + (m_{p}) \\ddot{\\eta_{2}} = \\mathrm{cos}_{a}\\, k_{r2}\\, \\delta_{r2} + \\mathrm{cos}_{a}\\, k_{s2}\\, \\delta_{s2} + \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{2} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} - \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{2}} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{2}}\\ [\\text{damping}]";
-        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} = k_{r2}\\, \\delta_{r2} - k_{s2}\\, \\delta_{s2} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
-        "(m_{p}) \\ddot{\\zeta_{3}} = \\mathrm{sin}_{a}\\, k_{s3}\\, \\delta_{s3} - \\mathrm{sin}_{a}\\, k_{r3}\\, \\delta_{r3} + \\mathrm{kb}_{p}\\, \\mathrm{radial}_{3} + \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} - \\mathrm{sin}_{a}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\alpha_{M}\\, m_{p}\\, \\dot{\\zeta_{3}} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{radial}_{3}}\\ [\\text{damping}]";
-        "(\\frac{a\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (a\\, m_{p}) \\ddot{\\theta_{c}} + (m_{p}) \\ddot{\\eta_{3}} = \\mathrm{cos}_{a}\\, k_{r3}\\, \\delta_{r3} + \\mathrm{cos}_{a}\\, k_{s3}\\, \\delta_{s3} + \\mathrm{kb}_{p}\\, \\mathrm{tangential}_{3} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{a\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} + \\mathrm{cos}_{a}\\, \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} - \\alpha_{M}\\, m_{p}\\, \\dot{\\eta_{3}} + \\beta_{K}\\, \\mathrm{kb}_{p}\\, \\dot{\\mathrm{tangential}_{3}}\\ [\\text{damping}]";
-        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = k_{r3}\\, \\delta_{r3} - k_{s3}\\, \\delta_{s3} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
-    }
+    text "text/planar_planetary_3.txt";
+    latex "latex/planar_planetary_3.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: T is a sum of squares that vanish together only at rest
+// - at a step of k_s1, k_r1, k_s2, k_r2, k_s3, k_r3, e_s1, e_r1, e_s2, e_r2, e_s3, e_r3: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d =
+//   n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - every deflection equals the linear form by which the equations differentiate it
+// - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot -
+//   k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot -
+//   k_s3*de_s3*delta_s3*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 +
+//   dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | constants (once a scene) | 14 | 11 | 20 |
+// | force | 170 | 566 | 0 |
+// | energy step of k_s1 | 0 | 3 | 0 |
+// | energy step of k_r1 | 0 | 3 | 0 |
+// | energy step of k_s2 | 0 | 3 | 0 |
+// | energy step of k_r2 | 0 | 3 | 0 |
+// | energy step of k_s3 | 0 | 3 | 0 |
+// | energy step of k_r3 | 0 | 3 | 0 |
+// | energy step of e_s1 | 1 | 5 | 0 |
+// | energy step of e_r1 | 1 | 5 | 0 |
+// | energy step of e_s2 | 1 | 5 | 0 |
+// | energy step of e_r2 | 1 | 5 | 0 |
+// | energy step of e_s3 | 1 | 5 | 0 |
+// | energy step of e_r3 | 1 | 5 | 0 |

@@ -1,159 +1,7 @@
 //! Equations of motion of `wind_turbine`: a wind turbine's train: rotor, planetary stage, parallel stage, generator.
 //!
-//! Derived from the energies in `models/src/wind_turbine.rs` by `cargo xtask derive wind_turbine`. Do not edit: change the
-//! energies and derive again.
-//! Source: standard torsional model, e.g. Peeters, Vandepitte & Sas (2006), Wind Energy 9(1-2)
-//!
-//! # Energies
-//!
-//! ```text
-//! T = I1*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + 3*a^2*m_p*(theta_c_dot + theta_dot/Z_r)^2/2
-//! V = (k_h*psi_h^2 + k_i*twist_i^2 + k_l*psi_l^2 + k12*s2^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_s1*delta_s1^2 + k_s2*delta_s2^2 + k_s3*delta_s3^2)/2
-//! D = I1*alpha_M*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + beta_K*k_h*psi_h_dot^2/2 + beta_K*k_i*twist_i_dot^2/2 + beta_K*k_l*psi_l_dot^2/2 + beta_K*k12_mid*s2_dot^2/2 + beta_K*k_r1_mid*delta_r1_dot^2/2 + beta_K*k_r2_mid*delta_r2_dot^2/2 + beta_K*k_r3_mid*delta_r3_dot^2/2 + beta_K*k_s1_mid*delta_s1_dot^2/2 + beta_K*k_s2_mid*delta_s2_dot^2/2 + beta_K*k_s3_mid*delta_s3_dot^2/2 + 3*a^2*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r)^2/2 [damping]
-//! Q_theta = T_wind/Z_r [torques]
-//! Q_theta_c = T_wind [torques]
-//! Q_theta2 = -T_generator/N2 [torques]
-//! Q_s2 = T_generator/(2*h2*N2) [torques]
-//! Q_psi_l = T_wind [torques]
-//! Q_psi_h = T_generator [torques]
-//! Q_u1 = 0
-//! Q_u2 = 0
-//! Q_u3 = 0
-//! ```
-//!
-//! # Constants
-//!
-//! ```text
-//! cos_a = cos(alpha)
-//! sin_a = sin(alpha)
-//! h = r_s/Z_s
-//! r_p = (h*Z_r - h*Z_s)/2
-//! a = (h*Z_r/cos_a + h*Z_s/cos_a)/2
-//! h2 = r1/N1
-//! ```
-//!
-//! # Deflections
-//!
-//! ```text
-//! twist_i = theta_c - s2/(2*h2*N1) - theta2/N1 + theta/Z_r + theta/Z_s
-//! delta_s1 = u1 - e_s1
-//! delta_r1 = -u1 - e_r1 - h*Z_r*theta_c
-//! delta_s2 = u2 - e_s2
-//! delta_r2 = -u2 - e_r2 - h*Z_r*theta_c
-//! delta_s3 = u3 - e_s3
-//! delta_r3 = -u3 - e_r3 - h*Z_r*theta_c
-//! e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1
-//! e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1
-//! e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2
-//! e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2
-//! e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3
-//! e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! (I_b/Z_r^2 - 6*h*I_p/(r_p*Z_r) + I_c/Z_r^2 + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (I_b/Z_r) psi_l'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = -k_i*twist_i/Z_r - k_i*twist_i/Z_s + k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 [transmission error, jump terms] + T_wind/Z_r [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r^2 - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - beta_K*k_i*twist_i_dot/Z_r - beta_K*k_i*twist_i_dot/Z_s [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2)/2 [jump terms]
-//! (I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_b + I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (I_b) psi_l'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 - k_i*twist_i + T_wind [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*twist_i_dot - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p [damping]
-//! (I1/N1^2 + I2/N2^2 + I_g/N2^2) theta2'' + ((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) s2'' + (-I_g/N2) psi_h'' = k_i*twist_i/N1 - T_generator/N2 [torques] + I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1^2 - I2*alpha_M*theta2_dot/N2^2 - I_g*alpha_M*theta2_dot/N2^2 - I1*alpha_M*s2_dot/(2*h2*N1^2) + I2*alpha_M*s2_dot/(2*h2*N2^2) + I_g*alpha_M*s2_dot/(2*h2*N2^2) + beta_K*k_i*twist_i_dot/N1 [damping] - dk12*s2^2/2 [jump terms]
-//! ((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) theta2'' + ((I1/(h2^2*N1^2) + I2/(h2^2*N2^2) + I_g/(h2^2*N2^2))/4) s2'' + (I_g/(2*h2*N2)) psi_h'' = k_i*twist_i/(2*h2*N1) - k12*s2 + T_generator/(2*h2*N2) [torques] + I2*alpha_M*theta2_dot/(2*h2*N2^2) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4*h2^2*N1^2) - I2*alpha_M*s2_dot/(4*h2^2*N2^2) - I_g*alpha_M*s2_dot/(4*h2^2*N2^2) - I1*alpha_M*theta2_dot/(2*h2*N1^2) + I_g*alpha_M*theta2_dot/(2*h2*N2^2) - I_g*alpha_M*psi_h_dot/(2*h2*N2) + beta_K*k_i*twist_i_dot/(2*h2*N1) [damping]
-//! (I_b/Z_r) theta'' + (I_b) theta_c'' + (I_b) psi_l'' = -k_l*psi_l + T_wind [torques] - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*psi_l_dot [damping]
-//! (-I_g/N2) theta2'' + (I_g/(2*h2*N2)) s2'' + (I_g) psi_h'' = -k_h*psi_h + T_generator [torques] + I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*psi_h_dot - I_g*alpha_M*s2_dot/(2*h2*N2) [damping]
-//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*delta_s1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
-//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*delta_s2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
-//! (I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*delta_s3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]
-//! ```
-//!
-//! # At a step of a stiffness or a transmission error
-//!
-//! ```text
-//! at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*delta_s1^2/2)
-//! at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)
-//! at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*delta_s2^2/2)
-//! at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)
-//! at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*delta_s3^2/2)
-//! at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)
-//! at a step dk12 of k12 in theta2: v+^2 = v-^2 - 2*G*(dk12*s2^2/2)
-//! at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)
-//! at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)
-//! at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)
-//! at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)
-//! at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)
-//! at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{I_{1}\, \left(\frac{\dot{s_{2}}}{2\, h_{2}\, N_{1}} + \frac{\dot{\theta_{2}}}{N_{1}}\right)^{2}}{2} + \frac{I_{2}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{b}\, \left(\dot{\psi_{l}} + \dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{c}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{g}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \dot{\psi_{h}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{s}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2}}{2} + \frac{3\, a^{2}\, m_{p}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2}
-//! V = \frac{1}{2} (k_{h}\, \psi_{h}^{2} + k_{i}\, \mathrm{twist}_{i}^{2} + k_{l}\, \psi_{l}^{2} + k_{12}\, s_{2}^{2} + k_{r1}\, \delta_{r1}^{2} + k_{r2}\, \delta_{r2}^{2} + k_{r3}\, \delta_{r3}^{2} + k_{s1}\, \delta_{s1}^{2} + k_{s2}\, \delta_{s2}^{2} + k_{s3}\, \delta_{s3}^{2})
-//! D = \frac{I_{1}\, \alpha_{M}\, \left(\frac{\dot{s_{2}}}{2\, h_{2}\, N_{1}} + \frac{\dot{\theta_{2}}}{N_{1}}\right)^{2}}{2} + \frac{I_{2}\, \alpha_{M}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{b}\, \alpha_{M}\, \left(\dot{\psi_{l}} + \dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{c}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{g}\, \alpha_{M}\, \left(\frac{\dot{\theta_{2}}}{N_{2}} - \dot{\psi_{h}} - \frac{\dot{s_{2}}}{2\, h_{2}\, N_{2}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{1}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{2}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{p}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \frac{\left(\dot{u_{3}} - h\, \dot{\theta}\right)}{r_{p}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2} + \frac{I_{s}\, \alpha_{M}\, \left(\dot{\theta_{c}} + \dot{\theta}\, \left(\frac{1}{Z_{r}} + \frac{1}{Z_{s}}\right)\right)^{2}}{2} + \frac{\beta_{K}\, k_{h}\, \dot{\psi_{h}}^{2}}{2} + \frac{\beta_{K}\, k_{i}\, \dot{\mathrm{twist}_{i}}^{2}}{2} + \frac{\beta_{K}\, k_{l}\, \dot{\psi_{l}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{12}}\, \dot{s_{2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}}^{2}}{2} + \frac{\beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}}^{2}}{2} + \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \left(\dot{\theta_{c}} + \frac{\dot{\theta}}{Z_{r}}\right)^{2}}{2}\ [\text{damping}]
-//! Q_{\theta} = \frac{T_{wind}}{Z_{r}}\ [\text{torques}]
-//! Q_{\theta_{c}} = T_{wind}\ [\text{torques}]
-//! Q_{\theta_{2}} = -\frac{T_{generator}}{N_{2}}\ [\text{torques}]
-//! Q_{s_{2}} = \frac{T_{generator}}{2\, h_{2}\, N_{2}}\ [\text{torques}]
-//! Q_{\psi_{l}} = T_{wind}\ [\text{torques}]
-//! Q_{\psi_{h}} = T_{generator}\ [\text{torques}]
-//! Q_{u_{1}} = 0
-//! Q_{u_{2}} = 0
-//! Q_{u_{3}} = 0
-//! \mathrm{cos}_{a} = \cos\left(\alpha\right)
-//! \mathrm{sin}_{a} = \sin\left(\alpha\right)
-//! h = \frac{r_{s}}{Z_{s}}
-//! r_{p} = \frac{1}{2} (h\, Z_{r} - h\, Z_{s})
-//! a = \frac{1}{2} (\frac{h\, Z_{r}}{\mathrm{cos}_{a}} + \frac{h\, Z_{s}}{\mathrm{cos}_{a}})
-//! h_{2} = \frac{r_{1}}{N_{1}}
-//! \mathrm{twist}_{i} = \theta_{c} - \frac{s_{2}}{2\, h_{2}\, N_{1}} - \frac{\theta_{2}}{N_{1}} + \frac{\theta}{Z_{r}} + \frac{\theta}{Z_{s}}
-//! \delta_{s1} = u_{1} - e_{s1}
-//! \delta_{r1} = -u_{1} - e_{r1} - h\, Z_{r}\, \theta_{c}
-//! \delta_{s2} = u_{2} - e_{s2}
-//! \delta_{r2} = -u_{2} - e_{r2} - h\, Z_{r}\, \theta_{c}
-//! \delta_{s3} = u_{3} - e_{s3}
-//! \delta_{r3} = -u_{3} - e_{r3} - h\, Z_{r}\, \theta_{c}
-//! (\frac{I_{b}}{Z_{r}^{2}} - \frac{6\, h\, I_{p}}{r_{p}\, Z_{r}} + \frac{I_{c}}{Z_{r}^{2}} + \frac{3\, I_{p}}{Z_{r}^{2}} + \frac{I_{s}}{Z_{r}^{2}} + \frac{2\, I_{s}}{Z_{r}\, Z_{s}} + \frac{I_{s}}{Z_{s}^{2}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}^{2}} + \frac{3\, h^{2}\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{b}}{Z_{r}} - \frac{3\, h\, I_{p}}{r_{p}} + \frac{I_{c}}{Z_{r}} + \frac{3\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta_{c}} + (\frac{I_{b}}{Z_{r}}) \ddot{\psi_{l}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{1}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{2}} + (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = -\frac{k_{i}\, \mathrm{twist}_{i}}{Z_{r}} - \frac{k_{i}\, \mathrm{twist}_{i}}{Z_{s}} + k_{r1}\, e_{r1}'\, \delta_{r1} + k_{r2}\, e_{r2}'\, \delta_{r2} + k_{r3}\, e_{r3}'\, \delta_{r3} + k_{s1}\, e_{s1}'\, \delta_{s1} + k_{s2}\, e_{s2}'\, \delta_{s2} + k_{s3}\, e_{s3}'\, \delta_{s3}\ [\text{transmission error, jump terms}] + \frac{T_{wind}}{Z_{r}}\ [\text{torques}] + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} + \frac{3\, h\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} + \frac{6\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{b}\, \alpha_{M}\, \dot{\psi_{l}}}{Z_{r}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{r}} - \frac{2\, I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}\, Z_{s}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}^{2}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta_{c}}}{Z_{s}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}^{2}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}}}{Z_{r}} - \frac{3\, h^{2}\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}\, Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}\, Z_{r}} - \frac{\beta_{K}\, k_{i}\, \dot{\mathrm{twist}_{i}}}{Z_{r}} - \frac{\beta_{K}\, k_{i}\, \dot{\mathrm{twist}_{i}}}{Z_{s}}\ [\text{damping}] + \frac{1}{2} (-k_{r1}'\, \delta_{r1}^{2} - k_{r2}'\, \delta_{r2}^{2} - k_{r3}'\, \delta_{r3}^{2} - k_{s1}'\, \delta_{s1}^{2} - k_{s2}'\, \delta_{s2}^{2} - k_{s3}'\, \delta_{s3}^{2})\ [\text{jump terms}]
-//! (\frac{I_{b}}{Z_{r}} - \frac{3\, h\, I_{p}}{r_{p}} + \frac{I_{c}}{Z_{r}} + \frac{3\, I_{p}}{Z_{r}} + \frac{I_{s}}{Z_{r}} + \frac{I_{s}}{Z_{s}} + \frac{3\, a^{2}\, m_{p}}{Z_{r}}) \ddot{\theta} + (I_{b} + I_{c} + 3\, I_{p} + I_{s} + 3\, a^{2}\, m_{p}) \ddot{\theta_{c}} + (I_{b}) \ddot{\psi_{l}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{1}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{2}} + (\frac{I_{p}}{r_{p}}) \ddot{u_{3}} = h\, Z_{r}\, k_{r1}\, \delta_{r1} + h\, Z_{r}\, k_{r2}\, \delta_{r2} + h\, Z_{r}\, k_{r3}\, \delta_{r3} - k_{i}\, \mathrm{twist}_{i} + T_{wind}\ [\text{torques}] + h\, Z_{r}\, \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} + h\, Z_{r}\, \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} + \frac{3\, h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}} - I_{b}\, \alpha_{M}\, \dot{\psi_{l}} - I_{b}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{c}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{c}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - 3\, I_{p}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{3\, I_{p}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - I_{s}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \frac{I_{s}\, \alpha_{M}\, \dot{\theta}}{Z_{s}} - \beta_{K}\, k_{i}\, \dot{\mathrm{twist}_{i}} - 3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta_{c}} - \frac{3\, a^{2}\, \alpha_{M}\, m_{p}\, \dot{\theta}}{Z_{r}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}}\ [\text{damping}]
-//! (\frac{I_{1}}{N_{1}^{2}} + \frac{I_{2}}{N_{2}^{2}} + \frac{I_{g}}{N_{2}^{2}}) \ddot{\theta_{2}} + (\frac{1}{2} (\frac{I_{1}}{h_{2}\, N_{1}^{2}} - \frac{I_{2}}{h_{2}\, N_{2}^{2}} - \frac{I_{g}}{h_{2}\, N_{2}^{2}})) \ddot{s_{2}} + (-\frac{I_{g}}{N_{2}}) \ddot{\psi_{h}} = \frac{k_{i}\, \mathrm{twist}_{i}}{N_{1}} - \frac{T_{generator}}{N_{2}}\ [\text{torques}] + \frac{I_{g}\, \alpha_{M}\, \dot{\psi_{h}}}{N_{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{2}^{2}} - \frac{I_{g}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{1}^{2}} + \frac{I_{2}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{2}^{2}} + \frac{I_{g}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{2}^{2}} + \frac{\beta_{K}\, k_{i}\, \dot{\mathrm{twist}_{i}}}{N_{1}}\ [\text{damping}] - \frac{k_{12}'\, s_{2}^{2}}{2}\ [\text{jump terms}]
-//! (\frac{1}{2} (\frac{I_{1}}{h_{2}\, N_{1}^{2}} - \frac{I_{2}}{h_{2}\, N_{2}^{2}} - \frac{I_{g}}{h_{2}\, N_{2}^{2}})) \ddot{\theta_{2}} + (\frac{1}{4} (\frac{I_{1}}{h_{2}^{2}\, N_{1}^{2}} + \frac{I_{2}}{h_{2}^{2}\, N_{2}^{2}} + \frac{I_{g}}{h_{2}^{2}\, N_{2}^{2}})) \ddot{s_{2}} + (\frac{I_{g}}{2\, h_{2}\, N_{2}}) \ddot{\psi_{h}} = \frac{k_{i}\, \mathrm{twist}_{i}}{2\, h_{2}\, N_{1}} - k_{12}\, s_{2} + \frac{T_{generator}}{2\, h_{2}\, N_{2}}\ [\text{torques}] + \frac{I_{2}\, \alpha_{M}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{2}^{2}} - \beta_{K}\, \bar{k_{12}}\, \dot{s_{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{1}^{2}} - \frac{I_{2}\, \alpha_{M}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{2}^{2}} - \frac{I_{g}\, \alpha_{M}\, \dot{s_{2}}}{4\, h_{2}^{2}\, N_{2}^{2}} - \frac{I_{1}\, \alpha_{M}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{1}^{2}} + \frac{I_{g}\, \alpha_{M}\, \dot{\theta_{2}}}{2\, h_{2}\, N_{2}^{2}} - \frac{I_{g}\, \alpha_{M}\, \dot{\psi_{h}}}{2\, h_{2}\, N_{2}} + \frac{\beta_{K}\, k_{i}\, \dot{\mathrm{twist}_{i}}}{2\, h_{2}\, N_{1}}\ [\text{damping}]
-//! (\frac{I_{b}}{Z_{r}}) \ddot{\theta} + (I_{b}) \ddot{\theta_{c}} + (I_{b}) \ddot{\psi_{l}} = -k_{l}\, \psi_{l} + T_{wind}\ [\text{torques}] - I_{b}\, \alpha_{M}\, \dot{\psi_{l}} - I_{b}\, \alpha_{M}\, \dot{\theta_{c}} - \frac{I_{b}\, \alpha_{M}\, \dot{\theta}}{Z_{r}} - \beta_{K}\, k_{l}\, \dot{\psi_{l}}\ [\text{damping}]
-//! (-\frac{I_{g}}{N_{2}}) \ddot{\theta_{2}} + (\frac{I_{g}}{2\, h_{2}\, N_{2}}) \ddot{s_{2}} + (I_{g}) \ddot{\psi_{h}} = -k_{h}\, \psi_{h} + T_{generator}\ [\text{torques}] + \frac{I_{g}\, \alpha_{M}\, \dot{\theta_{2}}}{N_{2}} - I_{g}\, \alpha_{M}\, \dot{\psi_{h}} - \beta_{K}\, k_{h}\, \dot{\psi_{h}} - \frac{I_{g}\, \alpha_{M}\, \dot{s_{2}}}{2\, h_{2}\, N_{2}}\ [\text{damping}]
-//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{1}} = k_{r1}\, \delta_{r1} - k_{s1}\, \delta_{s1} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r1}}\, \dot{\delta_{r1}} - \beta_{K}\, \bar{k_{s1}}\, \dot{\delta_{s1}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{1}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
-//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{2}} = k_{r2}\, \delta_{r2} - k_{s2}\, \delta_{s2} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r2}}\, \dot{\delta_{r2}} - \beta_{K}\, \bar{k_{s2}}\, \dot{\delta_{s2}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{2}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
-//! (\frac{I_{p}}{r_{p}\, Z_{r}} - \frac{h\, I_{p}}{r_{p}^{2}}) \ddot{\theta} + (\frac{I_{p}}{r_{p}}) \ddot{\theta_{c}} + (\frac{I_{p}}{r_{p}^{2}}) \ddot{u_{3}} = k_{r3}\, \delta_{r3} - k_{s3}\, \delta_{s3} + \frac{h\, I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}^{2}} + \beta_{K}\, \bar{k_{r3}}\, \dot{\delta_{r3}} - \beta_{K}\, \bar{k_{s3}}\, \dot{\delta_{s3}} - \frac{I_{p}\, \alpha_{M}\, \dot{u_{3}}}{r_{p}^{2}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta_{c}}}{r_{p}} - \frac{I_{p}\, \alpha_{M}\, \dot{\theta}}{r_{p}\, Z_{r}}\ [\text{damping}]
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M is symmetric
-//! - every deflection equals the linear form by which the equations differentiate it
-//! - M is positive definite: T is a sum of squares that vanish together only at rest
-//! - without the jump terms the balance fails: energy is created at the rate dk12*s2^2*theta2_dot/2 - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot + dk_r1*delta_r1^2*theta_dot/2 + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | constants (once a scene) | 2 | 12 | 2 |
-//! | force | 97 | 410 | 0 |
-//! | energy step of k_s1 | 0 | 3 | 0 |
-//! | energy step of k_r1 | 0 | 3 | 0 |
-//! | energy step of k_s2 | 0 | 3 | 0 |
-//! | energy step of k_r2 | 0 | 3 | 0 |
-//! | energy step of k_s3 | 0 | 3 | 0 |
-//! | energy step of k_r3 | 0 | 3 | 0 |
-//! | energy step of k12 | 0 | 3 | 0 |
-//! | energy step of e_s1 | 1 | 5 | 0 |
-//! | energy step of e_r1 | 1 | 5 | 0 |
-//! | energy step of e_s2 | 1 | 5 | 0 |
-//! | energy step of e_r2 | 1 | 5 | 0 |
-//! | energy step of e_s3 | 1 | 5 | 0 |
-//! | energy step of e_r3 | 1 | 5 | 0 |
+//! Derived from the energies in `models/src/wind_turbine.rs` by `cargo xtask derive wind_turbine`. Do not edit: change the energies and
+//! derive again. For reading: `text/wind_turbine.txt`, `latex/wind_turbine.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -204,21 +52,29 @@ equations! {
         k_s3 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of sun and planet 3 along the line of action";
         k_r3 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of ring and planet 3 along the line of action";
         k12 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh of the parallel stage along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 with transmission_error, "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 with transmission_error, "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 with transmission_error, "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 with transmission_error, "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 with transmission_error, "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 with transmission_error, "transmission error of the mesh of ring and planet 3 along the line of action";
+        e_s1 "m" phase theta period 6.283185307179586 with transmission_error,
+            "transmission error of the mesh of sun and planet 1 along the line of action";
+        e_r1 "m" phase theta period 6.283185307179586 with transmission_error,
+            "transmission error of the mesh of ring and planet 1 along the line of action";
+        e_s2 "m" phase theta period 6.283185307179586 with transmission_error,
+            "transmission error of the mesh of sun and planet 2 along the line of action";
+        e_r2 "m" phase theta period 6.283185307179586 with transmission_error,
+            "transmission error of the mesh of ring and planet 2 along the line of action";
+        e_s3 "m" phase theta period 6.283185307179586 with transmission_error,
+            "transmission error of the mesh of sun and planet 3 along the line of action";
+        e_r3 "m" phase theta period 6.283185307179586 with transmission_error,
+            "transmission error of the mesh of ring and planet 3 along the line of action";
     }
-    motions {
-        speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); theta2_dot = N1; }, "rotational speed of the sun";
-    }
+    motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); theta2_dot = N1; }, "rotational speed of the sun"; }
     effects {
-        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
-        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step) "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        stiffness_step
+            "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
+            "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
+            "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -248,134 +104,121 @@ equations! {
     }
     energies {
         kinetic {
-            _ => I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
+            _ => I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
+                + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
+                + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0
+                + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0
+                + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
         }
         potential {
-            _ => (k_h*psi_h.powi(2) + k_i*twist_i.powi(2) + k_l*psi_l.powi(2) + k12*s2.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2))/2.0;
+            _ => (k_h*psi_h.powi(2) + k_i*twist_i.powi(2) + k_l*psi_l.powi(2) + k12*s2.powi(2) + k_r1*delta_r1.powi(2)
+                + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2)
+                + k_s3*delta_s3.powi(2))/2.0;
         }
         dissipation {
-            damping => I1*alpha_M*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_h*psi_h_dot.powi(2)/2.0 + beta_K*k_i*twist_i_dot.powi(2)/2.0 + beta_K*k_l*psi_l_dot.powi(2)/2.0 + beta_K*k12_mid*s2_dot.powi(2)/2.0 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_s1_mid*delta_s1_dot.powi(2)/2.0 + beta_K*k_s2_mid*delta_s2_dot.powi(2)/2.0 + beta_K*k_s3_mid*delta_s3_dot.powi(2)/2.0 + 3.0*a.powi(2)*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
+            damping => I1*alpha_M*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0
+                + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
+                + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0
+                + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
+                + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0
+                + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_h*psi_h_dot.powi(2)/2.0
+                + beta_K*k_i*twist_i_dot.powi(2)/2.0 + beta_K*k_l*psi_l_dot.powi(2)/2.0 + beta_K*k12_mid*s2_dot.powi(2)/2.0
+                + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0
+                + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_s1_mid*delta_s1_dot.powi(2)/2.0
+                + beta_K*k_s2_mid*delta_s2_dot.powi(2)/2.0 + beta_K*k_s3_mid*delta_s3_dot.powi(2)/2.0
+                + 3.0*a.powi(2)*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
         }
     }
     torques {
-        wind "driving torque of the rotor" {
-            torques => T_wind*(psi_l + theta_c + theta/Z_r);
-        }
-        generator "load torque of the generator, against its rotation" {
-            torques => T_generator*(psi_h + s2/(2.0*h2*N2) - theta2/N2);
-        }
+        wind "driving torque of the rotor" { torques => T_wind*(psi_l + theta_c + theta/Z_r); }
+        generator "load torque of the generator, against its rotation" { torques => T_generator*(psi_h + s2/(2.0*h2*N2) - theta2/N2); }
     }
     work {
-        theta {
-            torques => T_wind/Z_r;
-        }
-        theta_c {
-            torques => T_wind;
-        }
-        theta2 {
-            torques => -T_generator/N2;
-        }
-        s2 {
-            torques => T_generator/(2.0*h2*N2);
-        }
-        psi_l {
-            torques => T_wind;
-        }
-        psi_h {
-            torques => T_generator;
-        }
+        theta { torques => T_wind/Z_r; }
+        theta_c { torques => T_wind; }
+        theta2 { torques => -T_generator/N2; }
+        s2 { torques => T_generator/(2.0*h2*N2); }
+        psi_l { torques => T_wind; }
+        psi_h { torques => T_generator; }
         u1 {}
         u2 {}
         u3 {}
     }
     mass {
         theta theta {
-            _ => I_b/Z_r.powi(2) - 6.0*h*I_p/(r_p*Z_r) + I_c/Z_r.powi(2) + 3.0*I_p/Z_r.powi(2) + I_s/Z_r.powi(2) + 2.0*I_s/(Z_r*Z_s) + I_s/Z_s.powi(2) + 3.0*a.powi(2)*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p/r_p.powi(2);
+            _ => I_b/Z_r.powi(2) - 6.0*h*I_p/(r_p*Z_r) + I_c/Z_r.powi(2) + 3.0*I_p/Z_r.powi(2) + I_s/Z_r.powi(2) + 2.0*I_s/(Z_r*Z_s)
+                + I_s/Z_s.powi(2) + 3.0*a.powi(2)*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p/r_p.powi(2);
         }
-        theta theta_c {
-            _ => I_b/Z_r - 3.0*h*I_p/r_p + I_c/Z_r + 3.0*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3.0*a.powi(2)*m_p/Z_r;
-        }
-        theta psi_l {
-            _ => I_b/Z_r;
-        }
-        theta u1 {
-            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
-        }
-        theta u2 {
-            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
-        }
-        theta u3 {
-            _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2);
-        }
-        theta_c theta_c {
-            _ => I_b + I_c + 3.0*I_p + I_s + 3.0*a.powi(2)*m_p;
-        }
-        theta_c psi_l {
-            _ => I_b;
-        }
-        theta_c u1 {
-            _ => I_p/r_p;
-        }
-        theta_c u2 {
-            _ => I_p/r_p;
-        }
-        theta_c u3 {
-            _ => I_p/r_p;
-        }
-        theta2 theta2 {
-            _ => I1/N1.powi(2) + I2/N2.powi(2) + I_g/N2.powi(2);
-        }
-        theta2 s2 {
-            _ => (I1/(h2*N1.powi(2)) - I2/(h2*N2.powi(2)) - I_g/(h2*N2.powi(2)))/2.0;
-        }
-        theta2 psi_h {
-            _ => -I_g/N2;
-        }
-        s2 s2 {
-            _ => (I1/(h2.powi(2)*N1.powi(2)) + I2/(h2.powi(2)*N2.powi(2)) + I_g/(h2.powi(2)*N2.powi(2)))/4.0;
-        }
-        s2 psi_h {
-            _ => I_g/(2.0*h2*N2);
-        }
-        psi_l psi_l {
-            _ => I_b;
-        }
-        psi_h psi_h {
-            _ => I_g;
-        }
-        u1 u1 {
-            _ => I_p/r_p.powi(2);
-        }
-        u2 u2 {
-            _ => I_p/r_p.powi(2);
-        }
-        u3 u3 {
-            _ => I_p/r_p.powi(2);
-        }
+        theta theta_c { _ => I_b/Z_r - 3.0*h*I_p/r_p + I_c/Z_r + 3.0*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3.0*a.powi(2)*m_p/Z_r; }
+        theta psi_l { _ => I_b/Z_r; }
+        theta u1 { _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2); }
+        theta u2 { _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2); }
+        theta u3 { _ => I_p/(r_p*Z_r) - h*I_p/r_p.powi(2); }
+        theta_c theta_c { _ => I_b + I_c + 3.0*I_p + I_s + 3.0*a.powi(2)*m_p; }
+        theta_c psi_l { _ => I_b; }
+        theta_c u1 { _ => I_p/r_p; }
+        theta_c u2 { _ => I_p/r_p; }
+        theta_c u3 { _ => I_p/r_p; }
+        theta2 theta2 { _ => I1/N1.powi(2) + I2/N2.powi(2) + I_g/N2.powi(2); }
+        theta2 s2 { _ => (I1/(h2*N1.powi(2)) - I2/(h2*N2.powi(2)) - I_g/(h2*N2.powi(2)))/2.0; }
+        theta2 psi_h { _ => -I_g/N2; }
+        s2 s2 { _ => (I1/(h2.powi(2)*N1.powi(2)) + I2/(h2.powi(2)*N2.powi(2)) + I_g/(h2.powi(2)*N2.powi(2)))/4.0; }
+        s2 psi_h { _ => I_g/(2.0*h2*N2); }
+        psi_l psi_l { _ => I_b; }
+        psi_h psi_h { _ => I_g; }
+        u1 u1 { _ => I_p/r_p.powi(2); }
+        u2 u2 { _ => I_p/r_p.powi(2); }
+        u3 u3 { _ => I_p/r_p.powi(2); }
     }
     force {
         theta {
             _ => -k_i*twist_i/Z_r - k_i*twist_i/Z_s;
-            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3;
+            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1
+                + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3;
             torques => T_wind/Z_r;
-            damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2) + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r.powi(2) - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r.powi(2) - I_c*alpha_M*theta_c_dot/Z_r - 3.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 3.0*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2) - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 3.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2) - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - beta_K*k_i*twist_i_dot/Z_r - beta_K*k_i*twist_i_dot/Z_s;
-            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_s1*delta_s1.powi(2) - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2))/2.0;
+            damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
+                + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r.powi(2)
+                - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r.powi(2)
+                - I_c*alpha_M*theta_c_dot/Z_r - 3.0*I_p*alpha_M*theta_dot/Z_r.powi(2) - 3.0*I_p*alpha_M*theta_c_dot/Z_r
+                - I_s*alpha_M*theta_dot/Z_r.powi(2) - I_s*alpha_M*theta_c_dot/Z_r - 2.0*I_s*alpha_M*theta_dot/(Z_r*Z_s)
+                - I_s*alpha_M*theta_dot/Z_s.powi(2) - I_s*alpha_M*theta_c_dot/Z_s - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r.powi(2)
+                - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 3.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2)
+                - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - beta_K*k_i*twist_i_dot/Z_r
+                - beta_K*k_i*twist_i_dot/Z_s;
+            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_s1*delta_s1.powi(2)
+                - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2))/2.0;
         }
         theta_c {
             _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 - k_i*twist_i;
             torques => T_wind;
-            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3.0*I_p*alpha_M*theta_c_dot - 3.0*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*twist_i_dot - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p;
+            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot
+                + 3.0*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r
+                - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3.0*I_p*alpha_M*theta_c_dot - 3.0*I_p*alpha_M*theta_dot/Z_r
+                - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*twist_i_dot
+                - 3.0*a.powi(2)*alpha_M*m_p*theta_c_dot - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p
+                - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p;
         }
         theta2 {
             _ => k_i*twist_i/N1;
             torques => -T_generator/N2;
-            damping => I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1.powi(2) - I2*alpha_M*theta2_dot/N2.powi(2) - I_g*alpha_M*theta2_dot/N2.powi(2) - I1*alpha_M*s2_dot/(2.0*h2*N1.powi(2)) + I2*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + I_g*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + beta_K*k_i*twist_i_dot/N1;
+            damping => I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1.powi(2) - I2*alpha_M*theta2_dot/N2.powi(2)
+                - I_g*alpha_M*theta2_dot/N2.powi(2) - I1*alpha_M*s2_dot/(2.0*h2*N1.powi(2)) + I2*alpha_M*s2_dot/(2.0*h2*N2.powi(2))
+                + I_g*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + beta_K*k_i*twist_i_dot/N1;
             jump_terms => -dk12*s2.powi(2)/2.0;
         }
         s2 {
             _ => k_i*twist_i/(2.0*h2*N1) - k12*s2;
             torques => T_generator/(2.0*h2*N2);
-            damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2)) + I_g*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - I_g*alpha_M*psi_h_dot/(2.0*h2*N2) + beta_K*k_i*twist_i_dot/(2.0*h2*N1);
+            damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2))
+                - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2))
+                - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2)) + I_g*alpha_M*theta2_dot/(2.0*h2*N2.powi(2))
+                - I_g*alpha_M*psi_h_dot/(2.0*h2*N2) + beta_K*k_i*twist_i_dot/(2.0*h2*N1);
         }
         psi_l {
             _ => -k_l*psi_l;
@@ -389,34 +232,37 @@ equations! {
         }
         u1 {
             _ => k_r1*delta_r1 - k_s1*delta_s1;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot
+                - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         u2 {
             _ => k_r2*delta_r2 - k_s2*delta_s2;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot
+                - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         u3 {
             _ => k_r3*delta_r3 - k_s3*delta_s3;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot
+                - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
     }
     jacobian {
         theta theta {
             _ => -k_i/Z_r.powi(2) - 2.0*k_i/(Z_r*Z_s) - k_i/Z_s.powi(2);
-            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2 + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3;
-            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
+            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2)
+                + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2
+                - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2
+                + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3;
+            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*delta_s1.powi(2)
+                - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
         }
         theta theta_c {
             _ => -k_i/Z_r - k_i/Z_s;
             transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
-        theta theta2 {
-            _ => k_i/(N1*Z_r) + k_i/(N1*Z_s);
-        }
-        theta s2 {
-            _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0;
-        }
+        theta theta2 { _ => k_i/(N1*Z_r) + k_i/(N1*Z_s); }
+        theta s2 { _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0; }
         theta u1 {
             transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
@@ -430,82 +276,47 @@ equations! {
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta theta_dot {
-            damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_b*alpha_M/Z_r.powi(2) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2) - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) - beta_K*k_i/Z_r.powi(2) - 2.0*beta_K*k_i/(Z_r*Z_s) - beta_K*k_i/Z_s.powi(2);
+            damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_b*alpha_M/Z_r.powi(2) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2)
+                - I_s*alpha_M/Z_r.powi(2) - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
+                - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) - beta_K*k_i/Z_r.powi(2) - 2.0*beta_K*k_i/(Z_r*Z_s) - beta_K*k_i/Z_s.powi(2);
         }
         theta theta_c_dot {
-            damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
+            damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
         }
-        theta theta2_dot {
-            damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s);
-        }
-        theta s2_dot {
-            damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0;
-        }
-        theta psi_l_dot {
-            damping => -I_b*alpha_M/Z_r;
-        }
-        theta u1_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta u2_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta u3_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
+        theta theta2_dot { damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s); }
+        theta s2_dot { damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0; }
+        theta psi_l_dot { damping => -I_b*alpha_M/Z_r; }
+        theta u1_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u2_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
             _ => -k_i/Z_r - k_i/Z_s;
             transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
-        theta_c theta_c {
-            _ => -k_i - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3;
-        }
-        theta_c theta2 {
-            _ => k_i/N1;
-        }
-        theta_c s2 {
-            _ => k_i/(2.0*h2*N1);
-        }
-        theta_c u1 {
-            _ => -h*Z_r*k_r1;
-        }
-        theta_c u2 {
-            _ => -h*Z_r*k_r2;
-        }
-        theta_c u3 {
-            _ => -h*Z_r*k_r3;
-        }
+        theta_c theta_c { _ => -k_i - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
+        theta_c theta2 { _ => k_i/N1; }
+        theta_c s2 { _ => k_i/(2.0*h2*N1); }
+        theta_c u1 { _ => -h*Z_r*k_r1; }
+        theta_c u2 { _ => -h*Z_r*k_r2; }
+        theta_c u3 { _ => -h*Z_r*k_r3; }
         theta_c theta_dot {
-            damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
+            damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
         }
         theta_c theta_c_dot {
-            damping => -I_b*alpha_M - I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - beta_K*k_i - 3.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+            damping => -I_b*alpha_M - I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - beta_K*k_i - 3.0*a.powi(2)*alpha_M*m_p
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
         }
-        theta_c theta2_dot {
-            damping => beta_K*k_i/N1;
-        }
-        theta_c s2_dot {
-            damping => beta_K*k_i/(2.0*h2*N1);
-        }
-        theta_c psi_l_dot {
-            damping => -I_b*alpha_M;
-        }
-        theta_c u1_dot {
-            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
-        }
-        theta_c u2_dot {
-            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
-        }
-        theta_c u3_dot {
-            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
-        }
-        theta2 theta {
-            _ => k_i/(N1*Z_r) + k_i/(N1*Z_s);
-        }
-        theta2 theta_c {
-            _ => k_i/N1;
-        }
+        theta_c theta2_dot { damping => beta_K*k_i/N1; }
+        theta_c s2_dot { damping => beta_K*k_i/(2.0*h2*N1); }
+        theta_c psi_l_dot { damping => -I_b*alpha_M; }
+        theta_c u1_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
+        theta_c u2_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
+        theta_c u3_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
+        theta2 theta { _ => k_i/(N1*Z_r) + k_i/(N1*Z_s); }
+        theta2 theta_c { _ => k_i/N1; }
         theta2 theta2 {
             _ => -k_i/N1.powi(2);
             jump_terms => -ddk12*s2.powi(2)/2.0;
@@ -514,517 +325,198 @@ equations! {
             _ => -k_i/(2.0*h2*N1.powi(2));
             jump_terms => -dk12*s2;
         }
-        theta2 theta_dot {
-            damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s);
-        }
-        theta2 theta_c_dot {
-            damping => beta_K*k_i/N1;
-        }
-        theta2 theta2_dot {
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_g*alpha_M/N2.powi(2) - beta_K*k_i/N1.powi(2);
-        }
+        theta2 theta_dot { damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s); }
+        theta2 theta_c_dot { damping => beta_K*k_i/N1; }
+        theta2 theta2_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_g*alpha_M/N2.powi(2) - beta_K*k_i/N1.powi(2); }
         theta2 s2_dot {
-            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2)) - beta_K*k_i/(h2*N1.powi(2)))/2.0;
+            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2))
+                - beta_K*k_i/(h2*N1.powi(2)))/2.0;
         }
-        theta2 psi_h_dot {
-            damping => I_g*alpha_M/N2;
-        }
-        s2 theta {
-            _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0;
-        }
-        s2 theta_c {
-            _ => k_i/(2.0*h2*N1);
-        }
+        theta2 psi_h_dot { damping => I_g*alpha_M/N2; }
+        s2 theta { _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0; }
+        s2 theta_c { _ => k_i/(2.0*h2*N1); }
         s2 theta2 {
             _ => -k_i/(2.0*h2*N1.powi(2));
             moving_phase => -dk12*s2;
         }
-        s2 s2 {
-            _ => -k12 - k_i/(4.0*h2.powi(2)*N1.powi(2));
-        }
-        s2 theta_dot {
-            damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0;
-        }
-        s2 theta_c_dot {
-            damping => beta_K*k_i/(2.0*h2*N1);
-        }
+        s2 s2 { _ => -k12 - k_i/(4.0*h2.powi(2)*N1.powi(2)); }
+        s2 theta_dot { damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0; }
+        s2 theta_c_dot { damping => beta_K*k_i/(2.0*h2*N1); }
         s2 theta2_dot {
-            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2)) - beta_K*k_i/(h2*N1.powi(2)))/2.0;
+            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2))
+                - beta_K*k_i/(h2*N1.powi(2)))/2.0;
         }
         s2 s2_dot {
-            damping => -beta_K*k12_mid - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
+            damping => -beta_K*k12_mid - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
+                - I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
         }
-        s2 psi_h_dot {
-            damping => -I_g*alpha_M/(2.0*h2*N2);
-        }
-        psi_l psi_l {
-            _ => -k_l;
-        }
-        psi_l theta_dot {
-            damping => -I_b*alpha_M/Z_r;
-        }
-        psi_l theta_c_dot {
-            damping => -I_b*alpha_M;
-        }
-        psi_l psi_l_dot {
-            damping => -I_b*alpha_M - beta_K*k_l;
-        }
-        psi_h psi_h {
-            _ => -k_h;
-        }
-        psi_h theta2_dot {
-            damping => I_g*alpha_M/N2;
-        }
-        psi_h s2_dot {
-            damping => -I_g*alpha_M/(2.0*h2*N2);
-        }
-        psi_h psi_h_dot {
-            damping => -I_g*alpha_M - beta_K*k_h;
-        }
+        s2 psi_h_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
+        psi_l psi_l { _ => -k_l; }
+        psi_l theta_dot { damping => -I_b*alpha_M/Z_r; }
+        psi_l theta_c_dot { damping => -I_b*alpha_M; }
+        psi_l psi_l_dot { damping => -I_b*alpha_M - beta_K*k_l; }
+        psi_h psi_h { _ => -k_h; }
+        psi_h theta2_dot { damping => I_g*alpha_M/N2; }
+        psi_h s2_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
+        psi_h psi_h_dot { damping => -I_g*alpha_M - beta_K*k_h; }
         u1 theta {
             transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
-        u1 theta_c {
-            _ => -h*Z_r*k_r1;
-        }
-        u1 u1 {
-            _ => -k_r1 - k_s1;
-        }
-        u1 theta_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        u1 theta_c_dot {
-            damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p;
-        }
-        u1 u1_dot {
-            damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2);
-        }
+        u1 theta_c { _ => -h*Z_r*k_r1; }
+        u1 u1 { _ => -k_r1 - k_s1; }
+        u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u1 theta_c_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
+        u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
         u2 theta {
             transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
-        u2 theta_c {
-            _ => -h*Z_r*k_r2;
-        }
-        u2 u2 {
-            _ => -k_r2 - k_s2;
-        }
-        u2 theta_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        u2 theta_c_dot {
-            damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p;
-        }
-        u2 u2_dot {
-            damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2);
-        }
+        u2 theta_c { _ => -h*Z_r*k_r2; }
+        u2 u2 { _ => -k_r2 - k_s2; }
+        u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u2 theta_c_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
+        u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
         u3 theta {
             transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
-        u3 theta_c {
-            _ => -h*Z_r*k_r3;
-        }
-        u3 u3 {
-            _ => -k_r3 - k_s3;
-        }
-        u3 theta_dot {
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        u3 theta_c_dot {
-            damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p;
-        }
-        u3 u3_dot {
-            damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2);
-        }
+        u3 theta_c { _ => -h*Z_r*k_r3; }
+        u3 u3 { _ => -k_r3 - k_s3; }
+        u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u3 theta_c_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
+        u3 u3_dot { damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2); }
     }
     cell {
         stiffness {
-            theta theta {
-                _ => k_i/Z_r.powi(2) + 2.0*k_i/(Z_r*Z_s) + k_i/Z_s.powi(2);
-            }
-            theta theta_c {
-                _ => k_i/Z_r + k_i/Z_s;
-            }
-            theta theta2 {
-                _ => -k_i/(N1*Z_r) - k_i/(N1*Z_s);
-            }
-            theta s2 {
-                _ => (-k_i/(h2*N1*Z_r) - k_i/(h2*N1*Z_s))/2.0;
-            }
-            theta_c theta_c {
-                _ => k_i + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
-            }
-            theta_c theta2 {
-                _ => -k_i/N1;
-            }
-            theta_c s2 {
-                _ => -k_i/(2.0*h2*N1);
-            }
-            theta_c u1 {
-                _ => h*Z_r*k_r1;
-            }
-            theta_c u2 {
-                _ => h*Z_r*k_r2;
-            }
-            theta_c u3 {
-                _ => h*Z_r*k_r3;
-            }
-            theta2 theta2 {
-                _ => k_i/N1.powi(2);
-            }
-            theta2 s2 {
-                _ => k_i/(2.0*h2*N1.powi(2));
-            }
-            s2 s2 {
-                _ => k12 + k_i/(4.0*h2.powi(2)*N1.powi(2));
-            }
-            psi_l psi_l {
-                _ => k_l;
-            }
-            psi_h psi_h {
-                _ => k_h;
-            }
-            u1 u1 {
-                _ => k_r1 + k_s1;
-            }
-            u2 u2 {
-                _ => k_r2 + k_s2;
-            }
-            u3 u3 {
-                _ => k_r3 + k_s3;
-            }
+            theta theta { _ => k_i/Z_r.powi(2) + 2.0*k_i/(Z_r*Z_s) + k_i/Z_s.powi(2); }
+            theta theta_c { _ => k_i/Z_r + k_i/Z_s; }
+            theta theta2 { _ => -k_i/(N1*Z_r) - k_i/(N1*Z_s); }
+            theta s2 { _ => (-k_i/(h2*N1*Z_r) - k_i/(h2*N1*Z_s))/2.0; }
+            theta_c theta_c { _ => k_i + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
+            theta_c theta2 { _ => -k_i/N1; }
+            theta_c s2 { _ => -k_i/(2.0*h2*N1); }
+            theta_c u1 { _ => h*Z_r*k_r1; }
+            theta_c u2 { _ => h*Z_r*k_r2; }
+            theta_c u3 { _ => h*Z_r*k_r3; }
+            theta2 theta2 { _ => k_i/N1.powi(2); }
+            theta2 s2 { _ => k_i/(2.0*h2*N1.powi(2)); }
+            s2 s2 { _ => k12 + k_i/(4.0*h2.powi(2)*N1.powi(2)); }
+            psi_l psi_l { _ => k_l; }
+            psi_h psi_h { _ => k_h; }
+            u1 u1 { _ => k_r1 + k_s1; }
+            u2 u2 { _ => k_r2 + k_s2; }
+            u3 u3 { _ => k_r3 + k_s3; }
         }
         damping {
             theta theta {
-                damping => I_b*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + I_c*alpha_M/Z_r.powi(2) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2) + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) + beta_K*k_i/Z_r.powi(2) + 2.0*beta_K*k_i/(Z_r*Z_s) + beta_K*k_i/Z_s.powi(2);
+                damping => I_b*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + I_c*alpha_M/Z_r.powi(2) + 3.0*I_p*alpha_M/Z_r.powi(2)
+                    + I_s*alpha_M/Z_r.powi(2) + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2)
+                    + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) + beta_K*k_i/Z_r.powi(2)
+                    + 2.0*beta_K*k_i/(Z_r*Z_s) + beta_K*k_i/Z_s.powi(2);
             }
             theta theta_c {
-                damping => I_b*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + I_c*alpha_M/Z_r + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s + 3.0*a.powi(2)*alpha_M*m_p/Z_r + beta_K*k_i/Z_r + beta_K*k_i/Z_s;
+                damping => I_b*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + I_c*alpha_M/Z_r + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r
+                    + I_s*alpha_M/Z_s + 3.0*a.powi(2)*alpha_M*m_p/Z_r + beta_K*k_i/Z_r + beta_K*k_i/Z_s;
             }
-            theta theta2 {
-                damping => -beta_K*k_i/(N1*Z_r) - beta_K*k_i/(N1*Z_s);
-            }
-            theta s2 {
-                damping => (-beta_K*k_i/(h2*N1*Z_r) - beta_K*k_i/(h2*N1*Z_s))/2.0;
-            }
-            theta psi_l {
-                damping => I_b*alpha_M/Z_r;
-            }
-            theta u1 {
-                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
-            }
-            theta u2 {
-                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
-            }
-            theta u3 {
-                damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2);
-            }
+            theta theta2 { damping => -beta_K*k_i/(N1*Z_r) - beta_K*k_i/(N1*Z_s); }
+            theta s2 { damping => (-beta_K*k_i/(h2*N1*Z_r) - beta_K*k_i/(h2*N1*Z_s))/2.0; }
+            theta psi_l { damping => I_b*alpha_M/Z_r; }
+            theta u1 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
+            theta u2 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
+            theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta_c theta_c {
-                damping => I_b*alpha_M + I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + beta_K*k_i + 3.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
+                damping => I_b*alpha_M + I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + beta_K*k_i + 3.0*a.powi(2)*alpha_M*m_p
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
             }
-            theta_c theta2 {
-                damping => -beta_K*k_i/N1;
-            }
-            theta_c s2 {
-                damping => -beta_K*k_i/(2.0*h2*N1);
-            }
-            theta_c psi_l {
-                damping => I_b*alpha_M;
-            }
-            theta_c u1 {
-                damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p;
-            }
-            theta_c u2 {
-                damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p;
-            }
-            theta_c u3 {
-                damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p;
-            }
-            theta2 theta2 {
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2) + beta_K*k_i/N1.powi(2);
-            }
+            theta_c theta2 { damping => -beta_K*k_i/N1; }
+            theta_c s2 { damping => -beta_K*k_i/(2.0*h2*N1); }
+            theta_c psi_l { damping => I_b*alpha_M; }
+            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p; }
+            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p; }
+            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p; }
+            theta2 theta2 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2) + beta_K*k_i/N1.powi(2); }
             theta2 s2 {
-                damping => (I1*alpha_M/(h2*N1.powi(2)) - I2*alpha_M/(h2*N2.powi(2)) - I_g*alpha_M/(h2*N2.powi(2)) + beta_K*k_i/(h2*N1.powi(2)))/2.0;
+                damping => (I1*alpha_M/(h2*N1.powi(2)) - I2*alpha_M/(h2*N2.powi(2)) - I_g*alpha_M/(h2*N2.powi(2))
+                    + beta_K*k_i/(h2*N1.powi(2)))/2.0;
             }
-            theta2 psi_h {
-                damping => -I_g*alpha_M/N2;
-            }
+            theta2 psi_h { damping => -I_g*alpha_M/N2; }
             s2 s2 {
-                damping => beta_K*k12_mid + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
+                damping => beta_K*k12_mid + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
+                    + I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
             }
-            s2 psi_h {
-                damping => I_g*alpha_M/(2.0*h2*N2);
-            }
-            psi_l psi_l {
-                damping => I_b*alpha_M + beta_K*k_l;
-            }
-            psi_h psi_h {
-                damping => I_g*alpha_M + beta_K*k_h;
-            }
-            u1 u1 {
-                damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2);
-            }
-            u2 u2 {
-                damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2);
-            }
-            u3 u3 {
-                damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2);
-            }
+            s2 psi_h { damping => I_g*alpha_M/(2.0*h2*N2); }
+            psi_l psi_l { damping => I_b*alpha_M + beta_K*k_l; }
+            psi_h psi_h { damping => I_g*alpha_M + beta_K*k_h; }
+            u1 u1 { damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2); }
+            u2 u2 { damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2); }
+            u3 u3 { damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2); }
         }
         load {
-            theta {
-                torques => T_wind/Z_r;
-            }
+            theta { torques => T_wind/Z_r; }
             theta_c {
                 _ => -h*Z_r*k_r1*e_r1 - h*Z_r*k_r2*e_r2 - h*Z_r*k_r3*e_r3;
                 torques => T_wind;
             }
-            theta2 {
-                torques => -T_generator/N2;
-            }
-            s2 {
-                torques => T_generator/(2.0*h2*N2);
-            }
-            psi_l {
-                torques => T_wind;
-            }
-            psi_h {
-                torques => T_generator;
-            }
-            u1 {
-                _ => k_s1*e_s1 - k_r1*e_r1;
-            }
-            u2 {
-                _ => k_s2*e_s2 - k_r2*e_r2;
-            }
-            u3 {
-                _ => k_s3*e_s3 - k_r3*e_r3;
-            }
+            theta2 { torques => -T_generator/N2; }
+            s2 { torques => T_generator/(2.0*h2*N2); }
+            psi_l { torques => T_wind; }
+            psi_h { torques => T_generator; }
+            u1 { _ => k_s1*e_s1 - k_r1*e_r1; }
+            u2 { _ => k_s2*e_s2 - k_r2*e_r2; }
+            u3 { _ => k_s3*e_s3 - k_r3*e_r3; }
         }
     }
-    jump k_s1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_s1*delta_s1.powi(2)/2.0;
-        }
-    }
-    jump k_r1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_r1*delta_r1.powi(2)/2.0;
-        }
-    }
-    jump k_s2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_s2*delta_s2.powi(2)/2.0;
-        }
-    }
-    jump k_r2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_r2*delta_r2.powi(2)/2.0;
-        }
-    }
-    jump k_s3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_s3*delta_s3.powi(2)/2.0;
-        }
-    }
-    jump k_r3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk_r3*delta_r3.powi(2)/2.0;
-        }
-    }
-    jump k12 {
-        normal {
-            theta2 {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk12*s2.powi(2)/2.0;
-        }
-    }
-    jump e_s1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1;
-        }
-    }
-    jump e_r1 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1;
-        }
-    }
-    jump e_s2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2;
-        }
-    }
-    jump e_r2 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2;
-        }
-    }
-    jump e_s3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3;
-        }
-    }
-    jump e_r3 {
-        normal {
-            theta {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3;
-        }
-    }
+    jump k_s1 { step { _ => dk_s1*delta_s1.powi(2)/2.0; } }
+    jump k_r1 { step { _ => dk_r1*delta_r1.powi(2)/2.0; } }
+    jump k_s2 { step { _ => dk_s2*delta_s2.powi(2)/2.0; } }
+    jump k_r2 { step { _ => dk_r2*delta_r2.powi(2)/2.0; } }
+    jump k_s3 { step { _ => dk_s3*delta_s3.powi(2)/2.0; } }
+    jump k_r3 { step { _ => dk_r3*delta_r3.powi(2)/2.0; } }
+    jump k12 { step { _ => dk12*s2.powi(2)/2.0; } }
+    jump e_s1 { step { _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1; } }
+    jump e_r1 { step { _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1; } }
+    jump e_s2 { step { _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2; } }
+    jump e_r2 { step { _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2; } }
+    jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
+    jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
 
-    text {
-        "T = I1*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + 3*a^2*m_p*(theta_c_dot + theta_dot/Z_r)^2/2";
-        "V = (k_h*psi_h^2 + k_i*twist_i^2 + k_l*psi_l^2 + k12*s2^2 + k_r1*delta_r1^2 + k_r2*delta_r2^2 + k_r3*delta_r3^2 + k_s1*delta_s1^2 + k_s2*delta_s2^2 + k_s3*delta_s3^2)/2";
-        "D = I1*alpha_M*(s2_dot/(2*h2*N1) + theta2_dot/N1)^2/2 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2*h2*N2))^2/2 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r)^2/2 + I_c*alpha_M*(theta_c_dot + theta_dot/Z_r)^2/2 + I_g*alpha_M*(theta2_dot/N2 - psi_h_dot - s2_dot/(2*h2*N2))^2/2 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r)^2/2 + I_s*alpha_M*(theta_c_dot + theta_dot*(1/Z_r + 1/Z_s))^2/2 + beta_K*k_h*psi_h_dot^2/2 + beta_K*k_i*twist_i_dot^2/2 + beta_K*k_l*psi_l_dot^2/2 + beta_K*k12_mid*s2_dot^2/2 + beta_K*k_r1_mid*delta_r1_dot^2/2 + beta_K*k_r2_mid*delta_r2_dot^2/2 + beta_K*k_r3_mid*delta_r3_dot^2/2 + beta_K*k_s1_mid*delta_s1_dot^2/2 + beta_K*k_s2_mid*delta_s2_dot^2/2 + beta_K*k_s3_mid*delta_s3_dot^2/2 + 3*a^2*alpha_M*m_p*(theta_c_dot + theta_dot/Z_r)^2/2 [damping]";
-        "Q_theta = T_wind/Z_r [torques]";
-        "Q_theta_c = T_wind [torques]";
-        "Q_theta2 = -T_generator/N2 [torques]";
-        "Q_s2 = T_generator/(2*h2*N2) [torques]";
-        "Q_psi_l = T_wind [torques]";
-        "Q_psi_h = T_generator [torques]";
-        "Q_u1 = 0";
-        "Q_u2 = 0";
-        "Q_u3 = 0";
-        "cos_a = cos(alpha)";
-        "sin_a = sin(alpha)";
-        "h = r_s/Z_s";
-        "r_p = (h*Z_r - h*Z_s)/2";
-        "a = (h*Z_r/cos_a + h*Z_s/cos_a)/2";
-        "h2 = r1/N1";
-        "twist_i = theta_c - s2/(2*h2*N1) - theta2/N1 + theta/Z_r + theta/Z_s";
-        "delta_s1 = u1 - e_s1";
-        "delta_r1 = -u1 - e_r1 - h*Z_r*theta_c";
-        "delta_s2 = u2 - e_s2";
-        "delta_r2 = -u2 - e_r2 - h*Z_r*theta_c";
-        "delta_s3 = u3 - e_s3";
-        "delta_r3 = -u3 - e_r3 - h*Z_r*theta_c";
-        "e_s1 = 0 without transmission error; the rates of deflections do not contain that of e_s1";
-        "e_r1 = 0 without transmission error; the rates of deflections do not contain that of e_r1";
-        "e_s2 = 0 without transmission error; the rates of deflections do not contain that of e_s2";
-        "e_r2 = 0 without transmission error; the rates of deflections do not contain that of e_r2";
-        "e_s3 = 0 without transmission error; the rates of deflections do not contain that of e_s3";
-        "e_r3 = 0 without transmission error; the rates of deflections do not contain that of e_r3";
-        "(I_b/Z_r^2 - 6*h*I_p/(r_p*Z_r) + I_c/Z_r^2 + 3*I_p/Z_r^2 + I_s/Z_r^2 + 2*I_s/(Z_r*Z_s) + I_s/Z_s^2 + 3*a^2*m_p/Z_r^2 + 3*h^2*I_p/r_p^2) theta'' + (I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta_c'' + (I_b/Z_r) psi_l'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u1'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u2'' + (I_p/(r_p*Z_r) - h*I_p/r_p^2) u3'' = -k_i*twist_i/Z_r - k_i*twist_i/Z_s + k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 [transmission error, jump terms] + T_wind/Z_r [torques] + h*I_p*alpha_M*u1_dot/r_p^2 + h*I_p*alpha_M*u2_dot/r_p^2 + h*I_p*alpha_M*u3_dot/r_p^2 + 3*h*I_p*alpha_M*theta_c_dot/r_p + 6*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r^2 - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r^2 - I_c*alpha_M*theta_c_dot/Z_r - 3*I_p*alpha_M*theta_dot/Z_r^2 - 3*I_p*alpha_M*theta_c_dot/Z_r - I_s*alpha_M*theta_dot/Z_r^2 - I_s*alpha_M*theta_c_dot/Z_r - 2*I_s*alpha_M*theta_dot/(Z_r*Z_s) - I_s*alpha_M*theta_dot/Z_s^2 - I_s*alpha_M*theta_c_dot/Z_s - 3*a^2*alpha_M*m_p*theta_dot/Z_r^2 - 3*a^2*alpha_M*m_p*theta_c_dot/Z_r - 3*h^2*I_p*alpha_M*theta_dot/r_p^2 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r) - beta_K*k_i*twist_i_dot/Z_r - beta_K*k_i*twist_i_dot/Z_s [damping] + (-dk_r1*delta_r1^2 - dk_r2*delta_r2^2 - dk_r3*delta_r3^2 - dk_s1*delta_s1^2 - dk_s2*delta_s2^2 - dk_s3*delta_s3^2)/2 [jump terms]";
-        "(I_b/Z_r - 3*h*I_p/r_p + I_c/Z_r + 3*I_p/Z_r + I_s/Z_r + I_s/Z_s + 3*a^2*m_p/Z_r) theta'' + (I_b + I_c + 3*I_p + I_s + 3*a^2*m_p) theta_c'' + (I_b) psi_l'' + (I_p/r_p) u1'' + (I_p/r_p) u2'' + (I_p/r_p) u3'' = h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 - k_i*twist_i + T_wind [torques] + h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3*I_p*alpha_M*theta_c_dot - 3*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - beta_K*k_i*twist_i_dot - 3*a^2*alpha_M*m_p*theta_c_dot - 3*a^2*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p [damping]";
-        "(I1/N1^2 + I2/N2^2 + I_g/N2^2) theta2'' + ((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) s2'' + (-I_g/N2) psi_h'' = k_i*twist_i/N1 - T_generator/N2 [torques] + I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1^2 - I2*alpha_M*theta2_dot/N2^2 - I_g*alpha_M*theta2_dot/N2^2 - I1*alpha_M*s2_dot/(2*h2*N1^2) + I2*alpha_M*s2_dot/(2*h2*N2^2) + I_g*alpha_M*s2_dot/(2*h2*N2^2) + beta_K*k_i*twist_i_dot/N1 [damping] - dk12*s2^2/2 [jump terms]";
-        "((I1/(h2*N1^2) - I2/(h2*N2^2) - I_g/(h2*N2^2))/2) theta2'' + ((I1/(h2^2*N1^2) + I2/(h2^2*N2^2) + I_g/(h2^2*N2^2))/4) s2'' + (I_g/(2*h2*N2)) psi_h'' = k_i*twist_i/(2*h2*N1) - k12*s2 + T_generator/(2*h2*N2) [torques] + I2*alpha_M*theta2_dot/(2*h2*N2^2) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4*h2^2*N1^2) - I2*alpha_M*s2_dot/(4*h2^2*N2^2) - I_g*alpha_M*s2_dot/(4*h2^2*N2^2) - I1*alpha_M*theta2_dot/(2*h2*N1^2) + I_g*alpha_M*theta2_dot/(2*h2*N2^2) - I_g*alpha_M*psi_h_dot/(2*h2*N2) + beta_K*k_i*twist_i_dot/(2*h2*N1) [damping]";
-        "(I_b/Z_r) theta'' + (I_b) theta_c'' + (I_b) psi_l'' = -k_l*psi_l + T_wind [torques] - I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*psi_l_dot [damping]";
-        "(-I_g/N2) theta2'' + (I_g/(2*h2*N2)) s2'' + (I_g) psi_h'' = -k_h*psi_h + T_generator [torques] + I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*psi_h_dot - I_g*alpha_M*s2_dot/(2*h2*N2) [damping]";
-        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u1'' = k_r1*delta_r1 - k_s1*delta_s1 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot - I_p*alpha_M*u1_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
-        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u2'' = k_r2*delta_r2 - k_s2*delta_s2 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot - I_p*alpha_M*u2_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
-        "(I_p/(r_p*Z_r) - h*I_p/r_p^2) theta'' + (I_p/r_p) theta_c'' + (I_p/r_p^2) u3'' = k_r3*delta_r3 - k_s3*delta_s3 + h*I_p*alpha_M*theta_dot/r_p^2 + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot - I_p*alpha_M*u3_dot/r_p^2 - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r) [damping]";
-        "at a step dk_s1 of k_s1 in theta: v+^2 = v-^2 - 2*G*(dk_s1*delta_s1^2/2)";
-        "at a step dk_r1 of k_r1 in theta: v+^2 = v-^2 - 2*G*(dk_r1*delta_r1^2/2)";
-        "at a step dk_s2 of k_s2 in theta: v+^2 = v-^2 - 2*G*(dk_s2*delta_s2^2/2)";
-        "at a step dk_r2 of k_r2 in theta: v+^2 = v-^2 - 2*G*(dk_r2*delta_r2^2/2)";
-        "at a step dk_s3 of k_s3 in theta: v+^2 = v-^2 - 2*G*(dk_s3*delta_s3^2/2)";
-        "at a step dk_r3 of k_r3 in theta: v+^2 = v-^2 - 2*G*(dk_r3*delta_r3^2/2)";
-        "at a step dk12 of k12 in theta2: v+^2 = v-^2 - 2*G*(dk12*s2^2/2)";
-        "at a step de_s1 of e_s1 in theta: v+^2 = v-^2 - 2*G*(k_s1*de_s1^2/2 - k_s1*de_s1*delta_s1)";
-        "at a step de_r1 of e_r1 in theta: v+^2 = v-^2 - 2*G*(k_r1*de_r1^2/2 - k_r1*de_r1*delta_r1)";
-        "at a step de_s2 of e_s2 in theta: v+^2 = v-^2 - 2*G*(k_s2*de_s2^2/2 - k_s2*de_s2*delta_s2)";
-        "at a step de_r2 of e_r2 in theta: v+^2 = v-^2 - 2*G*(k_r2*de_r2^2/2 - k_r2*de_r2*delta_r2)";
-        "at a step de_s3 of e_s3 in theta: v+^2 = v-^2 - 2*G*(k_s3*de_s3^2/2 - k_s3*de_s3*delta_s3)";
-        "at a step de_r3 of e_r3 in theta: v+^2 = v-^2 - 2*G*(k_r3*de_r3^2/2 - k_r3*de_r3*delta_r3)";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{I_{1}\\, \\left(\\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{1}} + \\frac{\\dot{\\theta_{2}}}{N_{1}}\\right)^{2}}{2} + \\frac{I_{2}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{b}\\, \\left(\\dot{\\psi_{l}} + \\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{c}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{g}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\dot{\\psi_{h}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{s}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2}}{2} + \\frac{3\\, a^{2}\\, m_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2}";
-        "V = \\frac{1}{2} (k_{h}\\, \\psi_{h}^{2} + k_{i}\\, \\mathrm{twist}_{i}^{2} + k_{l}\\, \\psi_{l}^{2} + k_{12}\\, s_{2}^{2} + k_{r1}\\, \\delta_{r1}^{2} + k_{r2}\\, \\delta_{r2}^{2} + k_{r3}\\, \\delta_{r3}^{2} + k_{s1}\\, \\delta_{s1}^{2} + k_{s2}\\, \\delta_{s2}^{2} + k_{s3}\\, \\delta_{s3}^{2})";
-        "D = \\frac{I_{1}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{1}} + \\frac{\\dot{\\theta_{2}}}{N_{1}}\\right)^{2}}{2} + \\frac{I_{2}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{b}\\, \\alpha_{M}\\, \\left(\\dot{\\psi_{l}} + \\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{c}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{g}\\, \\alpha_{M}\\, \\left(\\frac{\\dot{\\theta_{2}}}{N_{2}} - \\dot{\\psi_{h}} - \\frac{\\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{1}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{2}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{p}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\left(\\dot{u_{3}} - h\\, \\dot{\\theta}\\right)}{r_{p}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2} + \\frac{I_{s}\\, \\alpha_{M}\\, \\left(\\dot{\\theta_{c}} + \\dot{\\theta}\\, \\left(\\frac{1}{Z_{r}} + \\frac{1}{Z_{s}}\\right)\\right)^{2}}{2} + \\frac{\\beta_{K}\\, k_{h}\\, \\dot{\\psi_{h}}^{2}}{2} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\mathrm{twist}_{i}}^{2}}{2} + \\frac{\\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{12}}\\, \\dot{s_{2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}}^{2}}{2} + \\frac{\\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}}^{2}}{2} + \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\left(\\dot{\\theta_{c}} + \\frac{\\dot{\\theta}}{Z_{r}}\\right)^{2}}{2}\\ [\\text{damping}]";
-        "Q_{\\theta} = \\frac{T_{wind}}{Z_{r}}\\ [\\text{torques}]";
-        "Q_{\\theta_{c}} = T_{wind}\\ [\\text{torques}]";
-        "Q_{\\theta_{2}} = -\\frac{T_{generator}}{N_{2}}\\ [\\text{torques}]";
-        "Q_{s_{2}} = \\frac{T_{generator}}{2\\, h_{2}\\, N_{2}}\\ [\\text{torques}]";
-        "Q_{\\psi_{l}} = T_{wind}\\ [\\text{torques}]";
-        "Q_{\\psi_{h}} = T_{generator}\\ [\\text{torques}]";
-        "Q_{u_{1}} = 0";
-        "Q_{u_{2}} = 0";
-        "Q_{u_{3}} = 0";
-        "\\mathrm{cos}_{a} = \\cos\\left(\\alpha\\right)";
-        "\\mathrm{sin}_{a} = \\sin\\left(\\alpha\\right)";
-        "h = \\frac{r_{s}}{Z_{s}}";
-        "r_{p} = \\frac{1}{2} (h\\, Z_{r} - h\\, Z_{s})";
-        "a = \\frac{1}{2} (\\frac{h\\, Z_{r}}{\\mathrm{cos}_{a}} + \\frac{h\\, Z_{s}}{\\mathrm{cos}_{a}})";
-        "h_{2} = \\frac{r_{1}}{N_{1}}";
-        "\\mathrm{twist}_{i} = \\theta_{c} - \\frac{s_{2}}{2\\, h_{2}\\, N_{1}} - \\frac{\\theta_{2}}{N_{1}} + \\frac{\\theta}{Z_{r}} + \\frac{\\theta}{Z_{s}}";
-        "\\delta_{s1} = u_{1} - e_{s1}";
-        "\\delta_{r1} = -u_{1} - e_{r1} - h\\, Z_{r}\\, \\theta_{c}";
-        "\\delta_{s2} = u_{2} - e_{s2}";
-        "\\delta_{r2} = -u_{2} - e_{r2} - h\\, Z_{r}\\, \\theta_{c}";
-        "\\delta_{s3} = u_{3} - e_{s3}";
-        "\\delta_{r3} = -u_{3} - e_{r3} - h\\, Z_{r}\\, \\theta_{c}";
-        "(\\frac{I_{b}}{Z_{r}^{2}} - \\frac{6\\, h\\, I_{p}}{r_{p}\\, Z_{r}} + \\frac{I_{c}}{Z_{r}^{2}} + \\frac{3\\, I_{p}}{Z_{r}^{2}} + \\frac{I_{s}}{Z_{r}^{2}} + \\frac{2\\, I_{s}}{Z_{r}\\, Z_{s}} + \\frac{I_{s}}{Z_{s}^{2}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}^{2}} + \\frac{3\\, h^{2}\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{b}}{Z_{r}} - \\frac{3\\, h\\, I_{p}}{r_{p}} + \\frac{I_{c}}{Z_{r}} + \\frac{3\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta_{c}} + (\\frac{I_{b}}{Z_{r}}) \\ddot{\\psi_{l}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} + (\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = -\\frac{k_{i}\\, \\mathrm{twist}_{i}}{Z_{r}} - \\frac{k_{i}\\, \\mathrm{twist}_{i}}{Z_{s}} + k_{r1}\\, e_{r1}'\\, \\delta_{r1} + k_{r2}\\, e_{r2}'\\, \\delta_{r2} + k_{r3}\\, e_{r3}'\\, \\delta_{r3} + k_{s1}\\, e_{s1}'\\, \\delta_{s1} + k_{s2}\\, e_{s2}'\\, \\delta_{s2} + k_{s3}\\, e_{s3}'\\, \\delta_{s3}\\ [\\text{transmission error, jump terms}] + \\frac{T_{wind}}{Z_{r}}\\ [\\text{torques}] + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} + \\frac{3\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} + \\frac{6\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\psi_{l}}}{Z_{r}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{2\\, I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}\\, Z_{s}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}^{2}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{Z_{s}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}^{2}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}}}{Z_{r}} - \\frac{3\\, h^{2}\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}\\, Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}\\, Z_{r}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\mathrm{twist}_{i}}}{Z_{r}} - \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\mathrm{twist}_{i}}}{Z_{s}}\\ [\\text{damping}] + \\frac{1}{2} (-k_{r1}'\\, \\delta_{r1}^{2} - k_{r2}'\\, \\delta_{r2}^{2} - k_{r3}'\\, \\delta_{r3}^{2} - k_{s1}'\\, \\delta_{s1}^{2} - k_{s2}'\\, \\delta_{s2}^{2} - k_{s3}'\\, \\delta_{s3}^{2})\\ [\\text{jump terms}]";
-        "(\\frac{I_{b}}{Z_{r}} - \\frac{3\\, h\\, I_{p}}{r_{p}} + \\frac{I_{c}}{Z_{r}} + \\frac{3\\, I_{p}}{Z_{r}} + \\frac{I_{s}}{Z_{r}} + \\frac{I_{s}}{Z_{s}} + \\frac{3\\, a^{2}\\, m_{p}}{Z_{r}}) \\ddot{\\theta} + (I_{b} + I_{c} + 3\\, I_{p} + I_{s} + 3\\, a^{2}\\, m_{p}) \\ddot{\\theta_{c}} + (I_{b}) \\ddot{\\psi_{l}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{1}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{2}} + (\\frac{I_{p}}{r_{p}}) \\ddot{u_{3}} = h\\, Z_{r}\\, k_{r1}\\, \\delta_{r1} + h\\, Z_{r}\\, k_{r2}\\, \\delta_{r2} + h\\, Z_{r}\\, k_{r3}\\, \\delta_{r3} - k_{i}\\, \\mathrm{twist}_{i} + T_{wind}\\ [\\text{torques}] + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} + h\\, Z_{r}\\, \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} + \\frac{3\\, h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\psi_{l}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{c}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{c}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - 3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{3\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - I_{s}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{s}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{s}} - \\beta_{K}\\, k_{i}\\, \\dot{\\mathrm{twist}_{i}} - 3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta_{c}} - \\frac{3\\, a^{2}\\, \\alpha_{M}\\, m_{p}\\, \\dot{\\theta}}{Z_{r}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}}\\ [\\text{damping}]";
-        "(\\frac{I_{1}}{N_{1}^{2}} + \\frac{I_{2}}{N_{2}^{2}} + \\frac{I_{g}}{N_{2}^{2}}) \\ddot{\\theta_{2}} + (\\frac{1}{2} (\\frac{I_{1}}{h_{2}\\, N_{1}^{2}} - \\frac{I_{2}}{h_{2}\\, N_{2}^{2}} - \\frac{I_{g}}{h_{2}\\, N_{2}^{2}})) \\ddot{s_{2}} + (-\\frac{I_{g}}{N_{2}}) \\ddot{\\psi_{h}} = \\frac{k_{i}\\, \\mathrm{twist}_{i}}{N_{1}} - \\frac{T_{generator}}{N_{2}}\\ [\\text{torques}] + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\psi_{h}}}{N_{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{2}^{2}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{1}^{2}} + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{2}^{2}} + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{2}^{2}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\mathrm{twist}_{i}}}{N_{1}}\\ [\\text{damping}] - \\frac{k_{12}'\\, s_{2}^{2}}{2}\\ [\\text{jump terms}]";
-        "(\\frac{1}{2} (\\frac{I_{1}}{h_{2}\\, N_{1}^{2}} - \\frac{I_{2}}{h_{2}\\, N_{2}^{2}} - \\frac{I_{g}}{h_{2}\\, N_{2}^{2}})) \\ddot{\\theta_{2}} + (\\frac{1}{4} (\\frac{I_{1}}{h_{2}^{2}\\, N_{1}^{2}} + \\frac{I_{2}}{h_{2}^{2}\\, N_{2}^{2}} + \\frac{I_{g}}{h_{2}^{2}\\, N_{2}^{2}})) \\ddot{s_{2}} + (\\frac{I_{g}}{2\\, h_{2}\\, N_{2}}) \\ddot{\\psi_{h}} = \\frac{k_{i}\\, \\mathrm{twist}_{i}}{2\\, h_{2}\\, N_{1}} - k_{12}\\, s_{2} + \\frac{T_{generator}}{2\\, h_{2}\\, N_{2}}\\ [\\text{torques}] + \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{2}^{2}} - \\beta_{K}\\, \\bar{k_{12}}\\, \\dot{s_{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{1}^{2}} - \\frac{I_{2}\\, \\alpha_{M}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{2}^{2}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{s_{2}}}{4\\, h_{2}^{2}\\, N_{2}^{2}} - \\frac{I_{1}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{1}^{2}} + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{2\\, h_{2}\\, N_{2}^{2}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\psi_{h}}}{2\\, h_{2}\\, N_{2}} + \\frac{\\beta_{K}\\, k_{i}\\, \\dot{\\mathrm{twist}_{i}}}{2\\, h_{2}\\, N_{1}}\\ [\\text{damping}]";
-        "(\\frac{I_{b}}{Z_{r}}) \\ddot{\\theta} + (I_{b}) \\ddot{\\theta_{c}} + (I_{b}) \\ddot{\\psi_{l}} = -k_{l}\\, \\psi_{l} + T_{wind}\\ [\\text{torques}] - I_{b}\\, \\alpha_{M}\\, \\dot{\\psi_{l}} - I_{b}\\, \\alpha_{M}\\, \\dot{\\theta_{c}} - \\frac{I_{b}\\, \\alpha_{M}\\, \\dot{\\theta}}{Z_{r}} - \\beta_{K}\\, k_{l}\\, \\dot{\\psi_{l}}\\ [\\text{damping}]";
-        "(-\\frac{I_{g}}{N_{2}}) \\ddot{\\theta_{2}} + (\\frac{I_{g}}{2\\, h_{2}\\, N_{2}}) \\ddot{s_{2}} + (I_{g}) \\ddot{\\psi_{h}} = -k_{h}\\, \\psi_{h} + T_{generator}\\ [\\text{torques}] + \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{\\theta_{2}}}{N_{2}} - I_{g}\\, \\alpha_{M}\\, \\dot{\\psi_{h}} - \\beta_{K}\\, k_{h}\\, \\dot{\\psi_{h}} - \\frac{I_{g}\\, \\alpha_{M}\\, \\dot{s_{2}}}{2\\, h_{2}\\, N_{2}}\\ [\\text{damping}]";
-        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{1}} = k_{r1}\\, \\delta_{r1} - k_{s1}\\, \\delta_{s1} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r1}}\\, \\dot{\\delta_{r1}} - \\beta_{K}\\, \\bar{k_{s1}}\\, \\dot{\\delta_{s1}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{1}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
-        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{2}} = k_{r2}\\, \\delta_{r2} - k_{s2}\\, \\delta_{s2} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r2}}\\, \\dot{\\delta_{r2}} - \\beta_{K}\\, \\bar{k_{s2}}\\, \\dot{\\delta_{s2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{2}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
-        "(\\frac{I_{p}}{r_{p}\\, Z_{r}} - \\frac{h\\, I_{p}}{r_{p}^{2}}) \\ddot{\\theta} + (\\frac{I_{p}}{r_{p}}) \\ddot{\\theta_{c}} + (\\frac{I_{p}}{r_{p}^{2}}) \\ddot{u_{3}} = k_{r3}\\, \\delta_{r3} - k_{s3}\\, \\delta_{s3} + \\frac{h\\, I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}^{2}} + \\beta_{K}\\, \\bar{k_{r3}}\\, \\dot{\\delta_{r3}} - \\beta_{K}\\, \\bar{k_{s3}}\\, \\dot{\\delta_{s3}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{u_{3}}}{r_{p}^{2}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta_{c}}}{r_{p}} - \\frac{I_{p}\\, \\alpha_{M}\\, \\dot{\\theta}}{r_{p}\\, Z_{r}}\\ [\\text{damping}]";
-    }
+    text "text/wind_turbine.txt";
+    latex "latex/wind_turbine.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: T is a sum of squares that vanish together only at rest
+// - at a step of k_s1, k_r1, k_s2, k_r2, k_s3, k_r3, k12, e_s1, e_r1, e_s2, e_r2, e_s3, e_r3: T+ - T- = (v+² - v²)/(2 G) for any v+, where
+//   M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - every deflection equals the linear form by which the equations differentiate it
+// - without the jump terms the balance fails: energy is created at the rate dk12*s2^2*theta2_dot/2 - k_r1*de_r1*delta_r1*theta_dot -
+//   k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot -
+//   k_s3*de_s3*delta_s3*theta_dot + dk_r1*delta_r1^2*theta_dot/2 + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 +
+//   dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | constants (once a scene) | 2 | 12 | 2 |
+// | force | 97 | 410 | 0 |
+// | energy step of k_s1 | 0 | 3 | 0 |
+// | energy step of k_r1 | 0 | 3 | 0 |
+// | energy step of k_s2 | 0 | 3 | 0 |
+// | energy step of k_r2 | 0 | 3 | 0 |
+// | energy step of k_s3 | 0 | 3 | 0 |
+// | energy step of k_r3 | 0 | 3 | 0 |
+// | energy step of k12 | 0 | 3 | 0 |
+// | energy step of e_s1 | 1 | 5 | 0 |
+// | energy step of e_r1 | 1 | 5 | 0 |
+// | energy step of e_s2 | 1 | 5 | 0 |
+// | energy step of e_r2 | 1 | 5 | 0 |
+// | energy step of e_s3 | 1 | 5 | 0 |
+// | energy step of e_r3 | 1 | 5 | 0 |

@@ -53,7 +53,7 @@ pub fn derive_in_children() -> Vec<String> {
 }
 
 pub fn fresh_processes_agree(afresh: &[String]) {
-    let committed = std::fs::read_to_string(generated("gear_pair")).expect("the file of the gear pair is committed");
+    let committed = std::fs::read_to_string(generated("gear_pair.rs")).expect("the file of the gear pair is committed");
     for (how, text) in CHILDREN.iter().zip(afresh) {
         assert!(text.contains("equations! {"), "derived {how}: not a file of equations: {text}");
         if let Some((line, (a, b))) = first_difference(text, &afresh[0]) {
@@ -68,15 +68,17 @@ pub fn fresh_processes_agree(afresh: &[String]) {
 pub fn committed_files_are_current() {
     for (name, describe) in MODELS {
         let model = Model::new(name, describe);
-        let derived = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).file();
-        let committed = std::fs::read_to_string(generated(name)).unwrap_or_default();
-        if let Some((line, (a, b))) = first_difference(&derived, &committed) {
-            panic!(
-                "gearsim/src/generated/{name}.rs is not what its energies give; line {line}, derived:\n{a}\n\
-                 committed:\n{b}\nMend with: cargo xtask derive {name}"
-            );
+        let files = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).files();
+        for (path, derived) in &files {
+            let committed = std::fs::read_to_string(generated(path)).unwrap_or_default();
+            if let Some((line, (a, b))) = first_difference(derived, &committed) {
+                panic!(
+                    "gearsim/src/generated/{path} is not what its energies give; line {line}, derived:\n{a}\n\
+                     committed:\n{b}\nMend with: cargo xtask derive {name}"
+                );
+            }
         }
-        syn::parse_file(&derived).unwrap_or_else(|e| panic!("{name}: not Rust: {e}"));
+        syn::parse_file(&files[0].1).unwrap_or_else(|e| panic!("{name}: not Rust: {e}"));
     }
 }
 
@@ -90,6 +92,6 @@ pub fn first_difference<'a>(a: &'a str, b: &'a str) -> Option<(usize, (&'a str, 
     Some((lines + 1, (line(a), line(b))))
 }
 
-fn generated(name: &str) -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "../gearsim/src/generated", &format!("{name}.rs")].iter().collect()
+fn generated(path: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "../gearsim/src/generated", path].iter().collect()
 }

@@ -1,6 +1,8 @@
 //! Small models that a new author might write: those that `tests/suite/newcomer.rs` runs, one with nonlinear cells, one with a
 //! torque that depends on a speed, one of three rotors.
 
+use std::path::Path;
+
 use gearsim_derive::{Model, Range, Start, derive, half};
 
 use crate::files::first_difference;
@@ -23,17 +25,20 @@ pub fn files_are_current() {
         ("double_well", well::double_well),
     ];
     for (name, describe) in models {
-        let derived = derive(&Model::new(name, describe)).expect("the model is sound").file();
-        let path = format!("{}/suite/newcomer/{name}.rs", env!("CARGO_MANIFEST_DIR"));
-        if std::env::var_os(ACCEPT).is_some() {
-            std::fs::write(&path, &derived).expect("the file can be written");
-        }
-        let committed = std::fs::read_to_string(&path).unwrap_or_default();
-        if let Some((line, (a, b))) = first_difference(&derived, &committed) {
-            panic!(
-                "tests/suite/newcomer/{name}.rs, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
-                 Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
-            );
+        let files = derive(&Model::new(name, describe)).expect("the model is sound").files();
+        for (file, derived) in files {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("suite/newcomer").join(&file);
+            if std::env::var_os(ACCEPT).is_some() {
+                path.parent().map_or(Ok(()), std::fs::create_dir_all).expect("its folder can be made");
+                std::fs::write(&path, &derived).expect("the file can be written");
+            }
+            let committed = std::fs::read_to_string(&path).unwrap_or_default();
+            if let Some((line, (a, b))) = first_difference(&derived, &committed) {
+                panic!(
+                    "tests/suite/newcomer/{file}, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
+                     Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
+                );
+            }
         }
     }
 }
@@ -85,9 +90,9 @@ pub fn torques_that_depend_on_speeds_are_reported() {
     proved(d.proofs(), &["d/dt (q'.dT/dq' - T + V)"]);
     let file = d.file();
     for said in [
-        "fan \"\" {}\n        power {\n            fan_load => -c*x_dot.powi(4);\n        }",
-        "work {\n        x {\n            _ => T;\n        }",
-        "load {\n            x {\n                _ => T;\n            }",
+        "fan \"\" {}\n        power { fan_load => -c*x_dot.powi(4); }",
+        "work { x { _ => T; } }",
+        "load { x { _ => T; } }",
         "fan_load \"-c*x_dot^3 in the torque `fan`\";",
     ] {
         assert!(file.contains(said), "{said} is not in {file}");

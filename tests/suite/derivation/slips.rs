@@ -221,7 +221,7 @@ pub fn every_mistake_is_refused() {
     }
     let empty = Model::new("void", |_| {});
     refuse("no coordinates", "void", derive(&empty).err().expect("a model without coordinates is refused"));
-    // No known model fails a proof, but the message is tested all the same.
+    // `proofs` tells which models and which wrong formulas fail a proof.
     let unproved = Slip::Unproved { model: "train".into(), what: "M is symmetric".into(), rest: "m - s".into() };
     refuse("a proof that fails", "m - s", unproved);
 

@@ -1,81 +1,7 @@
 //! Equations of motion of `cracked_rotor`: a rotor on a spring that another rotor switches, with a cracked tooth.
 //!
-//! Derived from the energies in `models/src/cracked_rotor.rs` by `cargo xtask derive cracked_rotor`. Do not edit: change the
-//! energies and derive again.
-//! Source: the guide to models
-//!
-//! # Energies
-//!
-//! ```text
-//! T = (J1*alpha_dot^2 + J2*beta_dot^2)/2
-//! V = beta^2*(g - c + k)/2
-//! D = 0
-//! Q_alpha = 0
-//! Q_beta = 0
-//! ```
-//!
-//! # Equations of motion
-//!
-//! ```text
-//! alpha'' = (dc*beta^2/J1 - dg*beta^2/J1 - dk*beta^2/J1)/2 [jump terms]
-//! beta'' = c*beta/J2 - g*beta/J2 - k*beta/J2
-//! ```
-//!
-//! # At a step of a stiffness
-//!
-//! ```text
-//! at a step dc of c in alpha, transmission if alpha_dot+^2 >= 0:
-//! alpha_dot+^2 = alpha_dot-^2 - -dc*beta^2/J1
-//! else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step
-//! at a step dk of k in alpha, transmission if alpha_dot+^2 >= 0:
-//! alpha_dot+^2 = alpha_dot-^2 - dk*beta^2/J1
-//! else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step
-//! at a step dg of g in alpha, transmission if alpha_dot+^2 >= 0:
-//! alpha_dot+^2 = alpha_dot-^2 - dg*beta^2/J1
-//! else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step
-//! ```
-//!
-//! # Between two steps
-//!
-//! ```text
-//! M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly
-//! ```
-//!
-//! # LaTeX
-//!
-//! ```latex
-//! T = \frac{1}{2} (J_{1}\, \dot{\alpha}^{2} + J_{2}\, \dot{\beta}^{2})
-//! V = \frac{\beta^{2}\, \left(g - c + k\right)}{2}
-//! D = 0
-//! Q_{\alpha} = 0
-//! Q_{\beta} = 0
-//! \ddot{\alpha} = \frac{1}{2} (\frac{c'\, \beta^{2}}{J_{1}} - \frac{g'\, \beta^{2}}{J_{1}} - \frac{k'\, \beta^{2}}{J_{1}})\ [\text{jump terms}]
-//! \ddot{\beta} = \frac{c\, \beta}{J_{2}} - \frac{g\, \beta}{J_{2}} - \frac{k\, \beta}{J_{2}}
-//! \dot{\alpha}_+^2 = \dot{\alpha}_-^2 - -\frac{\Delta c\, \beta^{2}}{J_{1}}
-//! \dot{\alpha}_+^2 = \dot{\alpha}_-^2 - \frac{\Delta k\, \beta^{2}}{J_{1}}
-//! \dot{\alpha}_+^2 = \dot{\alpha}_-^2 - \frac{\Delta g\, \beta^{2}}{J_{1}}
-//! ```
-//!
-//! # Proved
-//!
-//! - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive effects
-//! - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as printed
-//! - at a step of c: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - at a step of k: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - at a step of g: T+ - T- = (v+² - v²)/(2 G) for any v+, so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-//! - M is symmetric
-//! - M is positive definite: every leading minor is a sum of products of positive quantities
-//! - without the jump terms the balance fails: energy is created at the rate (dg*beta^2*alpha_dot - dc*beta^2*alpha_dot + dk*beta^2*alpha_dot)/2
-//!
-//! # Operations, all effects present
-//!
-//! | output | sums | products, quotients | functions, roots |
-//! | --- | --- | --- | --- |
-//! | force | 4 | 12 | 0 |
-//! | acceleration | 4 | 18 | 0 |
-//! | energy step of c | 0 | 3 | 0 |
-//! | energy step of k | 0 | 3 | 0 |
-//! | energy step of g | 0 | 3 | 0 |
+//! Derived from the energies in `models/src/cracked_rotor.rs` by `cargo xtask derive cracked_rotor`. Do not edit: change the energies and
+//! derive again. For reading: `text/cracked_rotor.txt`, `latex/cracked_rotor.tex`. What is proved: at the end.
 
 use gearsim_macros::equations;
 
@@ -96,13 +22,14 @@ equations! {
         k "N*m" phase alpha period 1.0 rolling, "stiffness of the spring to the ground";
         g "N*m" phase alpha period 0.75 rolling, "stiffness of a second mesh";
     }
-    motions {
-        speed "rad/s" { alpha_dot = 1.0; }, "rotational speed of the switching rotor";
-    }
+    motions { speed "rad/s" { alpha_dot = 1.0; }, "rotational speed of the switching rotor"; }
     effects {
-        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, with the jump terms that conserve energy; without it the stiffness is constant at its mid value";
-        rigid_kinematics requires(stiffness_step) excludes(frozen_phase) "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
-        frozen_phase requires(stiffness_step) excludes(rigid_kinematics) "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid \
+            value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
+            "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
+            "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
@@ -110,12 +37,8 @@ equations! {
     }
 
     energies {
-        kinetic {
-            _ => (J1*alpha_dot.powi(2) + J2*beta_dot.powi(2))/2.0;
-        }
-        potential {
-            _ => beta.powi(2)*(g - c + k)/2.0;
-        }
+        kinetic { _ => (J1*alpha_dot.powi(2) + J2*beta_dot.powi(2))/2.0; }
+        potential { _ => beta.powi(2)*(g - c + k)/2.0; }
     }
     torques {
     }
@@ -124,138 +47,69 @@ equations! {
         beta {}
     }
     mass {
-        alpha alpha {
-            _ => J1;
-        }
-        beta beta {
-            _ => J2;
-        }
+        alpha alpha { _ => J1; }
+        beta beta { _ => J2; }
     }
     mobility {
-        alpha alpha {
-            _ => 1.0/J1;
-        }
-        beta beta {
-            _ => 1.0/J2;
-        }
+        alpha alpha { _ => 1.0/J1; }
+        beta beta { _ => 1.0/J2; }
     }
     force {
-        alpha {
-            jump_terms => (dc*beta.powi(2) - dg*beta.powi(2) - dk*beta.powi(2))/2.0;
-        }
-        beta {
-            _ => c*beta - g*beta - k*beta;
-        }
+        alpha { jump_terms => (dc*beta.powi(2) - dg*beta.powi(2) - dk*beta.powi(2))/2.0; }
+        beta { _ => c*beta - g*beta - k*beta; }
     }
     jacobian {
-        alpha alpha {
-            jump_terms => (ddc*beta.powi(2) - ddg*beta.powi(2) - ddk*beta.powi(2))/2.0;
-        }
-        alpha beta {
-            jump_terms => dc*beta - dg*beta - dk*beta;
-        }
-        beta alpha {
-            moving_phase => dc*beta - dg*beta - dk*beta;
-        }
-        beta beta {
-            _ => c - g - k;
-        }
+        alpha alpha { jump_terms => (ddc*beta.powi(2) - ddg*beta.powi(2) - ddk*beta.powi(2))/2.0; }
+        alpha beta { jump_terms => dc*beta - dg*beta - dk*beta; }
+        beta alpha { moving_phase => dc*beta - dg*beta - dk*beta; }
+        beta beta { _ => c - g - k; }
     }
     cell {
-        stiffness {
-            beta beta {
-                _ => g - c + k;
-            }
-        }
+        stiffness { beta beta { _ => g - c + k; } }
         damping {
         }
         load {
         }
     }
     jump c {
-        normal {
-            alpha {
-                _ => 1.0;
-            }
-        }
-        compliance {
-            _ => 1.0/J1;
-        }
-        direction {
-            alpha {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => -dc*beta.powi(2)/2.0;
-        }
+        compliance { _ => 1.0/J1; }
+        direction { alpha { _ => 1.0; } }
+        step { _ => -dc*beta.powi(2)/2.0; }
     }
     jump k {
-        normal {
-            alpha {
-                _ => 1.0;
-            }
-        }
-        compliance {
-            _ => 1.0/J1;
-        }
-        direction {
-            alpha {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dk*beta.powi(2)/2.0;
-        }
+        compliance { _ => 1.0/J1; }
+        direction { alpha { _ => 1.0; } }
+        step { _ => dk*beta.powi(2)/2.0; }
     }
     jump g {
-        normal {
-            alpha {
-                _ => 1.0;
-            }
-        }
-        compliance {
-            _ => 1.0/J1;
-        }
-        direction {
-            alpha {
-                _ => 1.0;
-            }
-        }
-        step {
-            _ => dg*beta.powi(2)/2.0;
-        }
+        compliance { _ => 1.0/J1; }
+        direction { alpha { _ => 1.0; } }
+        step { _ => dg*beta.powi(2)/2.0; }
     }
 
-    text {
-        "T = (J1*alpha_dot^2 + J2*beta_dot^2)/2";
-        "V = beta^2*(g - c + k)/2";
-        "D = 0";
-        "Q_alpha = 0";
-        "Q_beta = 0";
-        "alpha'' = (dc*beta^2/J1 - dg*beta^2/J1 - dk*beta^2/J1)/2 [jump terms]";
-        "beta'' = c*beta/J2 - g*beta/J2 - k*beta/J2";
-        "at a step dc of c in alpha, transmission if alpha_dot+^2 >= 0:";
-        "alpha_dot+^2 = alpha_dot-^2 - -dc*beta^2/J1";
-        "else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step";
-        "at a step dk of k in alpha, transmission if alpha_dot+^2 >= 0:";
-        "alpha_dot+^2 = alpha_dot-^2 - dk*beta^2/J1";
-        "else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step";
-        "at a step dg of g in alpha, transmission if alpha_dot+^2 >= 0:";
-        "alpha_dot+^2 = alpha_dot-^2 - dg*beta^2/J1";
-        "else reflection: alpha_dot+ = -alpha_dot-, and the stiffness does not step";
-        "M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly";
-    }
-    latex {
-        "T = \\frac{1}{2} (J_{1}\\, \\dot{\\alpha}^{2} + J_{2}\\, \\dot{\\beta}^{2})";
-        "V = \\frac{\\beta^{2}\\, \\left(g - c + k\\right)}{2}";
-        "D = 0";
-        "Q_{\\alpha} = 0";
-        "Q_{\\beta} = 0";
-        "\\ddot{\\alpha} = \\frac{1}{2} (\\frac{c'\\, \\beta^{2}}{J_{1}} - \\frac{g'\\, \\beta^{2}}{J_{1}} - \\frac{k'\\, \\beta^{2}}{J_{1}})\\ [\\text{jump terms}]";
-        "\\ddot{\\beta} = \\frac{c\\, \\beta}{J_{2}} - \\frac{g\\, \\beta}{J_{2}} - \\frac{k\\, \\beta}{J_{2}}";
-        "\\dot{\\alpha}_+^2 = \\dot{\\alpha}_-^2 - -\\frac{\\Delta c\\, \\beta^{2}}{J_{1}}";
-        "\\dot{\\alpha}_+^2 = \\dot{\\alpha}_-^2 - \\frac{\\Delta k\\, \\beta^{2}}{J_{1}}";
-        "\\dot{\\alpha}_+^2 = \\dot{\\alpha}_-^2 - \\frac{\\Delta g\\, \\beta^{2}}{J_{1}}";
-    }
+    text "text/cracked_rotor.txt";
+    latex "latex/cracked_rotor.tex";
 }
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: every leading minor is a sum of products of positive quantities
+// - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
+// - at a step of c, k, g: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
+//   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - without the jump terms the balance fails: energy is created at the rate (dg*beta^2*alpha_dot - dc*beta^2*alpha_dot +
+//   dk*beta^2*alpha_dot)/2
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | force | 4 | 12 | 0 |
+// | acceleration | 4 | 18 | 0 |
+// | energy step of c | 0 | 3 | 0 |
+// | energy step of k | 0 | 3 | 0 |
+// | energy step of g | 0 | 3 | 0 |

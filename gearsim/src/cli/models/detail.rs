@@ -32,7 +32,8 @@ pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     }
     text += "\nEquations\n";
     for line in model.equations.lines() {
-        text += &format!("  {line}\n");
+        text += format!("  {line}").trim_end();
+        text += "\n";
     }
     text
 }

@@ -1,0 +1,61 @@
+//! M: T is its quadratic form, it is symmetric and positive definite, and M⁻¹ is its inverse where it is written.
+
+use symbolica::atom::Atom;
+
+use super::{Proof, exact};
+use crate::check::positive;
+use crate::expr::{number, total};
+use crate::markers::{all_present, terms};
+use crate::mobility::{LARGEST_DETERMINANT, determinant};
+use crate::model::Model;
+use crate::slip::Slip;
+use crate::squares::{self, Squares};
+use crate::symbols::Symbols;
+
+/// Proves what the file says about M.
+pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
+    let (mass, n) = (&p.motion.mass, p.s.q.len());
+    let pairs = || (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let asymmetry = pairs().map(|(i, j)| &mass[i][j] - &mass[j][i]).filter(|d| !d.is_zero());
+    p.claim("M is symmetric", std::iter::once(number(0)).chain(asymmetry))?;
+    let form = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|&(i, j)| !mass[i][j].is_zero());
+    let form = form.map(|(i, j)| &mass[i][j] * Atom::var(p.s.v[i]) * Atom::var(p.s.v[j]) / number(2));
+    let kinetic = p.model.kinetic.iter().map(|t| -t.atom());
+    p.claim("T = q'.M q'/2, with M as written", [total(form.chain(kinetic).collect())])?;
+    let definite = definiteness(p.model, p.s, mass)?;
+    p.proved.push(definite);
+    if let (Some(a), Some(w)) = (&p.motion.acceleration, &p.motion.mobility) {
+        let product = |i: usize, column: &dyn Fn(usize) -> Atom| {
+            (0..n).fold(number(0), |sum, k| sum + &mass[i][k] * exact(p.motion, &column(k)))
+        };
+        let unit = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        let inverse = unit.map(|(i, j)| product(i, &|k| w[k][j].clone()) - number(i64::from(i == j)));
+        let motion = (0..n).map(|i| product(i, &|k| a[k].clone()) - exact(p.motion, &p.motion.force[i]));
+        let rests: Vec<Atom> = inverse.chain(motion).collect();
+        p.claim("M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written", rests)?;
+    }
+    Ok(())
+}
+
+/// Whether M is positive definite: by Sylvester's criterion, if every leading minor is a sum of products of positive
+/// quantities, else by T as a sum of squares.
+fn definiteness(model: &Model, s: &Symbols, mass: &[Vec<Atom>]) -> Result<String, Slip> {
+    let n = mass.len();
+    let minor = |k: usize| determinant(&mass[..k].iter().map(|row| row[..k].to_vec()).collect::<Vec<_>>());
+    let posynomial = |e: Atom| !e.is_zero() && terms(&all_present(&e)).iter().all(|t| positive(model, t));
+    if n <= LARGEST_DETERMINANT && (1..=n).all(|k| posynomial(minor(k))) {
+        return Ok("M is positive definite: every leading minor is a sum of products of positive quantities".into());
+    }
+    match squares::decide(model, s) {
+        Squares::Definite => {
+            Ok("M is positive definite: T is a sum of squares that vanish together only at rest".into())
+        }
+        Squares::Free(left) => {
+            let names: Vec<&str> = left.iter().map(|&i| model.coordinates[i].name.as_str()).collect();
+            Err(Slip::Singular { model: model.name.clone(), coordinates: names.join(", ") })
+        }
+        Squares::Undecided => {
+            Ok("M is positive definite: not decided symbolically; checked for the numbers of every scene".into())
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! The proofs refuse a formula with a mistake in it, and what is not proved is not in a file.
+
+use gearsim_derive::{Expr, Friction, Model, Range, Start, Wrong, derive, derive_wrong, half};
+use gearsim_models::MODELS;
+
+use crate::slips::{Oscillator, oscillator};
+
+/// The mistake, a model, and the proof that must fail.
+const MISTAKES: &[(Wrong, &str, &str)] = &[
+    (Wrong::Mass, "gear_pair", "T = q'.M q'/2"),
+    (Wrong::Mass, "planetary_3", "T = q'.M q'/2"),
+    (Wrong::Mirror, "two_stage", "M is symmetric"),
+    (Wrong::Inverse, "gear_pair", "M M⁻¹ = 1"),
+    (Wrong::Force, "chain_5", "d/dt (q'.dT/dq' - T + V)"),
+    (Wrong::Clip, "gear_pair", "d/dt (q'.dT/dq' - T + V)"),
+    (Wrong::Clip, "backlash_oscillator", "d/dt (q'.dT/dq' - T + V)"),
+    (Wrong::Normal, "gear_pair", "T+ - T-"),
+    (Wrong::Normal, "planetary_3", "T+ - T-"),
+    (Wrong::Direction, "gear_pair", "T+ - T-"),
+    (Wrong::Step, "gear_pair", "V+ - V- = dV"),
+    (Wrong::Step, "planar_planetary_3", "V+ - V- = dV"),
+    (Wrong::LastStep, "planetary_3", "V+ - V- = dV"),
+    (Wrong::LastStep, "gear_pair", "V is the same on both sides of a step of side, arm"),
+    (Wrong::Deflection, "idler", "every deflection equals the linear form"),
+];
+
+pub fn a_wrong_formula_is_refused() {
+    for &(wrong, name, proof) in MISTAKES {
+        let describe = MODELS.iter().find(|m| m.0 == name).expect("a known model").1;
+        let refused = derive_wrong(&Model::new(name, describe), wrong).err();
+        let slip = refused.unwrap_or_else(|| panic!("{wrong:?} in {name}: not refused")).to_string();
+        assert!(slip.contains("proof failed") && slip.contains(proof), "{wrong:?} in {name}: {slip}");
+    }
+}
+
+/// Models that feed energy, and the proof that must fail.
+type Row = (&'static str, fn(&mut Model, Oscillator));
+
+const FEEDING: &[Row] = &[
+    ("every damper takes energy or none", |m, o| m.dissipation(o.m * (o.x.dot().sq() + 1).pow(-2))),
+    ("the damper of over, clipped", |m, o| clipped(m, o, Range::Any)),
+    ("the friction `roll` takes energy or none", |m, o| friction(m, o, 1, -1)),
+    ("the friction `slide`", |m, o| friction(m, o, -1, -2)),
+];
+
+/// A contact with a spring `k` of this range and a damper.
+fn clipped(m: &mut Model, o: Oscillator, range: Range) {
+    let [k, b] = [("k", range), ("b", Range::Positive)].map(|(name, range)| m.parameter(name, "1", None, range, ""));
+    let play = m.dead_band("", "m", o.x, b, "backlash", "");
+    m.effect("backlash", "", |_| {});
+    m.potential(half(k * play.touch * play.over.sq()));
+    m.dissipation(half(o.s * play.damp * play.over.dot().sq()));
+}
+
+/// Friction of rolling `roll` times its force, and of sliding `slide` times its force.
+fn friction(m: &mut Model, o: Oscillator, roll: i64, slide: i64) {
+    m.sliding_friction(|m| {
+        let [side, arm] = [("side", Friction::Side), ("arm", Friction::Arm)]
+            .map(|(name, what)| m.friction_law(name, "1", o.x, 1.0, what, ""));
+        let tau = m.deflection("tau", 2 * o.x);
+        let force = m.force("F_mu", o.m * o.x.dot());
+        m.torque("slide", slide * side * force, tau, "");
+        m.torque("roll", roll * arm * force, o.x, "");
+    });
+}
+
+pub fn a_model_that_feeds_energy_is_refused() {
+    let of = |describe: fn(&mut Model, Oscillator)| {
+        Model::new("train", move |m| {
+            let o = oscillator(m);
+            describe(m, o);
+        })
+    };
+    for (proof, describe) in FEEDING {
+        let slip = derive(&of(*describe)).err().unwrap_or_else(|| panic!("{proof}: not refused")).to_string();
+        assert!(slip.contains("proof failed") && slip.contains(proof), "{proof}: {slip}");
+    }
+    for sound in [|m: &mut Model, o| clipped(m, o, Range::NotNegative), |m: &mut Model, o| friction(m, o, -1, -1)] {
+        let model = of(sound);
+        derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
+    }
+}
+
+/// Dampers need not be linear, nor is every power a multiple of its term.
+pub fn other_dampers_are_proved() {
+    let smooth_dry: fn(Expr, Expr) -> Expr = |m, v| m * (v.sq() + 1).sqrt();
+    for damper in [|m: Expr, v: Expr| m * v.pow(4), smooth_dry] {
+        let model = Model::new("train", |m| {
+            let o = oscillator(m);
+            let y = m.coordinate("y", "m", Start::Static, "");
+            m.kinetic(half(o.m * y.dot().sq()));
+            m.dissipation(damper(o.m, o.x.dot()));
+            m.dissipation(o.m * (o.x.dot() - y.dot()).sq());
+        });
+        let derivation = derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
+        assert!(derivation.proofs().iter().any(|p| p.starts_with("every damper takes energy or none")));
+    }
+}
