@@ -1,20 +1,24 @@
-//! The whole derivation: check the model, derive its equations, prove them.
+//! The result of a derivation: equations, jump rules, cells and proofs.
+
+mod stages;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::cell::{self, Cell};
+use crate::cell::Cell;
 use crate::expr::{Expr, Kind, total};
-use crate::jump::{self, Jump};
-use crate::lagrange::{self, Motion, rows};
+use crate::jump::Jump;
+use crate::lagrange::Motion;
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::print::Style;
-use crate::slip::Slip;
 use crate::symbols::Symbols;
-use crate::{check, expr, file, markers, proof, text};
+use crate::{expr, file, markers, proof, text};
+pub use stages::derive;
+pub(crate) use stages::{Formulas, derive_with};
 
 /// Everything that is derived from the energies of a model.
 pub struct Derivation<'a> {
     pub(crate) model: &'a Model,
+    pub(crate) symbols: Symbols,
     pub(crate) motion: Motion,
     /// Derivatives of the generalised forces F (rows) by coordinates, then speeds (columns).
     pub(crate) jacobian: Vec<Vec<Atom>>,
@@ -26,45 +30,6 @@ pub struct Derivation<'a> {
     pub(crate) jumps: Vec<Jump>,
     /// One line for each statement proved.
     pub(crate) proofs: Vec<String>,
-}
-
-/// Derives the equations of motion, the cells and the jump rules from the energies of `model`, and proves them.
-///
-/// # Errors
-/// A [`Slip`] that names the offending symbol or term, if the model is not valid or a proof fails.
-pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
-    derive_with(model, |_| {})
-}
-
-/// What the proofs are about.
-pub(crate) struct Formulas {
-    pub symbols: Symbols,
-    pub motion: Motion,
-    pub jumps: Vec<Jump>,
-}
-
-/// [`derive`], with the formulas as `change` leaves them before they are proved.
-pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> Result<Derivation<'_>, Slip> {
-    check::check(model)?;
-    let symbols = Symbols::new(model);
-    let motion = lagrange::derive(model, &symbols)?;
-    let jumps = jump::derive(model, &motion, &symbols);
-    let mut formulas = Formulas { symbols, motion, jumps };
-    change(&mut formulas);
-    let Formulas { symbols: s, motion, jumps } = formulas;
-    let proofs = proof::prove(model, &s, &motion, &jumps)?;
-    let cell = cell::derive(model, &s);
-    let jacobian = jacobian(&s, &motion);
-    let named = model.forces.iter().zip(s.forces);
-    let partials: Vec<_> =
-        named.flat_map(|(force, f)| f.partials.into_iter().map(|(name, e)| (name, force.with.clone(), e))).collect();
-    let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
-    let derived = derived.chain(partials.iter().map(|(.., value)| value));
-    let derived = derived.chain(motion.mobility.iter().flatten().flatten());
-    for equation in derived.chain(jumps.iter().map(|j| &j.step)).chain(motion.constants.iter().map(|c| &c.1)) {
-        check::numbers(model, equation.as_view(), "the derived equations")?;
-    }
-    Ok(Derivation { model, partials, motion, jacobian, cell, jumps, proofs })
 }
 
 impl Derivation<'_> {
@@ -133,7 +98,7 @@ impl Derivation<'_> {
 
     /// The expression with forces, deflections and constants written out, all remaining effects present.
     fn in_parameters(&self, e: &Atom, absent: &[&str]) -> Expr {
-        let s = Symbols::new(self.model);
+        let s = &self.symbols;
         let written_out = s.deflections.iter().fold(self.model.written_out(e), |e, d| {
             let e = e.replace(Atom::var(d.symbol).to_pattern()).with(d.of(&s.q).to_pattern());
             e.replace(Atom::var(d.rate_symbol).to_pattern()).with(d.rate(&s.v).to_pattern())
@@ -156,7 +121,7 @@ impl Derivation<'_> {
     pub(crate) fn rolling(&self, law: &Law) -> bool {
         let phase = expr::symbols(&law.phase.atom());
         let [(kind, name)] = phase.as_slice() else { return false };
-        let s = Symbols::new(self.model);
+        let s = &self.symbols;
         let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
         let m = self.model;
         let still = |parts: &mut dyn Iterator<Item = Atom>| {
@@ -181,13 +146,4 @@ impl Derivation<'_> {
     pub(crate) fn states(&self) -> Vec<String> {
         self.model.coordinates.iter().map(|c| c.name.clone()).chain(self.model.speeds()).collect()
     }
-}
-
-fn jacobian(s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
-    let n = s.q.len();
-    let row = |force: &Atom| {
-        let by_speed = s.by_speeds(force).into_iter().map(|(i, by)| (n + i, by));
-        rows(2 * n, lagrange::gradient(s, force, MOVING_PHASE).into_iter().chain(by_speed))
-    };
-    motion.force.iter().map(row).collect()
 }

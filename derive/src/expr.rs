@@ -4,12 +4,15 @@
 //! (`half(I1 * (q1.dot() / N1).sq())`) without `&` or `clone`. The namespace of a symbol gives its [`Kind`].
 
 use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 thread_local! {
     static ARENA: RefCell<Vec<Atom>> = const { RefCell::new(Vec::new()) };
+    /// The symbols of each kind asked for so far: Symbolica parses a name each time.
+    static SYMBOLS: RefCell<BTreeMap<Kind, HashMap<String, Symbol>>> = const { RefCell::new(BTreeMap::new()) };
 }
 
 /// A symbolic expression.
@@ -93,6 +96,16 @@ const ODD: &str = "odd";
 
 /// The symbol `name` of a kind. If `name` is not a valid name, the symbol reads back as [`Kind::Free`] and is refused.
 pub(crate) fn symbol(kind: Kind, name: &str) -> Symbol {
+    SYMBOLS.with_borrow_mut(|symbols| {
+        let known = symbols.entry(kind).or_default();
+        match known.get(name) {
+            Some(symbol) => *symbol,
+            None => *known.entry(name.to_string()).or_insert(new_symbol(kind, name)),
+        }
+    })
+}
+
+fn new_symbol(kind: Kind, name: &str) -> Symbol {
     let namespace = KINDS.iter().find(|k| k.0 == kind).map_or("free", |k| k.1);
     let symbol = if is_word(name) {
         symbolica::try_symbol!(format!("{namespace}::{name}"))

@@ -56,7 +56,7 @@ pub enum Slip {
         "{model}: m.inverse_mass(...) takes two coordinates of a model that has at most two, and whose mass matrix is constant: only then is it inverted symbolically"
     )]
     InverseMass { model: String },
-    #[error("{model}: proof failed: {what}; this should be zero: {rest}")]
+    #[error("{model}: proof failed: {what}; what contradicts it: {rest}")]
     Unproved { model: String, what: String, rest: String },
     #[error("{model}: no coordinates; declare at least one with m.coordinate(...)")]
     Empty { model: String },

@@ -30,9 +30,9 @@ pub struct Model {
     pub nonlinear: &'static str,
     /// The terms that make cells nonlinear if an effect is active: (effect, term).
     pub nonlinear_with: &'static [(&'static str, &'static str)],
-    /// The derived equations as plain text, one per line.
+    /// The derived equations as plain text, one group of terms per line.
     pub equations: &'static str,
-    /// The derived equations in LaTeX, one per line.
+    /// The derived equations in LaTeX, one group of terms per line.
     pub latex: &'static str,
 }
 

@@ -3,11 +3,10 @@
 use super::block::Block;
 use crate::derivation::Derivation;
 use crate::lagrange;
-use crate::symbols::Symbols;
 
 /// Writes the blocks `energies`, `torques` and `work`.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
-    let (m, s) = (d.model, Symbols::new(d.model));
+    let (m, s) = (d.model, &d.symbols);
     b.braces(1, "energies", |b| {
         b.sum(2, "kinetic", &b.as_written(&m.kinetic));
         b.sum(2, "potential", &b.as_written(&m.potential));
@@ -20,10 +19,10 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
                 b.row(2, &title, &[]);
                 b.sum(2, "power", &b.not_expanded(&[t.power()]));
             } else {
-                b.row(2, &title, &b.not_expanded(&[t.value.atom() * lagrange::displacement(&s, t)]));
+                b.row(2, &title, &b.not_expanded(&[t.value.atom() * lagrange::displacement(s, t)]));
             }
         }
     });
-    let constant = lagrange::external(m, &s, |t| !m.varies(t));
+    let constant = lagrange::external(m, s, |t| !m.varies(t));
     b.rows(1, "work", &d.coordinates(), &constant);
 }

@@ -24,8 +24,8 @@ equations! {
     }
     motions { speed "rad/s" { alpha_dot = 1.0; }, "rotational speed of the switching rotor"; }
     effects {
-        stiffness_step "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid \
-            value";
+        stiffness_step
+            "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)

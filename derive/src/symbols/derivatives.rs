@@ -1,0 +1,107 @@
+//! Derivatives by the symbols that occur in an expression.
+
+use std::collections::BTreeMap;
+
+use symbolica::atom::{Atom, AtomCore};
+
+use super::{Place, Sparse, Symbols};
+use crate::expr::number;
+
+impl Symbols {
+    /// Sums the derivatives by the symbols of `e`, each times what `parts` gives for its place.
+    fn chain<'a>(&'a self, e: &Atom, parts: impl Fn(Place) -> Option<Part<'a>>) -> Sparse {
+        let mut sum: BTreeMap<usize, Atom> = BTreeMap::new();
+        let mut add = |i, part: Atom| {
+            let entry = sum.entry(i).or_insert_with(|| number(0));
+            *entry = &*entry + part;
+        };
+        for (symbol, place) in self.present(e) {
+            match parts(place) {
+                Some(Part::Itself(i)) => add(i, e.derivative(symbol)),
+                Some(Part::Through(inner)) => {
+                    let outer = e.derivative(symbol);
+                    inner.iter().for_each(|(i, inner)| add(*i, inner * &outer));
+                }
+                None => {}
+            }
+        }
+        sum.into_iter().filter(|(_, part)| !part.is_zero()).collect()
+    }
+
+    /// The gradient by the coordinates, including the derivatives through deflections, with the laws held constant.
+    pub fn by_coordinates(&self, e: &Atom) -> Sparse {
+        self.chain(e, |place| match place {
+            Place::Coordinate(i) => Some(Part::Itself(i)),
+            Place::Deflection(d) => Some(Part::Through(&self.deflections[d].slopes)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_coordinates)),
+            _ => None,
+        })
+    }
+
+    /// The gradient by the speeds, including the derivatives through the rates of deflections.
+    pub fn by_speeds(&self, e: &Atom) -> Sparse {
+        self.chain(e, |place| match place {
+            Place::Speed(i) => Some(Part::Itself(i)),
+            Place::Rate(d) => Some(Part::Through(&self.deflections[d].slopes)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_speeds)),
+            _ => None,
+        })
+    }
+
+    /// The derivatives by the values of laws, including those through deflections.
+    pub fn by_laws(&self, e: &Atom) -> Sparse {
+        self.chain(e, |place| match place {
+            Place::Law(l) => Some(Part::Itself(l)),
+            Place::Deflection(d) => Some(Part::Through(&self.deflections[d].by_law)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_laws)),
+            _ => None,
+        })
+    }
+
+    /// The derivatives by the slopes of laws.
+    pub fn slopes(&self, e: &Atom) -> Sparse {
+        self.chain(e, |place| match place {
+            Place::Slope(l) => Some(Part::Itself(l)),
+            _ => None,
+        })
+    }
+
+    /// The clipped damper forces of dead bands that belong to the potential energy `e`, to be added to its gradient.
+    pub fn clipped(&self, e: &Atom) -> Sparse {
+        let bands = self.present(e).into_iter().filter_map(|(symbol, place)| match place {
+            Place::Deflection(d) => Some((&self.deflections[d], self.deflections[d].clip.as_ref()?, symbol)),
+            _ => None,
+        });
+        let rows = bands.flat_map(|(d, clip, symbol)| {
+            let force = clip * e.derivative(symbol);
+            d.slopes.iter().map(move |(i, slope)| (*i, &force * slope)).collect::<Sparse>()
+        });
+        rows.collect()
+    }
+
+    /// The expression after law `l` has stepped by an amount written as the symbol of its slope, including the step of
+    /// deflections; `None` if the law is not in it.
+    pub fn stepped(&self, e: &Atom, l: usize) -> Option<Atom> {
+        let step = Atom::var(self.slope[l]);
+        let moved = self.present(e).into_iter().filter_map(|(symbol, place)| {
+            let by = match place {
+                Place::Law(law) if law == l => step.clone(),
+                Place::Deflection(d) => &self.deflections[d].by_law.iter().find(|(law, _)| *law == l)?.1 * &step,
+                _ => return None,
+            };
+            Some((symbol, by))
+        });
+        moved.fold(None, |e_so_far, (symbol, by)| {
+            let (e, symbol) = (e_so_far.unwrap_or_else(|| e.clone()), Atom::var(symbol));
+            Some(e.replace(symbol.to_pattern()).with((&symbol + by).to_pattern()))
+        })
+    }
+}
+
+/// How an expression depends on what it is differentiated by, through one of its symbols.
+enum Part<'a> {
+    /// The symbol is what it is differentiated by, with this index.
+    Itself(usize),
+    /// The symbol depends on it with these derivatives.
+    Through(&'a Sparse),
+}

@@ -1,0 +1,92 @@
+//! Named deflections and forces: what the derivatives through them are.
+
+use std::collections::HashMap;
+
+use symbolica::atom::{Atom, AtomCore, Symbol};
+
+use super::{Place, Sparse, Symbols, present};
+use crate::expr::{Kind, kind_and_name, number, partial_name, speed_name, symbol, total};
+use crate::model::{self, DeadBand, Deflection, Model};
+
+/// A named deflection, delta = sum_i slope_i q_i + rest, and its rate, delta' = sum_i slope_i q'_i.
+pub(crate) struct Linear {
+    pub symbol: Symbol,
+    pub rate_symbol: Symbol,
+    /// Its derivatives by coordinates.
+    pub slopes: Sparse,
+    /// Its value at q = 0: minus the edge of a dead band, minus transmission errors.
+    pub rest: Atom,
+    /// Its derivatives by laws.
+    pub by_law: Sparse,
+    /// For a dead band: the symbol `clip` of its damper times the marker of its effect.
+    pub clip: Option<Atom>,
+}
+
+impl Linear {
+    pub(super) fn new(model: &Model, d: &Deflection, places: &HashMap<Symbol, Place>) -> Linear {
+        let value = d.value.atom();
+        let (mut slopes, mut by_law, mut rest) = (vec![], vec![], value.clone());
+        for (symbol, place) in present(&value, places) {
+            let slope = value.derivative(symbol).expand();
+            match place {
+                _ if slope.is_zero() => {}
+                Place::Coordinate(i) => {
+                    slopes.push((i, slope));
+                    rest = rest.replace(Atom::var(symbol).to_pattern()).with(number(0).to_pattern());
+                }
+                Place::Law(l) => by_law.push((l, slope)),
+                _ => {}
+            }
+        }
+        let band: Option<&DeadBand> = model.dead_bands.iter().find(|band| band.over == d.name);
+        Linear {
+            symbol: symbol(Kind::Deflection, &d.name),
+            rate_symbol: symbol(Kind::Rate, &speed_name(&d.name)),
+            slopes,
+            rest: rest.expand(),
+            by_law,
+            clip: band
+                .map(|band| Atom::var(symbol(Kind::Marker, &band.effect)) * Atom::var(symbol(Kind::Clip, &band.clip))),
+        }
+    }
+
+    /// The deflection, written in the coordinates `q`.
+    pub fn of(&self, q: &[Symbol]) -> Atom {
+        self.rate(q) + &self.rest
+    }
+
+    /// Its rate, written in the speeds `v`.
+    pub fn rate(&self, v: &[Symbol]) -> Atom {
+        self.slopes.iter().fold(number(0), |sum, (i, slope)| sum + slope * Atom::var(v[*i]))
+    }
+}
+
+/// A named force, differentiated by name: its derivatives are written in its partial derivatives.
+pub(crate) struct Force {
+    /// The partial derivatives: name and value.
+    pub partials: Vec<(String, Atom)>,
+    pub(super) by_coordinates: Sparse,
+    pub(super) by_speeds: Sparse,
+    pub(super) by_laws: Sparse,
+}
+
+impl Force {
+    /// The force, which may contain those before it: `s` has these.
+    pub(super) fn new(force: &model::Force, s: &Symbols) -> Force {
+        let value = force.value.atom();
+        let (mut partials, mut linear) = (vec![], vec![]);
+        for (by, _) in s.present(&value) {
+            let partial = partial_name(&force.name, &kind_and_name(by).1);
+            linear.push(Atom::var(symbol(Kind::Partial, &partial)) * Atom::var(by));
+            partials.push((partial, value.derivative(by)));
+        }
+        // The sum of its symbols times its partial derivatives has its gradients.
+        let linear = total(linear);
+        Force {
+            partials,
+            by_coordinates: s.by_coordinates(&linear),
+            by_speeds: s.by_speeds(&linear),
+            by_laws: s.by_laws(&linear),
+        }
+    }
+}
