@@ -2,6 +2,7 @@
 
 use crate::engine::error::Stop;
 use crate::engine::hybrid::Hybrid;
+use crate::tolerance::events::{CASCADE_EVENTS, CASCADE_SPAN};
 
 /// A sequence of events that hardly passes time.
 #[derive(Debug, Clone, Default)]
@@ -11,11 +12,6 @@ pub struct Cascade {
     /// Events since then.
     events: u64,
 }
-
-/// Events within this part of the fastest time of the motion, one after another, are a cascade.
-const CASCADE_SPAN: f64 = 1e-6;
-/// Events of a cascade that end the run.
-const CASCADE_EVENTS: u64 = 100_000;
 
 impl Cascade {
     /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\].

@@ -12,6 +12,7 @@ use crate::engine::error::Refusal;
 use crate::engine::law::Law;
 use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
+use crate::tolerance::events::CELLS_IN_ADVANCE;
 
 /// The cells of a scene.
 #[derive(Debug, Clone)]
@@ -43,9 +44,6 @@ pub struct Prepared {
 /// What cells are combinations of.
 pub type Stand<'a> = (&'a [Law], &'a [DeadBand], &'a [f64]);
 
-/// More cells than this are worked out as they are met: the modes of all would take long.
-const MOST_BEFOREHAND: usize = 1024;
-
 impl Cells {
     /// The cells of laws and dead bands, whose values are `k`, of equations with so many rigid `motions`.
     ///
@@ -54,7 +52,7 @@ impl Cells {
     pub fn new(equations: &dyn Equations, motions: usize, (laws, bands, k): Stand<'_>) -> Result<Self, Refusal> {
         let count = laws.iter().map(|l| l.pitch.cells()).chain(bands.iter().map(|_| REGIMES.len()));
         let count = count.fold(1, usize::saturating_mul);
-        if count > MOST_BEFOREHAND {
+        if count > CELLS_IN_ADVANCE {
             let mut cells = Cells { cells: vec![], met: Some(HashMap::new()), present: 0, motions };
             cells.meet(equations, (laws, bands, k))?;
             return Ok(cells);

@@ -1,10 +1,10 @@
 //! Held contact: a phase pressed against a step that it cannot climb, from when its bounces no longer count.
 //!
 //! Each reflection keeps the normal speed, damping takes from it, and the bounces come ever faster. Once the energy of
-//! the normal motion E = v²/(2 G) is below [`HOLD`] of all energy and a bounce is short, the phase is held where it is:
+//! the normal motion E = v²/(2 G) is below `HOLD_ENERGY` of all energy and a bounce is short, the phase is held where it is:
 //! n.q' = 0, under the reaction R. What is ignored is E at each hold; it is counted, and its sum is in the account.
 //! The hold ends when
-//! - R pulls, by [`RELEASE`] of the forces that make it up: the phase leaves the step it came from;
+//! - R pulls, by `RELEASE` of the forces that make it up: the phase leaves the step it came from;
 //! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it part;
 //! - a step of another stiffness gives an impulse: what is held is let go, and bounces or leaves.
 //!
@@ -21,16 +21,7 @@ use crate::engine::hybrid::Hybrid;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector};
-
-/// Energy of the normal motion, relative to T + V, below which a pressed phase is held.
-pub const HOLD: f64 = 1e-12;
-/// A bounce is short if its time, times the fastest rate of the cell, is below this.
-pub const SHORT: f64 = 1e-3;
-/// A reaction pulls if it is below zero by this part of the forces that make it up.
-pub const RELEASE: f64 = 1e-9;
-
-/// Relative difference that is rounding.
-const SAME: f64 = 1e-10;
+use crate::tolerance::events::{DOUBLE_ZERO, HOLD_ENERGY, ONE_DEFLECTION, RELEASE, SHORT_BOUNCE};
 
 /// What ends the hold of a law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,7 +80,7 @@ impl Form {
 pub fn presses(law: &Law, side: Side, state: &State, acceleration: &Vector, rate: f64, energy: f64) -> bool {
     let v = law.surface.normal.dot(&state.q_dot).abs();
     let a = side.sign() * law.surface.normal.dot(acceleration);
-    a > 0.0 && v * v <= HOLD * energy * 2.0 * law.surface.compliance && 2.0 * v * rate <= SHORT * a
+    a > 0.0 && v * v <= HOLD_ENERGY * energy * 2.0 * law.surface.compliance && 2.0 * v * rate <= SHORT_BOUNCE * a
 }
 
 impl Contact {
@@ -190,14 +181,14 @@ fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side,
     let d = Vector::from_fn(n, |i| stiffness[(i, row)] / c);
     let g = load[row];
     let one = DMatrix::from_fn(n, n, |i, j| c * d[i] * d[j]);
-    let of_one =
-        (&stiffness - one).amax() <= SAME * stiffness.amax() && (&load - &(&d * g)).amax() <= SAME * load.amax();
+    let of_one = (&stiffness - one).amax() <= ONE_DEFLECTION * stiffness.amax()
+        && (&load - &(&d * g)).amax() <= ONE_DEFLECTION * load.amax();
     if !of_one {
         return vec![];
     }
     let (middle, square) = (g / c, (g / c).powi(2) - 2.0 * h / c);
     let at = |x: f64| Form::Deflection(d.clone(), x);
-    match square.abs() <= SAME * middle.powi(2) {
+    match square.abs() <= DOUBLE_ZERO * middle.powi(2) {
         true => vec![at(middle)],
         false if square < 0.0 => vec![],
         false => vec![at(middle - square.sqrt()), at(middle + square.sqrt())],

@@ -21,6 +21,7 @@ use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
+use crate::tolerance::events::EDGE_ROUNDING;
 
 /// Where a dead band stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,8 +79,6 @@ pub struct DeadBand {
     pub regime: Regime,
 }
 
-/// Roundings of its place by which a deflection must be beyond an edge, where it rattles there without passing time.
-const ROUNDINGS: f64 = 16.0;
 /// Law values of a dead band: touch, edge, damp, clip.
 pub const VALUES: usize = 4;
 /// Every regime, by its number.
@@ -236,7 +235,7 @@ impl DeadBand {
     /// What can end its present regime. Each value is >= 0 until then.
     pub fn exits(&self, Elastic { spring, damper }: Elastic) -> SmallVec<[Exit; 2]> {
         let exit = |beyond, side, on_depth: f64, on_rate| {
-            let slack = on_depth.abs() * ROUNDINGS * f64::EPSILON * (self.half + self.offset.abs());
+            let slack = on_depth.abs() * EDGE_ROUNDING * (self.half + self.offset.abs());
             Exit { beyond, side, on_depth, on_rate, slack }
         };
         let enter = |side| {

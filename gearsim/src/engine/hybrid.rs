@@ -17,6 +17,7 @@ use crate::engine::record::State;
 use crate::engine::start::Begun;
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
+use crate::tolerance::events::EVENTS_AT_ONE_TIME;
 
 /// Event counts and search cost of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -77,9 +78,6 @@ pub struct Hybrid<'a> {
     /// Events so far.
     pub counts: Counts,
 }
-
-/// Events of flanks at one time that are more than contacts and grips that change together.
-const RATTLES: u32 = 16;
 
 impl<'a> Hybrid<'a> {
     /// The state at the start of a run of `scene`.
@@ -158,7 +156,7 @@ impl Hybrid<'_> {
 
     /// What is added to the value of an exit while flanks rattle.
     pub fn slack_of(&self, exit: &Exit) -> f64 {
-        if self.rattle.1 >= RATTLES { exit.slack } else { 0.0 }
+        if self.rattle.1 >= EVENTS_AT_ONE_TIME { exit.slack } else { 0.0 }
     }
 
     /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.

@@ -7,8 +7,11 @@
 //!   of the speeds there; `watch`: zeros of other linear functions of the state;
 //! - `contact`: a phase held at a step; `dead_band`: play; `forcing`: torques that vary in time;
 //! - `phase`, `clock` and `law`: angles, times and the cells of laws, without loss of digits;
-//! - `start`: the initial state; `record`: rows and the energy account; `guard`: too many events, or events that depend on their
-//!   order; `simulate`: the loop; `system`: the equations as analyses use them.
+//! - `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
+//! - `motion`: the motion between two events, and what finds it: a solver; `exact`: the solver of linear cells; `compensated`: the
+//!   same in double-double numbers; `lanes`: the kernel of plain events;
+//! - `cascade`: too many events; `order`: events that depend on their order; `simulate`: the hybrid loop; `system`: the equations
+//!   as analyses use them.
 
 pub mod cascade;
 pub mod cell;

@@ -7,9 +7,7 @@ use crate::engine::jump::Passage;
 use crate::engine::law;
 use crate::engine::record::State;
 use crate::engine::vector::Vector;
-
-/// Relative difference of speeds above which the order of two steps matters.
-const ORDER: f64 = 1e-9;
+use crate::tolerance::events::ORDER;
 
 /// Whether `law`, at its boundary, meets it together with another law of another phase, and the two give other speeds in
 /// the opposite order: the motion beyond is then one of several.

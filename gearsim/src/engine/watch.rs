@@ -6,6 +6,7 @@ use crate::engine::forcing::window::{TERMS, Window};
 use crate::engine::root;
 use crate::engine::signal::Signal;
 use crate::engine::vector::Vector;
+use crate::tolerance::events::GRAZE_DEPTH;
 
 /// Its slopes.
 #[derive(Debug, Clone)]
@@ -58,7 +59,7 @@ impl Watch {
         let course = window.course(&self.on_q, &self.on_speed, &self.on_load);
         let sign = if value >= 0.0 { 1.0 } else { -1.0 };
         let gap: [f64; TERMS] = std::array::from_fn(|n| sign * if n == 0 { value } else { course[n] });
-        let found = root::first_of::<TERMS>(&gap, 4.0 * f64::EPSILON * value.abs());
+        let found = root::first_of::<TERMS>(&gap, GRAZE_DEPTH * value.abs());
         cost.steps += found.steps;
         found.root
     }

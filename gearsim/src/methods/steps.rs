@@ -9,6 +9,7 @@ use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{Effort, Motion, Solver};
 use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::methods::{REJECTIONS, STIFF_STEPS};
 
 use super::control::{Control, Steps};
 use super::dense::Dense;
@@ -44,11 +45,6 @@ pub struct Settings {
     /// Steps after which a run is given up.
     pub most_steps: u64,
 }
-
-/// Steps limited by stability, one after another, that show a stiff mode.
-const STIFF_STEPS: u32 = 15;
-/// Rejections of one step that end a run.
-const MOST_REJECTED: u32 = 100;
 
 /// A solver by a numerical method.
 pub struct BySteps<'a> {
@@ -94,7 +90,7 @@ impl<'a> BySteps<'a> {
             return Ok((0.0, Trial { end: y.clone(), rate: rate.clone(), error: 0.0, stiffness: 0.0 }));
         }
         let t = now.clock.now();
-        for _ in 0..MOST_REJECTED {
+        for _ in 0..REJECTIONS {
             let h = self.control.step(horizon);
             if h < horizon && t + h <= t.next_up() && t > 0.0 {
                 break;

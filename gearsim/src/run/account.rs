@@ -7,6 +7,7 @@ use crate::engine::law::Law;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
+use crate::tolerance::methods;
 
 /// What the account says at the row at which it is furthest off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,13 +20,6 @@ pub struct Account {
     pub allowed: f64,
 }
 
-/// What the residual of exact cells may be of the largest part: rounding of ill-conditioned cells, over many events.
-const EXACT: f64 = 1e-9;
-/// The same of a method by steps, in units of its tolerance: errors of steps add up.
-const STEPS: f64 = 1e3;
-/// The same of a method with steps of one length, which has no tolerance.
-const FIXED: f64 = 1e-2;
-
 impl Account {
     /// The account of `run`, a run of `scene`; `None` where nothing was recorded.
     pub fn of(run: &Outcome, scene: &Scene) -> Option<Account> {
@@ -34,9 +28,9 @@ impl Account {
             trajectory.residual.iter().copied().reduce(|m, x| if x.abs() > m.abs() || x.is_nan() { x } else { m })?;
         let method = Method::ALL.iter().find(|(_, name)| *name == run.solver.method).map(|(method, _)| *method);
         let allowed = match method {
-            Some(Method::Exact) | None => EXACT,
-            Some(method) if method.has_fixed_steps() => FIXED,
-            Some(_) => STEPS * scene.solver.tolerance,
+            Some(Method::Exact) | None => methods::EXACT_RESIDUAL,
+            Some(method) if method.has_fixed_steps() => methods::FIXED_STEP_RESIDUAL,
+            Some(_) => methods::STEP_RESIDUAL * scene.solver.tolerance,
         };
         Some(Account { residual, largest: trajectory.largest_energy(), allowed })
     }

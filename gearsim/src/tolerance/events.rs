@@ -69,3 +69,63 @@ pub(crate) const ROOT_HALVINGS: u32 = 52;
 /// Longest correction of an event time that double-double numbers make by a second-order Taylor polynomial [1]: its length in the
 /// fastest time of the cell, and its curvature. The omitted cube is 1e-30. Larger: digits are lost. Smaller: one more iteration.
 pub(crate) const COMPENSATED_TAYLOR: f64 = 1e-10;
+
+/// A pressed phase is held if the energy of its normal motion is below this [relative to T + V]. The neglected energy is in the
+/// account. Larger: visible energy is neglected. Smaller: more bounces are computed, up to a cascade.
+pub(crate) const HOLD_ENERGY: f64 = 1e-12;
+
+/// A bounce is short if its time, times the fastest rate of the cell, is below this [1]. The force is then constant during the bounce
+/// to 1e-3. Larger: vibrating contacts are held. Smaller: they are held later, after more events.
+pub(crate) const SHORT_BOUNCE: f64 = 1e-3;
+
+/// A held phase is released if the reaction pulls by this [relative to the forces it consists of]. It is above the rounding errors of
+/// the reaction. Larger: the release is late by this fraction. Smaller: rounding errors release a phase at balance.
+pub(crate) const RELEASE: f64 = 1e-9;
+
+/// The step of a law strains a single deflection if its matrix and its load differ by less than this from those of one deflection
+/// [relative to the largest entry]. They are products of a few numbers. Larger: different deflections are taken for one. Smaller:
+/// rounding errors keep a phase held that slips through.
+pub(crate) const ONE_DEFLECTION: f64 = 1e-10;
+
+/// The two zeros of a vanishing step are one if their squared distance is below this [relative to the square of their mean]. It is the
+/// difference of two numbers of this size. Larger: two zeros are taken for one. Smaller: rounding errors separate a double zero, or
+/// remove it.
+pub(crate) const DOUBLE_ZERO: f64 = 1e-10;
+
+/// Events within this time, one after another, are a cascade [fastest time of the motion]. Larger: a fast sequence of events of a sound
+/// motion ends a run. Smaller: a run without progress goes on.
+pub(crate) const CASCADE_SPAN: f64 = 1e-6;
+
+/// Events of a cascade after which the run ends with an error [events]: some tenths of a second of computing time.
+pub(crate) const CASCADE_EVENTS: u64 = 100_000;
+
+/// The order of two simultaneous steps matters if the speeds differ by more than this [relative to the largest speed]. Larger:
+/// ambiguous results are not reported. Smaller: rounding errors are reported as ambiguous.
+pub(crate) const ORDER: f64 = 1e-9;
+
+/// Events of flanks at one time above which they are taken for rounding errors [events]: more than the contacts and dampers of a train
+/// that can change together.
+pub(crate) const EVENTS_AT_ONE_TIME: u32 = 16;
+
+/// Rounding error of a deflection at an edge of its play [relative to half the play plus the offset by transmission errors]. Flanks that
+/// meet and part without passing time must pass the edge by this. Smaller: they rattle on. Larger: no effect on other motions.
+pub(crate) const EDGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Largest number of cells that are computed before the run [cells]: their modes take about a second. With more, each is computed when it
+/// is first entered, and double-double precision is refused.
+pub(crate) const CELLS_IN_ADVANCE: usize = 1024;
+
+/// Rounding error of a sum over the modes in a window [relative to the sum of absolute values]. Mode shapes have some hundred roundings.
+/// Smaller: the rounding errors of balanced forces part flanks. Larger: weak forces are neglected.
+pub(crate) const WINDOW_ROUNDING: f64 = 1024.0 * f64::EPSILON;
+
+/// Longest window, times the fastest rate of cell and load [1]. Its 28 terms leave 2²⁸/28! < 1e-21 of the motion. Larger: digits are lost to
+/// cancellation. Smaller: more windows.
+pub(crate) const WINDOW_SPAN: f64 = 2.0;
+
+/// Smallest factor by which a window is shortened at once where a phase would leave its cell by far [1]. It decides the cost.
+pub(crate) const WINDOW_CUT: f64 = 1e-3;
+
+/// A phase this close to a boundary as the run ends has reached it [rounding errors of the phase], besides its way in half a unit of the
+/// last place of the time. Smaller: a run split there loses an event. Larger: an event of the time after the run is taken.
+pub(crate) const END_OF_RUN: f64 = 2.0;

@@ -27,3 +27,18 @@ pub(crate) const LAST_STEP: f64 = 1.1;
 pub(crate) const NEWTON: f64 = 0.03;
 /// The ten roundings of [`NEWTON`] [relative to the state].
 pub(crate) const NEWTON_ROUNDING: f64 = 10.0 * f64::EPSILON;
+/// Longest correction of an event time by two terms of a Taylor series [fastest time of the motion]; the third is below 1e-18 of the motion.
+/// Larger: digits are lost. Smaller: more steps are taken again.
+pub(crate) const LANDING: f64 = 1e-6;
+/// Consecutive steps limited by stability after which the implicit method takes over [steps] (Hairer & Wanner, Solving Ordinary
+/// Differential Equations II, 1996, IV.2). It decides the cost.
+pub(crate) const STIFF_STEPS: u32 = 15;
+/// Rejections of one step that end the run [1]: the motion is singular there, or the tolerance is below the rounding errors.
+pub(crate) const REJECTIONS: u32 = 100;
+/// Largest residual of the energy account of exact cells [relative to its largest part]: the rounding errors of ill-conditioned cells, over many
+/// events. Larger: wrong results pass. Smaller: sound results of ill-conditioned models are refuted.
+pub(crate) const EXACT_RESIDUAL: f64 = 1e-9;
+/// The same of a method with adaptive steps [tolerance of the method]: the errors of steps add up.
+pub(crate) const STEP_RESIDUAL: f64 = 1e3;
+/// The same of a method with fixed steps, which has no tolerance [relative].
+pub(crate) const FIXED_STEP_RESIDUAL: f64 = 1e-2;

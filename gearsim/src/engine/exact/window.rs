@@ -13,6 +13,7 @@ use crate::engine::record::State;
 use crate::engine::root;
 use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
+use crate::tolerance::events::WINDOW_CUT;
 
 /// A window from the state of `now`.
 pub struct InWindow<'s> {
@@ -126,7 +127,7 @@ fn shorten(window: &mut Window<'_>, now: &Hybrid<'_>) {
             if part.is_nan() || part >= 1.0 {
                 break;
             }
-            window.shorten(part.max(1e-3));
+            window.shorten(part.max(WINDOW_CUT));
         }
     }
 }

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The motion is an entire function of t, whatever the damping, on resonance and off it, for rigid modes as for elastic
-//! ones. A window lasts no longer than [`SPAN`] divided by the fastest rate of cell and load: then [`TERMS`] terms leave a
+//! ones. A window lasts no longer than `WINDOW_SPAN` divided by the fastest rate of cell and load: then [`TERMS`] terms leave a
 //! remainder of 2²⁸/28! < 1e-21 of the motion, far below its rounding, and lose less than a digit to cancellation. So the first
 //! crossing is found, for certain, as the first root of a polynomial ([`root`](crate::engine::root)).
 
@@ -16,13 +16,10 @@ use super::linear::Linear;
 use crate::engine::clock::Clock;
 use crate::engine::mode::GAUSS_16;
 use crate::engine::vector::{Vector, transposed};
+use crate::tolerance::events::{WINDOW_ROUNDING, WINDOW_SPAN};
 
 /// Terms of the series.
 pub const TERMS: usize = 28;
-/// Roundings of a sum over the modes: of the sum, and of the shapes, which are known to some hundred of them.
-const ROUNDINGS: f64 = 1024.0;
-/// Length of a window times the fastest rate in it.
-pub const SPAN: f64 = 2.0;
 
 /// The motion over a window.
 #[derive(Debug, Clone)]
@@ -57,7 +54,7 @@ impl<'a> Window<'a> {
         q_dot: &Vector,
         longest: f64,
     ) -> Self {
-        let width = longest.min(SPAN / linear.rate.max(forcing.fastest()));
+        let width = longest.min(WINDOW_SPAN / linear.rate.max(forcing.fastest()));
         let loads = forcing.series(clock, width);
         let push: Vec<Vector> = forcing.drives.iter().map(|d| transposed(&linear.shapes, &d.load)).collect();
         let m = linear.omega2.len();
@@ -175,5 +172,5 @@ impl<'a> Window<'a> {
 
 /// A sum of parts that have this size together; nothing where they cancel to their rounding.
 fn beyond_rounding(sum: f64, size: f64) -> f64 {
-    if sum.abs() <= ROUNDINGS * f64::EPSILON * size { 0.0 } else { sum }
+    if sum.abs() <= WINDOW_ROUNDING * size { 0.0 } else { sum }
 }

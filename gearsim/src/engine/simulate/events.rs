@@ -10,6 +10,7 @@ use crate::engine::jump::Passage;
 use crate::engine::law::{self, Law};
 use crate::engine::motion::End;
 use crate::engine::order;
+use crate::tolerance::events::END_OF_RUN;
 use crate::trajectory::Moment;
 
 use super::{Recording, Simulation};
@@ -22,7 +23,7 @@ impl Simulation<'_> {
             let v = law.surface.normal.dot(&state.q_dot);
             let side = if v > 0.0 { Side::Upper } else { Side::Lower };
             // A time of an event, as a number, is half a unit of its last place off; so far the phase goes in it.
-            let slack = v.abs() * 0.5 * (self.now.t_end.next_up() - self.now.t_end) + 2.0 * law.rounding();
+            let slack = v.abs() * 0.5 * (self.now.t_end.next_up() - self.now.t_end) + END_OF_RUN * law.rounding();
             if v != 0.0 && !self.now.holds(i) && law.is_at(side, state, slack) {
                 self.pass(End::Step(i, side), recording)?;
                 self.now.require_finite()?;

@@ -9,6 +9,7 @@ use crate::engine::motion::Guard;
 use crate::engine::root::{self, Found};
 use crate::engine::vector::Matrix;
 use crate::methods::dense::Polynomial;
+use crate::tolerance::events::GRAZE_DEPTH;
 
 use super::motion::Step;
 
@@ -58,7 +59,7 @@ impl Step<'_, '_> {
                 let left = self.now.left_of_hold(which);
                 let side = if left >= 0.0 { Side::Lower } else { Side::Upper };
                 let gap = self.interpolated(guard, side, left.abs());
-                note(side, root::first(&gap, 4.0 * f64::EPSILON * left.abs()));
+                note(side, root::first(&gap, GRAZE_DEPTH * left.abs()));
             }
         }
         crossings

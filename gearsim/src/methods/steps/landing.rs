@@ -3,6 +3,7 @@
 use crate::engine::motion::Guard;
 use crate::methods::Trial;
 use crate::methods::flow::Flow;
+use crate::tolerance::methods::LANDING;
 
 use super::motion::{Found, Step};
 
@@ -33,7 +34,7 @@ impl Step<'_, '_> {
                 break;
             }
             // So near that two terms of Taylor's series do.
-            if dt.abs() * self.solver.fastest < 1e-6 {
+            if dt.abs() * self.solver.fastest < LANDING {
                 trial = self.moved_on(trial, taken, dt);
                 return (taken + dt, trial);
             }
@@ -61,13 +62,12 @@ impl Step<'_, '_> {
         if let Guard::Phase(law) = found.guard {
             return -found.side.sign() * self.now.laws[law].surface.normal.dot(&trial.end.v);
         }
-        let dt = 1e-6 / self.solver.fastest;
-        let Flow { q, v, .. } = &trial.end;
+        let dt = LANDING / self.solver.fastest;
+        let v = &trial.end.v;
         let mut later = trial.end.clone();
         later.q.add_times(dt, v);
         later.q.add_times(0.5 * dt * dt, &trial.rate.v);
         later.v.add_times(dt, &trial.rate.v);
-        debug_assert_eq!(q.len(), v.len());
         (self.solver.field.left(found.guard, found.side, t + dt, &later) - left) / dt
     }
 
