@@ -79,6 +79,7 @@ mod tests {
         let dense = Dense::new(vec![flow(1.0), flow(2.0), flow(-3.0)]);
         assert_eq!(dense.at(0.5), flow(1.25));
         assert_eq!(dense.gap(0, 4.0, 1.0)[..], [3.0, -2.0, 3.0]);
+        assert_eq!(dense.from(4.0, &[[2.0].into(), [0.5].into()])[..], [4.0, 3.0, -4.5]);
         let nested = Dense::nested(&flow(1.0), &[flow(2.0), flow(3.0), flow(5.0), flow(7.0)]);
         let x = 0.25;
         assert_eq!(nested.at(x), flow(1.0 + x * (2.0 + (1.0 - x) * (3.0 + x * (5.0 + (1.0 - x) * 7.0)))));
