@@ -96,7 +96,7 @@ fn names(d: &Derivation, w: &Writer) -> Vec<String> {
         lines.push(is(&force.name, &force.value.atom()) + effect.as_deref().unwrap_or_default());
     }
     if w.plain() {
-        lines.extend(m.laws.iter().filter_map(idle_text));
+        lines.extend(idle_texts(&m.laws));
         lines.extend(m.dead_bands.iter().flat_map(band_text));
     }
     lines
@@ -129,14 +129,18 @@ fn cells(d: &Derivation, w: &Writer) -> Vec<String> {
     }
 }
 
-/// The value of a law in scenes without its effect.
-fn idle_text(law: &Law) -> Option<String> {
-    let (name, without) = (&law.name, law.with.as_ref()?.replace('_', " "));
-    let rates = match law.role {
-        Role::Error => format!("; the rates of deflections do not contain that of {name}"),
-        _ => String::new(),
+/// The values of laws in scenes without their effects, one line for each effect.
+fn idle_texts(laws: &[Law]) -> Vec<String> {
+    let of = |laws: &[Law]| {
+        let names = laws.iter().map(|law| law.name.as_str()).collect::<Vec<_>>().join(", ");
+        let without = laws[0].with.as_ref()?.replace('_', " ");
+        let rates = match laws[0].role {
+            Role::Error => "; the rates of deflections do not contain the rates of these errors",
+            _ => "",
+        };
+        Some(format!("{names} = 0 without {without}{rates}"))
     };
-    Some(format!("{name} = 0 without {without}{rates}"))
+    laws.chunk_by(|a, b| a.with == b.with).filter_map(of).collect()
 }
 
 /// The values of the symbols of a dead band in each of its cells.

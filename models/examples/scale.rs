@@ -1,5 +1,6 @@
 //! Time of the derivation with its proofs, and size of its file, for the gear pair, chains of discs and planar planetaries.
-//! Usage: `cargo run --release -p gearsim-models --example scale [NAME]...`
+//! Usage: `cargo build --workspace --example scale && target/debug/examples/scale [NAME]...`; with `-p` instead of `--workspace`
+//! Symbolica would be compiled once more, with other features.
 
 use std::time::Instant;
 

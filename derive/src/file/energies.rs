@@ -24,5 +24,5 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
         }
     });
     let constant = lagrange::external(m, s, |t| !m.varies(t));
-    b.rows(1, "work", &d.coordinates(), &constant);
+    b.sums(1, "work", &d.coordinates(), &constant);
 }

@@ -25,12 +25,14 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     let definite = definiteness(p.model, p.s, mass)?;
     p.proved.push(definite);
     if let (Some(a), Some(w)) = (&p.motion.acceleration, &p.motion.mobility) {
-        let product = |i: usize, column: &dyn Fn(usize) -> Atom| {
-            (0..n).fold(number(0), |sum, k| sum + &mass[i][k] * exact(p.motion, &column(k)))
-        };
+        let w_exact: Vec<Vec<Atom>> =
+            w.iter().map(|row| row.iter().map(|entry| exact(p.motion, entry)).collect()).collect();
+        let product = |i: usize, j: usize| (0..n).fold(number(0), |sum, k| sum + &mass[i][k] * &w_exact[k][j]);
         let unit = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
-        let inverse = unit.map(|(i, j)| product(i, &|k| w[k][j].clone()) - number(i64::from(i == j)));
-        let motion = (0..n).map(|i| product(i, &|k| a[k].clone()) - exact(p.motion, &p.motion.force[i]));
+        let inverse = unit.map(|(i, j)| product(i, j) - number(i64::from(i == j)));
+        // M q'' = F follows from q'' = M⁻¹F, which needs no fractions.
+        let force = &p.motion.force;
+        let motion = (0..n).map(|i| (0..n).fold(-&a[i], |sum, j| sum + &w[i][j] * &force[j]));
         let rests: Vec<Atom> = inverse.chain(motion).collect();
         p.claim("M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written", rests)?;
     }

@@ -12,7 +12,7 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use super::{Proof, exact};
+use super::Proof;
 use crate::expr::{Kind, number, symbol, total};
 use crate::jump::Jump;
 use crate::model::{Law, Model, Role};
@@ -92,12 +92,14 @@ fn kinetic(p: &Proof, law: &Law, jump: &Jump) -> Atom {
     total(gained.chain(equations).chain([normed, rule]).collect())
 }
 
-/// M d - n/G and n.d - 1 for d and G as written; nothing where they are not.
+/// d G - M⁻¹n and G - n.M⁻¹n for d and G as written; nothing where they are not. Since M M⁻¹ = 1 is proved, M d = n/G follows from
+/// the first and n.d = 1 from both.
 fn direction(p: &Proof, jump: &Jump) -> Vec<Atom> {
-    let (Some(g), Some(d)) = (&jump.compliance, &jump.direction) else { return vec![] };
-    let dot = |row: &[Atom]| row.iter().zip(d).fold(number(0), |sum, (m, d)| sum + m * exact(p.motion, d));
-    let rows = p.motion.mass.iter().zip(&jump.normal).map(|(row, n)| dot(row) - n / exact(p.motion, g));
-    rows.chain([dot(&jump.normal) - number(1)]).collect()
+    let (Some(w), Some(g), Some(d)) = (&p.motion.mobility, &jump.compliance, &jump.direction) else { return vec![] };
+    let dot = |row: &[Atom]| row.iter().zip(&jump.normal).fold(number(0), |sum, (w, n)| sum + w * n);
+    let response: Vec<Atom> = w.iter().map(|row| dot(row)).collect();
+    let compliance = g - dot(&response);
+    d.iter().zip(response).map(|(d, response)| d * g - response).chain([compliance]).collect()
 }
 
 /// V beyond a step of a law minus V before it, with the deflections that contain the law written out where it steps.

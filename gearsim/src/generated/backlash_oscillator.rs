@@ -35,7 +35,8 @@ equations! {
     }
     torques {
     }
-    work { phi {} }
+    work {
+    }
     mass { phi phi { _ => I; } }
     mobility { phi phi { _ => 1.0/I; } }
     force {

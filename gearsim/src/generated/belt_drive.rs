@@ -55,7 +55,6 @@ equations! {
     work {
         theta { torques => T_crank - T_load*r1/r2; }
         s { torques => T_load/r2; }
-        psi {}
     }
     mass {
         theta theta { _ => I1 + I2*r1.powi(2)/r2.powi(2); }

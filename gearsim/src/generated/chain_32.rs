@@ -212,36 +212,6 @@ equations! {
     }
     work {
         theta1 { torques => T_motor; }
-        theta2 {}
-        theta3 {}
-        theta4 {}
-        theta5 {}
-        theta6 {}
-        theta7 {}
-        theta8 {}
-        theta9 {}
-        theta10 {}
-        theta11 {}
-        theta12 {}
-        theta13 {}
-        theta14 {}
-        theta15 {}
-        theta16 {}
-        theta17 {}
-        theta18 {}
-        theta19 {}
-        theta20 {}
-        theta21 {}
-        theta22 {}
-        theta23 {}
-        theta24 {}
-        theta25 {}
-        theta26 {}
-        theta27 {}
-        theta28 {}
-        theta29 {}
-        theta30 {}
-        theta31 {}
         theta32 { torques => -T_load; }
     }
     mass {

@@ -68,9 +68,6 @@ equations! {
     }
     work {
         theta1 { torques => T_motor; }
-        theta2 {}
-        theta3 {}
-        theta4 {}
         theta5 { torques => -T_load; }
     }
     mass {

@@ -101,10 +101,7 @@ equations! {
         roll "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction => -arm*F_mu*psi_dot; }
     }
-    work {
-        theta {}
-        phi { torques => 2.0*T0; }
-    }
+    work { phi { torques => 2.0*T0; } }
     mass {
         theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2); }
         theta phi { _ => I1/N1.powi(2) - I2/N2.powi(2); }
@@ -242,7 +239,4 @@ equations! {
 // | named forces | 2 | 9 | 2 |
 // | force | 3 | 29 | 0 |
 // | acceleration | 8 | 78 | 0 |
-// | energy step of k | 0 | 3 | 0 |
-// | energy step of e | 1 | 7 | 0 |
-// | energy step of side | 0 | 0 | 0 |
-// | energy step of arm | 0 | 0 | 0 |
+// | energy steps, all laws | 1 | 10 | 0 |

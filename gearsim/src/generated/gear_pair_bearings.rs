@@ -130,10 +130,6 @@ equations! {
     work {
         theta { torques => T_motor/N1 - T_load/N2; }
         s { torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0; }
-        x1 {}
-        y1 {}
-        x2 {}
-        y2 {}
     }
     mass {
         theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2); }
@@ -601,7 +597,4 @@ equations! {
 // | constants (once a scene) | 0 | 1 | 2 |
 // | named forces | 2 | 9 | 2 |
 // | force | 24 | 156 | 0 |
-// | energy step of k12 | 0 | 4 | 0 |
-// | energy step of e12 | 1 | 7 | 0 |
-// | energy step of side12 | 0 | 0 | 0 |
-// | energy step of arm12 | 0 | 0 | 0 |
+// | energy steps, all laws | 1 | 11 | 0 |

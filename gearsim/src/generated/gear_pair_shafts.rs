@@ -517,4 +517,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 1 | 0 |
 // | force | 57 | 262 | 3 |
-// | energy step of k12 | 0 | 4 | 0 |
+// | energy steps, all laws | 0 | 4 | 0 |

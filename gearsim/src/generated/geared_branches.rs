@@ -66,9 +66,7 @@ equations! {
         load "load torque of the second shaft's disc, against its rotation" { torques => -T_load*theta_b; }
     }
     work {
-        theta1 {}
         theta_m { torques => T_motor; }
-        theta_a {}
         theta_b { torques => -T_load; }
     }
     mass {

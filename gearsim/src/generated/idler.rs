@@ -326,11 +326,4 @@ equations! {
 // | constants (once a scene) | 0 | 2 | 2 |
 // | named forces | 4 | 16 | 4 |
 // | force | 16 | 84 | 0 |
-// | energy step of k12 | 0 | 3 | 0 |
-// | energy step of k23 | 0 | 3 | 0 |
-// | energy step of e12 | 1 | 5 | 0 |
-// | energy step of e23 | 1 | 5 | 0 |
-// | energy step of side12 | 0 | 0 | 0 |
-// | energy step of arm12 | 0 | 0 | 0 |
-// | energy step of side23 | 0 | 0 | 0 |
-// | energy step of arm23 | 0 | 0 | 0 |
+// | energy steps, all laws | 2 | 16 | 0 |

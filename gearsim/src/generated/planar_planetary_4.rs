@@ -204,25 +204,6 @@ equations! {
     work {
         theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
         theta_c { torques => T_motor - T_load; }
-        theta_r {}
-        x_s {}
-        y_s {}
-        x_c {}
-        y_c {}
-        x_r {}
-        y_r {}
-        zeta1 {}
-        eta1 {}
-        u1 {}
-        zeta2 {}
-        eta2 {}
-        u2 {}
-        zeta3 {}
-        eta3 {}
-        u3 {}
-        zeta4 {}
-        eta4 {}
-        u4 {}
     }
     mass {
         theta theta {
@@ -1536,19 +1517,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 18 | 11 | 26 |
 // | force | 217 | 708 | 0 |
-// | energy step of k_s1 | 0 | 3 | 0 |
-// | energy step of k_r1 | 0 | 3 | 0 |
-// | energy step of k_s2 | 0 | 3 | 0 |
-// | energy step of k_r2 | 0 | 3 | 0 |
-// | energy step of k_s3 | 0 | 3 | 0 |
-// | energy step of k_r3 | 0 | 3 | 0 |
-// | energy step of k_s4 | 0 | 3 | 0 |
-// | energy step of k_r4 | 0 | 3 | 0 |
-// | energy step of e_s1 | 1 | 5 | 0 |
-// | energy step of e_r1 | 1 | 5 | 0 |
-// | energy step of e_s2 | 1 | 5 | 0 |
-// | energy step of e_r2 | 1 | 5 | 0 |
-// | energy step of e_s3 | 1 | 5 | 0 |
-// | energy step of e_r3 | 1 | 5 | 0 |
-// | energy step of e_s4 | 1 | 5 | 0 |
-// | energy step of e_r4 | 1 | 5 | 0 |
+// | energy steps, all laws | 8 | 64 | 0 |

@@ -145,12 +145,6 @@ equations! {
     work {
         theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
         theta_c { torques => T_motor - T_load; }
-        theta_r {}
-        u1 {}
-        u2 {}
-        u3 {}
-        u4 {}
-        u5 {}
     }
     mass {
         theta theta {
@@ -557,23 +551,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 11 | 2 |
 // | force | 108 | 400 | 0 |
-// | energy step of k_s1 | 0 | 3 | 0 |
-// | energy step of k_r1 | 0 | 3 | 0 |
-// | energy step of k_s2 | 0 | 3 | 0 |
-// | energy step of k_r2 | 0 | 3 | 0 |
-// | energy step of k_s3 | 0 | 3 | 0 |
-// | energy step of k_r3 | 0 | 3 | 0 |
-// | energy step of k_s4 | 0 | 3 | 0 |
-// | energy step of k_r4 | 0 | 3 | 0 |
-// | energy step of k_s5 | 0 | 3 | 0 |
-// | energy step of k_r5 | 0 | 3 | 0 |
-// | energy step of e_s1 | 1 | 5 | 0 |
-// | energy step of e_r1 | 1 | 5 | 0 |
-// | energy step of e_s2 | 1 | 5 | 0 |
-// | energy step of e_r2 | 1 | 5 | 0 |
-// | energy step of e_s3 | 1 | 5 | 0 |
-// | energy step of e_r3 | 1 | 5 | 0 |
-// | energy step of e_s4 | 1 | 5 | 0 |
-// | energy step of e_r4 | 1 | 5 | 0 |
-// | energy step of e_s5 | 1 | 5 | 0 |
-// | energy step of e_r5 | 1 | 5 | 0 |
+// | energy steps, all laws | 10 | 80 | 0 |

@@ -358,5 +358,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 2 | 0 |
 // | force | 38 | 240 | 0 |
-// | energy step of k12 | 0 | 4 | 0 |
-// | energy step of k34 | 0 | 4 | 0 |
+// | energy steps, all laws | 0 | 8 | 0 |

@@ -146,9 +146,6 @@ equations! {
         s2 { torques => T_generator/(2.0*h2*N2); }
         psi_l { torques => T_wind; }
         psi_h { torques => T_generator; }
-        u1 {}
-        u2 {}
-        u3 {}
     }
     mass {
         theta theta {
@@ -507,16 +504,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 12 | 2 |
 // | force | 97 | 410 | 0 |
-// | energy step of k_s1 | 0 | 3 | 0 |
-// | energy step of k_r1 | 0 | 3 | 0 |
-// | energy step of k_s2 | 0 | 3 | 0 |
-// | energy step of k_r2 | 0 | 3 | 0 |
-// | energy step of k_s3 | 0 | 3 | 0 |
-// | energy step of k_r3 | 0 | 3 | 0 |
-// | energy step of k12 | 0 | 3 | 0 |
-// | energy step of e_s1 | 1 | 5 | 0 |
-// | energy step of e_r1 | 1 | 5 | 0 |
-// | energy step of e_s2 | 1 | 5 | 0 |
-// | energy step of e_r2 | 1 | 5 | 0 |
-// | energy step of e_s3 | 1 | 5 | 0 |
-// | energy step of e_r3 | 1 | 5 | 0 |
+// | energy steps, all laws | 6 | 51 | 0 |

@@ -43,8 +43,6 @@ equations! {
     torques {
     }
     work {
-        alpha {}
-        beta {}
     }
     mass {
         alpha alpha { _ => J1; }
@@ -110,6 +108,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | force | 4 | 12 | 0 |
 // | acceleration | 4 | 18 | 0 |
-// | energy step of c | 0 | 3 | 0 |
-// | energy step of k | 0 | 3 | 0 |
-// | energy step of g | 0 | 3 | 0 |
+// | energy steps, all laws | 0 | 9 | 0 |

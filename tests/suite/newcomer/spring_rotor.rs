@@ -39,10 +39,7 @@ equations! {
         potential { _ => k*beta.powi(2)/2.0; }
     }
     torques { drive "torque T1 on the switching rotor" { torque => T1*alpha; } }
-    work {
-        alpha { torque => T1; }
-        beta {}
-    }
+    work { alpha { torque => T1; } }
     mass {
         alpha alpha { _ => J1; }
         beta beta { _ => J2; }
@@ -98,4 +95,4 @@ equations! {
 // | --- | --- | --- | --- |
 // | force | 0 | 4 | 0 |
 // | acceleration | 0 | 7 | 0 |
-// | energy step of k | 0 | 3 | 0 |
+// | energy steps, all laws | 0 | 3 | 0 |
