@@ -7,7 +7,7 @@
 use super::{Cost, Search, Side};
 use crate::engine::cell::Point;
 use crate::engine::mode::Mode;
-use crate::tolerance::events::{BRACKET_WIDTH, SEARCH_STEPS};
+use crate::tolerance::events::{BRACKET_WIDTH, INFLECTIONS};
 
 /// The oscillation of a phase.
 struct Oscillation<'a> {
@@ -27,7 +27,7 @@ struct Place {
 
 impl Search<'_> {
     /// The first boundary reached before the horizon, as [`Search::first`] gives it. The outer `None` means that the phase is not of
-    /// this kind, or that the search does not end; `point` is then anywhere.
+    /// this kind, or that it passes too many inflections; `point` is then anywhere.
     pub(super) fn between_inflections(&self, point: &mut Point, cost: &mut Cost) -> Option<Option<Side>> {
         let Oscillation { mode, acceleration, jerk } = self.single_oscillation()?;
         let leaves = |side: Side| self.gap(side) <= self.tolerance() && side.sign() * self.rate >= 0.0;
@@ -41,11 +41,11 @@ impl Search<'_> {
         // 1 while s is convex, -1 while it is concave.
         let mut bends = if acceleration != 0.0 { acceleration.signum() } else { jerk.signum() };
         let mut from = Place { t: 0.0, moved: 0.0, rate: self.rate };
-        for _ in 0..SEARCH_STEPS {
+        for _ in 0..INFLECTIONS {
             cost.steps += 1;
             self.go(point, inflection, cost);
             let to = self.place(point);
-            if !(to.moved.is_finite() && to.rate.is_finite()) {
+            if !(to.moved.is_finite() && to.rate.is_finite() && to.t > from.t) {
                 return None;
             }
             // It turns away from the first boundary, towards the second.
