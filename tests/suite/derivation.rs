@@ -59,6 +59,7 @@ fn main() -> ExitCode {
         ("a_wrong_formula_is_refused_by_its_proof", proofs::a_wrong_formula_is_refused),
         ("a_model_that_feeds_energy_is_refused", proofs::a_model_that_feeds_energy_is_refused),
         ("dampers_of_other_forms_are_proved", proofs::other_dampers_are_proved),
+        ("a_torque_through_a_deflection_is_in_the_balance", proofs::a_torque_through_a_deflection_is_in_the_balance),
         ("every_mistake_is_refused_with_the_name_of_the_culprit", slips::every_mistake_is_refused),
         ("no_input_makes_the_derivation_panic", odd::no_input_panics),
     ];

@@ -26,7 +26,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     let inertia = p.motion.force.iter().zip(&p.s.v).map(|(force, v)| Atom::var(*v) * with_jump_terms(force));
     let stored = m.potential.iter().map(|v| rate(m, &v.atom()));
     let damped = m.dissipation.iter().map(|d| damper_power(m, d));
-    let fed = m.torques.iter().map(|t| -(t.value.atom() * rate(m, &t.through.atom())));
+    let fed = m.torques.iter().map(|t| -(t.value.atom() * displacement_rate(m, &t.through.atom())));
     let rest = total(inertia.chain(stored).chain(damped).chain(clipped_powers(m)).chain(fed).collect());
     p.claim(&what, [rest])
 }
@@ -55,6 +55,15 @@ pub(super) fn clipped_powers(model: &Model) -> Vec<Atom> {
 pub(super) fn deflection_rate(model: &Model, name: &str) -> Atom {
     let deflection = model.deflections.iter().find(|d| d.name == name);
     deflection.map_or(number(0), |d| d.value.dot().atom())
+}
+
+/// The rate of the displacement of a torque, written in the speeds: without the rates of transmission errors.
+fn displacement_rate(model: &Model, through: &Atom) -> Atom {
+    along(through, |kind, name| match kind {
+        Kind::Coordinate => Some(Expr::var(kind, name).dot().atom()),
+        Kind::Deflection => Some(deflection_rate(model, name)),
+        _ => None,
+    })
 }
 
 /// The rate of an expression of positions and laws along the motion, written in the speeds and the slopes of the laws.

@@ -96,3 +96,16 @@ pub fn other_dampers_are_proved() {
         assert!(derivation.proofs().iter().any(|p| p.starts_with("every damper takes energy or none")));
     }
 }
+
+/// A torque may work through a deflection with a transmission error: it feels its rate without that of the error.
+pub fn a_torque_through_a_deflection_is_in_the_balance() {
+    let model = Model::new("train", |m| {
+        let o = oscillator(m);
+        let e = m.transmission_error("e", "m", o.x, 1.0, "");
+        let delta = m.deflection("delta", 2 * o.x - e.value);
+        m.potential(half(o.s * delta.sq()));
+        m.torque("pull", o.s, delta, "");
+    });
+    let derivation = derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
+    assert!(derivation.proofs().iter().any(|p| p.starts_with("at a step of e: T+ - T-")), "{:?}", derivation.proofs());
+}
