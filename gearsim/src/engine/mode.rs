@@ -168,7 +168,8 @@ impl Mode {
                 }
                 self.by_increments(0.5 * ((-slow * t).exp_m1() + (-fast * t).exp_m1()), s1, 0.0)
             }
-            Kind::Rigid | Kind::Undamped { .. } | Kind::Under { .. } => self.response(t),
+            // Only where `t` is not a number; nor is the response then.
+            Kind::Rigid | Kind::Undamped { .. } | Kind::Under { .. } => self.by_series(t),
         }
     }
 

@@ -43,9 +43,13 @@ impl Search<'_> {
         let mut from = Place { t: 0.0, moved: 0.0, rate: self.rate };
         for _ in 0..INFLECTIONS {
             cost.steps += 1;
+            // Not where a number has overflowed.
+            if !(inflection > from.t && inflection.is_finite()) {
+                return None;
+            }
             self.go(point, inflection, cost);
             let to = self.place(point);
-            if !(to.moved.is_finite() && to.rate.is_finite() && to.t > from.t) {
+            if !(to.moved.is_finite() && to.rate.is_finite()) {
                 return None;
             }
             // It turns away from the first boundary, towards the second.
