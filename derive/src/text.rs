@@ -12,6 +12,9 @@ use crate::model::{DeadBand, Law, Role};
 use crate::print::{Style, latex_name, print};
 use crate::tree::Tree;
 
+/// Left sides shorter than this are followed by the first terms of the right side in the same line.
+const SHORT: usize = 40;
+
 /// The text of a derivation in a style. LaTeX has the equations only, plain text also says what they mean.
 pub(crate) fn write(d: &Derivation, style: Style) -> String {
     let w = Writer { order: d.order(), style };
@@ -110,10 +113,19 @@ fn motion(d: &Derivation, w: &Writer) -> Vec<String> {
         Some(a) => w.equation(&twice(&m.coordinates[i].name), &w.grouped(&a[i])),
         None => {
             let entries = motion.mass[i].iter().zip(&m.coordinates).filter(|(entry, _)| !entry.is_zero());
-            let inertia: Vec<String> =
-                entries.map(|(entry, c)| format!("({}) {}", w.line(entry), twice(&c.name))).collect();
-            let force = w.equation("", &w.grouped(&motion.force[i])).into_iter();
-            std::iter::once(inertia.join(" + ")).chain(force.map(|line| format!("    {}", line.trim_start()))).collect()
+            let inertia = entries.map(|(entry, c)| match w.line(entry) {
+                sum if sum.contains(' ') || sum.starts_with('-') => format!("({sum}) {}", twice(&c.name)),
+                one => format!("{one} {}", twice(&c.name)),
+            });
+            let inertia = inertia.collect::<Vec<_>>().join(" + ");
+            let mut force =
+                w.equation("", &w.grouped(&motion.force[i])).into_iter().map(|line| line.trim().to_string());
+            let mut lines = vec![inertia];
+            if lines[0].len() < SHORT {
+                lines[0] += &force.next().map_or(String::new(), |first| format!(" {first}"));
+            }
+            lines.extend(force.map(|line| format!("    {line}")));
+            lines
         }
     };
     (0..m.coordinates.len()).flat_map(row).collect()
