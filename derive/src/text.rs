@@ -2,20 +2,23 @@
 //! with the effects that it needs.
 
 mod jumps;
+mod names;
 
 use symbolica::atom::Atom;
 
 use crate::derivation::Derivation;
 use crate::file::wrap::wrap;
 use crate::markers::{Group, as_written, grouped};
-use crate::model::{DeadBand, Law, Role};
 use crate::print::{Style, latex_name, print};
 use crate::tree::Tree;
+
+/// Left sides shorter than this are followed by the first terms of the right side in the same line.
+const SHORT: usize = 40;
 
 /// The text of a derivation in a style. LaTeX has the equations only, plain text also says what they mean.
 pub(crate) fn write(d: &Derivation, style: Style) -> String {
     let w = Writer { order: d.order(), style };
-    let sections = [energies(d, &w), names(d, &w), motion(d, &w), jumps::write(d, &w), cells(d, &w)];
+    let sections = [energies(d, &w), names::write(d, &w), motion(d, &w), jumps::write(d, &w), cells(d, &w)];
     let text = |lines: Vec<String>| lines.iter().map(|line| wrap(line) + "\n").collect::<String>();
     let sections = sections.into_iter().filter(|lines| !lines.is_empty()).map(text);
     sections.collect::<Vec<_>>().join("\n")
@@ -85,23 +88,6 @@ fn energies(d: &Derivation, w: &Writer) -> Vec<String> {
     lines
 }
 
-/// Constants, deflections and forces, and the symbols that the engine sets.
-fn names(d: &Derivation, w: &Writer) -> Vec<String> {
-    let m = d.model;
-    let is = |name: &str, value: &Atom| format!("{} = {}", w.name(name), w.print(value));
-    let mut lines: Vec<String> = d.motion.constants.iter().map(|(name, value)| is(name, value)).collect();
-    lines.extend(m.deflections.iter().map(|d| is(&d.name, &d.value.atom())));
-    for force in &m.forces {
-        let effect = force.with.as_ref().filter(|_| w.plain()).map(|effect| format!(" [{}]", effect.replace('_', " ")));
-        lines.push(is(&force.name, &force.value.atom()) + effect.as_deref().unwrap_or_default());
-    }
-    if w.plain() {
-        lines.extend(idle_texts(&m.laws));
-        lines.extend(m.dead_bands.iter().flat_map(band_text));
-    }
-    lines
-}
-
 /// The accelerations if M was inverted, else the rows of M q'' = F.
 fn motion(d: &Derivation, w: &Writer) -> Vec<String> {
     let (m, motion) = (d.model, &d.motion);
@@ -110,10 +96,19 @@ fn motion(d: &Derivation, w: &Writer) -> Vec<String> {
         Some(a) => w.equation(&twice(&m.coordinates[i].name), &w.grouped(&a[i])),
         None => {
             let entries = motion.mass[i].iter().zip(&m.coordinates).filter(|(entry, _)| !entry.is_zero());
-            let inertia: Vec<String> =
-                entries.map(|(entry, c)| format!("({}) {}", w.line(entry), twice(&c.name))).collect();
-            let force = w.equation("", &w.grouped(&motion.force[i])).into_iter();
-            std::iter::once(inertia.join(" + ")).chain(force.map(|line| format!("    {}", line.trim_start()))).collect()
+            let inertia = entries.map(|(entry, c)| match w.line(entry) {
+                sum if sum.contains(' ') || sum.starts_with('-') => format!("({sum}) {}", twice(&c.name)),
+                one => format!("{one} {}", twice(&c.name)),
+            });
+            let inertia = inertia.collect::<Vec<_>>().join(" + ");
+            let mut force =
+                w.equation("", &w.grouped(&motion.force[i])).into_iter().map(|line| line.trim().to_string());
+            let mut lines = vec![inertia];
+            if lines[0].len() < SHORT {
+                lines[0] += &force.next().map_or(String::new(), |first| format!(" {first}"));
+            }
+            lines.extend(force.map(|line| format!("    {line}")));
+            lines
         }
     };
     (0..m.coordinates.len()).flat_map(row).collect()
@@ -127,37 +122,4 @@ fn cells(d: &Derivation, w: &Writer) -> Vec<String> {
         }
         Err(culprits) => culprits.iter().map(|c| format!("nonlinear: {c}")).collect(),
     }
-}
-
-/// The values of laws in scenes without their effects, one line for each effect.
-fn idle_texts(laws: &[Law]) -> Vec<String> {
-    let of = |laws: &[Law]| {
-        let names = laws.iter().map(|law| law.name.as_str()).collect::<Vec<_>>().join(", ");
-        let without = laws[0].with.as_ref()?.replace('_', " ");
-        let rates = match laws[0].role {
-            Role::Error => "; the rates of deflections do not contain the rates of these errors",
-            _ => "",
-        };
-        Some(format!("{names} = 0 without {without}{rates}"))
-    };
-    laws.chunk_by(|a, b| a.with == b.with).filter_map(of).collect()
-}
-
-/// The values of the symbols of a dead band in each of its cells.
-fn band_text(band: &DeadBand) -> [String; 4] {
-    let DeadBand { touch, edge, damp, clip, effect, .. } = band;
-    let half = print(&Tree::new(&band.half.atom()), Style::Plain);
-    let side = format!("{half} or -{half}");
-    let without = effect.replace('_', " ");
-    [
-        format!(
-            "{touch} = 1 in contact, beyond {edge} = {side}; {touch} = 0 between the edges; \
-             without {without} {touch} = 1 and {edge} = 0"
-        ),
-        format!(
-            "{damp} = 1 and {clip} = 0 in contact while the damper force is less than the spring force, else {damp} = 0:"
-        ),
-        format!("  {clip} = 1 if the damper would push more than the spring: its force is limited to the spring force"),
-        format!("  {clip} = -1 if the damper would pull more than the spring pushes: the contact force is zero"),
-    ]
 }
