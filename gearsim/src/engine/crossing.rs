@@ -1,9 +1,8 @@
 //! The first crossing of a boundary by a phase, guaranteed.
 //!
-//! The phase s(t) = s_0 + sum c_i dxi_i(t) of a linear cell starts between two boundaries. There are three cases:
+//! The phase s(t) = s_0 + sum c_i dxi_i(t) of a linear cell starts between two boundaries. There are two cases:
 //! - If the steady part of its speed exceeds a bound on the speed of the oscillations, s is monotone. It crosses only one
 //!   boundary, once, and Newton's method in a bracket finds this root.
-//! - If only one mode oscillates in it, s is convex or concave between inflections at known times ([`inflections`]).
 //! - Otherwise the search advances by steps that are proved to contain no crossing ([`step`]). Where the oscillations cannot
 //!   reach the boundary yet, it advances at once to the earliest time at which they could. It ends when exactly one simple root
 //!   is proved to lie ahead; Newton's method finds it.
@@ -16,7 +15,6 @@
 
 mod bernstein;
 mod departure;
-mod inflections;
 mod lateness;
 mod march;
 mod step;

@@ -129,6 +129,3 @@ pub(crate) const WINDOW_CUT: f64 = 1e-3;
 /// A phase this close to a boundary as the run ends has reached it [rounding errors of the phase], besides its way in half a unit of the
 /// last place of the time. Smaller: a run split there loses an event. Larger: an event of the time after the run is taken.
 pub(crate) const END_OF_RUN: f64 = 2.0;
-
-/// Inflections of a phase after which it is searched step by step instead [inflections], whose steps may be longer. It decides the cost.
-pub(crate) const INFLECTIONS: u32 = 1000;

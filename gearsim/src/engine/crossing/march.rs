@@ -8,27 +8,16 @@ use crate::engine::cell::Point;
 use crate::tolerance::events::SEARCH_STEPS;
 
 impl Search<'_> {
-    /// Searches a phase that may reverse.
+    /// Advances by steps that contain no crossing.
     pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         match self.depart(point) {
             Some(Departure::Returns { side, t }) => {
                 self.go(point, t, cost);
-                Ok((t < self.horizon).then_some(side))
+                return Ok((t < self.horizon).then_some(side));
             }
-            Some(Departure::Clear { until }) if until >= self.horizon => Ok(None),
-            departure => {
-                if let Some(found) = self.between_inflections(point, cost) {
-                    return Ok(found);
-                }
-                let clear = if let Some(Departure::Clear { until }) = departure { until } else { 0.0 };
-                self.go(point, clear, cost);
-                self.by_steps(point, cost)
-            }
+            Some(Departure::Clear { until }) => self.go(point, until, cost),
+            None => {}
         }
-    }
-
-    /// Advances by steps that contain no crossing, from `point` on, before which there is none.
-    pub(super) fn by_steps(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
         let tolerance = self.tolerance();
         let mut approached = [false; 2];
         for _ in 0..SEARCH_STEPS {
