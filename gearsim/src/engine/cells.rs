@@ -137,15 +137,18 @@ fn stand(laws: &mut [Law], bands: &mut [DeadBand], mut index: usize) {
 #[inline]
 pub fn write((laws, bands): (&[Law], &mut [DeadBand]), (q, t): (&[f64], f64), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
-    for band in bands {
-        band.follow(k);
-        band.write(k);
-    }
+    follow(bands, k);
 }
 
 /// The same of laws that are constant within their cells.
 fn write_levels((laws, bands): (&[Law], &mut [DeadBand]), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
+    follow(bands, k);
+}
+
+/// Writes the values of dead bands, which follow the laws, to where they belong in `k`.
+#[inline]
+fn follow(bands: &mut [DeadBand], k: &mut [f64]) {
     for band in bands {
         band.follow(k);
         band.write(k);

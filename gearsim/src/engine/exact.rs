@@ -60,15 +60,12 @@ impl Exact {
         let lateness = vec![Lateness::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
         Ok(Exact { cells, linear: HashMap::new(), held: None, lateness })
     }
+}
 
-    /// The present cell, with what is held in it.
-    #[inline]
-    fn here(&self, now: &Hybrid<'_>) -> (&Prepared, &[Watch]) {
-        match &self.held {
-            Some(held) if now.contact.is_some() => (&held.cell, &held.watches),
-            _ => (self.cells.here(), &[]),
-        }
-    }
+/// The present cell with what is held in it, and the functions that end the holds.
+#[inline]
+fn here<'s>(cells: &'s Cells, held: &'s Option<Box<Held>>) -> (&'s Prepared, &'s [Watch]) {
+    held.as_ref().map_or_else(|| (cells.here(), &[][..]), |held| (&held.cell, &held.watches))
 }
 
 impl Solver for Exact {
@@ -85,28 +82,20 @@ impl Solver for Exact {
             None => None,
         };
         if !now.bands.is_empty() {
-            now.elastic.clone_from(&self.here(now).0.elastic);
+            now.elastic.clone_from(&here(&self.cells, &self.held).0.elastic);
         }
         Ok(())
     }
 
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
+        let Exact { cells, linear, held, lateness } = self;
+        let (here, watches) = here(cells, held);
         if let Some(forcing) = &now.forcing
             && !forcing.is_flat()
         {
-            let (here, held) = self.here(now);
-            let linear = match &self.held {
-                Some(held) if now.contact.is_some() => &held.linear,
-                _ => &self.linear[&now.cell()],
-            };
-            return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, held), horizon)));
+            let linear = held.as_ref().map_or_else(|| &linear[&now.cell()], |held| &held.linear);
+            return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, watches), horizon)));
         }
-        // The other fields stay free for the note of how late the phase is.
-        let Exact { cells, held, lateness, .. } = self;
-        let (here, watches): (&Prepared, &[Watch]) = match held {
-            Some(held) if now.contact.is_some() => (&held.cell, &held.watches),
-            _ => (cells.here(), &[]),
-        };
         let mut flight = here.cell.flight(&now.state.q, &now.state.q_dot);
         if now.forcing.is_some() {
             flight = here.cell.pushed(flight, &now.further_load());

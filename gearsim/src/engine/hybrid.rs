@@ -1,5 +1,7 @@
 //! The hybrid state of a run: coordinates and speeds, and the mode in which they move.
 
+use std::borrow::Cow;
+
 use xprec::Df64;
 
 use crate::engine::cells;
@@ -119,12 +121,13 @@ impl Hybrid<'_> {
     }
 
     /// The law values in a `state` of the present mode at the time `t` \[s\].
-    pub fn levels_at(&self, state: &State, t: f64) -> Vec<f64> {
-        let (mut bands, mut k) = (self.bands.clone(), self.k.clone());
-        if !self.steps_only() {
-            cells::write((&self.laws, &mut bands), (&state.q, t), &mut k);
+    pub fn levels_at(&self, state: &State, t: f64) -> Cow<'_, [f64]> {
+        if self.steps_only() {
+            return Cow::Borrowed(&self.k);
         }
-        k
+        let (mut bands, mut k) = (self.bands.clone(), self.k.clone());
+        cells::write((&self.laws, &mut bands), (&state.q, t), &mut k);
+        Cow::Owned(k)
     }
 
     /// Whether every law is constant within its cells.

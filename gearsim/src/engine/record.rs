@@ -47,6 +47,14 @@ impl State {
         State { turns: self.turns.clone(), ..State::new(&self.q + dq, &self.q_dot + dv) }
     }
 
+    /// The same, with what the digits of the speeds do not hold ([`State::gain`]): for the end of a motion.
+    pub fn advanced(&self, dq: &Vector, dv: &Vector) -> Self {
+        let mut state = self.clone();
+        state.q += dq;
+        state.gain(dv);
+        state
+    }
+
     /// Adds `dv` to the speeds (N), and keeps what their last digits do not hold (Knuth's two-sum). A speed that rolls on
     /// is large beside what it gains at an event: rounded away, that adds up, and angles drift by it.
     #[inline]

@@ -123,7 +123,8 @@ pub(crate) const WINDOW_ROUNDING: f64 = 1024.0 * f64::EPSILON;
 /// cancellation. Smaller: more windows.
 pub(crate) const WINDOW_SPAN: f64 = 2.0;
 
-/// Smallest factor by which a window is shortened at once where a phase would leave its cell by far [1]. It decides the cost.
+/// A window in which a phase would go far beyond its cell is made shorter. One such step makes it at most this much shorter [1]. It decides
+/// the cost, not the result.
 pub(crate) const WINDOW_CUT: f64 = 1e-3;
 
 /// A phase this close to a boundary as the run ends has reached it [rounding errors of the phase], besides its way in half a unit of the

@@ -54,7 +54,7 @@ impl<'a> Compensated<'a> {
     /// given law values.
     ///
     /// # Errors
-    /// Where there is play or a transmission error, where there are too many cells, or where damping couples the modes.
+    /// If the scene has play or a transmission error, if it has too many cells, or if damping couples the modes.
     pub fn new(
         matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>,
         plain: Box<dyn Solver + 'a>,

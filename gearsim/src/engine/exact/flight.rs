@@ -83,7 +83,7 @@ impl Motion for InFlight<'_> {
     }
 
     fn at(&mut self, t: f64) -> Reached {
-        self.reached(&self.flight.at(t), |state, dq, dv| state.moved(dq, dv))
+        self.reached(&self.flight.at(t), State::moved)
     }
 
     #[inline]
@@ -95,12 +95,6 @@ impl Motion for InFlight<'_> {
                 self.flight.at(t)
             }
         };
-        let reached = self.reached(&point, |state, dq, dv| {
-            let mut state = state.clone();
-            state.q += dq;
-            state.gain(dv);
-            state
-        });
-        (t.into(), reached)
+        (t.into(), self.reached(&point, State::advanced))
     }
 }

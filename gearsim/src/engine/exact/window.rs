@@ -100,19 +100,13 @@ impl Motion for InWindow<'_> {
     }
 
     fn at(&mut self, t: f64) -> Reached {
-        self.reached(self.part(t), |state, dq, dv| state.moved(dq, dv))
+        self.reached(self.part(t), State::moved)
     }
 
     fn arrive(&mut self, t: f64, _: End, cost: &mut Cost) -> (Df64, Reached) {
         cost.evaluations += 1;
         let x = self.found.filter(|found| found.0 == t).map_or_else(|| self.part(t), |found| found.1);
-        let reached = self.reached(x, |state, dq, dv| {
-            let mut state = state.clone();
-            state.q += dq;
-            state.gain(dv);
-            state
-        });
-        (t.into(), reached)
+        (t.into(), self.reached(x, State::advanced))
     }
 }
 

@@ -12,7 +12,7 @@ pub struct Recording<'r, 'e> {
     /// Samples a second \[1/s\].
     rate: f64,
     /// Whether the left and right limits at events are noted.
-    pub events: bool,
+    events: bool,
     /// The number of the next sample.
     next: u64,
 }
@@ -33,7 +33,8 @@ impl<'r, 'e> Recording<'r, 'e> {
         self.next as f64 / self.rate
     }
 
-    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`. The end of the run is noted by itself; a sample at an event belongs to the motion that ends there.
+    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`. The end of the run is noted by itself. A sample at
+    /// an event belongs to the motion that ends there.
     pub fn samples(&mut self, now: &Hybrid<'_>, motion: &mut dyn Motion, t: f64) {
         let mut end = now.clock;
         end.advance(t);
@@ -48,13 +49,8 @@ impl<'r, 'e> Recording<'r, 'e> {
             let lost = (now.dissipated + reached.dissipated, now.ignored);
             // A sample a rounding before the event that ends the motion is not noted after it.
             let at = at.min(end.now());
-            match now.steps_only() {
-                true => self.recorder.row(at, Moment::Sample, &reached.state, &now.k, lost),
-                false => {
-                    let k = now.levels_at(&reached.state, at);
-                    self.recorder.row(at, Moment::Sample, &reached.state, &k, lost);
-                }
-            }
+            let k = now.levels_at(&reached.state, at);
+            self.recorder.row(at, Moment::Sample, &reached.state, &k, lost);
             self.next += 1;
         }
     }
@@ -78,13 +74,8 @@ impl Hybrid<'_> {
     /// Adds a row with the present state to a recorder.
     pub fn note(&self, recorder: &mut Recorder<'_>, moment: Moment) {
         recorder.beyond.clone_from(&self.work);
-        let lost = (self.dissipated, self.ignored);
-        match self.steps_only() {
-            true => recorder.row(self.clock.now(), moment, &self.state, &self.k, lost),
-            false => {
-                let k = self.levels_at(&self.state, self.clock.now());
-                recorder.row(self.clock.now(), moment, &self.state, &k, lost);
-            }
-        }
+        let t = self.clock.now();
+        let k = self.levels_at(&self.state, t);
+        recorder.row(t, moment, &self.state, &k, (self.dissipated, self.ignored));
     }
 }

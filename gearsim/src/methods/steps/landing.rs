@@ -14,9 +14,9 @@ impl Step<'_, '_> {
     /// The step that ends at an event: how long \[s\], and where it leads.
     pub(super) fn land(&mut self, found: Found) -> (f64, Trial) {
         let Found { guard, side, x, t } = found;
-        let still = |y: &Flow, rate: &Flow| Trial { end: y.clone(), rate: rate.clone(), error: 0.0, stiffness: 0.0 };
         if x == 0.0 {
-            return (0.0, still(&self.start, &self.rate));
+            let (end, rate) = (self.start.clone(), self.rate.clone());
+            return (0.0, Trial { end, rate, error: 0.0, stiffness: 0.0 });
         }
         let allowed = self.solver.control.allowed();
         let mut taken = t;
@@ -35,7 +35,8 @@ impl Step<'_, '_> {
             }
             // So near that two terms of Taylor's series do.
             if dt.abs() * self.solver.fastest < LANDING {
-                trial = self.moved_on(trial, taken, dt);
+                trial.end = moved_on(&trial, dt);
+                trial.rate = self.solver.field.rate(taken + dt, &trial.end);
                 return (taken + dt, trial);
             }
             taken += dt;
@@ -45,17 +46,6 @@ impl Step<'_, '_> {
         (t, Trial { end, rate, error: 0.0, stiffness: 0.0 })
     }
 
-    /// A trial that ended after the time `t`, the short time `dt` later or earlier \[s\].
-    fn moved_on(&mut self, mut trial: Trial, t: f64, dt: f64) -> Trial {
-        let Flow { q, v, lost } = &mut trial.end;
-        q.add_times(dt, v);
-        q.add_times(0.5 * dt * dt, &trial.rate.v);
-        v.add_times(dt, &trial.rate.v);
-        *lost += trial.rate.lost * dt;
-        trial.rate = self.solver.field.rate(t + dt, &trial.end);
-        trial
-    }
-
     /// How fast what is `left` until an event changes at the end of a trial that took the time `t` \[per s\]: for a phase its speed, else
     /// by a difference along the motion.
     fn slope(&mut self, found: Found, t: f64, left: f64, trial: &Trial) -> f64 {
@@ -63,11 +53,7 @@ impl Step<'_, '_> {
             return -found.side.sign() * self.now.laws[law].surface.normal.dot(&trial.end.v);
         }
         let dt = LANDING / self.solver.fastest;
-        let v = &trial.end.v;
-        let mut later = trial.end.clone();
-        later.q.add_times(dt, v);
-        later.q.add_times(0.5 * dt * dt, &trial.rate.v);
-        later.v.add_times(dt, &trial.rate.v);
+        let later = moved_on(trial, dt);
         (self.solver.field.left(found.guard, found.side, t + dt, &later) - left) / dt
     }
 
@@ -79,4 +65,15 @@ impl Step<'_, '_> {
             Guard::Hold(which) => f64::EPSILON * self.now.left_of_hold(which).abs(),
         }
     }
+}
+
+/// Where the motion is the short time `dt` \[s\] after a trial, or before its end.
+fn moved_on(trial: &Trial, dt: f64) -> Flow {
+    let (Flow { v, .. }, Flow { v: a, lost, .. }) = (&trial.end, &trial.rate);
+    let mut moved = trial.end.clone();
+    moved.q.add_times(dt, v);
+    moved.q.add_times(0.5 * dt * dt, a);
+    moved.v.add_times(dt, a);
+    moved.lost += lost * dt;
+    moved
 }
