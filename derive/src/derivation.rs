@@ -66,20 +66,20 @@ impl Derivation<'_> {
         self.in_parameters(&all[i], absent)
     }
 
-    /// The expression without the terms of the effects and conditions in `absent`: their markers are 0, their dead bands are
-    /// in contact (touch = damp = 1, edge = clip = 0), their laws are 0.
+    /// The expression without the terms of the effects and conditions in `absent`: their markers are 0, the symbols of
+    /// their switches have their neutral values, their laws are 0.
     fn without(&self, e: &Atom, absent: &[&str]) -> Atom {
         let without = absent.iter().fold(e.clone(), |e, name| {
             let marker = Atom::var(expr::symbol(Kind::Marker, name));
             e.replace(marker.to_pattern()).with(expr::number(0).to_pattern())
         });
-        let bands = self.model.dead_bands.iter().filter(|band| absent.contains(&band.effect.as_str()));
-        let symbols = bands.flat_map(|band| band.symbols());
+        let switches = self.model.switches.iter().filter(|switch| absent.contains(&switch.effect.as_str()));
+        let without = switches.fold(without, |e, switch| switch.neutral(&e));
         let laws =
             self.model.laws.iter().filter(|law| law.with.as_deref().is_some_and(|effect| absent.contains(&effect)));
-        symbols.chain(laws.map(|law| (law.kind(), law.name.clone()))).fold(without, |e, (kind, name)| {
-            let neutral = expr::number(i64::from(matches!(kind, Kind::Touch | Kind::Damp)));
-            e.replace(Atom::var(expr::symbol(kind, &name)).to_pattern()).with(neutral.to_pattern())
+        laws.fold(without, |e, law| {
+            let value = Atom::var(expr::symbol(law.kind(), &law.name));
+            e.replace(value.to_pattern()).with(expr::number(0).to_pattern())
         })
     }
 

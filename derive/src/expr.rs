@@ -44,17 +44,13 @@ pub enum Kind {
     Force,
     /// Partial derivative of a named force, `F_mu_by_over`.
     Partial,
-    /// Whether a dead band is in contact: 1 or 0.
-    Touch,
-    /// Whether its damper acts: 1 or 0.
-    Damp,
-    /// The clipped force of its damper over the force of its spring: 1, 0 or -1; 0 while the damper is not clipped.
-    Clip,
+    /// Factor that is constant in each mode of a switch.
+    Switched,
     /// Named deflection, linear in the coordinates.
     Deflection,
     /// Generalised coordinate.
     Coordinate,
-    /// The edge of a dead band at which there is contact.
+    /// Offset of a deflection that is constant in each mode of a switch, e.g. the edge of a play.
     Edge,
     /// Value of a transmission error at the present phase.
     Error,
@@ -62,11 +58,17 @@ pub enum Kind {
     Rate,
     /// Generalised speed.
     Speed,
+    /// The force that the hold of a deflection resists.
+    Reaction,
+    /// The force of the springs of a deflection; replaced by its value before anything is derived.
+    Spring,
+    /// The force of its dampers, likewise.
+    Damper,
     /// Anything not declared.
     Free,
 }
 
-const KINDS: [(Kind, &str); 21] = [
+const KINDS: [(Kind, &str); 22] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -78,15 +80,16 @@ const KINDS: [(Kind, &str); 21] = [
     (Kind::Friction, "friction"),
     (Kind::Force, "force"),
     (Kind::Partial, "partial"),
-    (Kind::Touch, "touch"),
-    (Kind::Damp, "damp"),
-    (Kind::Clip, "clip"),
+    (Kind::Switched, "switched"),
     (Kind::Deflection, "deflection"),
     (Kind::Coordinate, "coordinate"),
     (Kind::Edge, "edge"),
     (Kind::Error, "error"),
     (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
+    (Kind::Reaction, "reaction"),
+    (Kind::Spring, "spring"),
+    (Kind::Damper, "damper"),
     (Kind::Free, "free"),
 ];
 

@@ -64,16 +64,18 @@ pub(crate) fn rows(n: usize, parts: impl Iterator<Item = (usize, Atom)>) -> Vec<
     rows.into_iter().map(|parts| total(parts).expand()).collect()
 }
 
-/// The restoring forces dV/dq of the potential energies, with the clipped damper forces of dead bands.
+/// The restoring forces dV/dq of the potential energies, and the forces of switches whose work is lost.
 pub(crate) fn restoring<'a>(
     model: &'a Model,
     s: &'a Symbols,
     gradient: impl Fn(&Atom) -> Sparse + 'a,
 ) -> impl Iterator<Item = (usize, Atom)> + 'a {
-    model.potential.iter().flat_map(move |v| {
-        let v = v.atom();
-        gradient(&v).into_iter().chain(s.clipped(&v)).collect::<Vec<_>>()
-    })
+    let lost = model.switches.iter().filter(|switch| !switch.loss.atom().is_zero()).flat_map(|switch| {
+        let x = s.deflections.iter().find(|d| d.symbol == symbol(Kind::Deflection, &switch.over));
+        let force = switch.lost();
+        x.into_iter().flat_map(|x| &x.slopes).map(|(i, slope)| (*i, &force * slope)).collect::<Sparse>()
+    });
+    model.potential.iter().flat_map(move |v| gradient(&v.atom())).chain(lost)
 }
 
 /// Second derivatives of a sum of energies: the sum of the Hessians of `pieces`, where `by` gives a gradient.

@@ -29,6 +29,6 @@ mod wrong;
 
 pub use derivation::{Derivation, derive};
 pub use expr::{Expr, half};
-pub use model::{Friction, MeshError, MeshStiffness, Model, Play, Range, Start};
+pub use model::{Describing, Friction, MeshError, MeshStiffness, Model, Range, Start, Switching};
 pub use slip::Slip;
 pub use wrong::{Wrong, derive_wrong};

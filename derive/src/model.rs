@@ -1,13 +1,16 @@
 //! The builder of a model: coordinates, parameters, laws, effects, the energies T and V, the dissipation function D, torques.
 
 mod parts;
+mod switch;
 
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, speed_name, symbol, symbols, varies};
 
-pub(crate) use parts::{Coordinate, DeadBand, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
+pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
+pub use switch::{Describing, Switching};
+pub(crate) use switch::{Exit, Mode, REACTION, Switch};
 
 /// A drivetrain, described by its energies.
 ///
@@ -25,7 +28,7 @@ pub struct Model {
     pub(crate) effects: Vec<Effect>,
     pub(crate) constants: Vec<(String, Expr)>,
     pub(crate) deflections: Vec<Deflection>,
-    pub(crate) dead_bands: Vec<DeadBand>,
+    pub(crate) switches: Vec<Switch>,
     pub(crate) forces: Vec<Force>,
     pub(crate) torques: Vec<Torque>,
     pub(crate) kinetic: Vec<Expr>,
@@ -40,6 +43,7 @@ impl Model {
     pub fn new(name: &str, describe: impl FnOnce(&mut Model)) -> Model {
         let mut model = Model { name: name.into(), ..Model::default() };
         describe(&mut model);
+        switch::complete(&mut model);
         model
     }
 
@@ -86,32 +90,6 @@ impl Model {
         Expr::var(Kind::Deflection, name)
     }
 
-    /// Declares play (a dead band) of the deflection `delta` [unit], which is linear in the coordinates: there is no force while
-    /// `delta` is between `-half` and `half` [unit]. In scenes without `effect` there is no play. Write V in the expressions
-    /// returned, `k.value * gap.touch * gap.over.sq()`, and the dissipation function of a damper in the contact as
-    /// `gap.damp * gap.over.dot().sq()`.
-    ///
-    /// V is continuous at the edges of the band, so that there is no impulse. The contact never pulls, and the damper never pushes
-    /// more than the spring: the damper force is limited to plus or minus the spring force, as in
-    /// Modelica.Mechanics.Rotational.Components.ElastoBacklash2.
-    ///
-    /// Declares the names `over`, `touch`, `edge`, `damp` and `clip`, each followed by `part`.
-    pub fn dead_band(&mut self, part: &str, unit: &str, delta: Expr, half: Expr, effect: &str, doc: &str) -> Play {
-        let named = |what: &str| format!("{what}{part}");
-        let (over, touch, edge) = (named("over"), named("touch"), named("edge"));
-        let (damp, clip) = (named("damp"), named("clip"));
-        let value = delta.expand() - Expr::var(Kind::Edge, &edge);
-        self.deflections.push(Deflection { name: over.clone(), value });
-        let play = Play {
-            over: Expr::var(Kind::Deflection, &over),
-            touch: Expr::var(Kind::Touch, &touch),
-            damp: Expr::var(Kind::Damp, &damp),
-        };
-        let (unit, effect, doc) = (unit.into(), effect.into(), doc.into());
-        self.dead_bands.push(DeadBand { over, touch, edge, damp, clip, unit, half, effect, doc });
-        play
-    }
-
     /// The entry of the inverse mass matrix for the coordinates `a` and `b`; the derivation fills in its value. Only for models
     /// with at most two coordinates: larger mass matrices are not inverted symbolically.
     pub fn inverse_mass(&self, a: Expr, b: Expr) -> Expr {
@@ -145,26 +123,35 @@ impl Model {
     /// which this declares. It steps or varies continuously by the same rules as a stiffness.
     ///
     /// Dampers act on the rate of delta, not of delta - e: the rate of e is infinite at a step.
-    pub fn transmission_error(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> MeshError {
+    pub fn transmission_error(
+        &mut self,
+        [name, part]: [&str; 2],
+        unit: &str,
+        phase: Expr,
+        period: f64,
+        what: &str,
+    ) -> MeshError {
         self.declare_mesh_effects();
-        let says =
+        let doc =
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        self.declare(Effect::new(TRANSMISSION_ERROR, &[STIFFNESS_STEP], &[], says));
-        let (with, role) = (Some(TRANSMISSION_ERROR.into()), Role::Error);
-        let law = Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: doc.into() };
+        let effect = self.part_effect(TRANSMISSION_ERROR, part, doc, |_| {});
+        self.require(&effect, &[STIFFNESS_STEP]);
+        let (with, role) = (Some(effect), Role::Error);
+        let law = Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: what.into() };
         // Before the laws of friction: a scene may have friction without transmission errors.
         let place = self.laws.iter().take_while(|law| !matches!(law.role, Role::Friction(_))).count();
         self.laws.insert(place, law);
         MeshError { value: Expr::var(Kind::Error, name) }
     }
 
-    /// The effect `sliding_friction`: what `add` adds is in the equations only of scenes that name the effect. It excludes
+    /// The effect `sliding_friction` of a part: what `add` adds is in the equations only of scenes that name the effect. It excludes
     /// `rigid_kinematics` and `frozen_phase`, which do not conserve energy: the work of friction could not be accounted for.
-    pub fn sliding_friction(&mut self, add: impl FnOnce(&mut Model)) {
+    pub fn sliding_friction(&mut self, part: &str, add: impl FnOnce(&mut Model)) {
         self.declare_mesh_effects();
         let doc = "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
-        self.declare(Effect::new(SLIDING_FRICTION, &[STIFFNESS_STEP], &["rigid_kinematics", "frozen_phase"], doc));
-        self.effect(SLIDING_FRICTION, doc, add);
+        let effect = self.part_effect(SLIDING_FRICTION, part, doc, add);
+        self.require(&effect, &[STIFFNESS_STEP]);
+        self.exclude(&effect, &["rigid_kinematics", "frozen_phase"]);
     }
 
     /// Declares a friction law [unit], periodic with one tooth pitch of `phase`; the scene gives its values, from tooth data or
@@ -180,7 +167,8 @@ impl Model {
         what: Friction,
         doc: &str,
     ) -> Expr {
-        let (with, role) = (Some(SLIDING_FRICTION.into()), Role::Friction(what));
+        let effect = self.within.clone().unwrap_or_else(|| SLIDING_FRICTION.into());
+        let (with, role) = (Some(effect), Role::Friction(what));
         self.laws.push(Law { name: name.into(), unit: unit.into(), phase, period, with, role, doc: doc.into() });
         Expr::var(Kind::Friction, name)
     }
@@ -188,13 +176,6 @@ impl Model {
     fn declare_mesh_effects(&mut self) {
         if !self.effects.iter().any(|e| e.name == STIFFNESS_STEP) {
             self.effects.extend(mesh_effects());
-        }
-    }
-
-    /// Adds an effect, unless there is one of that name.
-    fn declare(&mut self, effect: Effect) {
-        if !self.effects.iter().any(|e| e.name == effect.name) {
-            self.effects.push(effect);
         }
     }
 
@@ -213,6 +194,30 @@ impl Model {
         let outer = self.within.replace(name.into());
         add(self);
         self.within = outer;
+    }
+
+    /// The effect `name` at one part of the model, which scenes may name alone: `backlash_12`; `backlash` is that of all parts. A model
+    /// whose only part has no name has the effect `name` itself. Otherwise as [`Model::effect`]. Returns the name of the effect.
+    pub fn part_effect(&mut self, name: &str, part: &str, doc: &str, add: impl FnOnce(&mut Model)) -> String {
+        if part.is_empty() {
+            self.effect(name, doc, add);
+            return name.into();
+        }
+        let own = format!("{name}_{part}");
+        self.effect(&own, doc, add);
+        self.effects.iter_mut().filter(|effect| effect.name == own).for_each(|effect| effect.of = Some(name.into()));
+        own
+    }
+
+    /// Declares that the effect `name`, declared before, needs each of `others`.
+    pub fn require(&mut self, name: &str, others: &[&str]) {
+        for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
+            for other in
+                others.iter().filter(|other| !effect.requires.iter().any(|known| known == *other)).collect::<Vec<_>>()
+            {
+                effect.requires.push(other.to_string());
+            }
+        }
     }
 
     /// Adds to the kinetic energy T [J].
@@ -247,10 +252,12 @@ impl Model {
                     Kind::Coordinate => (Kind::Speed, speed_name(&name)),
                     Kind::Deflection => (Kind::Rate, speed_name(&name)),
                     Kind::Law => (Kind::Mid, mid_name(&name)),
-                    Kind::Touch => match self.dead_bands.iter().find(|band| band.touch == name) {
-                        Some(band) => (Kind::Damp, band.damp.clone()),
-                        None => return v,
-                    },
+                    Kind::Switched => {
+                        match self.switches.iter().flat_map(|s| &s.damped).find(|(spring, _)| *spring == name) {
+                            Some((_, damper)) => (Kind::Switched, damper.clone()),
+                            None => return v,
+                        }
+                    }
                     _ => return v,
                 };
                 v.with((kind, &name), (rate.0, &rate.1))
@@ -278,7 +285,11 @@ impl Model {
     /// Declares that the effect `name`, declared before, excludes each of `others`: a scene may name one side only.
     pub fn exclude(&mut self, name: &str, others: &[&str]) {
         for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
-            effect.excludes.extend(others.iter().map(|other| other.to_string()));
+            for other in
+                others.iter().filter(|other| !effect.excludes.iter().any(|known| known == *other)).collect::<Vec<_>>()
+            {
+                effect.excludes.push(other.to_string());
+            }
         }
     }
 
@@ -325,17 +336,6 @@ pub struct MeshStiffness {
 pub struct MeshError {
     /// Its value at the present phase, to be subtracted from a deflection.
     pub value: Expr,
-}
-
-/// The symbols of a dead band.
-#[derive(Clone, Copy, Debug)]
-pub struct Play {
-    /// The deflection minus the edge that is in contact: positive beyond the upper edge, negative beyond the lower one.
-    pub over: Expr,
-    /// 1 in contact, 0 inside the band.
-    pub touch: Expr,
-    /// 1 while the damper of the contact acts, 0 while its force is clipped and inside the band.
-    pub damp: Expr,
 }
 
 pub(crate) fn mid_name(law: &str) -> String {

@@ -5,6 +5,7 @@ mod dampers;
 mod friction;
 mod inertia;
 mod step;
+mod switches;
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -36,6 +37,7 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
     balance::prove(&mut p)?;
     inertia::prove(&mut p)?;
     step::prove(&mut p)?;
+    switches::prove(&mut p)?;
     dampers::prove(&mut p)?;
     friction::prove(&mut p)?;
     p.claim(

@@ -17,7 +17,7 @@ pub enum Slip {
     #[error("{model}: {place} may not contain `{symbol}`: {why}")]
     Misplaced { model: String, symbol: String, place: String, why: &'static str },
     #[error(
-        "{model}: `{function}` in {place} is not a known smooth function; allowed are sin, cos, exp, log and sqrt. Declare piecewise behaviour as a law or as play: m.mesh_stiffness(...), m.dead_band(...)"
+        "{model}: `{function}` in {place} is not a known smooth function; allowed are sin, cos, exp, log and sqrt. Declare piecewise behaviour as a law or as a switch: m.mesh_stiffness(...), m.switch(...)"
     )]
     Function { model: String, function: String, place: String },
     #[error(
@@ -46,6 +46,8 @@ pub enum Slip {
         "{model}: the deflection `{deflection}` must be a linear form of the coordinates without a constant term, minus transmission errors with constant factors; {value} is not"
     )]
     NotADeflection { model: String, deflection: String, value: String },
+    #[error("{model}: the switch of `{switch}`, `{mode}`: {why}")]
+    Switch { model: String, switch: String, mode: String, why: &'static str },
     #[error("{model}: the phase of `{law}` must be one of the coordinates, not {phase}")]
     Phase { model: String, law: String, phase: String },
     #[error("{model}: the pitch of `{law}` must be a positive number, not {pitch}")]

@@ -69,7 +69,7 @@ impl Symbols {
         put(&v, Place::Speed);
         put(&law, Place::Law);
         put(&slope, Place::Slope);
-        let deflections: Vec<Linear> = model.deflections.iter().map(|d| Linear::new(model, d, &places)).collect();
+        let deflections: Vec<Linear> = model.deflections.iter().map(|d| Linear::new(d, &places)).collect();
         for (d, linear) in deflections.iter().enumerate() {
             places.extend([(linear.symbol, Place::Deflection(d)), (linear.rate_symbol, Place::Rate(d))]);
         }

@@ -60,7 +60,10 @@ impl Formulas {
 }
 
 fn with_clips_turned(force: &Atom) -> Atom {
-    let clips = force.get_all_symbols(false).into_iter().filter(|s| crate::expr::kind_and_name(*s).0 == Kind::Clip);
+    let clips = force
+        .get_all_symbols(false)
+        .into_iter()
+        .filter(|s| crate::expr::kind_and_name(*s) == (Kind::Switched, "clip".into()));
     clips.fold(force.clone(), |force, clip| {
         let clip = Atom::var(clip);
         force.replace(clip.to_pattern()).with((-&clip).to_pattern())

@@ -24,8 +24,8 @@ pub struct Model {
     pub effects: &'static [Effect],
     /// External torques, in the order of their columns of work.
     pub torques: &'static [Torque],
-    /// Deflections with play. Vectors of law values have four entries for each, in this order, after the entries of the laws.
-    pub dead_bands: &'static [DeadBand],
+    /// Switches. Vectors of law values have the values of their symbols, in this order, after the entries of the laws.
+    pub switches: &'static [Switch],
     /// The terms that make cells nonlinear without any effect, with the energies they come from; empty if there are none.
     pub nonlinear: &'static str,
     /// The terms that make cells nonlinear if an effect is active: (effect, term).
@@ -173,25 +173,42 @@ impl Role {
     }
 }
 
-/// A deflection with play: its spring acts only beyond half the play on either side.
+/// Modes of a deflection, between which the equations change: play, a clutch, dry friction.
 #[derive(Debug, Clone, Copy)]
-pub struct DeadBand {
-    /// Name of the deflection beyond the play, e.g. `over`.
+pub struct Switch {
+    /// Name of the deflection, e.g. `over`.
     pub name: &'static str,
     /// SI unit, e.g. `m`.
     pub unit: &'static str,
-    /// The effect that activates the play.
+    /// The effect that activates it.
     pub with: &'static str,
+    /// The values of its symbols without the effect.
+    pub neutral: &'static [f64],
+    /// Its modes.
+    pub modes: &'static [Mode],
     /// What it is.
     pub doc: &'static str,
 }
 
+/// A mode of a switch.
+#[derive(Debug, Clone, Copy)]
+pub struct Mode {
+    /// Name, e.g. `upper`.
+    pub name: &'static str,
+    /// Whether its deflection is held by a reaction.
+    pub held: bool,
+    /// Whether a static equilibrium may be in it.
+    pub rests: bool,
+    /// What is counted when a run enters it from a mode that does not count the same, e.g. "flanks met".
+    pub counts: Option<&'static str>,
+}
+
 impl Model {
-    /// Vector of law values with every dead band in contact at its drive flank and the play 0: the values `laws`, padded with 0 to the
-    /// number of laws, then four values of each band (touch = 1, edge = 0, damp = 1, clip = 0).
+    /// Vector of law values with every switch as without its effect, so with every play in contact and its width 0: the values
+    /// `laws`, padded with 0 to the number of laws, then the neutral values of each switch.
     pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
-        laws.chain(self.dead_bands.iter().flat_map(|_| [1.0, 0.0, 1.0, 0.0])).collect()
+        laws.chain(self.switches.iter().flat_map(|switch| switch.neutral.iter().copied())).collect()
     }
 
     /// Whether the bit set `effects` has effects of the model only, with all that they require and none that they exclude.
@@ -220,6 +237,8 @@ pub struct Motion {
 pub struct Effect {
     /// Name in a scene's `effects`.
     pub name: &'static str,
+    /// The effect of which it is the one of a part: `backlash` of `backlash_12`. Scenes that name it have all its parts.
+    pub of: Option<&'static str>,
     /// What it adds to the equations, or drops from them.
     pub doc: &'static str,
     /// Effects that must be active too.

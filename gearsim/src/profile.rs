@@ -22,7 +22,7 @@ pub struct Profile {
     pub curves: Vec<Curve>,
     /// Phase at which the first cell begins, modulo the period [unit of the phase].
     pub origin: f64,
-    /// Period in pitches: 1, or more for a transmission error.
+    /// Period in pitches: 1, or more for a transmission error or damaged teeth.
     pub pitches: u32,
 }
 

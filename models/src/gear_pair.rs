@@ -29,7 +29,7 @@ pub fn gear_pair(m: &mut Model) {
 
     let k = m.mesh_stiffness("k", "N*m", theta, TAU, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action");
     let e = m.transmission_error(
-        "e",
+        ["e", ""],
         "rad",
         theta,
         TAU,

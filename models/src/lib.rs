@@ -9,7 +9,7 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`,
-//!      `bearing`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared`
+//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared`
 //!      (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
 //!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
@@ -19,16 +19,18 @@
 //!      and torque. T is proved positive definite if each call of `m.kinetic` adds one square.
 //!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate. The scene gives its levels, or
 //!      tooth data for a stiffness in N/m with delta along the line of action, V = k delta^2/2 (or in N*m, as in `gear_pair`). Laws
-//!      like this one and dead bands are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
+//!      like this one and switches are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
 //!      `max` on symbols is refused: its derivative would lose energy without any message.
-//!    - `m.transmission_error(name, unit, phase, pitch, doc)`, or the component of that name: the deviation of the flanks from their
+//!    - `m.transmission_error([name, part], unit, phase, pitch, doc)`, or the component of that name: the deviation of the flanks from their
 //!      ideal position, given by the scene. Subtract it from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
-//!    - `m.sliding_friction(|m| ...)`: the effect of that name; inside it `m.friction_law(...)`. Only with such a law as a factor may
+//!    - `m.sliding_friction(part, |m| ...)`: the effect of that name; inside it `m.friction_law(...)`. Only with such a law as a factor may
 //!      a torque depend on deflections and stiffnesses. The component of that name does both, for any kind of mesh.
-//!    - `m.dead_band(part, unit, delta, half, effect, doc)`, or the component `play`: a force acts only beyond the play. Write V in
+//!    - `m.switch(over, unit, delta, effect, doc)`: modes between which a deflection changes the equations, each until a linear guard
+//!      becomes zero. The components `play` and `dead_band` are made of it: a force acts only beyond the play. Write V in
 //!      the symbols returned.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect; only they must
-//!      give the parameters declared inside.
+//!      give the parameters declared inside. `m.part_effect(name, part, doc, |m| ...)` is an effect of one part: a scene names
+//!      `backlash` for all parts, or `backlash_12` for one.
 //!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: names for a recurring constant, for the
 //!      deflection of a spring (a linear form of the coordinates), or for a factor that torques share. The equations are written in
 //!      these names.
@@ -50,6 +52,9 @@ pub mod backlash_oscillator;
 pub mod belt_drive;
 pub mod chain;
 pub mod components;
+pub mod electric_axle;
+pub mod freewheel;
+pub mod friction_oscillator;
 pub mod gear_pair;
 pub mod gear_pair_bearings;
 pub mod gear_pair_shafts;
@@ -69,6 +74,9 @@ pub type Entry = (&'static str, fn(&mut Model));
 pub const MODELS: &[Entry] = &[
     ("gear_pair", gear_pair::gear_pair),
     ("backlash_oscillator", backlash_oscillator::backlash_oscillator),
+    ("friction_oscillator", friction_oscillator::friction_oscillator),
+    ("freewheel", freewheel::freewheel),
+    ("electric_axle", electric_axle::electric_axle),
     ("gear_pair_shafts", gear_pair_shafts::gear_pair_shafts),
     ("gear_pair_bearings", gear_pair_bearings::gear_pair_bearings),
     ("geared_branches", geared_branches::geared_branches),

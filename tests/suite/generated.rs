@@ -116,9 +116,9 @@ fn readme_and_architecture_claim_what_the_files_say() {
     }
 }
 
-/// The proof of the step names every law that steps V, and that of the play every dead band.
+/// The proof of the step names every law that steps V, and that of the exits every switch.
 #[test]
-fn every_law_and_every_play_has_its_proof() {
+fn every_law_and_every_switch_has_its_proof() {
     for (name, file) in generated("rs") {
         let proofs = proofs(&file);
         let named = |begins: &str, what: &str| {
@@ -133,9 +133,13 @@ fn every_law_and_every_play_has_its_proof() {
             let smooth = law.ends_with("{ step {} }");
             named(if smooth { "V is the same on both sides of a step of " } else { "at a step of " }, law_name);
         }
-        for line in file.lines().filter(|line| line.contains(") half ")) {
-            let band = line.trim_start().trim_start_matches("dead_bands { ").split(' ').next().expect("a name");
-            named("V is the same on both sides of the edges of ", band);
+        let switches =
+            file.lines().skip_while(|line| *line != "    switches {").skip(1).take_while(|line| *line != "    }");
+        for line in switches
+            .filter(|line| line.starts_with("        ") && !line.starts_with("         ") && *line != "        }")
+        {
+            let over = line.trim_start().split(' ').next().expect("a name");
+            named("V is the same on both sides of the exits of ", over);
         }
     }
 }

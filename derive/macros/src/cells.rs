@@ -14,7 +14,7 @@ use crate::sums::position;
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
-    // What depends on the values of laws and dead bands.
+    // What depends on the values of laws and switches.
     let of_values = |cold: Cold| {
         let body = with_lets(m, cold.body);
         Cold { takes: &[Takes::Laws("k")], body, ..cold }

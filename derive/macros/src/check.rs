@@ -8,6 +8,7 @@ use crate::effects;
 use crate::model::*;
 use crate::resolve::resolve;
 use crate::scope::speed;
+use crate::switches::{CONSTANT, REACTION};
 
 /// Checks the model and resolves the names in its expressions.
 pub fn check(model: &mut Model) -> syn::Result<()> {
@@ -53,8 +54,8 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
     m.forces.iter().for_each(|f| claim("force", &f.name, vec![]));
     m.partials.iter().for_each(|f| claim("partial derivative", &f.name, vec![]));
-    for band in &m.dead_bands {
-        band.symbols.iter().for_each(|s| claim("symbol of a dead band", s, vec![]));
+    for switch in &m.switches {
+        switch.symbols.iter().for_each(|(s, _)| claim("symbol of a switch", s, vec![]));
     }
     unique("motion", m.motions.iter().map(|x| &x.name), errors);
     unique("torque", m.torques.iter().map(|x| &x.name), errors);
@@ -124,7 +125,9 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         unique("speed", motion.speeds.iter().map(|s| &s.name), errors);
     }
     let deflections: Vec<String> = m.deflections.iter().map(|d| d.name.to_string()).collect();
-    m.dead_bands.iter().for_each(|band| known("a deflection", &band.over, &deflections, errors));
+    let rates = m.deflections.iter().map(|d| speed(&d.name));
+    let linear: Vec<String> = deflections.iter().cloned().chain(rates).collect();
+    m.switches.iter().for_each(|s| switch(s, &deflections, &linear, errors));
     let laws: Vec<String> = m.laws.iter().map(|l| l.name.to_string()).collect();
     for j in &m.jumps {
         known("a law", &j.law, &laws, errors);
@@ -165,6 +168,27 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         Some(jacobian) => entries(jacobian, &q, &both, false, errors),
         None => errors.push(Error::new(m.name.span(), "no block `jacobian`")),
     }
+}
+
+/// A switch has a deflection, its modes a value for each symbol, and its exits lead to its modes.
+fn switch(s: &Switch, deflections: &[String], linear: &[String], errors: &mut Vec<Error>) {
+    known("a deflection", &s.over, deflections, errors);
+    let modes: Vec<String> = s.modes.iter().map(|mode| mode.name.to_string()).collect();
+    unique("mode", s.modes.iter().map(|mode| &mode.name), errors);
+    let constant = CONSTANT.to_string();
+    for mode in &s.modes {
+        if mode.values.len() != s.symbols.len() {
+            let message = format!("mode `{}`: {} values for {} symbols", mode.name, mode.values.len(), s.symbols.len());
+            errors.push(Error::new(mode.name.span(), message));
+        }
+        let reaction = mode.held.then(|| REACTION.to_string());
+        let allowed: Vec<String> = linear.iter().chain([&constant]).chain(&reaction).cloned().collect();
+        for exit in &mode.exits {
+            known("a mode", &exit.to, &modes, errors);
+            exit.guard.iter().for_each(|row| known("in a guard", &row.name, &allowed, errors));
+        }
+    }
+    s.loss.iter().for_each(|row| known("in a loss", &row.name, &[s.over.to_string(), constant.clone()], errors));
 }
 
 fn known(what: &str, name: &Ident, names: &[String], errors: &mut Vec<Error>) {

@@ -5,13 +5,13 @@ use quote::{format_ident, quote};
 use syn::Index;
 
 use self::Takes::{Coordinates, Laws};
-use crate::dead_bands;
 use crate::effects::{self, has, is_met};
 use crate::jumps::jumps;
 use crate::lets::with_lets;
 use crate::model::*;
 use crate::scope::speed;
 use crate::sums::{block, body, by_index, position};
+use crate::switches;
 
 /// A function of `Numbers` with `met` as its first argument, and without it a function of `Equations`.
 pub struct Cold {
@@ -123,10 +123,10 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         ),
         cold("motion", &[Takes::Index("i")], Returns::Vector, by_index("motion", i(), motions)),
         cold("switching", &[Takes::Index("law")], Returns::Plain(quote!(equations::Switching)), switching(m)),
-        dead_bands::cold(m),
     ];
     all.extend(jumps(m));
     all.extend(powers(m));
+    all.extend(switches::cold(m));
     all
 }
 

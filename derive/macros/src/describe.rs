@@ -27,16 +27,14 @@ pub fn describe(m: &Model) -> TokenStream {
     });
     let effects = m.effects.iter().map(|e| {
         let (name, doc, requires, excludes) = (e.name.to_string(), &e.doc, strings(&e.requires), strings(&e.excludes));
-        quote!(model::Effect { name: #name, doc: #doc, requires: #requires, excludes: #excludes })
+        let of = option(&e.of);
+        quote!(model::Effect { name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes })
     });
     let torques = m.torques.iter().map(|Torque { name, doc, .. }| {
         let name = name.to_string();
         quote!(model::Torque { name: #name, doc: #doc })
     });
-    let dead_bands = m.dead_bands.iter().map(|DeadBand { over, unit, effect, doc, .. }| {
-        let (name, with) = (over.to_string(), effect.to_string());
-        quote!(model::DeadBand { name: #name, unit: #unit, with: #with, doc: #doc })
-    });
+    let switches = m.switches.iter().map(switch);
     let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
     let nonlinear_with = m.nonlinear_with.iter().map(|NonlinearWith { effect, text }| {
         let effect = effect.to_string();
@@ -54,13 +52,26 @@ pub fn describe(m: &Model) -> TokenStream {
             motions: &[#(#motions),*],
             effects: &[#(#effects),*],
             torques: &[#(#torques),*],
-            dead_bands: &[#(#dead_bands),*],
+            switches: &[#(#switches),*],
             nonlinear: #nonlinear,
             nonlinear_with: &[#(#nonlinear_with),*],
             equations: #equations,
             latex: #latex,
         }
     }
+}
+
+fn switch(Switch { over, unit, symbols, effect, doc, modes, .. }: &Switch) -> TokenStream {
+    let (name, with) = (over.to_string(), effect.to_string());
+    let neutral = symbols.iter().map(|(_, neutral)| number(*neutral));
+    let modes = modes.iter().map(|Mode { name, held, rests, counts, .. }| {
+        let name = name.to_string();
+        let counts = counts.as_ref().map_or(quote!(None), |counts| quote!(Some(#counts)));
+        quote!(model::Mode { name: #name, held: #held, rests: #rests, counts: #counts })
+    });
+    quote!(model::Switch {
+        name: #name, unit: #unit, with: #with, neutral: &[#(#neutral),*], modes: &[#(#modes),*], doc: #doc
+    })
 }
 
 fn coordinate(c: &Coordinate) -> TokenStream {

@@ -1,12 +1,9 @@
-//! Values that are constant in a cell and exist only with an effect: the symbols of dead bands, transmission errors, and friction
+//! Values that are constant in a cell and exist only with an effect: the symbols of switches, transmission errors, and friction
 //! laws. The generated code has them as variables.
 
 use syn::{Ident, Index};
 
 use crate::model::{Law, Model, Role};
-
-/// touch, edge, damp, clip if there is no dead band.
-const NEUTRAL: [f64; 4] = [1.0, 0.0, 1.0, 0.0];
 
 /// One such value: its name, its effect, its index in `k`, and its value without the effect.
 pub struct Gated<'a> {
@@ -21,21 +18,20 @@ pub fn gated(m: &Model) -> impl Iterator<Item = Gated<'_>> {
     let laws = laws(m).filter_map(|(i, law)| {
         Some(Gated { name: &law.name, effect: law.with.as_ref()?, place: Index::from(i), neutral: 0.0 })
     });
-    let bands = m.dead_bands.iter().enumerate().flat_map(move |(b, band)| {
-        let first = m.laws.len() + 4 * b;
-        band.symbols.iter().zip(NEUTRAL).enumerate().map(move |(s, (name, neutral))| Gated {
-            name,
-            effect: &band.effect,
-            place: Index::from(first + s),
-            neutral,
-        })
+    let symbols = m.switches.iter().flat_map(|switch| switch.symbols.iter().map(move |symbol| (switch, symbol)));
+    let switched = symbols.enumerate().map(move |(s, (switch, (name, neutral)))| Gated {
+        name,
+        effect: &switch.effect,
+        place: Index::from(m.laws.len() + s),
+        neutral: *neutral,
     });
-    laws.chain(bands)
+    laws.chain(switched)
 }
 
-/// The names of those that occur in deflections.
+/// The names of those that may occur in deflections, as offsets: transmission errors and the symbols of switches.
 pub fn offsets(m: &Model) -> impl Iterator<Item = &Ident> {
-    errors(m).map(|(_, law)| &law.name).chain(m.dead_bands.iter().map(|band| &band.symbols[1]))
+    let switched = m.switches.iter().flat_map(|switch| &switch.symbols).map(|(name, _)| name);
+    errors(m).map(|(_, law)| &law.name).chain(switched)
 }
 
 /// The transmission errors, each with its index among the laws.

@@ -2,7 +2,7 @@
 
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::{Ident, LitStr, Result, Token, parenthesized};
+use syn::{Ident, LitStr, Result, Token, braced, parenthesized};
 
 use crate::model::*;
 use crate::tokens::{choice, doc, list, number, peek_word, word};
@@ -76,11 +76,20 @@ impl Parse for Motion {
 
 impl Parse for Effect {
     fn parse(input: ParseStream) -> Result<Self> {
-        let mut effect =
-            Self { name: input.parse()?, requires: vec![], excludes: vec![], doc: LitStr::new("", input.span()) };
+        let mut effect = Self {
+            name: input.parse()?,
+            of: None,
+            requires: vec![],
+            excludes: vec![],
+            doc: LitStr::new("", input.span()),
+        };
         while input.peek(Ident) {
-            let names = match choice(input, &["requires", "excludes"])? {
-                0 => &mut effect.requires,
+            let names = match choice(input, &["of", "requires", "excludes"])? {
+                0 => {
+                    effect.of = Some(input.parse()?);
+                    continue;
+                }
+                1 => &mut effect.requires,
                 _ => &mut effect.excludes,
             };
             let inner;
@@ -114,24 +123,56 @@ impl Parse for Assignment {
     }
 }
 
-impl Parse for DeadBand {
+impl Parse for Switch {
     fn parse(input: ParseStream) -> Result<Self> {
         let (over, unit) = (input.parse()?, input.parse()?);
         let inner;
         parenthesized!(inner in input);
-        let symbol = |comma: bool| -> Result<Ident> {
-            let name = inner.parse()?;
-            if comma {
-                inner.parse::<Token![,]>()?;
-            }
-            Ok(name)
-        };
-        let symbols = [symbol(true)?, symbol(true)?, symbol(true)?, symbol(false)?];
-        word(input, "half")?;
-        let half = input.parse()?;
+        let symbol = |input: ParseStream| Ok((input.parse()?, number(input)?));
+        let symbols = Punctuated::<_, Token![,]>::parse_terminated_with(&inner, symbol)?;
         word(input, "with")?;
         let effect = input.parse()?;
-        Ok(Self { over, unit, symbols, half, effect, doc: doc(input)? })
+        input.parse::<Token![,]>()?;
+        let doc = input.parse()?;
+        let mut switch =
+            Self { over, unit, symbols: symbols.into_iter().collect(), effect, doc, modes: vec![], loss: vec![] };
+        let inner;
+        braced!(inner in input);
+        while !inner.is_empty() {
+            if peek_word(&inner, "loss") {
+                word(&inner, "loss")?;
+                switch.loss = list(&inner)?;
+            } else {
+                switch.modes.push(inner.parse()?);
+            }
+        }
+        Ok(switch)
+    }
+}
+
+impl Parse for Mode {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let name = input.parse()?;
+        let inner;
+        parenthesized!(inner in input);
+        let values = Punctuated::<_, Token![,]>::parse_terminated(&inner)?.into_iter().collect();
+        let mut mode = Self { name, values, held: false, rests: false, counts: None, exits: vec![] };
+        while input.peek(Ident) {
+            match choice(input, &["holds", "rests", "counts"])? {
+                0 => mode.held = true,
+                1 => mode.rests = true,
+                _ => mode.counts = Some(input.parse()?),
+            }
+        }
+        mode.exits = list(input)?;
+        Ok(mode)
+    }
+}
+
+impl Parse for Exit {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let sudden = choice(input, &["until", "unless"])? == 1;
+        Ok(Self { to: input.parse()?, sudden, guard: list(input)? })
     }
 }
 

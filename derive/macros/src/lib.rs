@@ -34,7 +34,7 @@
 //!     stiffness_step "k steps with x";
 //!     rigid_kinematics requires(stiffness_step) "without the impulse";
 //!     backlash "play";
-//!     damping "viscous damper";       // also: excludes(a, b)
+//!     damping "viscous damper";       // also: excludes(a, b); `of NAME`: the effect NAME at one part
 //!     weight "a constant force of 1 N";
 //! }
 //! conditions {                        // all of these effects present or, with `!`, absent
@@ -46,8 +46,16 @@
 //! deflections {                       // linear in the coordinates; each also declares its rate, here `over_dot`
 //!     over = x - edge;                // may be used in potential, force, jacobian, step; the rate in dissipation, force, jacobian
 //! }
-//! dead_bands {                        // play of a deflection; the symbols in parentheses are constant in each cell
-//!     over "m" (touch, edge, damp, clip) half b/2.0 with backlash, "play";   // 1, 0, 1, 0 without `backlash`
+//! switches {                          // modes of a deflection; the symbols in parentheses are constant in each, here without `backlash`
+//!     over "m" (edge 0.0, touch 1.0) with backlash, "play" {
+//!         upper (b/2.0, 1.0) rests counts "flanks met" {     // `rests`: a static start may be in it; `counts`: what is counted
+//!             until free { over { _ => 1.0; } }              // lasts while the guard 1.0*over + .. >= 0, then `free` follows
+//!         }
+//!         free (0.0, 0.0) rests {                            // `holds`: over_dot = 0; guards may contain the `reaction`
+//!             until upper { over { _ => -1.0; } one { _ => b/2.0; } }   // `one`: the constant; `unless`: only a sudden change ends it
+//!         }
+//!         // loss { one { _ => 2.0; } }                      // the force against `over` whose work is lost; linear in it
+//!     }
 //! }
 //! // forces { F { friction => c*k*x_dot; } }  // named forces, for rows of `force` and for powers
 //! // partials { F_by_x_dot { friction => c*k; } }   // partial derivatives of forces, for entries of `jacobian`
@@ -84,7 +92,7 @@
 //! ```
 //!
 //! Expressions consist of numbers with a decimal point, names, `+ - * /`, parentheses and smooth methods of `f64` (`powi`, `sqrt`,
-//! `sin`, ..). Piecewise functions are refused: only laws and dead bands switch.
+//! `sin`, ..). Piecewise functions are refused: only laws and switches switch.
 //!
 //! The effects `stiffness_step`, `rigid_kinematics` and `frozen_phase` determine how laws switch. They mean the same in every model;
 //! a model need not have all of them.
@@ -96,12 +104,11 @@
 //! | parse tokens into the structs of `model` | `parse`, `items`, `tokens` |
 //! | check the model, report all errors at once; resolve names | `check`, `effects`, `resolve`, `scope` |
 //! | replace constant factors by coefficients, computed once for each scene | `hoist` |
-//! | write the code | `emit`, `describe`, `varies`, `terms`, `cold`, `cells`, `jumps`, `lets`, `deflections`, `gated`, `dead_bands`, `sums` |
+//! | write the code | `emit`, `describe`, `varies`, `terms`, `cold`, `cells`, `jumps`, `lets`, `deflections`, `gated`, `switches`, `sums` |
 
 mod cells;
 mod check;
 mod cold;
-mod dead_bands;
 mod deflections;
 mod describe;
 mod effects;
@@ -117,6 +124,7 @@ mod parse;
 mod resolve;
 mod scope;
 mod sums;
+mod switches;
 mod terms;
 #[cfg(test)]
 mod tests;

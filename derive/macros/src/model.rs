@@ -18,7 +18,7 @@ pub struct Model {
     pub deflections: Vec<Assignment>,
     /// Rates of the deflections. Not in the file: `resolve` writes the deflections in the speeds.
     pub rates: Vec<Assignment>,
-    pub dead_bands: Vec<DeadBand>,
+    pub switches: Vec<Switch>,
     pub kinetic: Sum,
     pub potential: Sum,
     pub dissipation: Sum,
@@ -105,9 +105,11 @@ pub struct Motion {
     pub doc: LitStr,
 }
 
-/// `damping requires(a, b) excludes(c) "doc";`
+/// `backlash_12 of backlash requires(a, b) excludes(c) "doc";`
 pub struct Effect {
     pub name: Ident,
+    /// The effect of which it is the one of a part.
+    pub of: Option<Ident>,
     pub requires: Vec<Ident>,
     pub excludes: Vec<Ident>,
     pub doc: LitStr,
@@ -125,17 +127,38 @@ pub struct Assignment {
     pub value: Expr,
 }
 
-/// `over "m" (touch, edge, damp, clip) half b with backlash, "doc";`: play of the deflection `over`.
-pub struct DeadBand {
+/// `over "m" (edge 0.0, touch 1.0) with backlash, "doc" { MODES loss { ROWS } }`: modes of the deflection `over`.
+pub struct Switch {
     pub over: Ident,
     pub unit: LitStr,
-    /// touch, edge, damp, clip: constant in each cell.
-    pub symbols: [Ident; 4],
-    /// Half the width of the band.
-    pub half: Expr,
-    /// Without this effect there is no band.
+    /// What is constant in each mode, with its value without the effect.
+    pub symbols: Vec<(Ident, f64)>,
+    /// Without this effect there is no switch.
     pub effect: Ident,
     pub doc: LitStr,
+    pub modes: Vec<Mode>,
+    /// The force against the deflection whose work is lost, as a linear form.
+    pub loss: Vec<Row>,
+}
+
+/// `upper (b/2.0, 1.0) holds rests counts "flanks met" { EXITS }`
+pub struct Mode {
+    pub name: Ident,
+    /// The values of the symbols.
+    pub values: Vec<Expr>,
+    pub held: bool,
+    pub rests: bool,
+    pub counts: Option<LitStr>,
+    pub exits: Vec<Exit>,
+}
+
+/// `until free { ROWS }`, `unless free { ROWS }`
+pub struct Exit {
+    pub to: Ident,
+    /// `unless`: only a sudden change of the state can violate the guard.
+    pub sudden: bool,
+    /// The guard, as a linear form.
+    pub guard: Vec<Row>,
 }
 
 /// `drive "doc" { TERMS }`, `fan "doc" {} power { TERMS }`
@@ -221,7 +244,7 @@ impl Model {
             constants: vec![],
             deflections: vec![],
             rates: vec![],
-            dead_bands: vec![],
+            switches: vec![],
             kinetic: vec![],
             potential: vec![],
             dissipation: vec![],

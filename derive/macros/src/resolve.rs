@@ -25,8 +25,12 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
     let deflections = Scope::of(m, "deflections").coordinates(m, "q").gated(m);
     m.deflections.iter_mut().for_each(|d| deflections.expression(&mut d.value, errors));
-    let half = Scope::of(m, "dead_bands");
-    m.dead_bands.iter_mut().for_each(|band| half.expression(&mut band.half, errors));
+    let (constants, moving) = (Scope::of(m, "the values of a mode"), Scope::of(m, "switches").laws(m, 0).gated(m));
+    for switch in &mut m.switches {
+        switch.modes.iter_mut().flat_map(|mode| &mut mode.values).for_each(|value| constants.expression(value, errors));
+        let guards = switch.modes.iter_mut().flat_map(|mode| &mut mode.exits).flat_map(|exit| &mut exit.guard);
+        rows(guards.chain(&mut switch.loss), &moving, errors);
+    }
 
     let kinetic = Scope::of(m, "kinetic").speeds(m);
     kinetic.sum(&mut m.kinetic, errors);

@@ -23,7 +23,7 @@ const METHODS: [(&str, usize); 10] = [
     ("recip", 0),
 ];
 
-const PIECEWISE: &str = "a piecewise function: equations must be smooth in every cell; only laws and dead bands switch";
+const PIECEWISE: &str = "a piecewise function: equations must be smooth in every cell; only laws and switches do";
 
 /// The names that expressions of one block may use, each with its code.
 pub struct Scope {
@@ -113,7 +113,7 @@ impl Scope {
         Self { block: block.to_string(), ..self }
     }
 
-    /// Adds the edges of dead bands and the transmission errors, all with the same `value`.
+    /// Adds the symbols of switches and the transmission errors, all with the same `value`.
     pub fn offsets(mut self, model: &Model, value: TokenStream) -> Self {
         for name in gated::offsets(model) {
             self.names.insert(name.to_string(), value.clone());

@@ -65,8 +65,9 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         }
     }
     for d in &model.deflections {
-        // Edges of dead bands and transmission errors are not part of the form; their coefficients must be constant.
-        let edges = model.dead_bands.iter().map(|band| (Kind::Edge, &band.edge));
+        // Offsets of switches and transmission errors are not part of the form; their coefficients must be constant.
+        let offsets = model.switches.iter().flat_map(|switch| &switch.symbols).filter(|s| s.kind == Kind::Edge);
+        let edges = offsets.map(|s| (Kind::Edge, &s.name));
         let errors = model.laws.iter().filter(|law| law.role == Role::Error).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
         let value = offsets

@@ -29,10 +29,11 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",
-        Kind::Touch => "the contact of a dead band",
-        Kind::Edge => "the edge of a dead band",
-        Kind::Damp => "the damper of a dead band",
-        Kind::Clip => "the clipping of a dead band",
+        Kind::Switched => "a factor of a switch",
+        Kind::Edge => "an offset of a switch",
+        Kind::Reaction => "the reaction of a hold",
+        Kind::Spring => "the force of springs",
+        Kind::Damper => "the force of dampers",
         Kind::Marker | Kind::Mobility | Kind::Free => "not declared",
     }
 }
@@ -63,10 +64,8 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
         declare(&d.name, known(Deflection), false)?;
         declare(&speed_name(&d.name), known(Rate), true)?;
     }
-    for band in &model.dead_bands {
-        for (kind, name) in band.symbols() {
-            declare(&name, known(kind), false)?;
-        }
+    for switch in &model.switches {
+        switch.symbols.iter().try_for_each(|s| declare(&s.name, known(s.kind), false))?;
     }
     for law in &model.laws {
         declare(&law.name, known(law.kind()), false)?;

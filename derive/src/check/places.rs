@@ -6,19 +6,19 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::functions::functions;
 use super::names::what_it_is;
-use crate::expr::{Expr, Kind, number, symbol, symbols};
-use crate::model::{Model, Torque};
+use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols};
+use crate::model::{Model, REACTION, Switch, Torque};
 use crate::slip::Slip;
 
 use Kind::*;
 
 /// What energies may depend on; listed in messages.
-const USABLE: [Kind; 12] =
-    [Constant, Parameter, Mid, Law, Error, Friction, Touch, Damp, Deflection, Coordinate, Rate, Speed];
+const USABLE: [Kind; 11] =
+    [Constant, Parameter, Mid, Law, Error, Friction, Switched, Deflection, Coordinate, Rate, Speed];
 /// What a torque may depend on.
 const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
 /// What a torque with a friction law as a factor may depend on besides.
-const FRICTION: [Kind; 4] = [Law, Friction, Touch, Deflection];
+const FRICTION: [Kind; 4] = [Law, Friction, Switched, Deflection];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -57,10 +57,51 @@ impl Places<'_> {
             let allowed = [Constant, Parameter, Coordinate, Edge, Error];
             self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
         })?;
-        self.model.dead_bands.iter().try_for_each(|band| {
-            let why = "half the width of a dead band may depend on parameters and constants only";
-            self.check(band.half, &format!("the dead band of `{}`", band.over), &[Constant, Parameter], why)
-        })
+        self.model.switches.iter().try_for_each(|switch| self.switch(switch))
+    }
+
+    /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the lost force are linear.
+    fn switch(&self, switch: &Switch) -> Result<(), Slip> {
+        let place = format!("the switch of `{}`", switch.over);
+        let slip = |why: &'static str, mode: &str| {
+            let (model, switch, mode) = (self.model.name.clone(), switch.over.clone(), mode.to_string());
+            Err(Slip::Switch { model, switch, mode, why })
+        };
+        for mode in &switch.modes {
+            if mode.values.len() != switch.symbols.len() {
+                return slip("a mode gives one value to each symbol of the switch", &mode.name);
+            }
+            let why = "the values of a mode may depend on parameters and constants only";
+            mode.values.iter().try_for_each(|value| self.check(*value, &place, &[Constant, Parameter], why))?;
+        }
+        for (mode, exit) in switch.exits() {
+            if switch.mode(&exit.to).is_none() {
+                return slip("an exit leads to a mode of the same switch", &exit.to);
+            }
+            let why = "a guard may depend on deflections, rates, stiffnesses and constants, and on the reaction in a mode that holds";
+            let mut allowed = vec![Constant, Parameter, Mid, Law, Switched, Deflection, Rate];
+            allowed.extend(mode.held.then_some(Reaction));
+            self.check(exit.guard, &place, &allowed, why)?;
+            if !is_linear(&exit.guard.atom(), &[Deflection, Rate, Reaction]) {
+                return slip("a guard is linear in deflections, rates and the reaction", &mode.name);
+            }
+        }
+        // A hold begins at rest: no energy is lost there.
+        let rate = symbol(Rate, &speed_name(&switch.over));
+        for (mode, exit) in switch.exits().filter(|(_, exit)| switch.mode(&exit.to).is_some_and(|to| to.held)) {
+            let rest = exit.guard.atom() - exit.guard.atom().derivative(rate) * Atom::var(rate);
+            if !rest.expand().is_zero() {
+                return slip("an exit to a mode that holds is a multiple of the rate of the deflection", &mode.name);
+            }
+        }
+        let why = "the force of a switch may depend on its deflection, stiffnesses and constants";
+        self.check(switch.loss, &place, &[Constant, Parameter, Mid, Law, Switched, Deflection], why)?;
+        let others =
+            symbols(&switch.loss.atom()).into_iter().any(|(kind, name)| kind == Deflection && name != switch.over);
+        if others || !is_linear(&switch.loss.atom(), &[Deflection]) {
+            return slip("the force of a switch is linear in its deflection", "loss");
+        }
+        Ok(())
     }
 
     fn energies(&self) -> Result<(), Slip> {
@@ -72,13 +113,13 @@ impl Places<'_> {
         let why =
             "T may depend on speeds, not on positions or the mesh: the engine has no inertia that depends on them";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
-        let positions = [Constant, Parameter, Mid, Law, Touch, Deflection, Coordinate];
+        let positions = [Constant, Parameter, Mid, Law, Switched, Deflection, Coordinate];
         let why = "V may depend on positions, not on speeds, and on transmission errors only through deflections, \
                    m.deflection(...)";
         each(&self.model.potential, "the potential energy", &positions, why)?;
         let why =
             "D may depend on speeds, not on positions or the mesh: the engine has no damping that depends on them";
-        let rates = [Constant, Parameter, Mid, Damp, Rate, Speed];
+        let rates = [Constant, Parameter, Mid, Switched, Rate, Speed];
         each(&self.model.dissipation, "the dissipation function", &rates, why)
     }
 
@@ -129,7 +170,7 @@ impl Places<'_> {
         let model = || self.model.name.clone();
         for (kind, symbol) in symbols(&e) {
             let place = place.to_string();
-            let derived = matches!(kind, Marker | Mobility);
+            let derived = matches!(kind, Marker | Mobility) || (kind == Reaction && symbol == REACTION);
             match self.declared.get(&symbol) {
                 _ if derived => {}
                 Some(what) if *what == what_it_is(kind) => {}
@@ -152,4 +193,10 @@ impl Places<'_> {
         let names = self.declared.iter().filter(|(_, what)| usable(what)).map(|(name, _)| name.as_str());
         names.collect::<Vec<_>>().join(", ")
     }
+}
+
+/// Whether an expression is linear in its symbols of some kinds.
+fn is_linear(e: &Atom, kinds: &[Kind]) -> bool {
+    let moving = |e: &Atom| symbols(e).into_iter().filter(|s| kinds.contains(&s.0)).collect::<Vec<_>>();
+    moving(e).iter().all(|(kind, name)| moving(&e.derivative(symbol(*kind, name)).expand()).is_empty())
 }

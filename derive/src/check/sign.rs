@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomView};
 
 use crate::expr::{Kind, symbols};
-use crate::model::{Friction, Model, Range, Role};
+use crate::model::{Friction, Model, Range, Role, Switch};
 use crate::tree::Tree;
 
 /// Whether the form of an expression shows that it is >= 0 for all admissible values.
@@ -29,8 +29,12 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             [(Kind::Constant, name)] => {
                 model.constants.iter().any(|(c, value)| c == name && sign(model, &value.atom(), strictly))
             }
-            // Stiffnesses are >= 0 in every scene; touch and damp are 0 or 1.
-            [(Kind::Mid | Kind::Law | Kind::Touch | Kind::Damp, _)] => !strictly,
+            // Stiffnesses are >= 0 in every scene.
+            [(Kind::Mid | Kind::Law, _)] => !strictly,
+            // A factor of a switch, if it is so in every mode.
+            [(Kind::Switched, name)] => {
+                !strictly && model.switches.iter().any(|switch| in_every_mode(model, switch, name))
+            }
             // So are the arms of rolling friction.
             [(Kind::Friction, name)] => {
                 let arm = Role::Friction(Friction::Arm);
@@ -54,4 +58,11 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
         AtomView::Add(a) => a.iter().all(|t| sign(model, &t.to_owned(), strictly)),
         AtomView::Fun(_) => false,
     }
+}
+
+/// Whether a factor of a switch is >= 0 in every mode and without the effect.
+fn in_every_mode(model: &Model, switch: &Switch, factor: &str) -> bool {
+    let Some(i) = switch.symbols.iter().position(|s| s.name == factor) else { return false };
+    let values = switch.modes.iter().filter_map(|mode| mode.values.get(i));
+    switch.symbols[i].neutral >= 0 && values.into_iter().all(|value| sign(model, &value.atom(), false))
 }

@@ -83,5 +83,6 @@ fn effect(b: &mut Block, e: &Effect) {
         if names.is_empty() { String::new() } else { format!("{word}({}) ", names.join(", ")) }
     };
     let (requires, excludes) = (list("requires", &e.requires), list("excludes", &e.excludes));
-    b.line(2, &format!("{} {requires}{excludes}{:?};", e.name, e.doc));
+    let of = e.of.as_ref().map_or(String::new(), |of| format!("of {of} "));
+    b.line(2, &format!("{} {of}{requires}{excludes}{:?};", e.name, e.doc));
 }

@@ -1,12 +1,15 @@
-//! The names in which the equations are written: constants, deflections, forces, and the symbols of dead bands.
+//! The names in which the equations are written: constants, deflections, forces, and the switches.
+
+use symbolica::atom::{Atom, AtomCore};
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::model::DeadBand;
+use crate::expr::{Expr, Kind, number, symbol, symbols};
+use crate::model::Switch;
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
-/// Writes the blocks `constants`, `deflections`, `forces`, `partials` and `dead_bands`, those that are not empty.
+/// Writes the blocks `constants`, `deflections`, `forces`, `partials` and `switches`, those that are not empty.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
     let (m, constants) = (d.model, &d.motion.constants);
     if !constants.is_empty() {
@@ -42,14 +45,44 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
             }
         });
     }
-    if !m.dead_bands.is_empty() {
-        b.braces(1, "dead_bands", |b| m.dead_bands.iter().for_each(|band| dead_band(b, band)));
+    if !m.switches.is_empty() {
+        b.braces(1, "switches", |b| m.switches.iter().for_each(|s| switch(b, s)));
     }
 }
 
-fn dead_band(b: &mut Block, band: &DeadBand) {
-    let DeadBand { over, touch, edge, damp, clip, unit, half, effect, doc } = band;
-    let half = print(&Tree::new(&half.atom()), Style::Rust);
-    let symbols = format!("{touch}, {edge}, {damp}, {clip}");
-    b.line(2, &format!("{over} {unit:?} ({symbols}) half {half} with {effect}, {doc:?};"));
+fn switch(b: &mut Block, switch: &Switch) {
+    let Switch { over, unit, symbols, modes, effect, doc, .. } = switch;
+    let rust = |e: &Expr| print(&Tree::new(&e.atom()), Style::Rust);
+    let symbols = symbols.iter().map(|s| format!("{} {:?}", s.name, s.neutral as f64)).collect::<Vec<_>>().join(", ");
+    b.braces(2, &format!("{over} {unit:?} ({symbols}) with {effect}, {doc:?}"), |b| {
+        for mode in modes {
+            let values = mode.values.iter().map(rust).collect::<Vec<_>>().join(", ");
+            let word = |is: bool, word: &'static str| if is { word } else { "" };
+            let counts = mode.counts.as_ref().map_or(String::new(), |what| format!(" counts {what:?}"));
+            let words = [word(mode.held, " holds"), word(mode.rests, " rests")].concat();
+            b.braces(3, &format!("{} ({values}){words}{counts}", mode.name), |b| {
+                for exit in &mode.exits {
+                    let how = if exit.sudden { "unless" } else { "until" };
+                    b.braces(4, &format!("{how} {}", exit.to), |b| linear(b, 5, &exit.guard.atom()));
+                }
+            });
+        }
+        if !switch.loss.atom().is_zero() {
+            b.braces(3, "loss", |b| linear(b, 4, &switch.loss.atom()));
+        }
+    });
+}
+
+/// A linear form: the coefficient of each deflection, rate and reaction, and the constant as that of `one`.
+fn linear(b: &mut Block, depth: usize, e: &Atom) {
+    let e = e.expand();
+    let mut rest = e.clone();
+    for (kind, name) in symbols(&e) {
+        if matches!(kind, Kind::Deflection | Kind::Rate | Kind::Reaction) {
+            let symbol = symbol(kind, &name);
+            b.sum(depth, &name, &b.grouped(&e.derivative(symbol).expand()));
+            rest = rest.replace(Atom::var(symbol).to_pattern()).with(number(0).to_pattern());
+        }
+    }
+    b.sum(depth, "one", &b.grouped(&rest.expand()));
 }

@@ -89,30 +89,6 @@ pub(crate) struct Deflection {
     pub value: Expr,
 }
 
-/// Play of a deflection. `touch`, `edge`, `damp` and `clip` are names of symbols that are constant in each cell.
-pub(crate) struct DeadBand {
-    /// Name of the deflection minus the edge that is in contact.
-    pub over: String,
-    pub touch: String,
-    pub edge: String,
-    pub damp: String,
-    pub clip: String,
-    pub unit: String,
-    /// Half the width of the band [unit].
-    pub half: Expr,
-    /// Without this effect there is no band: touch = damp = 1, edge = clip = 0.
-    pub effect: String,
-    pub doc: String,
-}
-
-impl DeadBand {
-    /// Its symbols except the deflection.
-    pub fn symbols(&self) -> [(Kind, String); 4] {
-        [(Kind::Touch, &self.touch), (Kind::Edge, &self.edge), (Kind::Damp, &self.damp), (Kind::Clip, &self.clip)]
-            .map(|(kind, name)| (kind, name.clone()))
-    }
-}
-
 pub(crate) struct Motion {
     pub name: String,
     pub unit: String,
@@ -122,6 +98,8 @@ pub(crate) struct Motion {
 
 pub(crate) struct Effect {
     pub name: String,
+    /// The effect of which it is the one of a part: `backlash` of `backlash_12`.
+    pub of: Option<String>,
     pub requires: Vec<String>,
     pub excludes: Vec<String>,
     pub doc: String,
@@ -130,7 +108,7 @@ pub(crate) struct Effect {
 impl Effect {
     pub fn new(name: &str, requires: &[&str], excludes: &[&str], doc: &str) -> Effect {
         let owned = |names: &[&str]| names.iter().map(|name| name.to_string()).collect();
-        Effect { name: name.into(), requires: owned(requires), excludes: owned(excludes), doc: doc.into() }
+        Effect { name: name.into(), of: None, requires: owned(requires), excludes: owned(excludes), doc: doc.into() }
     }
 }
 

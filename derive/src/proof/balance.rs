@@ -15,8 +15,8 @@ use crate::tree::Tree;
 
 /// Proves the balance of power along the motion.
 pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
-    let clipped =
-        if p.model.dead_bands.is_empty() { "" } else { "; q'.dD/dq' includes the power of clipped damper forces" };
+    let lossy = p.model.switches.iter().any(|switch| !switch.loss.atom().is_zero());
+    let clipped = if lossy { "; q'.dD/dq' includes the power that switches take" } else { "" };
     let what = format!(
         "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of \
          the additive effects{clipped}"
@@ -27,7 +27,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     let stored = m.potential.iter().map(|v| rate(m, &v.atom()));
     let damped = m.dissipation.iter().map(|d| damper_power(m, d));
     let fed = m.torques.iter().map(|t| -(t.value.atom() * displacement_rate(m, &t.through.atom())));
-    let rest = total(inertia.chain(stored).chain(damped).chain(clipped_powers(m)).chain(fed).collect());
+    let rest = total(inertia.chain(stored).chain(damped).chain(switched_powers(m)).chain(fed).collect());
     p.claim(&what, [rest])
 }
 
@@ -40,15 +40,9 @@ pub(super) fn damper_power(model: &Model, d: &Expr) -> Atom {
     })
 }
 
-/// The power that the clipped damper of each dead band takes, clip dV/dover over', with the marker of its effect.
-pub(super) fn clipped_powers(model: &Model) -> Vec<Atom> {
-    let power = |band: &crate::model::DeadBand| {
-        let over = symbol(Kind::Deflection, &band.over);
-        let spring = total(model.potential.iter().map(|v| v.atom().derivative(over)).collect());
-        let clip = Atom::var(symbol(Kind::Marker, &band.effect)) * Atom::var(symbol(Kind::Clip, &band.clip));
-        clip * spring * deflection_rate(model, &band.over)
-    };
-    model.dead_bands.iter().map(power).collect()
+/// The power that each switch takes, f x', with the marker of its effect.
+fn switched_powers(model: &Model) -> impl Iterator<Item = Atom> {
+    model.switches.iter().map(|switch| switch.lost() * deflection_rate(model, &switch.over))
 }
 
 /// The rate of a deflection as its damper feels it: without the rates of transmission errors.

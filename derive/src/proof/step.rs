@@ -53,14 +53,6 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
         &format!("V is the same on both sides of a step of {}: no impulse there", names(&smooth)),
         smooth.iter().map(|(law, jump)| potential(p.model, law) + &jump.step),
     )?;
-    for band in &p.model.dead_bands {
-        let zero = |e: Atom, symbol: Atom| e.replace(symbol.to_pattern()).with(number(0).to_pattern());
-        let (over, touch) = (symbol(Kind::Deflection, &band.over), symbol(Kind::Touch, &band.touch));
-        let sides =
-            p.model.potential.iter().map(|v| zero(v.atom(), Atom::var(over)) - zero(v.atom(), Atom::var(touch)));
-        let rest = total(sides.collect());
-        p.claim(&format!("V is the same on both sides of the edges of {}: no impulse there", band.over), [rest])?;
-    }
     Ok(())
 }
 

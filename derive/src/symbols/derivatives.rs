@@ -66,19 +66,6 @@ impl Symbols {
         })
     }
 
-    /// The clipped damper forces of dead bands that belong to the potential energy `e`, to be added to its gradient.
-    pub fn clipped(&self, e: &Atom) -> Sparse {
-        let bands = self.present(e).into_iter().filter_map(|(symbol, place)| match place {
-            Place::Deflection(d) => Some((&self.deflections[d], self.deflections[d].clip.as_ref()?, symbol)),
-            _ => None,
-        });
-        let rows = bands.flat_map(|(d, clip, symbol)| {
-            let force = clip * e.derivative(symbol);
-            d.slopes.iter().map(move |(i, slope)| (*i, &force * slope)).collect::<Sparse>()
-        });
-        rows.collect()
-    }
-
     /// The expression after law `l` has stepped by an amount written as the symbol of its slope, including the step of
     /// deflections; `None` if the law is not in it.
     pub fn stepped(&self, e: &Atom, l: usize) -> Option<Atom> {

@@ -6,7 +6,7 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::{Place, Sparse, Symbols, present};
 use crate::expr::{Kind, kind_and_name, number, partial_name, speed_name, symbol, total};
-use crate::model::{self, DeadBand, Deflection, Model};
+use crate::model::{self, Deflection};
 
 /// A named deflection, delta = sum_i slope_i q_i + rest, and its rate, delta' = sum_i slope_i q'_i.
 pub(crate) struct Linear {
@@ -14,16 +14,14 @@ pub(crate) struct Linear {
     pub rate_symbol: Symbol,
     /// Its derivatives by coordinates.
     pub slopes: Sparse,
-    /// Its value at q = 0: minus the edge of a dead band, minus transmission errors.
+    /// Its value at q = 0: minus the offset of a switch, minus transmission errors.
     pub rest: Atom,
     /// Its derivatives by laws.
     pub by_law: Sparse,
-    /// For a dead band: the symbol `clip` of its damper times the marker of its effect.
-    pub clip: Option<Atom>,
 }
 
 impl Linear {
-    pub(super) fn new(model: &Model, d: &Deflection, places: &HashMap<Symbol, Place>) -> Linear {
+    pub(super) fn new(d: &Deflection, places: &HashMap<Symbol, Place>) -> Linear {
         let value = d.value.atom();
         let (mut slopes, mut by_law, mut rest) = (vec![], vec![], value.clone());
         for (symbol, place) in present(&value, places) {
@@ -38,15 +36,12 @@ impl Linear {
                 _ => {}
             }
         }
-        let band: Option<&DeadBand> = model.dead_bands.iter().find(|band| band.over == d.name);
         Linear {
             symbol: symbol(Kind::Deflection, &d.name),
             rate_symbol: symbol(Kind::Rate, &speed_name(&d.name)),
             slopes,
             rest: rest.expand(),
             by_law,
-            clip: band
-                .map(|band| Atom::var(symbol(Kind::Marker, &band.effect)) * Atom::var(symbol(Kind::Clip, &band.clip))),
         }
     }
 

@@ -4,7 +4,9 @@ use symbolica::atom::Atom;
 
 use super::Writer;
 use crate::derivation::Derivation;
-use crate::model::{DeadBand, Law, Role};
+use crate::expr::Expr;
+use crate::markers::all_present;
+use crate::model::{Law, Role, Switch};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -20,7 +22,7 @@ pub(super) fn write(d: &Derivation, w: &Writer) -> Vec<String> {
     }
     if w.plain() {
         lines.extend(idle_texts(&m.laws));
-        lines.extend(m.dead_bands.iter().flat_map(band_text));
+        lines.extend(m.switches.iter().flat_map(switch_text));
     }
     lines
 }
@@ -39,21 +41,21 @@ fn idle_texts(laws: &[Law]) -> Vec<String> {
     laws.chunk_by(|a, b| a.with == b.with).filter_map(of).collect()
 }
 
-/// The values of the symbols of a dead band in each of its cells.
-fn band_text(band: &DeadBand) -> [String; 4] {
-    let DeadBand { touch, edge, damp, clip, effect, .. } = band;
-    let half = print(&Tree::new(&band.half.atom()), Style::Plain);
-    let side = format!("{half} or -{half}");
-    let without = effect.replace('_', " ");
-    [
-        format!(
-            "{touch} = 1 in contact, beyond {edge} = {side}; {touch} = 0 between the edges; \
-             without {without} {touch} = 1 and {edge} = 0"
-        ),
-        format!(
-            "{damp} = 1 and {clip} = 0 in contact while the damper force is less than the spring force, else {damp} = 0:"
-        ),
-        format!("  {clip} = 1 if the damper would push more than the spring: its force is limited to the spring force"),
-        format!("  {clip} = -1 if the damper would pull more than the spring pushes: the contact force is zero"),
-    ]
+/// The modes of a switch: the values of its symbols, and what ends each.
+fn switch_text(switch: &Switch) -> Vec<String> {
+    let plain = |e: &Expr| print(&Tree::new(&all_present(&e.atom())), Style::Plain);
+    let list = |values: &mut dyn Iterator<Item = String>| {
+        let named = switch.symbols.iter().zip(values).map(|(s, value)| format!("{} = {value}", s.name));
+        named.collect::<Vec<_>>().join(", ")
+    };
+    let neutral = list(&mut switch.symbols.iter().map(|s| s.neutral.to_string()));
+    let mut lines = vec![format!("{}: without {} {neutral}; its modes:", switch.doc, switch.effect.replace('_', " "))];
+    for mode in &switch.modes {
+        let values = list(&mut mode.values.iter().map(plain));
+        let held = if mode.held { format!(", {}_dot = 0", switch.over) } else { String::new() };
+        let exits = mode.exits.iter().filter(|exit| !exit.sudden);
+        let exits = exits.map(|exit| format!("{} once {} < 0", exit.to, plain(&exit.guard))).collect::<Vec<_>>();
+        lines.push(format!("  {}: {values}{held}; {}", mode.name, exits.join(", ")));
+    }
+    lines
 }

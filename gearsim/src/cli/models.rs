@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::terminal;
 use crate::generated::MODELS;
 use crate::model::Model;
-use crate::scene::{did_you_mean, list};
+use crate::scene::{Effects, did_you_mean, list};
 
 /// List the models, or describe one in full
 #[derive(Parser)]
@@ -64,7 +64,7 @@ pub(super) fn all() -> String {
         let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
         text += &format!("{}  {}\n", model.name, model.title);
         text += &format!("  coordinates  {}\n", names(model.coordinates.iter().map(|c| c.name).collect()));
-        text += &format!("  effects      {}\n\n", names(model.effects.iter().map(|e| e.name).collect()));
+        text += &format!("  effects      {}\n\n", names(Effects(u64::MAX).names(model)));
     }
     text + "`gearsim models NAME` shows what a scene of a model can set, and its equations.\n"
 }

@@ -54,11 +54,10 @@ impl Cell {
     /// Those of [`Modal::of`].
     pub fn held(equations: &dyn Equations, k: &[f64], normals: &DMatrix<f64>) -> Result<(Self, Linear), Refusal> {
         let full = matrices(equations, k)?;
-        // Z is an orthonormal basis of the remaining motions: q' = Z u. M, C, K and f are projected onto it.
-        let (n, held) = normals.shape();
-        let q = normals.clone().insert_columns(held, n, 0.0);
-        let q = (q + DMatrix::from_fn(n, held + n, |i, j| f64::from(u8::from(i + held == j)))).qr().q();
-        let z = q.columns(held, n - held).into_owned();
+        // Z is a basis of the remaining motions: q' = Z u, where u are the speeds of some of the coordinates. M, C, K and f are
+        // projected onto it.
+        let (z, free) = remaining(normals);
+        let select = DMatrix::from_fn(free.len(), z.nrows(), |c, i| f64::from(u8::from(free[c] == i)));
         let seen = |a: &DMatrix<f64>| z.transpose() * a * &z;
         let mass = seen(&full.mass);
         let inverse = inverse_root(&mass)?;
@@ -70,7 +69,7 @@ impl Cell {
             load: z.transpose() * &full.load,
         })?;
         let shapes = &z * &modal.shapes;
-        let (momentum, springs) = (&modal.momentum * z.transpose(), shapes.transpose() * full.stiffness);
+        let (momentum, springs) = (&modal.momentum * select, shapes.transpose() * full.stiffness);
         let linear = Linear::seen(&modal, &shapes, &momentum, &springs);
         Ok((Self::from_modal(&modal, &shapes, &momentum, &springs), linear))
     }
@@ -341,4 +340,29 @@ impl<'a> Flight<'a> {
         }
         dissipated
     }
+}
+/// A basis of the motions along which all `normals` (n, one per column) vanish, one per column, and the coordinates whose speeds are the
+/// components. Each normal is solved for the
+/// coordinate with its largest coefficient (Gauss and Jordan), so that a coordinate that is held by itself is at rest exactly.
+fn remaining(normals: &DMatrix<f64>) -> (DMatrix<f64>, Vec<usize>) {
+    let (mut rows, n) = (normals.transpose(), normals.nrows());
+    let mut solved: Vec<usize> = vec![];
+    for i in 0..rows.nrows() {
+        let open = (0..n).filter(|j| !solved.contains(j));
+        let largest = open.max_by(|&a, &b| rows[(i, a)].abs().total_cmp(&rows[(i, b)].abs()));
+        let Some(largest) = largest else { break };
+        let row = rows.row(i) / rows[(i, largest)];
+        rows.set_row(i, &row);
+        for other in (0..rows.nrows()).filter(|other| *other != i) {
+            let reduced = rows.row(other) - &row * rows[(other, largest)];
+            rows.set_row(other, &reduced);
+        }
+        solved.push(largest);
+    }
+    let free: Vec<usize> = (0..n).filter(|j| !solved.contains(j)).collect();
+    let basis = DMatrix::from_fn(n, free.len(), |i, c| match solved.iter().position(|&j| j == i) {
+        Some(row) => -rows[(row, free[c])],
+        None => f64::from(u8::from(free[c] == i)),
+    });
+    (basis, free)
 }

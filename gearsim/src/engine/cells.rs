@@ -1,15 +1,16 @@
-//! The modes of every cell: every combination of the levels of the laws and the regimes of the dead bands, worked
+//! The modes of every cell: every combination of the levels of the laws and the modes of the switches, worked
 //! out once, where there are many not before it is met.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use smallvec::SmallVec;
 
 use crate::engine::cell::Cell;
-use crate::engine::dead_band::{DeadBand, Elastic, REGIMES};
-use crate::engine::equations::Equations;
+use crate::engine::equations::{Equations, Exit};
 use crate::engine::error::Refusal;
 use crate::engine::law::Law;
+use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
 use crate::tolerance::events::CELLS_IN_ADVANCE;
@@ -35,53 +36,53 @@ pub struct Prepared {
     pub participation: Vec<Vector>,
     /// n.Y of each law, where damping couples the modes: how the phase follows their speeds.
     pub on_speed: Vec<Option<Vector>>,
-    /// Spring and damper of the contact of each dead band.
-    pub elastic: Vec<Elastic>,
-    /// How the modes take part in each exit of each dead band.
+    /// The guards of the modes of the switches.
+    pub guards: Arc<Guards>,
+    /// How the modes of the cell take part in the guard of each exit of each switch.
     pub exits: Vec<SmallVec<[Watch; 2]>>,
 }
 
 /// What cells are combinations of.
-pub type Stand<'a> = (&'a [Law], &'a [DeadBand], &'a [f64]);
+pub type Stand<'a> = (&'a [Law], &'a [Switch], &'a [f64]);
 
 impl Cells {
-    /// The cells of laws and dead bands, whose values are `k`, of equations with so many rigid `motions`.
+    /// The cells of laws and switches, whose values are `k`, of equations with so many rigid `motions`.
     ///
     /// # Errors
     /// Where one of them has no modes.
-    pub fn new(equations: &dyn Equations, motions: usize, (laws, bands, k): Stand<'_>) -> Result<Self, Refusal> {
-        let count = laws.iter().map(|l| l.pitch.cells()).chain(bands.iter().map(|_| REGIMES.len()));
+    pub fn new(equations: &dyn Equations, motions: usize, (laws, switches, k): Stand<'_>) -> Result<Self, Refusal> {
+        let count = laws.iter().map(|l| l.pitch.cells()).chain(switches.iter().map(Switch::modes));
         let count = count.fold(1, usize::saturating_mul);
         if count > CELLS_IN_ADVANCE {
             let mut cells = Cells { cells: vec![], met: Some(HashMap::new()), present: 0, motions };
-            cells.meet(equations, (laws, bands, k))?;
+            cells.meet(equations, (laws, switches, k))?;
             return Ok(cells);
         }
         let prepare = |i| {
-            let (mut laws, mut bands) = (laws.to_vec(), bands.to_vec());
-            stand(&mut laws, &mut bands, i);
+            let (mut laws, mut switches) = (laws.to_vec(), switches.to_vec());
+            stand(&mut laws, &mut switches, i);
             let mut k = k.to_vec();
-            write_levels((&laws, &mut bands), &mut k);
+            write_levels((&laws, &switches), &mut k);
             let cell = Cell::new(equations, &k)?.conserving(equations, &k, motions);
-            Ok(Prepared::new(cell, equations, (&laws, &bands, &k)))
+            Ok(Prepared::new(cell, equations, (&laws, &switches, &k)))
         };
         let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
-        Ok(Cells { cells, met: None, present: index(laws, bands), motions })
+        Ok(Cells { cells, met: None, present: index(laws, switches), motions })
     }
 
-    /// Makes the cell in which laws and dead bands stand the present one; works it out, if that is still to be done.
+    /// Makes the cell in which laws and switches are the present one; works it out, if that is still to be done.
     ///
     /// # Errors
     /// Where it has no modes.
     #[inline]
-    pub fn meet(&mut self, equations: &dyn Equations, (laws, bands, k): Stand<'_>) -> Result<(), Refusal> {
-        self.present = index(laws, bands);
+    pub fn meet(&mut self, equations: &dyn Equations, (laws, switches, k): Stand<'_>) -> Result<(), Refusal> {
+        self.present = index(laws, switches);
         let Some(met) = &mut self.met else { return Ok(()) };
         self.present = match met.get(&self.present) {
             Some(place) => *place,
             None => {
                 let cell = Cell::new(equations, k)?.conserving(equations, k, self.motions);
-                self.cells.push(Prepared::new(cell, equations, (laws, bands, k)));
+                self.cells.push(Prepared::new(cell, equations, (laws, switches, k)));
                 met.insert(self.present, self.cells.len() - 1);
                 self.cells.len() - 1
             }
@@ -102,70 +103,51 @@ impl Cells {
 }
 
 impl Prepared {
-    /// A cell with the laws' participation and the exits of the dead bands.
-    pub fn new(cell: Cell, equations: &dyn Equations, (laws, bands, k): Stand<'_>) -> Self {
+    /// A cell with the laws' participation and the exits of the switches.
+    pub fn new(cell: Cell, equations: &dyn Equations, (laws, switches, k): Stand<'_>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
-        let elastic: Vec<Elastic> = bands.iter().map(|band| band.elastic(equations, k)).collect();
-        let watches = |(band, elastic): (&DeadBand, &Elastic)| {
-            band.exits(*elastic).into_iter().map(|exit| Watch::new(&cell, exit.slopes(band))).collect()
-        };
-        let exits = bands.iter().zip(&elastic).map(watches).collect();
-        Prepared { participation, on_speed, elastic, exits, cell }
+        let guards = Guards::of(equations, switches, k);
+        let watch = |exit: &Exit| Watch::new(&cell, [exit.guard.on_q.clone(), exit.guard.on_speed.clone()]);
+        let exits = guards.exits.iter().map(|exits| exits.iter().map(watch).collect()).collect();
+        Prepared { participation, on_speed, guards: Arc::new(guards), exits, cell }
     }
 }
 
-/// The number of the cell in which laws and dead bands stand: the first law's counts fastest.
+/// The number of the cell in which laws and switches are: the first law's counts fastest.
 #[inline]
-pub fn index(laws: &[Law], bands: &[DeadBand]) -> usize {
-    let of_bands = bands.iter().rev().fold(0, |index, band| index * REGIMES.len() + band.place());
-    laws.iter().rev().fold(of_bands, |index, law| index * law.pitch.cells() + law.cell)
+pub fn index(laws: &[Law], switches: &[Switch]) -> usize {
+    let of_switches = switches.iter().rev().fold(0, |index, switch| index * switch.modes() + switch.mode);
+    laws.iter().rev().fold(of_switches, |index, law| index * law.pitch.cells() + law.cell)
 }
 
-/// Has laws and dead bands stand in the cell of a number.
-fn stand(laws: &mut [Law], bands: &mut [DeadBand], mut index: usize) {
+/// Puts laws and switches into the cell of a number.
+fn stand(laws: &mut [Law], switches: &mut [Switch], mut index: usize) {
     let mut digit = |base: usize| {
         let digit = index % base;
         index /= base;
         digit
     };
     laws.iter_mut().for_each(|law| law.cell = digit(law.pitch.cells()));
-    bands.iter_mut().for_each(|band| band.regime = REGIMES[digit(REGIMES.len())]);
+    switches.iter_mut().for_each(|switch| switch.mode = digit(switch.modes()));
 }
 
-/// Writes the law values at the coordinates `q` and the time `t` \[s\], and those of the dead bands, which follow them, to where
-/// they belong in `k`.
+/// Writes the law values at the coordinates `q` and the time `t` \[s\], and those of the switches, to where they belong in `k`.
 #[inline]
-pub fn write((laws, bands): (&[Law], &mut [DeadBand]), (q, t): (&[f64], f64), k: &mut [f64]) {
+pub fn write((laws, switches): (&[Law], &[Switch]), (q, t): (&[f64], f64), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
-    follow(bands, k);
+    switches.iter().for_each(|switch| switch.write(k));
 }
 
 /// The same of laws that are constant within their cells.
-fn write_levels((laws, bands): (&[Law], &mut [DeadBand]), k: &mut [f64]) {
+fn write_levels((laws, switches): (&[Law], &[Switch]), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
-    follow(bands, k);
+    switches.iter().for_each(|switch| switch.write(k));
 }
 
-/// Writes the values of dead bands, which follow the laws, to where they belong in `k`.
-#[inline]
-fn follow(bands: &mut [DeadBand], k: &mut [f64]) {
-    for band in bands {
-        band.follow(k);
-        band.write(k);
-    }
-}
-
-/// Moves the edges of dead bands with steps of transmission errors, at the coordinates `q` and the time `t` \[s\]. Returns how
-/// many flanks have met.
-pub fn displace((laws, bands): (&[Law], &mut [DeadBand]), (q, t): (&[f64], f64), k: &mut [f64]) -> u64 {
-    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
-    bands.iter_mut().map(|band| u64::from(band.displace(k, q))).sum()
-}
-
-/// The law values in a cell without dead bands, by its number; `rest` stand behind those of the laws.
+/// The law values in a cell without switches, by its number; `rest` stand behind those of the laws.
 pub fn levels(laws: &[Law], index: usize, rest: &[f64]) -> Vec<f64> {
     let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
     stand(&mut laws, &mut [], index);
-    write_levels((&laws, &mut []), &mut k);
+    write_levels((&laws, &[]), &mut k);
     k
 }

@@ -1,29 +1,35 @@
-//! Held contact: a phase pressed against a step that it cannot climb, from when its bounces no longer count.
+//! Holds: motions that a reaction prevents. A phase is held at a step that it cannot pass, once its bounces are negligible; a switch
+//! may hold its deflection (dry friction at rest, a locked clutch).
 //!
-//! Each reflection keeps the normal speed, damping takes from it, and the bounces come ever faster. Once the energy of
-//! the normal motion E = v²/(2 G) is below `HOLD_ENERGY` of all energy and a bounce is short, the phase is held where it is:
-//! n.q' = 0, under the reaction R. What is ignored is E at each hold; it is counted, and its sum is in the account.
-//! The hold ends when
-//! - R pulls, by `RELEASE` of the forces that make it up: the phase leaves the step it came from;
-//! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it part;
-//! - a step of another stiffness gives an impulse: what is held is let go, and bounces or leaves.
+//! **Phases.** Each reflection keeps the normal speed, damping reduces it, and the bounces become ever shorter. Once the energy of the
+//! normal motion E = v²/(2 G) is below `HOLD_ENERGY` of all energy and a bounce is short, the phase is held where it is:
+//! n.q' = 0, with the reaction R. E is neglected at each hold; the sum is in the account. The hold ends when
+//! - R pulls, by `RELEASE` of the forces that it consists of: the phase leaves the step it came from;
+//! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it separate;
+//! - a step of another stiffness gives an impulse: what is held is released, and bounces or leaves.
 //!
-//! With the outward normals n of the held phases as columns of N, the motion that is left has the mobility
+//! **Deflections.** A switch enters a mode that holds where the rate of its deflection is zero. Its guards are linear in the reaction, and
+//! the hold ends at the zero of one. The forces of friction and clutches are bounded, so an impulse is not passed on by them: the
+//! deflection slips after it, and comes to rest anew.
+//!
+//! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the motion that is left has the mobility
 //! P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::linalg::Cholesky;
+use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::engine::cells::Stand;
 use crate::engine::crossing::Side;
-use crate::engine::equations::Equations;
+use crate::engine::equations::{Affine, Equations};
 use crate::engine::error::Refusal;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law::{self, Law};
+use crate::engine::motion::End;
 use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector};
-use crate::tolerance::events::{DOUBLE_ZERO, HOLD_ENERGY, ONE_DEFLECTION, RELEASE, SHORT_BOUNCE};
+use crate::tolerance::events::{DOUBLE_ZERO, HOLD_ENERGY, INDEPENDENT, ONE_DEFLECTION, RELEASE, SHORT_BOUNCE};
 
-/// What ends the hold of a law.
+/// How the hold of a law ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
     /// The reaction pulls: the phase leaves.
@@ -32,46 +38,59 @@ pub enum Ending {
     Slip,
 }
 
-/// Phases held at steps.
+/// Phases held at steps, and deflections held by switches.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// The laws held, and at which side of their cell.
     pub laws: Vec<(usize, Side)>,
-    /// N, their outward normals (n, one a column).
+    /// N, the outward normals of the laws, then the gradients of the deflections (n, one a column).
     pub normals: DMatrix<f64>,
     /// P, the mobility that is left (n x n).
     pub mobility: Matrix,
-    /// What can end the hold of each.
+    /// What can end the holds.
     pub watches: Vec<Watch>,
+    /// The switches whose deflections cannot move, whether they hold them or others do.
+    pub locked: Vec<usize>,
 }
 
-/// A function of the state whose zero ends the hold of a law.
+/// A function of the state whose zero ends a hold.
 #[derive(Debug, Clone)]
 pub struct Watch {
-    /// The law.
-    pub law: usize,
     /// What then happens.
-    pub ending: Ending,
+    pub end: End,
     /// The function.
     pub form: Form,
 }
 
-/// The functions that end holds.
+/// A linear function of the coordinates, the speeds and the generalised forces F (n each).
 #[derive(Debug, Clone)]
-pub enum Form {
-    /// The reaction plus what it may pull: the generalised forces times a row (n), and a margin.
-    Reaction(Vector, f64),
-    /// A deflection less the value at which the step vanishes: the coordinates times its gradient (n), less that.
-    Deflection(Vector, f64),
+pub struct Form {
+    /// Its slopes along the coordinates.
+    pub on_q: Vector,
+    /// Those along the speeds.
+    pub on_speed: Vector,
+    /// Those along the forces.
+    pub on_force: Vector,
+    /// Its value where all of them are zero.
+    pub constant: f64,
 }
 
 impl Form {
-    /// Its value in a state with the coordinates `q` and the generalised forces that `force` gives (n each).
-    pub fn value(&self, q: &[f64], force: impl FnOnce() -> Vector) -> f64 {
-        match self {
-            Form::Reaction(row, margin) => row.dot(&force()) + margin,
-            Form::Deflection(gradient, at) => gradient.dot(q) - at,
-        }
+    /// R plus what it may pull: the forces times a row, and a margin.
+    fn reaction(on_force: Vector, constant: f64) -> Self {
+        let none = Vector::zeros(on_force.len());
+        Form { on_q: none.clone(), on_speed: none, on_force, constant }
+    }
+
+    /// A deflection less the value `at`.
+    fn deflection(on_q: Vector, at: f64) -> Self {
+        let none = Vector::zeros(on_q.len());
+        Form { on_q, on_speed: none.clone(), on_force: none, constant: -at }
+    }
+
+    /// Its value at coordinates and speeds, with the generalised forces that `force` gives.
+    pub fn value(&self, q: &[f64], q_dot: &[f64], force: impl FnOnce() -> Vector) -> f64 {
+        self.on_q.dot(q) + self.on_speed.dot(q_dot) + self.on_force.dot(&force()) + self.constant
     }
 }
 
@@ -84,47 +103,32 @@ pub fn presses(law: &Law, side: Side, state: &State, acceleration: &Vector, rate
 }
 
 impl Contact {
-    /// Holds the phases of `held`, those of them whose reactions press; `None` if none does. Brings their normal speeds
-    /// to rest and gives the energy that this ignores \[J\].
+    /// Holds the phases of `laws`, those of them whose reactions press, and the deflections of the switches in modes that hold,
+    /// those of them whose reactions the modes admit; other switches go on to the modes beyond. `None` if nothing is held. Brings the
+    /// held speeds to rest and returns the energy that this neglects \[J\].
     ///
     /// # Errors
-    /// Where the mass matrix is not positive definite.
-    pub fn begin(now: &mut Hybrid<'_>, mut held: Vec<(usize, Side)>) -> Result<(Option<Self>, f64), Refusal> {
-        let (equations, force) = (now.equations, now.force());
+    /// If the mass matrix is not positive definite.
+    pub fn begin(now: &mut Hybrid<'_>, mut laws: Vec<(usize, Side)>) -> Result<(Option<Self>, f64), Refusal> {
         loop {
-            if held.is_empty() {
+            let holds = Holds::new(now, &laws)?;
+            if holds.held.is_empty() {
                 return Ok((None, 0.0));
             }
-            let n = now.state.q.len();
-            let normals = DMatrix::from_fn(n, held.len(), |i, c| {
-                let (law, side) = held[c];
-                side.sign() * now.laws[law].surface.normal[i]
-            });
-            let mass = equations.mass().cholesky().ok_or(Refusal::Mass)?;
-            // M⁻¹N, (NᵀM⁻¹N)⁻¹ and R per F.
-            let mobility = mass.solve(&normals);
-            let compliance = (normals.transpose() * &mobility).cholesky().ok_or(Refusal::Mass)?;
-            let to_reactions = compliance.solve(&mobility.transpose());
-
-            let reactions = reactions(now, &held, &to_reactions);
-            let pulls = |watch: &Watch| watch.form.value(&now.state.q, || force.clone()) <= 0.0;
-            if let Some(pulls) = reactions.iter().position(pulls) {
-                held.remove(pulls);
-                continue;
+            let watches = holds.watches(now);
+            let (force, State { q, q_dot, .. }) = (now.force(), &now.state);
+            let pulls = |watch: &&Watch| watch.form.value(q, q_dot, || force.clone()) <= 0.0;
+            match watches.iter().filter(|watch| !matches!(watch.end, End::Hold(_, Ending::Slip))).find(pulls) {
+                Some(Watch { end: End::Loose(switch, mode), .. }) => {
+                    let (switch, mode) = (*switch, *mode);
+                    now.set_mode(switch, mode);
+                }
+                Some(Watch { end: End::Hold(law, _), .. }) => {
+                    let law = *law;
+                    laws.retain(|held| held.0 != law);
+                }
+                _ => return holds.begin(now, watches),
             }
-            let slips = held.iter().flat_map(|&(law, side)| {
-                let zeros = barriers(equations, (&now.laws, &now.bands, &now.k), law, side, &now.state);
-                zeros.into_iter().map(move |form| Watch { law, ending: Ending::Slip, form })
-            });
-            let watches = reactions.into_iter().chain(slips).collect();
-
-            let speeds = normals.transpose() * DVector::from(&now.state.q_dot);
-            let impulses = compliance.solve(&speeds);
-            now.state.q_dot -= &Vector::from(&(&mobility * &impulses));
-            now.state.lost = Vector::zeros(n);
-            let ignored = 0.5 * speeds.dot(&impulses);
-            let mobility = equations.mobility() - &mobility * &to_reactions;
-            return Ok((Some(Contact { laws: held, normals, mobility, watches }), ignored));
         }
     }
 
@@ -134,26 +138,134 @@ impl Contact {
     }
 }
 
-/// The reactions of held phases, each with what it may pull; `to_reactions` gives them from generalised forces.
-fn reactions(now: &Hybrid<'_>, held: &[(usize, Side)], to_reactions: &DMatrix<f64>) -> Vec<Watch> {
-    let (equations, k, State { q, q_dot, .. }) = (now.equations, &now.k, &now.state);
-    let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
-    let load = DVector::from(&(equations.load(k) + &now.further_load()));
-    let n = q.len();
-    let reaction = |(c, &(law, _)): (usize, &(usize, Side))| {
-        let w = to_reactions.rows(c, 1);
-        let row = |m: Matrix| Vector::from_fn(n, |i| m[(0, i)]);
-        let (on_q, on_speed) = (row(w * &stiffness), row(w * &damping));
-        let forces = (w * &load)[0].abs() + on_q.abs().dot(&q.abs()) + on_speed.abs().dot(&q_dot.abs());
-        let row = Vector::from_fn(n, |i| w[(0, i)]);
-        Watch { law, ending: Ending::Release, form: Form::Reaction(row, RELEASE * forces) }
-    };
-    held.iter().enumerate().map(reaction).collect()
+/// What is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Held {
+    /// The phase of a law, at a side of its cell.
+    Law(usize, Side),
+    /// The deflection of a switch.
+    Switch(usize),
+}
+
+/// What is held, with the matrices of its reactions.
+struct Holds {
+    held: Vec<Held>,
+    normals: DMatrix<f64>,
+    /// M⁻¹N.
+    mobility: DMatrix<f64>,
+    /// (NᵀM⁻¹N)⁻¹.
+    compliance: Cholesky<f64, Dyn>,
+    /// R per F.
+    to_reactions: DMatrix<f64>,
+}
+
+impl Holds {
+    /// The phases of `laws` and the deflections of switches in modes that hold. A motion that those before it prevent is left out: it
+    /// has no reaction of its own.
+    fn new(now: &Hybrid<'_>, laws: &[(usize, Side)]) -> Result<Self, Refusal> {
+        let stuck = (0..now.switches.len()).filter(|&i| now.switches[i].here().held).map(Held::Switch);
+        let mass = now.equations.mass().cholesky().ok_or(Refusal::Mass)?;
+        let (n, mut held, mut columns) = (now.state.q.len(), vec![], vec![]);
+        for one in laws.iter().map(|&(law, side)| Held::Law(law, side)).chain(stuck) {
+            let normal = match one {
+                Held::Law(law, side) => &now.laws[law].surface.normal * side.sign(),
+                Held::Switch(switch) => now.switches[switch].normal.clone(),
+            };
+            columns.push(DVector::from(&normal));
+            if !is_free(&mass, &columns) {
+                columns.pop();
+                continue;
+            }
+            held.push(one);
+        }
+        let normals = DMatrix::from_fn(n, held.len(), |i, c| columns[c][i]);
+        let mobility = mass.solve(&normals);
+        let compliance = (normals.transpose() * &mobility).cholesky().ok_or(Refusal::Mass)?;
+        let to_reactions = compliance.solve(&mobility.transpose());
+        Ok(Holds { held, normals, mobility, compliance, to_reactions })
+    }
+
+    /// The functions that end the holds: the reactions of the laws, each with what it may pull, and the zeros of their steps; the guards
+    /// of the switches, each with the same margin.
+    fn watches(&self, now: &Hybrid<'_>) -> Vec<Watch> {
+        let (equations, k, State { q, q_dot, .. }) = (now.equations, &now.k, &now.state);
+        let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
+        let load = DVector::from(&(equations.load(k) + &now.further_load()));
+        let n = q.len();
+        let (mut reactions, mut slips) = (vec![], vec![]);
+        for (c, held) in self.held.iter().enumerate() {
+            let w = self.to_reactions.rows(c, 1);
+            let row = |m: Matrix| Vector::from_fn(n, |i| m[(0, i)]);
+            let (on_q, on_speed) = (row(w * &stiffness), row(w * &damping));
+            let forces = (w * &load)[0].abs() + on_q.abs().dot(&q.abs()) + on_speed.abs().dot(&q_dot.abs());
+            let row = Vector::from_fn(n, |i| w[(0, i)]);
+            match *held {
+                Held::Law(law, side) => {
+                    let form = Form::reaction(row, RELEASE * forces);
+                    reactions.push(Watch { end: End::Hold(law, Ending::Release), form });
+                    let stand = (&now.laws[..], &now.switches[..], &k[..]);
+                    let zeros = barriers(equations, stand, law, side, &now.state).into_iter();
+                    slips.extend(zeros.map(|form| Watch { end: End::Hold(law, Ending::Slip), form }));
+                }
+                Held::Switch(i) => {
+                    for exit in
+                        now.switches[i].exits(equations, k).into_iter().filter(|exit| exit.guard.on_reaction != 0.0)
+                    {
+                        let Affine { on_reaction, .. } = exit.guard;
+                        let constant = exit.guard.constant_at(k) + RELEASE * on_reaction.abs() * forces;
+                        let (on_q, on_speed) = (exit.guard.on_q.clone(), exit.guard.on_speed.clone());
+                        let form = Form { on_q, on_speed, on_force: &row * on_reaction, constant };
+                        reactions.push(Watch { end: End::Loose(i, exit.beyond), form });
+                    }
+                }
+            }
+        }
+        reactions.into_iter().chain(slips).collect()
+    }
+
+    /// Brings the held speeds to rest.
+    fn begin(self, now: &mut Hybrid<'_>, watches: Vec<Watch>) -> Result<(Option<Contact>, f64), Refusal> {
+        let Holds { held, normals, mobility, compliance, to_reactions } = self;
+        let speeds = normals.transpose() * DVector::from(&now.state.q_dot);
+        let impulses = compliance.solve(&speeds);
+        now.state.q_dot -= &Vector::from(&(&mobility * &impulses));
+        now.state.lost = Vector::zeros(now.state.q.len());
+        let neglected = 0.5 * speeds.dot(&impulses);
+        let laws = held.iter().filter_map(|held| match held {
+            Held::Law(law, side) => Some((*law, *side)),
+            Held::Switch(_) => None,
+        });
+        let laws = laws.collect();
+        let mass = now.equations.mass().cholesky().ok_or(Refusal::Mass)?;
+        let columns: Vec<DVector<f64>> = normals.column_iter().map(|column| column.into_owned()).collect();
+        let is_locked = |i: &usize| {
+            let normal = DVector::from(&now.switches[*i].normal);
+            !is_free(&mass, &[&columns[..], &[normal]].concat())
+        };
+        let locked = (0..now.switches.len()).filter(is_locked).collect();
+        let mobility = now.equations.mobility() - &mobility * &to_reactions;
+        Ok((Some(Contact { laws, normals, mobility, watches, locked }), neglected))
+    }
+}
+
+/// Whether the last of several motions is possible while those before it are held. Each is a column of gradients (n).
+fn is_free(mass: &Cholesky<f64, Dyn>, columns: &[DVector<f64>]) -> bool {
+    let Some((last, before)) = columns.split_last() else { return true };
+    let response = mass.solve(last);
+    let alone = last.dot(&response);
+    if before.is_empty() {
+        return alone > 0.0;
+    }
+    let before = DMatrix::from_columns(before);
+    let coupling = before.transpose() * &response;
+    let compliance = (before.transpose() * mass.solve(&before)).cholesky();
+    let left = compliance.map(|compliance| alone - coupling.dot(&compliance.solve(&coupling)));
+    left.is_some_and(|left| left > INDEPENDENT * alone)
 }
 
 /// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
 pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize, Side), state: &State) -> bool {
-    let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
+    let (beyond, k) = (law::beyond(equations, stand, law, side, state), stand.2);
     equations.stiffness(k) == equations.stiffness(&beyond) && equations.load(k) == equations.load(&beyond)
 }
 
@@ -165,7 +277,7 @@ pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize,
 /// Nothing where the law strains more than one deflection: they do not vanish together. Laws of other phases are taken at their
 /// present values.
 fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<Form> {
-    let (beyond, k) = (law::beyond(stand, law, side, state), stand.2);
+    let (beyond, k) = (law::beyond(equations, stand, law, side, state), stand.2);
     let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
     let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
     let (stiffness, load) = (there - here, load_there - &load_here);
@@ -173,7 +285,7 @@ fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side,
     let still = Vector::zeros(n);
     let h = equations.potential(&still, &beyond) - equations.potential(&still, k);
     if stiffness.amax() == 0.0 {
-        return vec![Form::Deflection(-load, -h)];
+        return vec![Form::deflection(-load, -h)];
     }
     let diagonal = stiffness.diagonal();
     let row = diagonal.iamax();
@@ -187,7 +299,7 @@ fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side,
         return vec![];
     }
     let (middle, square) = (g / c, (g / c).powi(2) - 2.0 * h / c);
-    let at = |x: f64| Form::Deflection(d.clone(), x);
+    let at = |x: f64| Form::deflection(d.clone(), x);
     match square.abs() <= DOUBLE_ZERO * middle.powi(2) {
         true => vec![at(middle)],
         false if square < 0.0 => vec![],

@@ -4,6 +4,7 @@
 //! q'ᵀM q'/2, V(q; k), D(q') and Q. Terms of effects that the set does not contain are not executed.
 
 use nalgebra::{DMatrix, DVector, Scalar};
+use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::error::Refusal;
@@ -11,11 +12,12 @@ use crate::engine::real::Real;
 use crate::engine::vector::{Matrix, Vector, dot};
 use crate::model::Model;
 use crate::scene::Scene;
+use crate::tolerance::events::EDGE_ROUNDING;
 
 /// The equations of one model with one set of effects and given parameter values.
 ///
 /// `q` and `q_dot` are coordinates and speeds (n each). `k` holds the present value of each law [unit of the law] (L), followed
-/// by touch, edge, damp and clip of each dead band (4 B). `dk` and `ddk` hold derivatives of the laws only (L).
+/// by the values of the symbols of each switch. `dk` and `ddk` hold derivatives of the laws only (L).
 ///
 /// # Panics
 /// All functions, if the length of a vector does not match the model.
@@ -92,19 +94,110 @@ pub trait Equations: Send + Sync {
     /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
     fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64;
 
-    /// Dead band `i`; `None` if its effect is not in the set.
-    fn dead_band(&self, i: usize) -> Option<DeadBand>;
+    /// The values of the symbols of switch `i` in a mode; `None` if its effect is not in the set.
+    fn mode(&self, i: usize, _mode: usize) -> Option<Vec<f64>> {
+        no_such("switch", i)
+    }
+    /// What can end a mode of switch `i`; `k` has the values of this mode.
+    fn exits(&self, i: usize, _mode: usize, _k: &[f64]) -> Vec<Exit> {
+        no_such("switch", i)
+    }
+    /// The force of switch `i` against its deflection x whose work is lost, f = a + b x: \[a, b\].
+    fn lost(&self, i: usize, _k: &[f64]) -> [f64; 2] {
+        no_such("switch", i)
+    }
+    /// Index of the deflection of switch `i`.
+    fn switched(&self, i: usize) -> usize {
+        no_such("switch", i)
+    }
+    /// A named deflection.
+    fn deflection(&self, i: usize, _k: &[f64]) -> Deflection {
+        no_such("deflection", i)
+    }
 }
 
-/// The play (dead band) of a deflection.
+/// A named deflection, x = constant + sum(unit k\[law\]) + normal.q.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DeadBand {
-    /// Gradient of the deflection (n).
+pub struct Deflection {
+    /// Its gradient (n).
     pub normal: Vector,
-    /// Half its width [unit of the deflection].
-    pub half: f64,
-    /// The transmission errors that shift the deflection: index of the law, and shift of the deflection per unit of the law.
+    /// Its value where the coordinates and the transmission errors are zero.
+    pub constant: f64,
+    /// The transmission errors that shift it: index of the law, and shift per unit of the law.
     pub errors: Vec<(usize, f64)>,
+}
+
+impl Deflection {
+    /// Its value at the coordinates `q` and the law values `k`.
+    pub fn value(&self, q: &[f64], k: &[f64]) -> f64 {
+        self.constant + shift(&self.errors, k) + self.normal.dot(q)
+    }
+}
+
+/// How far transmission errors shift a deflection.
+fn shift(errors: &[(usize, f64)], k: &[f64]) -> f64 {
+    errors.iter().map(|&(law, unit)| unit * k[law]).sum()
+}
+
+/// What ends a mode of a switch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Exit {
+    /// The mode that follows.
+    pub beyond: usize,
+    /// Whether only a sudden change of the state can violate the guard: in every motion another exit comes first.
+    pub sudden: bool,
+    /// The mode lasts while this is >= 0.
+    pub guard: Affine,
+}
+
+/// A linear function of the state: constant + sum(unit k\[law\]) + on_q.q + on_speed.q' + on_reaction R.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Affine {
+    /// Its value in the state zero.
+    pub constant: f64,
+    /// The transmission errors in it: index of the law, and factor.
+    pub errors: SmallVec<[(usize, f64); 1]>,
+    /// Its slopes along the coordinates (n).
+    pub on_q: Vector,
+    /// Its slopes along the speeds (n).
+    pub on_speed: Vector,
+    /// Its slope along the reaction of a held deflection.
+    pub on_reaction: f64,
+}
+
+impl Affine {
+    /// Zero, for `n` coordinates.
+    pub fn zero(n: usize) -> Self {
+        let (on_q, on_speed) = (Vector::zeros(n), Vector::zeros(n));
+        Affine { constant: 0.0, errors: SmallVec::new(), on_q, on_speed, on_reaction: 0.0 }
+    }
+
+    /// Adds a multiple of a deflection.
+    pub fn add(&mut self, factor: f64, x: &Deflection) {
+        self.constant += factor * x.constant;
+        self.errors.extend(x.errors.iter().map(|(law, unit)| (*law, factor * unit)));
+        self.on_q.add_times(factor, &x.normal);
+    }
+
+    /// Adds a multiple of the rate of a deflection.
+    pub fn add_rate(&mut self, factor: f64, x: &Deflection) {
+        self.on_speed.add_times(factor, &x.normal);
+    }
+
+    /// Its value without that of the reaction.
+    pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+        self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
+    }
+
+    /// Its value in the state zero at the law values `k`.
+    pub fn constant_at(&self, k: &[f64]) -> f64 {
+        self.constant + shift(&self.errors, k)
+    }
+
+    /// The rounding error of its value near zero.
+    pub fn rounding(&self, k: &[f64]) -> f64 {
+        EDGE_ROUNDING * (self.constant.abs() + shift(&self.errors, k).abs())
+    }
 }
 
 /// How a law switches between its levels.

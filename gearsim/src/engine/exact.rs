@@ -12,7 +12,7 @@ use crate::engine::forcing::linear::Linear;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
 use crate::engine::motion::{Motion, Solver};
-use crate::engine::vector::{Vector, transposed};
+use crate::engine::vector::transposed;
 use crate::engine::watch::Watch;
 use crate::scene::Scene;
 
@@ -56,7 +56,7 @@ impl Exact {
         if let Some(terms) = law::curved(scene.model, &now.laws) {
             return Err(Refusal::Nonlinear { terms });
         }
-        let cells = Cells::new(now.equations, scene.model.motions.len(), (&now.laws, &now.bands, &now.k))?;
+        let cells = Cells::new(now.equations, scene.model.motions.len(), (&now.laws, &now.switches, &now.k))?;
         let lateness = vec![Lateness::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
         Ok(Exact { cells, linear: HashMap::new(), held: None, lateness })
     }
@@ -71,7 +71,7 @@ fn here<'s>(cells: &'s Cells, held: &'s Option<Box<Held>>) -> (&'s Prepared, &'s
 impl Solver for Exact {
     #[inline]
     fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
-        self.cells.meet(now.equations, (&now.laws, &now.bands, &now.k))?;
+        self.cells.meet(now.equations, (&now.laws, &now.switches, &now.k))?;
         if now.forcing.is_some()
             && let Entry::Vacant(place) = self.linear.entry(now.cell())
         {
@@ -81,8 +81,8 @@ impl Solver for Exact {
             Some(contact) => Some(Box::new(Held::new(now, contact)?)),
             None => None,
         };
-        if !now.bands.is_empty() {
-            now.elastic.clone_from(&here(&self.cells, &self.held).0.elastic);
+        if !now.switches.is_empty() {
+            now.guards.clone_from(&here(&self.cells, &self.held).0.guards);
         }
         Ok(())
     }
@@ -121,15 +121,11 @@ impl Held {
         let (equations, k) = (now.equations, &now.k);
         let (cell, linear) = Cell::held(equations, k, &contact.normals)?;
         let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
-        let slopes = |form: &Form| match form {
-            Form::Reaction(row, _) => [-transposed(&stiffness, row), -transposed(&damping, row), row.clone()],
-            Form::Deflection(gradient, _) => {
-                let none = Vector::zeros(gradient.len());
-                [gradient.clone(), none.clone(), none]
-            }
+        let slopes = |Form { on_q, on_speed, on_force, .. }: &Form| {
+            [on_q - &transposed(&stiffness, on_force), on_speed - &transposed(&damping, on_force), on_force.clone()]
         };
         let watches = contact.watches.iter().map(|watch| Watch::loaded(&cell, slopes(&watch.form))).collect();
-        let cell = Prepared::new(cell, equations, (&now.laws, &now.bands, k));
+        let cell = Prepared::new(cell, equations, (&now.laws, &now.switches, k));
         Ok(Held { cell, linear, watches })
     }
 }

@@ -1,22 +1,24 @@
 //! The hybrid state of a run: coordinates and speeds, and the mode in which they move.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
+use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::cells;
 use crate::engine::clock::Clock;
 use crate::engine::contact::Contact;
 use crate::engine::crossing::{Cost, Lost, Side};
-use crate::engine::dead_band::{DeadBand, Elastic, Exit};
-use crate::engine::equations::{Equations, Switching};
-use crate::engine::error::Stop;
+use crate::engine::equations::{Affine, Equations, Exit, Switching};
+use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::jump::Passage;
 use crate::engine::law::{self, Law};
 use crate::engine::motion::Reached;
 use crate::engine::record::State;
 use crate::engine::start::Begun;
+use crate::engine::switch::{self, Guards, Switch};
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
 use crate::tolerance::events::EVENTS_AT_ONE_TIME;
@@ -32,6 +34,8 @@ pub struct Counts {
     pub holds: u64,
     /// Times that flanks met across their play.
     pub impacts: u64,
+    /// Times that a clutch or dry friction locked.
+    pub sticks: u64,
     /// Steps met together, where the order in which they are taken changes the speeds: the result is one of several.
     pub ambiguous: u64,
     /// What the searches for crossings cost.
@@ -58,17 +62,17 @@ pub struct Hybrid<'a> {
     pub state: State,
     /// The laws, each in its cell.
     pub laws: Vec<Law>,
-    /// The dead bands, each in its regime.
-    pub bands: Vec<DeadBand>,
-    /// Spring and damper of each dead band's contact, in the present mode.
-    pub elastic: Vec<Elastic>,
-    /// The law values: of the laws, then touch, edge, damp, clip of each dead band of the model.
+    /// The switches, each in its mode.
+    pub switches: Vec<Switch>,
+    /// The guards of their modes.
+    pub guards: Arc<Guards>,
+    /// The law values: of the laws, then of the symbols of each switch of the model.
     pub k: Vec<f64>,
-    /// Phases that are held at steps.
+    /// Phases that are held at steps, and deflections that switches hold.
     pub contact: Option<Box<Contact>>,
     /// Torques that vary in time, if any does.
     pub forcing: Option<Box<Forcing>>,
-    /// When flanks last met or parted \[s\], and how often since then without passing time.
+    /// When a switch last changed its mode \[s\], and how often since then without passing time.
     pub rattle: (f64, u32),
 
     /// Energy that damping has taken so far \[J\].
@@ -84,7 +88,7 @@ pub struct Hybrid<'a> {
 impl<'a> Hybrid<'a> {
     /// The state at the start of a run of `scene`.
     pub fn new(equations: &'a dyn Equations, scene: &Scene, begun: Begun, forcing: Option<Forcing>) -> Self {
-        let Begun { state, laws, bands, .. } = begun;
+        let Begun { state, laws, switches, .. } = begun;
         let varying = forcing.is_some() || equations.has_powers();
         let mut now = Hybrid {
             equations,
@@ -93,8 +97,8 @@ impl<'a> Hybrid<'a> {
             k: scene.model.in_contact(laws.iter().map(Law::level)),
             state,
             laws,
-            elastic: vec![],
-            bands,
+            switches,
+            guards: Arc::default(),
             contact: None,
             forcing: forcing.map(Box::new),
             rattle: (f64::NAN, 0),
@@ -109,15 +113,15 @@ impl<'a> Hybrid<'a> {
 }
 
 impl Hybrid<'_> {
-    /// The number of the cell: the first law's cell counts fastest, then the other laws', then the regimes of the dead bands.
+    /// The number of the cell: the first law's cell counts fastest, then the other laws', then the modes of the switches.
     pub fn cell(&self) -> usize {
-        cells::index(&self.laws, &self.bands)
+        cells::index(&self.laws, &self.switches)
     }
 
-    /// Updates the law values from the laws, at the present state and time, and the dead bands.
+    /// Updates the law values from the laws, at the present state and time, and the switches.
     #[inline]
     pub fn set_levels(&mut self) {
-        cells::write((&self.laws, &mut self.bands), (&self.state.q, self.clock.now()), &mut self.k);
+        cells::write((&self.laws, &self.switches), (&self.state.q, self.clock.now()), &mut self.k);
     }
 
     /// The law values in a `state` of the present mode at the time `t` \[s\].
@@ -125,8 +129,8 @@ impl Hybrid<'_> {
         if self.steps_only() {
             return Cow::Borrowed(&self.k);
         }
-        let (mut bands, mut k) = (self.bands.clone(), self.k.clone());
-        cells::write((&self.laws, &mut bands), (&state.q, t), &mut k);
+        let mut k = self.k.clone();
+        cells::write((&self.laws, &self.switches), (&state.q, t), &mut k);
         Cow::Owned(k)
     }
 
@@ -149,23 +153,23 @@ impl Hybrid<'_> {
         self.contact.as_ref().is_some_and(|contact| contact.holds(law))
     }
 
-    /// What is left to an exit of a dead band. Less than nothing is rounding: the value is not negative until the exit.
+    /// What is left to an exit of a switch. Less than nothing is rounding: the value is not negative until the exit.
     ///
-    /// A train that starts from rest moves at first by less than the roundings of its state. Where these make flanks meet
-    /// and part again and again without passing time, they do so only once they are beyond by more than that.
-    pub fn left_to(&self, band: usize, exit: &Exit) -> f64 {
-        exit.value(&self.bands[band], &self.state.q, &self.state.q_dot).max(0.0) + self.slack_of(exit)
+    /// A train that starts from rest moves at first by less than the roundings of its state. Where these make a switch
+    /// change again and again without passing time, it does so only once its guard is violated by more than that.
+    pub fn left_to(&self, exit: &Exit) -> f64 {
+        exit.guard.value(&self.state.q, &self.state.q_dot, &self.k).max(0.0) + self.slack_of(exit)
     }
 
-    /// What is added to the value of an exit while flanks rattle.
+    /// What is added to the value of a guard while a switch rattles.
     pub fn slack_of(&self, exit: &Exit) -> f64 {
-        if self.rattle.1 >= EVENTS_AT_ONE_TIME { exit.slack } else { 0.0 }
+        if self.rattle.1 >= EVENTS_AT_ONE_TIME { exit.guard.rounding(&self.k) } else { 0.0 }
     }
 
     /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.
     pub fn left_of_hold(&self, which: usize) -> f64 {
         let watch = self.contact.as_ref().and_then(|contact| contact.watches.get(which));
-        watch.map_or(f64::INFINITY, |watch| watch.form.value(&self.state.q, || self.force()))
+        watch.map_or(f64::INFINITY, |watch| watch.form.value(&self.state.q, &self.state.q_dot, || self.force()))
     }
 
     /// Generalised forces of the torques that vary, beyond those of the start (N).
@@ -186,15 +190,64 @@ impl Hybrid<'_> {
         force
     }
 
-    /// What the clipped dampers of dead bands take where the coordinates move on by `dq` \[J\].
+    /// What the forces of switches take where the coordinates move on by `dq` \[J\].
     #[inline]
-    pub fn clipped(&self, dq: &Vector) -> f64 {
-        self.bands.iter().zip(&self.elastic).map(|(band, elastic)| band.clipped(*elastic, &self.state.q, dq)).sum()
+    pub fn lost_by_switches(&self, dq: &Vector) -> f64 {
+        self.guards.lost(&self.state.q, dq, &self.k)
+    }
+
+    /// Puts a switch into a mode, then into the one in which the state violates no guard; `crossed` is the guard that became zero.
+    pub fn put(&mut self, switch: usize, mode: usize, crossed: Option<&Affine>) {
+        let place = &mut self.switches[switch];
+        let before = place.here();
+        place.mode = mode;
+        place.write(&mut self.k);
+        let state = (&self.state.q[..], &self.state.q_dot[..]);
+        switch::settle(place, self.equations, state, &mut self.k, crossed);
+        let after = place.here();
+        if !after.held && after.counts.is_some() && after.counts != before.counts {
+            self.counts.impacts += 1;
+        }
+    }
+
+    /// Puts every switch into the mode that the state admits, after a sudden change. Returns whether one has changed.
+    pub fn settle(&mut self) -> bool {
+        let before: SmallVec<[usize; 4]> = self.switches.iter().map(|switch| switch.mode).collect();
+        (0..before.len()).for_each(|i| self.put(i, before[i], None));
+        self.switches.iter().zip(before).any(|(switch, before)| switch.mode != before)
+    }
+
+    /// Puts a switch into a mode, whatever the state is.
+    pub fn set_mode(&mut self, switch: usize, mode: usize) {
+        self.switches[switch].mode = mode;
+        self.switches[switch].write(&mut self.k);
+    }
+
+    /// Holds phases at their steps and the deflections of switches, those of them whose reactions are as they must be.
+    ///
+    /// # Errors
+    /// Those of [`Contact::begin`].
+    pub fn hold(&mut self, laws: Vec<(usize, Side)>) -> Result<(), Refusal> {
+        let (contact, neglected) = Contact::begin(self, laws)?;
+        self.contact = contact.map(Box::new);
+        self.ignored += neglected;
+        Ok(())
+    }
+
+    /// Whether the deflection of a switch cannot move.
+    #[inline]
+    pub fn is_locked(&self, switch: usize) -> bool {
+        self.contact.as_ref().is_some_and(|contact| contact.locked.contains(&switch))
+    }
+
+    /// Whether a switch is in a mode that holds its deflection.
+    pub fn is_stuck(&self) -> bool {
+        self.switches.iter().any(|switch| switch.here().held)
     }
 
     /// Changes the speeds at the step of `law` met at `side`.
     pub fn jump(&mut self, law: usize, side: Side) -> Passage {
-        let dv = law::barrier(self.equations, (&self.laws, &self.bands, &self.k), law, side, &self.state);
+        let dv = law::barrier(self.equations, (&self.laws, &self.switches, &self.k), law, side, &self.state);
         let (passage, gained) = self.laws[law].surface.jump(&self.state.q_dot, side, dv);
         self.state.gain(&gained);
         passage

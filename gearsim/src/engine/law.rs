@@ -5,12 +5,12 @@ use xprec::Df64;
 
 use crate::engine::cells::Stand;
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::jump::Surface;
 use crate::engine::phase::{Pitch, turn};
 use crate::engine::record::State;
+use crate::engine::switch::{self, Switch};
 use crate::engine::vector::Vector;
 use crate::model::{Model, Role};
 use crate::scene::Scene;
@@ -244,16 +244,23 @@ pub fn enter(laws: &mut [Law], law: usize, side: Side, state: &mut State) {
 
 /// The change dV of the potential energy at this step [J].
 #[inline]
-pub fn barrier(equations: &dyn Equations, (laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State) -> f64 {
+pub fn barrier(
+    equations: &dyn Equations,
+    (laws, switches, k): Stand<'_>,
+    law: usize,
+    side: Side,
+    state: &State,
+) -> f64 {
     let q = &state.q;
     if let [only] = laws
-        && !moves(only, bands)
+        && !moves(only, switches)
     {
         return equations.step(law, q, k, only.step(side));
     }
-    if met(laws, law, side, state).any(|i| moves(&laws[i], bands)) {
+    if met(laws, law, side, state).any(|i| moves(&laws[i], switches)) {
         // The step of a transmission error may open or close contacts.
-        return equations.potential(q, &beyond((laws, bands, k), law, side, state)) - equations.potential(q, k);
+        return equations.potential(q, &beyond(equations, (laws, switches, k), law, side, state))
+            - equations.potential(q, k);
     }
     // Apply the steps one after the other: a stiffness and a transmission error that step together change V by more than the sum
     // of their own steps.
@@ -266,19 +273,24 @@ pub fn barrier(equations: &dyn Equations, (laws, bands, k): Stand<'_>, law: usiz
     dv
 }
 
-/// Whether a law shifts the edges of a dead band.
+/// Whether the step of a law may change the mode of a switch.
 #[inline]
-fn moves(law: &Law, bands: &[DeadBand]) -> bool {
-    law.is_error && !bands.is_empty()
+fn moves(law: &Law, switches: &[Switch]) -> bool {
+    law.is_error && switches.iter().any(Switch::is_shifted)
 }
 
-/// The values of the laws beyond the boundary.
-pub fn beyond((laws, bands, k): Stand<'_>, law: usize, side: Side, state: &State) -> Vec<f64> {
+/// The law values beyond the boundary, with the switches in the modes that follow.
+pub fn beyond(
+    equations: &dyn Equations,
+    (laws, switches, k): Stand<'_>,
+    law: usize,
+    side: Side,
+    state: &State,
+) -> Vec<f64> {
     let mut beyond = k.to_vec();
     met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
-    for mut band in bands.iter().filter(|band| !band.errors.is_empty()).cloned() {
-        band.displace(&beyond, &state.q);
-        band.write(&mut beyond);
+    for mut switch in switches.iter().filter(|switch| switch.is_shifted()).cloned() {
+        switch::settle(&mut switch, equations, (&state.q, &state.q_dot), &mut beyond, None);
     }
     beyond
 }

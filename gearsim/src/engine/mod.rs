@@ -5,7 +5,7 @@
 //!   coupled by damping; `cells`: all cells of a scene;
 //! - `signal` and `crossing`: the first boundary that a phase reaches; `root`: the first root of a polynomial; `jump`: the change
 //!   of the speeds there; `watch`: zeros of other linear functions of the state;
-//! - `contact`: a phase held at a step; `dead_band`: play; `forcing`: torques that vary in time;
+//! - `contact`: a phase held at a step; `switch`: modes of a deflection; `forcing`: torques that vary in time;
 //! - `phase`, `clock` and `law`: angles, times and the cells of laws, without loss of digits;
 //! - `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
 //! - `motion`: the motion between two events, and what finds it: a solver; `exact`: the solver of linear cells; `compensated`: the
@@ -22,7 +22,6 @@ pub mod conserved;
 pub mod contact;
 pub mod coupling;
 pub mod crossing;
-pub mod dead_band;
 pub mod equations;
 pub mod error;
 pub mod exact;
@@ -42,6 +41,7 @@ pub mod root;
 pub mod signal;
 pub mod simulate;
 pub(crate) mod start;
+pub mod switch;
 pub mod system;
 pub mod vector;
 pub mod watch;

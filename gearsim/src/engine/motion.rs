@@ -9,7 +9,6 @@ use xprec::Df64;
 use crate::engine::cells::Cells;
 use crate::engine::contact::Ending;
 use crate::engine::crossing::{Cost, Lost, Side};
-use crate::engine::dead_band::{Exit, Regime};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::jump::Passage;
@@ -17,7 +16,7 @@ use crate::engine::record::State;
 
 /// A way to find the motion in a mode.
 pub trait Solver {
-    /// Takes note of the mode of `now`: its laws, dead bands, held phases and torques. Sets the springs and dampers of its contacts.
+    /// Takes note of the mode of `now`: its laws, switches, held phases and torques. Sets the guards of its switches.
     ///
     /// # Errors
     /// Where the equations of the mode cannot be solved.
@@ -76,9 +75,9 @@ pub trait Motion {
 pub enum Guard {
     /// The distances of the phase of a law to the two boundaries of its cell.
     Phase(usize),
-    /// A function that ends the regime of a dead band: the band, which of its exits, and that.
-    Exit(usize, usize, Exit),
-    /// A function that ends the hold of a phase: which ending of the contact.
+    /// The guard of an exit of a switch: the switch, and which of the exits.
+    Exit(usize, usize),
+    /// A function that ends a hold: which ending of the contact.
     Hold(usize),
 }
 
@@ -89,10 +88,12 @@ pub enum End {
     Open,
     /// A law meets a boundary of its cell.
     Step(usize, Side),
-    /// The hold of a law ends.
+    /// The hold of a law ends: the law leaves, or slips through.
     Hold(usize, Ending),
-    /// A dead band changes its regime.
-    Flank(usize, Regime),
+    /// A switch takes an exit: the switch, and which of the exits of its mode.
+    Exit(usize, usize),
+    /// A switch no longer holds its deflection: the switch, and the mode that follows.
+    Loose(usize, usize),
     /// The time history of a torque has a breakpoint.
     Breakpoint,
     /// The run is over.

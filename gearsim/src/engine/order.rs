@@ -11,15 +11,21 @@ use crate::tolerance::events::ORDER;
 
 /// Whether `law`, at its boundary, meets it together with another law of another phase, and the two give other speeds in
 /// the opposite order: the motion beyond is then one of several.
-pub fn matters(equations: &dyn Equations, (laws, bands, k): Stand<'_>, state: &State, law: usize, side: Side) -> bool {
+pub fn matters(
+    equations: &dyn Equations,
+    (laws, switches, k): Stand<'_>,
+    state: &State,
+    law: usize,
+    side: Side,
+) -> bool {
     let pass = |(l, side): (usize, Side), (speeds, k): &mut (Vector, Vec<f64>)| {
         // The second step is met only if the first leaves the phase on its way to it.
         if side.sign() * laws[l].surface.normal.dot(speeds) <= 0.0 {
             return;
         }
-        let dv = law::barrier(equations, (laws, bands, k), l, side, state);
+        let dv = law::barrier(equations, (laws, switches, k), l, side, state);
         if laws[l].surface.pass(speeds, side, dv) == Passage::Transmitted {
-            *k = law::beyond((laws, bands, k), l, side, state);
+            *k = law::beyond(equations, (laws, switches, k), l, side, state);
         }
     };
     let others = (0..laws.len()).filter_map(|i| {

@@ -6,7 +6,6 @@ use xprec::Df64;
 use crate::engine::cascade::Cascade;
 use crate::engine::cells::Cells;
 use crate::engine::compensated::Compensated;
-use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::{Equations, Matrices, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::exact::Exact;
@@ -17,6 +16,7 @@ use crate::engine::law::{self, Law};
 use crate::engine::motion::{Effort, End, Solver};
 use crate::engine::record::{Recorder, State};
 use crate::engine::start::{self, Begun};
+use crate::engine::switch::Switch;
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
 use crate::trajectory::Moment;
@@ -75,6 +75,9 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// Where the solver cannot solve the first mode.
     pub fn with(mut now: Hybrid<'a>, mut solver: Box<dyn Solver + 'a>) -> Result<Self, Refusal> {
+        if now.is_stuck() {
+            now.hold(vec![])?;
+        }
         solver.enter(&mut now)?;
         Ok(Simulation { now, solver, entered: true, cascade: Cascade::default(), kernel: None })
     }
@@ -181,16 +184,17 @@ impl<'a> Simulation<'a> {
         self.entered = false;
     }
 
-    /// Goes on from the state of another run of the scene: its coordinates and speeds, laws and dead bands.
+    /// Goes on from the state of another run of the scene: its coordinates and speeds, laws and switches.
     ///
     /// # Errors
     /// Where the cell has no modes.
-    pub fn go_on_from(&mut self, state: State, laws: Vec<Law>, bands: Vec<DeadBand>) -> Result<(), Stop> {
-        (self.now.state, self.now.laws, self.now.bands) = (state, laws, bands);
-        self.change_mode()
+    pub fn go_on_from(&mut self, state: State, laws: Vec<Law>, switches: Vec<Switch>) -> Result<(), Stop> {
+        (self.now.state, self.now.laws, self.now.switches) = (state, laws, switches);
+        self.now.set_levels();
+        if self.now.is_stuck() { self.hold(vec![]) } else { self.change_mode() }
     }
 
-    /// Updates the law values and the solver after a change of laws or dead bands.
+    /// Updates the law values and the solver after a change of laws or switches.
     #[inline]
     fn change_mode(&mut self) -> Result<(), Stop> {
         self.now.set_levels();
@@ -219,12 +223,12 @@ impl<'a> Simulation<'a> {
         self.solver.effort()
     }
 
-    /// Whether the next event may be plain: there is one law, its phase rolls with the motion, and there are no dead bands, no
+    /// Whether the next event may be plain: there is one law, its phase rolls with the motion, and there are no switches, no
     /// held phases and no torques that vary. The kernel decides whether it is.
     pub fn is_plain(&self) -> bool {
         let rolls = |law: &Law| law.turn() > 0.0 && law.switching != Switching::Never && law.next_switch().is_none();
-        let Hybrid { laws, bands, contact, forcing, .. } = &self.now;
-        matches!(&laws[..], [law] if rolls(law)) && bands.is_empty() && contact.is_none() && forcing.is_none()
+        let Hybrid { laws, switches, contact, forcing, .. } = &self.now;
+        matches!(&laws[..], [law] if rolls(law)) && switches.is_empty() && contact.is_none() && forcing.is_none()
     }
 
     /// Length of one turn of each coordinate (N): the pitch, where it rolls.

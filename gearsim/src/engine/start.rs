@@ -2,23 +2,22 @@
 
 mod equilibrium;
 
-use crate::engine::crossing::Side;
-use crate::engine::dead_band::{DeadBand, Grip, Regime};
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
+use crate::engine::switch::{self, Switch};
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
 
 use equilibrium::{Equilibrium, Settled, courses};
 
-/// A start: the state, the laws in their cells, and the dead bands in their regimes.
+/// A start: the state, the laws in their cells, and the switches in their modes.
 #[derive(Clone)]
 pub struct Begun {
     pub state: State,
     pub laws: Vec<Law>,
-    pub bands: Vec<DeadBand>,
+    pub switches: Vec<Switch>,
     /// Other static equilibria that were found, in words; `None` if there are none, or no static start is asked for.
     pub others: Option<String>,
 }
@@ -34,7 +33,7 @@ impl Begun {
 ///
 /// The speeds are those given, otherwise those of the rigid motions. Coordinates with the value `static` are where the
 /// generalised forces on them vanish; the other coordinates and the speeds have the given values, and each law is in the cell of
-/// its phase. With play, the contacts are at the flanks that the forces press together. If there are several equilibria, it is
+/// its phase. Switches are in the modes that this state admits: flanks are in contact where the forces press them together. If there are several equilibria, it is
 /// the one found from the stated value, or from zero.
 ///
 /// # Errors
@@ -52,14 +51,15 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
     }
     let guess = Vector::from_fn(n, |i| scene.start.q[i].guess());
     let free: Vec<usize> = (0..n).filter(|&i| scene.start.q[i].is_static()).collect();
-    let mut bands = DeadBand::all(equations, scene.model);
+    let mut switches = Switch::all(equations, scene.model, &scene.model.in_contact([]));
     let (mut state, mut others) = (State::new(guess.clone(), q_dot.clone()), None);
     let laws = if free.is_empty() {
         Law::begin(equations, scene, &mut state)?
     } else {
         let balance = Equilibrium { equations, scene, free: &free, q_dot };
-        let mut settled = on_flanks(scene, &mut bands, |bands| balance.from(&guess, bands))?;
-        let found = balance.others(&settled, &guess, &bands);
+        let settle = |switches: &[Switch]| balance.from(&guess, switches);
+        let mut settled = in_modes(equations, scene, &mut switches, settle)?;
+        let found = balance.others(&settled, &guess, &switches);
         others = balance.describe(&settled, &found);
         if !settled.stable
             && let Some(nearest) = found.iter().find(|other| other.stable)
@@ -73,41 +73,65 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
     };
 
     let [mut k, ..] = courses(scene, &state, &laws);
-    for band in &mut bands {
-        band.follow(&k);
-        let sides = [Side::Upper, Side::Lower].map(|side| (side, band.depth(side, &state.q)));
-        let outwards = |side: Side| side.sign() * band.normal.dot(&state.q_dot) > 0.0;
-        let resting = |side: Side| band.regime == Regime::Contact(side, Grip::Touch);
-        let beyond = sides.into_iter().find(|&(side, x)| x > 0.0 || (x == 0.0 && (outwards(side) || resting(side))));
-        band.regime = beyond.map_or(Regime::Free, |(side, _)| Regime::Contact(side, Grip::Touch));
+    for switch in &mut switches {
+        let place = (&state.q[..], &state.q_dot[..]);
+        let rests = || switch.rests().filter(|mode| !free.is_empty() && *mode == switch.mode);
+        let mode = rests().find(|mode| is_at(switch, equations, *mode, place, &k, true));
+        let mode = mode.or_else(|| switch.rests().find(|mode| is_at(switch, equations, *mode, place, &k, false)));
+        switch.mode = mode.or_else(|| switch.rests().last()).unwrap_or(0);
+        switch.write(&mut k);
+        switch::settle(switch, equations, place, &mut k, None);
     }
-    bands.iter().for_each(|band| band.write(&mut k));
-    for band in &mut bands {
-        band.regime = band.gripped(band.elastic(equations, &k), &state.q, &state.q_dot);
-    }
-    Ok(Begun { state, laws, bands, others })
+    Ok(Begun { state, laws, switches, others })
 }
 
-/// Finds the flanks at which dead bands are in contact. `settle` gives the equilibrium for given regimes of the bands. A band
-/// that is not pressed against its drive flank is tried on the coast flank, and then free.
-fn on_flanks(
+/// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose guards are violated
+/// there is tried in its next mode.
+fn in_modes(
+    equations: &dyn Equations,
     scene: &Scene,
-    bands: &mut [DeadBand],
-    mut settle: impl FnMut(&[DeadBand]) -> Result<Settled, Refusal>,
+    switches: &mut [Switch],
+    mut settle: impl FnMut(&[Switch]) -> Result<Settled, Refusal>,
 ) -> Result<Settled, Refusal> {
-    bands.iter_mut().for_each(|band| band.regime = Regime::Contact(Side::Upper, Grip::Touch));
-    // Each band has at most three regimes to try. After that the last result is used.
-    for _ in 0..=2 * bands.len() {
-        let settled = settle(bands)?;
-        let lifted = bands.iter_mut().find(|band| match band.regime {
-            Regime::Contact(side, _) => settled.depth(scene, band, side) < 0.0,
-            Regime::Free => false,
+    switches.iter_mut().for_each(|switch| switch.mode = switch.rests().next().unwrap_or(0));
+    let most: usize = switches.iter().map(|switch| switch.rests().count()).sum();
+    // After all modes the last result is used.
+    for _ in 0..most {
+        let settled = settle(switches)?;
+        let [mut k, ..] = courses(scene, &settled.state, &settled.laws);
+        switches.iter().for_each(|switch| switch.write(&mut k));
+        let at_rest = Vector::zeros(settled.state.q.len());
+        let next = switches.iter_mut().find_map(|switch| {
+            let exits = switch.exits(equations, &k);
+            let guards = exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0);
+            let violated = guards.into_iter().any(|guard| guard.value(&settled.state.q, &at_rest, &k) < 0.0);
+            let next = switch.rests().find(|mode| *mode > switch.mode).filter(|_| violated)?;
+            Some((switch, next))
         });
-        let Some(band) = lifted else { return Ok(settled) };
-        band.regime = match band.regime {
-            Regime::Contact(Side::Upper, grip) => Regime::Contact(Side::Lower, grip),
-            _ => Regime::Free,
-        };
+        let Some((switch, next)) = next else { return Ok(settled) };
+        switch.mode = next;
     }
-    settle(bands)
+    settle(switches)
+}
+
+/// Whether a mode of a switch is the one of a place `q` from which the speeds `q_dot` lead: the guards that depend on the place alone are
+/// positive, or `resting` zero.
+fn is_at(
+    switch: &Switch,
+    equations: &dyn Equations,
+    mode: usize,
+    (q, q_dot): (&[f64], &[f64]),
+    k: &[f64],
+    resting: bool,
+) -> bool {
+    let (mut switch, mut k) = (switch.clone(), k.to_vec());
+    switch.mode = mode;
+    switch.write(&mut k);
+    let exits = switch.exits(equations, &k);
+    let guards =
+        exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0 && guard.on_speed.amax() == 0.0);
+    guards.into_iter().all(|guard| {
+        let value = guard.value(q, q_dot, &k);
+        value > 0.0 || (value == 0.0 && (resting || guard.on_q.dot(q_dot) > 0.0))
+    })
 }

@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::scene::Scene;
 
 /// The equations of a scene with linear cells. `k` holds the present value of each law; if it holds the stiffnesses alone, which
-/// come first, the transmission errors are zero. Every dead band is in contact, and its deflection is counted from its edge.
+/// come first, the transmission errors are zero. Every switch is as without its effect: every play is in contact, and its deflection is counted from its edge.
 pub struct System {
     equations: Box<dyn Equations>,
     model: &'static Model,

@@ -27,7 +27,71 @@ equations! {
     }
 
     deflections { over = phi - edge; }
-    dead_bands { over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the contact"; }
+    switches {
+        over "rad" (touch 1.0, edge 0.0, damp 1.0, clip 0.0) with backlash, "play of the contact" {
+            upper (1.0, b/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over { _ => 1.0; } }
+                until upper_loose {
+                    over { _ => c; }
+                    over_dot { damping => d; }
+                }
+                until upper_hit {
+                    over { _ => c; }
+                    over_dot { damping => -d; }
+                }
+            }
+            lower (1.0, -b/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over { _ => -1.0; } }
+                until lower_loose {
+                    over { _ => -c; }
+                    over_dot { damping => -d; }
+                }
+                until lower_hit {
+                    over { _ => -c; }
+                    over_dot { damping => d; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over { _ => -1.0; }
+                    one { _ => b/2.0; }
+                }
+                until lower {
+                    over { _ => 1.0; }
+                    one { _ => b/2.0; }
+                }
+            }
+            upper_hit (1.0, b/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over { _ => 1.0; } }
+                until upper {
+                    over { _ => -c; }
+                    over_dot { damping => d; }
+                }
+            }
+            lower_hit (1.0, -b/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over { _ => -1.0; } }
+                until lower {
+                    over { _ => c; }
+                    over_dot { damping => -d; }
+                }
+            }
+            upper_loose (1.0, b/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over { _ => 1.0; } }
+                until upper {
+                    over { _ => -c; }
+                    over_dot { damping => -d; }
+                }
+            }
+            lower_loose (1.0, -b/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over { _ => -1.0; } }
+                until lower {
+                    over { _ => c; }
+                    over_dot { damping => d; }
+                }
+            }
+            loss { over { _ => c*clip*touch; } }
+        }
+    }
     energies {
         kinetic { _ => I*phi_dot.powi(2)/2.0; }
         potential { _ => c*touch*over.powi(2)/2.0; }
@@ -42,14 +106,14 @@ equations! {
     force {
         phi {
             _ => -c*touch*over;
-            backlash => -c*touch*clip*over;
+            backlash => -c*clip*touch*over;
             damping => -d*damp*over_dot;
         }
     }
     jacobian {
         phi phi {
             _ => -c*touch;
-            backlash => -c*touch*clip;
+            backlash => -c*clip*touch;
         }
         phi phi_dot { damping => -d*damp; }
     }
@@ -57,14 +121,14 @@ equations! {
         stiffness {
             phi phi {
                 _ => c*touch;
-                backlash => c*touch*clip;
+                backlash => c*clip*touch;
             }
         }
         damping { phi phi { damping => d*damp; } }
         load {
             phi {
                 _ => c*touch*edge;
-                backlash => c*touch*clip*edge;
+                backlash => c*clip*touch*edge;
             }
         }
     }
@@ -76,15 +140,15 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects; q'.dD/dq' includes the power of clipped damper forces
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: every leading minor is a sum of products of positive quantities
 // - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
-// - V is the same on both sides of the edges of over: no impulse there
+// - V is the same on both sides of the exits of over: no impulse there
+// - the force of the switch over takes energy or none: f over_dot >= 0 in every mode, from the guards that hold in it; of a damper that is
+//   clipped to f = c F, where F = dV/dover and c = 1 or -1, since F over >= 0, over_dot dD/dover_dot >= 0 and c over dD/dover_dot >= F over
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
-// - the damper of over, clipped to the force F = dV/dover of its spring, takes energy or none: clip F over_dot >= 0, since F over >= 0,
-//   over_dot dD/dover_dot >= 0 and, where it is clipped, clip over dD/dover_dot >= F over
 // - every deflection equals the linear form by which the equations differentiate it
 //
 // Operations, all effects present:

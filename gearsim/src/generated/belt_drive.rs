@@ -24,8 +24,8 @@ equations! {
         k_p "N/m" required, open 0.0 to inf, "stiffness of the pulling span";
         k_s "N/m" required, open 0.0 to inf, "stiffness of the slack span";
         k_t "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the spring of the tensioner arm";
-        T_crank "N*m" required, open -inf to inf, "driving torque of the crankshaft";
-        T_load "N*m" required, open -inf to inf, "load torque of the accessory, against its rotation";
+        T_crank "N*m" required with torques, open -inf to inf, "driving torque of the crankshaft";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the accessory, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }

@@ -17,8 +17,8 @@ equations! {
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the disc 1";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the disc 2";
         k1 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 1 and 2";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the first disc";
-        T_load "N*m" required, open -inf to inf, "load torque of the last disc, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the first disc";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the last disc, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }

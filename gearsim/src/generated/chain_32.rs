@@ -107,8 +107,8 @@ equations! {
         k29 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 29 and 30";
         k30 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 30 and 31";
         k31 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 31 and 32";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the first disc";
-        T_load "N*m" required, open -inf to inf, "load torque of the last disc, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the first disc";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the last disc, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }

@@ -26,8 +26,8 @@ equations! {
         k2 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 2 and 3";
         k3 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 3 and 4";
         k4 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 4 and 5";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the first disc";
-        T_load "N*m" required, open -inf to inf, "load torque of the last disc, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the first disc";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the last disc, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }

@@ -87,7 +87,71 @@ equations! {
         }
         F_mu_by_k { sliding_friction => mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
     }
-    dead_bands { over "rad" (touch, edge, damp, clip) half b/2.0 with backlash, "play of the mesh, in phi"; }
+    switches {
+        over "rad" (touch 1.0, edge 0.0, damp 1.0, clip 0.0) with backlash, "play of the mesh, in phi" {
+            upper (1.0, b/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over { _ => 1.0; } }
+                until upper_loose {
+                    over { _ => 2.0*k; }
+                    over_dot { damping => 2.0*C; }
+                }
+                until upper_hit {
+                    over { _ => 2.0*k; }
+                    over_dot { damping => -2.0*C; }
+                }
+            }
+            lower (1.0, -b/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over { _ => -1.0; } }
+                until lower_loose {
+                    over { _ => -2.0*k; }
+                    over_dot { damping => -2.0*C; }
+                }
+                until lower_hit {
+                    over { _ => -2.0*k; }
+                    over_dot { damping => 2.0*C; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over { _ => -1.0; }
+                    one { _ => b/2.0; }
+                }
+                until lower {
+                    over { _ => 1.0; }
+                    one { _ => b/2.0; }
+                }
+            }
+            upper_hit (1.0, b/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over { _ => 1.0; } }
+                until upper {
+                    over { _ => -2.0*k; }
+                    over_dot { damping => 2.0*C; }
+                }
+            }
+            lower_hit (1.0, -b/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over { _ => -1.0; } }
+                until lower {
+                    over { _ => 2.0*k; }
+                    over_dot { damping => -2.0*C; }
+                }
+            }
+            upper_loose (1.0, b/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over { _ => 1.0; } }
+                until upper {
+                    over { _ => -2.0*k; }
+                    over_dot { damping => -2.0*C; }
+                }
+            }
+            lower_loose (1.0, -b/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over { _ => -1.0; } }
+                until lower {
+                    over { _ => 2.0*k; }
+                    over_dot { damping => 2.0*C; }
+                }
+            }
+            loss { over { _ => 2.0*k*clip*touch; } }
+        }
+    }
     energies {
         kinetic { _ => (I1*(phi_dot + theta_dot).powi(2)/N1.powi(2) + I2*(theta_dot - phi_dot).powi(2)/N2.powi(2))/2.0; }
         potential { _ => k*touch*over.powi(2); }
@@ -120,7 +184,7 @@ equations! {
         }
         phi {
             _ => -2.0*k*touch*over;
-            backlash => -2.0*k*touch*clip*over;
+            backlash => -2.0*k*clip*touch*over;
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
             sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_mu - arm*F_mu/N1;
@@ -143,18 +207,18 @@ equations! {
         }
         theta phi_dot { sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - arm*F_mu_by_psi_dot/N1.powi(2); }
         phi theta {
-            transmission_error_and_backlash_and_moving_phase => 2.0*k*de*touch*clip;
+            transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
             transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over + de*arm*F_mu_by_over/N1
                 - de*arm*F_mu_by_over/N2;
             transmission_error_and_moving_phase => 2.0*k*de*touch;
-            backlash_and_moving_phase => -2.0*dk*touch*clip*over;
+            backlash_and_moving_phase => -2.0*dk*clip*touch*over;
             sliding_friction_and_moving_phase => darm*F_mu/N2 - 2.0*tan_a*dk*side*F_mu_by_k - 2.0*tan_a*dside*F_mu - darm*F_mu/N1
                 - dk*arm*F_mu_by_k/N1 + dk*arm*F_mu_by_k/N2;
             moving_phase => -2.0*dk*touch*over;
         }
         phi phi {
             _ => -2.0*k*touch;
-            backlash => -2.0*k*touch*clip;
+            backlash => -2.0*k*clip*touch;
             sliding_friction => arm*F_mu_by_over/N2 - 2.0*tan_a*side*F_mu_by_over - arm*F_mu_by_over/N1;
         }
         phi theta_dot {
@@ -171,14 +235,14 @@ equations! {
         stiffness {
             phi phi {
                 _ => 2.0*k*touch;
-                backlash => 2.0*k*touch*clip;
+                backlash => 2.0*k*clip*touch;
             }
         }
         damping { phi phi { damping => 2.0*C*damp; } }
         load {
             phi {
                 _ => 2.0*(k*touch*edge + k*touch*e);
-                backlash => 2.0*(k*touch*clip*edge + k*touch*clip*e);
+                backlash => 2.0*(k*clip*touch*edge + k*clip*touch*e);
                 torques => 2.0*T0;
             }
         }
@@ -213,7 +277,7 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects; q'.dD/dq' includes the power of clipped damper forces
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: every leading minor is a sum of products of positive quantities
@@ -221,10 +285,10 @@ equations! {
 // - at a step of k, e: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
 //   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 // - V is the same on both sides of a step of side, arm: no impulse there
-// - V is the same on both sides of the edges of over: no impulse there
+// - V is the same on both sides of the exits of over: no impulse there
+// - the force of the switch over takes energy or none: f over_dot >= 0 in every mode, from the guards that hold in it; of a damper that is
+//   clipped to f = c F, where F = dV/dover and c = 1 or -1, since F over >= 0, over_dot dD/dover_dot >= 0 and c over dD/dover_dot >= F over
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
-// - the damper of over, clipped to the force F = dV/dover of its spring, takes energy or none: clip F over_dot >= 0, since F over >= 0,
-//   over_dot dD/dover_dot >= 0 and, where it is clipped, clip over dD/dover_dot >= F over
 // - the friction `roll` takes energy or none: its power is never positive
 // - the friction `slide` takes with `roll` energy or none where psi_dot and arm psi_dot + side tau_dot have one sign: where flanks slide as
 //   rolling makes them

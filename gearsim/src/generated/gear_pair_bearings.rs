@@ -28,22 +28,22 @@ equations! {
         m2 "kg" required, open 0.0 to inf, "mass of the driven gear";
         kb1 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 1";
         kb2 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 2";
-        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
-        mu12 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
+        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
+        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the driving gear";
-        T_load "N*m" required, open -inf to inf, "load torque of the driven gear, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
         k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh along the line of action";
-        e12 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e12 "m" phase theta period 6.283185307179586 rolling with transmission_error_12,
             "transmission error of the mesh along the line of action";
-        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side,
+        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction_12 as side,
             "share of the force of the mesh on tooth pairs beyond the pitch point, minus that on pairs before it";
-        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm,
+        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction_12 as arm,
             "mean distance of the force of the mesh from the pitch point along the line of action";
     }
     motions { speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear"; }
@@ -54,10 +54,10 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step)
+        transmission_error_12 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
-        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -65,12 +65,13 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
-        sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
-        transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
-        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
-        backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
+        transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
+            !frozen_phase;
+        sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
+        backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -86,26 +87,90 @@ equations! {
     }
     forces {
         F_mu12 {
-            sliding_friction => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+            sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
     }
     partials {
         F_mu12_by_over12 {
-            sliding_friction => mu12*k12*touch12*over12*psi12_dot
+            sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
                 /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         F_mu12_by_psi12_dot {
-            sliding_friction => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
+            sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
         }
         F_mu12_by_k12 {
-            sliding_friction => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+            sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
     }
-    dead_bands { over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh"; }
+    switches {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh" {
+            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper_loose {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper_hit {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower_loose {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until lower_hit {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
+                }
+                until lower {
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
+            }
+            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            loss { over12 { _ => k12*clip12*touch12; } }
+        }
+    }
     energies {
         kinetic {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + m1*x1_dot.powi(2)
@@ -121,9 +186,9 @@ equations! {
     }
     torques {
         slide12 "friction of the mesh, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction => -side12*F_mu12*tau12_dot; }
+        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
         roll12 "friction of the mesh, through the rolling of the gears" {}
-        power { sliding_friction => -arm12*F_mu12*psi12_dot; }
+        power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
         load "load torque of the driven gear, against its rotation" { torques => T_load*(s/(2.0*h*N2) - theta/N2); }
     }
@@ -142,8 +207,8 @@ equations! {
     }
     force {
         theta {
-            transmission_error_and_jump_terms => k12*de12*touch12*over12;
-            sliding_friction => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
+            transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
+            sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
@@ -151,8 +216,8 @@ equations! {
         }
         s {
             _ => -k12*touch12*over12;
-            backlash => -k12*touch12*clip12*over12;
-            sliding_friction => arm12*F_mu12/(2.0*h*N2) - sin_a*side12*F_mu12/cos_a - arm12*F_mu12/(2.0*h*N1);
+            backlash_12 => -k12*clip12*touch12*over12;
+            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - sin_a*side12*F_mu12/cos_a - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
@@ -160,118 +225,120 @@ equations! {
         }
         x1 {
             _ => -sin_a*k12*touch12*over12 - kb1*x1;
-            backlash => -sin_a*k12*touch12*clip12*over12;
-            sliding_friction => cos_a*side12*F_mu12;
+            backlash_12 => -sin_a*k12*clip12*touch12*over12;
+            sliding_friction_12 => cos_a*side12*F_mu12;
             damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot;
         }
         y1 {
             _ => -cos_a*k12*touch12*over12 - kb1*y1;
-            backlash => -cos_a*k12*touch12*clip12*over12;
-            sliding_friction => -sin_a*side12*F_mu12;
+            backlash_12 => -cos_a*k12*clip12*touch12*over12;
+            sliding_friction_12 => -sin_a*side12*F_mu12;
             damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot;
         }
         x2 {
             _ => sin_a*k12*touch12*over12 - kb2*x2;
-            backlash => sin_a*k12*touch12*clip12*over12;
-            sliding_friction => -cos_a*side12*F_mu12;
+            backlash_12 => sin_a*k12*clip12*touch12*over12;
+            sliding_friction_12 => -cos_a*side12*F_mu12;
             damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot;
         }
         y2 {
             _ => cos_a*k12*touch12*over12 - kb2*y2;
-            backlash => cos_a*k12*touch12*clip12*over12;
-            sliding_friction => sin_a*side12*F_mu12;
+            backlash_12 => cos_a*k12*clip12*touch12*over12;
+            sliding_friction_12 => sin_a*side12*F_mu12;
             damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot;
         }
     }
     jacobian {
         theta theta {
-            transmission_error_and_sliding_friction_and_moving_phase => de12*arm12*F_mu12_by_over12/N1 + de12*arm12*F_mu12_by_over12/N2;
-            transmission_error_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
-            sliding_friction_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
+                + de12*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
                 - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
-            transmission_error_and_jump_terms => k12*de12*touch12;
-            sliding_friction => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
         theta x1 {
-            transmission_error_and_jump_terms => sin_a*k12*de12*touch12;
-            sliding_friction => -sin_a*arm12*F_mu12_by_over12/N1 - sin_a*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => sin_a*k12*de12*touch12;
+            sliding_friction_12 => -sin_a*arm12*F_mu12_by_over12/N1 - sin_a*arm12*F_mu12_by_over12/N2;
             jump_terms => -sin_a*dk12*touch12*over12;
         }
         theta y1 {
-            transmission_error_and_jump_terms => cos_a*k12*de12*touch12;
-            sliding_friction => -cos_a*arm12*F_mu12_by_over12/N1 - cos_a*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => cos_a*k12*de12*touch12;
+            sliding_friction_12 => -cos_a*arm12*F_mu12_by_over12/N1 - cos_a*arm12*F_mu12_by_over12/N2;
             jump_terms => -cos_a*dk12*touch12*over12;
         }
         theta x2 {
-            transmission_error_and_jump_terms => -sin_a*k12*de12*touch12;
-            sliding_friction => sin_a*arm12*F_mu12_by_over12/N1 + sin_a*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => -sin_a*k12*de12*touch12;
+            sliding_friction_12 => sin_a*arm12*F_mu12_by_over12/N1 + sin_a*arm12*F_mu12_by_over12/N2;
             jump_terms => sin_a*dk12*touch12*over12;
         }
         theta y2 {
-            transmission_error_and_jump_terms => -cos_a*k12*de12*touch12;
-            sliding_friction => cos_a*arm12*F_mu12_by_over12/N1 + cos_a*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => -cos_a*k12*de12*touch12;
+            sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/N1 + cos_a*arm12*F_mu12_by_over12/N2;
             jump_terms => cos_a*dk12*touch12*over12;
         }
         theta theta_dot {
-            sliding_friction => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
-            sliding_friction => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
+            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
-            transmission_error_and_backlash_and_moving_phase => k12*de12*touch12*clip12;
-            transmission_error_and_sliding_friction_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12/cos_a
+            transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12/cos_a
                 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
-            transmission_error_and_moving_phase => k12*de12*touch12;
-            backlash_and_moving_phase => -dk12*touch12*clip12*over12;
-            sliding_friction_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - sin_a*dk12*side12*F_mu12_by_k12/cos_a
+            transmission_error_12_and_moving_phase => k12*de12*touch12;
+            backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - sin_a*dk12*side12*F_mu12_by_k12/cos_a
                 - sin_a*dside12*F_mu12/cos_a - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1)
                 + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
         s s {
             _ => -k12*touch12;
-            backlash => -k12*touch12*clip12;
-            sliding_friction => arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a*side12*F_mu12_by_over12/cos_a - arm12*F_mu12_by_over12/(2.0*h*N1);
+            backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a*side12*F_mu12_by_over12/cos_a
+                - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s x1 {
             _ => -sin_a*k12*touch12;
-            backlash => -sin_a*k12*touch12*clip12;
-            sliding_friction => sin_a*arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a.powi(2)*side12*F_mu12_by_over12/cos_a
+            backlash_12 => -sin_a*k12*clip12*touch12;
+            sliding_friction_12 => sin_a*arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a.powi(2)*side12*F_mu12_by_over12/cos_a
                 - sin_a*arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s y1 {
             _ => -cos_a*k12*touch12;
-            backlash => -cos_a*k12*touch12*clip12;
-            sliding_friction => cos_a*arm12*F_mu12_by_over12/(2.0*h*N2) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N1)
+            backlash_12 => -cos_a*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/(2.0*h*N2) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N1)
                 - sin_a*side12*F_mu12_by_over12;
         }
         s x2 {
             _ => sin_a*k12*touch12;
-            backlash => sin_a*k12*touch12*clip12;
-            sliding_friction => sin_a.powi(2)*side12*F_mu12_by_over12/cos_a + sin_a*arm12*F_mu12_by_over12/(2.0*h*N1)
+            backlash_12 => sin_a*k12*clip12*touch12;
+            sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12/cos_a + sin_a*arm12*F_mu12_by_over12/(2.0*h*N1)
                 - sin_a*arm12*F_mu12_by_over12/(2.0*h*N2);
         }
         s y2 {
             _ => cos_a*k12*touch12;
-            backlash => cos_a*k12*touch12*clip12;
-            sliding_friction => cos_a*arm12*F_mu12_by_over12/(2.0*h*N1) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N2)
+            backlash_12 => cos_a*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/(2.0*h*N1) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N2)
                 + sin_a*side12*F_mu12_by_over12;
         }
         s theta_dot {
-            sliding_friction => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N1)
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N1)
                 - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N2) - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
-            sliding_friction => sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N1)
+            sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N1)
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2)) + arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2)
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
@@ -281,41 +348,41 @@ equations! {
         s x2_dot { damping => sin_a*beta_K*k12_mid*damp12; }
         s y2_dot { damping => cos_a*beta_K*k12_mid*damp12; }
         x1 theta {
-            transmission_error_and_backlash_and_moving_phase => sin_a*k12*de12*touch12*clip12;
-            transmission_error_and_sliding_friction_and_moving_phase => -cos_a*de12*side12*F_mu12_by_over12;
-            transmission_error_and_moving_phase => sin_a*k12*de12*touch12;
-            backlash_and_moving_phase => -sin_a*dk12*touch12*clip12*over12;
-            sliding_friction_and_moving_phase => cos_a*dk12*side12*F_mu12_by_k12 + cos_a*dside12*F_mu12;
+            transmission_error_12_and_backlash_12_and_moving_phase => sin_a*k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => -cos_a*de12*side12*F_mu12_by_over12;
+            transmission_error_12_and_moving_phase => sin_a*k12*de12*touch12;
+            backlash_12_and_moving_phase => -sin_a*dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => cos_a*dk12*side12*F_mu12_by_k12 + cos_a*dside12*F_mu12;
             moving_phase => -sin_a*dk12*touch12*over12;
         }
         x1 s {
             _ => -sin_a*k12*touch12;
-            backlash => -sin_a*k12*touch12*clip12;
-            sliding_friction => cos_a*side12*F_mu12_by_over12;
+            backlash_12 => -sin_a*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*side12*F_mu12_by_over12;
         }
         x1 x1 {
             _ => -kb1 - sin_a.powi(2)*k12*touch12;
-            backlash => -sin_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x1 y1 {
             _ => -cos_a*sin_a*k12*touch12;
-            backlash => -cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => cos_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => cos_a.powi(2)*side12*F_mu12_by_over12;
         }
         x1 x2 {
             _ => sin_a.powi(2)*k12*touch12;
-            backlash => sin_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => -cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x1 y2 {
             _ => cos_a*sin_a*k12*touch12;
-            backlash => cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => -cos_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a.powi(2)*side12*F_mu12_by_over12;
         }
-        x1 theta_dot { sliding_friction => cos_a*side12*F_mu12_by_psi12_dot/N1 + cos_a*side12*F_mu12_by_psi12_dot/N2; }
+        x1 theta_dot { sliding_friction_12 => cos_a*side12*F_mu12_by_psi12_dot/N1 + cos_a*side12*F_mu12_by_psi12_dot/N2; }
         x1 s_dot {
-            sliding_friction => (cos_a*side12*F_mu12_by_psi12_dot/(h*N1) - cos_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
+            sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N1) - cos_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => -sin_a*beta_K*k12_mid*damp12;
         }
         x1 x1_dot { damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid*damp12; }
@@ -323,41 +390,41 @@ equations! {
         x1 x2_dot { damping => sin_a.powi(2)*beta_K*k12_mid*damp12; }
         x1 y2_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
         y1 theta {
-            transmission_error_and_backlash_and_moving_phase => cos_a*k12*de12*touch12*clip12;
-            transmission_error_and_sliding_friction_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12;
-            transmission_error_and_moving_phase => cos_a*k12*de12*touch12;
-            backlash_and_moving_phase => -cos_a*dk12*touch12*clip12*over12;
-            sliding_friction_and_moving_phase => -sin_a*dk12*side12*F_mu12_by_k12 - sin_a*dside12*F_mu12;
+            transmission_error_12_and_backlash_12_and_moving_phase => cos_a*k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12;
+            transmission_error_12_and_moving_phase => cos_a*k12*de12*touch12;
+            backlash_12_and_moving_phase => -cos_a*dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => -sin_a*dk12*side12*F_mu12_by_k12 - sin_a*dside12*F_mu12;
             moving_phase => -cos_a*dk12*touch12*over12;
         }
         y1 s {
             _ => -cos_a*k12*touch12;
-            backlash => -cos_a*k12*touch12*clip12;
-            sliding_friction => -sin_a*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a*k12*clip12*touch12;
+            sliding_friction_12 => -sin_a*side12*F_mu12_by_over12;
         }
         y1 x1 {
             _ => -cos_a*sin_a*k12*touch12;
-            backlash => -cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => -sin_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => -sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y1 y1 {
             _ => -kb1 - cos_a.powi(2)*k12*touch12;
-            backlash => -cos_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => -cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         y1 x2 {
             _ => cos_a*sin_a*k12*touch12;
-            backlash => cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => sin_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y1 y2 {
             _ => cos_a.powi(2)*k12*touch12;
-            backlash => cos_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
-        y1 theta_dot { sliding_friction => -sin_a*side12*F_mu12_by_psi12_dot/N1 - sin_a*side12*F_mu12_by_psi12_dot/N2; }
+        y1 theta_dot { sliding_friction_12 => -sin_a*side12*F_mu12_by_psi12_dot/N1 - sin_a*side12*F_mu12_by_psi12_dot/N2; }
         y1 s_dot {
-            sliding_friction => (sin_a*side12*F_mu12_by_psi12_dot/(h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
+            sliding_friction_12 => (sin_a*side12*F_mu12_by_psi12_dot/(h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
             damping => -cos_a*beta_K*k12_mid*damp12;
         }
         y1 x1_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
@@ -365,41 +432,41 @@ equations! {
         y1 x2_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
         y1 y2_dot { damping => cos_a.powi(2)*beta_K*k12_mid*damp12; }
         x2 theta {
-            transmission_error_and_backlash_and_moving_phase => -sin_a*k12*de12*touch12*clip12;
-            transmission_error_and_sliding_friction_and_moving_phase => cos_a*de12*side12*F_mu12_by_over12;
-            transmission_error_and_moving_phase => -sin_a*k12*de12*touch12;
-            backlash_and_moving_phase => sin_a*dk12*touch12*clip12*over12;
-            sliding_friction_and_moving_phase => -cos_a*dk12*side12*F_mu12_by_k12 - cos_a*dside12*F_mu12;
+            transmission_error_12_and_backlash_12_and_moving_phase => -sin_a*k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => cos_a*de12*side12*F_mu12_by_over12;
+            transmission_error_12_and_moving_phase => -sin_a*k12*de12*touch12;
+            backlash_12_and_moving_phase => sin_a*dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => -cos_a*dk12*side12*F_mu12_by_k12 - cos_a*dside12*F_mu12;
             moving_phase => sin_a*dk12*touch12*over12;
         }
         x2 s {
             _ => sin_a*k12*touch12;
-            backlash => sin_a*k12*touch12*clip12;
-            sliding_friction => -cos_a*side12*F_mu12_by_over12;
+            backlash_12 => sin_a*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a*side12*F_mu12_by_over12;
         }
         x2 x1 {
             _ => sin_a.powi(2)*k12*touch12;
-            backlash => sin_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => -cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x2 y1 {
             _ => cos_a*sin_a*k12*touch12;
-            backlash => cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => -cos_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a.powi(2)*side12*F_mu12_by_over12;
         }
         x2 x2 {
             _ => -kb2 - sin_a.powi(2)*k12*touch12;
-            backlash => -sin_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x2 y2 {
             _ => -cos_a*sin_a*k12*touch12;
-            backlash => -cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => cos_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => cos_a.powi(2)*side12*F_mu12_by_over12;
         }
-        x2 theta_dot { sliding_friction => -cos_a*side12*F_mu12_by_psi12_dot/N1 - cos_a*side12*F_mu12_by_psi12_dot/N2; }
+        x2 theta_dot { sliding_friction_12 => -cos_a*side12*F_mu12_by_psi12_dot/N1 - cos_a*side12*F_mu12_by_psi12_dot/N2; }
         x2 s_dot {
-            sliding_friction => (cos_a*side12*F_mu12_by_psi12_dot/(h*N2) - cos_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
+            sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N2) - cos_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
             damping => sin_a*beta_K*k12_mid*damp12;
         }
         x2 x1_dot { damping => sin_a.powi(2)*beta_K*k12_mid*damp12; }
@@ -407,41 +474,41 @@ equations! {
         x2 x2_dot { damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid*damp12; }
         x2 y2_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
         y2 theta {
-            transmission_error_and_backlash_and_moving_phase => -cos_a*k12*de12*touch12*clip12;
-            transmission_error_and_sliding_friction_and_moving_phase => -sin_a*de12*side12*F_mu12_by_over12;
-            transmission_error_and_moving_phase => -cos_a*k12*de12*touch12;
-            backlash_and_moving_phase => cos_a*dk12*touch12*clip12*over12;
-            sliding_friction_and_moving_phase => sin_a*dk12*side12*F_mu12_by_k12 + sin_a*dside12*F_mu12;
+            transmission_error_12_and_backlash_12_and_moving_phase => -cos_a*k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => -sin_a*de12*side12*F_mu12_by_over12;
+            transmission_error_12_and_moving_phase => -cos_a*k12*de12*touch12;
+            backlash_12_and_moving_phase => cos_a*dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => sin_a*dk12*side12*F_mu12_by_k12 + sin_a*dside12*F_mu12;
             moving_phase => cos_a*dk12*touch12*over12;
         }
         y2 s {
             _ => cos_a*k12*touch12;
-            backlash => cos_a*k12*touch12*clip12;
-            sliding_friction => sin_a*side12*F_mu12_by_over12;
+            backlash_12 => cos_a*k12*clip12*touch12;
+            sliding_friction_12 => sin_a*side12*F_mu12_by_over12;
         }
         y2 x1 {
             _ => cos_a*sin_a*k12*touch12;
-            backlash => cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => sin_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y2 y1 {
             _ => cos_a.powi(2)*k12*touch12;
-            backlash => cos_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         y2 x2 {
             _ => -cos_a*sin_a*k12*touch12;
-            backlash => -cos_a*sin_a*k12*touch12*clip12;
-            sliding_friction => -sin_a.powi(2)*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
+            sliding_friction_12 => -sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y2 y2 {
             _ => -kb2 - cos_a.powi(2)*k12*touch12;
-            backlash => -cos_a.powi(2)*k12*touch12*clip12;
-            sliding_friction => -cos_a*sin_a*side12*F_mu12_by_over12;
+            backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
+            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
-        y2 theta_dot { sliding_friction => sin_a*side12*F_mu12_by_psi12_dot/N1 + sin_a*side12*F_mu12_by_psi12_dot/N2; }
+        y2 theta_dot { sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot/N1 + sin_a*side12*F_mu12_by_psi12_dot/N2; }
         y2 s_dot {
-            sliding_friction => (sin_a*side12*F_mu12_by_psi12_dot/(h*N1) - sin_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
+            sliding_friction_12 => (sin_a*side12*F_mu12_by_psi12_dot/(h*N1) - sin_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => cos_a*beta_K*k12_mid*damp12;
         }
         y2 x1_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
@@ -453,63 +520,63 @@ equations! {
         stiffness {
             s s {
                 _ => k12*touch12;
-                backlash => k12*touch12*clip12;
+                backlash_12 => k12*clip12*touch12;
             }
             s x1 {
                 _ => sin_a*k12*touch12;
-                backlash => sin_a*k12*touch12*clip12;
+                backlash_12 => sin_a*k12*clip12*touch12;
             }
             s y1 {
                 _ => cos_a*k12*touch12;
-                backlash => cos_a*k12*touch12*clip12;
+                backlash_12 => cos_a*k12*clip12*touch12;
             }
             s x2 {
                 _ => -sin_a*k12*touch12;
-                backlash => -sin_a*k12*touch12*clip12;
+                backlash_12 => -sin_a*k12*clip12*touch12;
             }
             s y2 {
                 _ => -cos_a*k12*touch12;
-                backlash => -cos_a*k12*touch12*clip12;
+                backlash_12 => -cos_a*k12*clip12*touch12;
             }
             x1 x1 {
                 _ => kb1 + sin_a.powi(2)*k12*touch12;
-                backlash => sin_a.powi(2)*k12*touch12*clip12;
+                backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
             }
             x1 y1 {
                 _ => cos_a*sin_a*k12*touch12;
-                backlash => cos_a*sin_a*k12*touch12*clip12;
+                backlash_12 => cos_a*sin_a*k12*clip12*touch12;
             }
             x1 x2 {
                 _ => -sin_a.powi(2)*k12*touch12;
-                backlash => -sin_a.powi(2)*k12*touch12*clip12;
+                backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
             }
             x1 y2 {
                 _ => -cos_a*sin_a*k12*touch12;
-                backlash => -cos_a*sin_a*k12*touch12*clip12;
+                backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
             }
             y1 y1 {
                 _ => kb1 + cos_a.powi(2)*k12*touch12;
-                backlash => cos_a.powi(2)*k12*touch12*clip12;
+                backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
             }
             y1 x2 {
                 _ => -cos_a*sin_a*k12*touch12;
-                backlash => -cos_a*sin_a*k12*touch12*clip12;
+                backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
             }
             y1 y2 {
                 _ => -cos_a.powi(2)*k12*touch12;
-                backlash => -cos_a.powi(2)*k12*touch12*clip12;
+                backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
             }
             x2 x2 {
                 _ => kb2 + sin_a.powi(2)*k12*touch12;
-                backlash => sin_a.powi(2)*k12*touch12*clip12;
+                backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
             }
             x2 y2 {
                 _ => cos_a*sin_a*k12*touch12;
-                backlash => cos_a*sin_a*k12*touch12*clip12;
+                backlash_12 => cos_a*sin_a*k12*clip12*touch12;
             }
             y2 y2 {
                 _ => kb2 + cos_a.powi(2)*k12*touch12;
-                backlash => cos_a.powi(2)*k12*touch12*clip12;
+                backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
             }
         }
         damping {
@@ -535,30 +602,30 @@ equations! {
             theta { torques => T_motor/N1 - T_load/N2; }
             s {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash => k12*touch12*clip12*edge12 + k12*touch12*clip12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             }
             x1 {
                 _ => sin_a*k12*touch12*edge12 + sin_a*k12*touch12*e12;
-                backlash => sin_a*k12*touch12*clip12*edge12 + sin_a*k12*touch12*clip12*e12;
+                backlash_12 => sin_a*k12*clip12*touch12*edge12 + sin_a*k12*clip12*touch12*e12;
             }
             y1 {
                 _ => cos_a*k12*touch12*edge12 + cos_a*k12*touch12*e12;
-                backlash => cos_a*k12*touch12*clip12*edge12 + cos_a*k12*touch12*clip12*e12;
+                backlash_12 => cos_a*k12*clip12*touch12*edge12 + cos_a*k12*clip12*touch12*e12;
             }
             x2 {
                 _ => -sin_a*k12*touch12*edge12 - sin_a*k12*touch12*e12;
-                backlash => -sin_a*k12*touch12*clip12*edge12 - sin_a*k12*touch12*clip12*e12;
+                backlash_12 => -sin_a*k12*clip12*touch12*edge12 - sin_a*k12*clip12*touch12*e12;
             }
             y2 {
                 _ => -cos_a*k12*touch12*edge12 - cos_a*k12*touch12*e12;
-                backlash => -cos_a*k12*touch12*clip12*edge12 - cos_a*k12*touch12*clip12*e12;
+                backlash_12 => -cos_a*k12*clip12*touch12*edge12 - cos_a*k12*clip12*touch12*e12;
             }
         }
     }
     nonlinear_with {
-        sliding_friction "-side12*F_mu12 in the torque `slide12`";
-        sliding_friction "-arm12*F_mu12 in the torque `roll12`";
+        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
@@ -572,17 +639,18 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects; q'.dD/dq' includes the power of clipped damper forces
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: T is a sum of squares that vanish together only at rest
 // - at a step of k12, e12: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
 //   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 // - V is the same on both sides of a step of side12, arm12: no impulse there
-// - V is the same on both sides of the edges of over12: no impulse there
+// - V is the same on both sides of the exits of over12: no impulse there
+// - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
+//   dD/dover12_dot >= F over12
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
-// - the damper of over12, clipped to the force F = dV/dover12 of its spring, takes energy or none: clip12 F over12_dot >= 0, since F over12
-//   >= 0, over12_dot dD/dover12_dot >= 0 and, where it is clipped, clip12 over12 dD/dover12_dot >= F over12
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
 //   flanks slide as rolling makes them

@@ -25,9 +25,9 @@ equations! {
         I_l "kg*m^2" required, open 0.0 to inf, "moment of inertia of the load";
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
-        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
-        T_load "N*m" required, open -inf to inf, "load torque of the load, against its rotation";
+        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the motor: torque per difference of set point and speed";
         n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
@@ -51,7 +51,7 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         torques "constant torques of motor and load";
         speed_governor excludes(dc_motor, induction_motor, rigid_kinematics, frozen_phase)
             "a speed governor: motor torque proportional to the set point minus the speed";
@@ -65,7 +65,7 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
+        backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
     }
 
     constants { h = r1/N1; }
@@ -74,7 +74,71 @@ equations! {
         theta_m = psi_m + s/(2.0*h*N1) + theta/N1;
         theta_l = theta/N2 - psi_l - s/(2.0*h*N2);
     }
-    dead_bands { over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh"; }
+    switches {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh" {
+            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper_loose {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper_hit {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower_loose {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until lower_hit {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
+                }
+                until lower {
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
+            }
+            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            loss { over12 { _ => k12*clip12*touch12; } }
+        }
+    }
     energies {
         kinetic {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
@@ -157,7 +221,7 @@ equations! {
         }
         s {
             _ => -k12*touch12*over12;
-            backlash => -k12*touch12*clip12*over12;
+            backlash_12 => -k12*clip12*touch12*over12;
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2.0;
             dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2.0;
@@ -263,12 +327,12 @@ equations! {
             damping => I_l*alpha_M/N2;
         }
         s theta {
-            backlash_and_moving_phase => -dk12*touch12*clip12*over12;
+            backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
             moving_phase => -dk12*touch12*over12;
         }
         s s {
             _ => -k12*touch12;
-            backlash => -k12*touch12*clip12;
+            backlash_12 => -k12*clip12*touch12;
         }
         s theta_dot {
             speed_governor => -c_motor/(2.0*h*N1.powi(2));
@@ -421,7 +485,7 @@ equations! {
         stiffness {
             s s {
                 _ => k12*touch12;
-                backlash => k12*touch12*clip12;
+                backlash_12 => k12*clip12*touch12;
             }
             psi_m psi_m { _ => k_m; }
             psi_l psi_l { _ => k_l; }
@@ -471,7 +535,7 @@ equations! {
             }
             s {
                 _ => k12*touch12*edge12;
-                backlash => k12*touch12*clip12*edge12;
+                backlash_12 => k12*clip12*touch12*edge12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
                 speed_governor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
@@ -498,16 +562,17 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects; q'.dD/dq' includes the power of clipped damper forces
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: every leading minor is a sum of products of positive quantities
 // - at a step of k12: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
 //   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-// - V is the same on both sides of the edges of over12: no impulse there
+// - V is the same on both sides of the exits of over12: no impulse there
+// - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
+//   dD/dover12_dot >= F over12
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
-// - the damper of over12, clipped to the force F = dV/dover12 of its spring, takes energy or none: clip12 F over12_dot >= 0, since F over12
-//   >= 0, over12_dot dD/dover12_dot >= 0 and, where it is clipped, clip12 over12 dD/dover12_dot >= F over12
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2
 //

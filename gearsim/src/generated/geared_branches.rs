@@ -26,8 +26,8 @@ equations! {
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_a "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft to the first disc";
         k_b "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft to the second disc";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
-        T_load "N*m" required, open -inf to inf, "load torque of the second shaft's disc, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the second shaft's disc, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }

@@ -23,31 +23,31 @@ equations! {
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the idler";
         I3 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
-        mu12 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
+        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
-        mu23 "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh of gears 2 and 3";
+        mu23 "1" required with sliding_friction_23, from 0.0 to inf, "coefficient of friction of the mesh of gears 2 and 3";
         w_mix23 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 2 and 3 below which friction decreases to zero (mixed film)";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the driving gear";
-        T_load "N*m" required, open -inf to inf, "load torque of the driven gear, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
         k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of gears 1 and 2 along the line of action";
         k23 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of gears 2 and 3 along the line of action";
-        e12 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e12 "m" phase theta period 6.283185307179586 rolling with transmission_error_12,
             "transmission error of the mesh of gears 1 and 2 along the line of action";
-        e23 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e23 "m" phase theta period 6.283185307179586 rolling with transmission_error_23,
             "transmission error of the mesh of gears 2 and 3 along the line of action";
-        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side,
+        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction_12 as side,
             "share of the force of the mesh of gears 1 and 2 on tooth pairs beyond the pitch point, minus that on pairs before it";
-        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm,
+        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction_12 as arm,
             "mean distance of the force of the mesh of gears 1 and 2 from the pitch point along the line of action";
-        side23 "1" phase theta period 6.283185307179586 rolling with sliding_friction as side,
+        side23 "1" phase theta period 6.283185307179586 rolling with sliding_friction_23 as side,
             "share of the force of the mesh of gears 2 and 3 on tooth pairs beyond the pitch point, minus that on pairs before it";
-        arm23 "m" phase theta period 6.283185307179586 rolling with sliding_friction as arm,
+        arm23 "m" phase theta period 6.283185307179586 rolling with sliding_friction_23 as arm,
             "mean distance of the force of the mesh of gears 2 and 3 from the pitch point along the line of action";
     }
     motions { speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear"; }
@@ -58,9 +58,13 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step)
+        transmission_error_12 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        transmission_error_23 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        sliding_friction_23 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -68,10 +72,16 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
-        sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
-        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
+        transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_23_and_jump_terms = transmission_error_23, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
+            !frozen_phase;
+        transmission_error_23_and_sliding_friction_23_and_moving_phase = transmission_error_23, sliding_friction_23, stiffness_step,
+            !frozen_phase;
+        sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
+        sliding_friction_23_and_moving_phase = sliding_friction_23, stiffness_step, !frozen_phase;
+        transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
+        transmission_error_23_and_moving_phase = transmission_error_23, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -90,34 +100,36 @@ equations! {
     }
     forces {
         F_mu12 {
-            sliding_friction => mu12*k12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            sliding_friction_12 => mu12*k12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu23 {
-            sliding_friction => mu23*k23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            sliding_friction_23 => mu23*k23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()
+                /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
     }
     partials {
         F_mu12_by_delta12 {
-            sliding_friction => mu12*k12*delta12*psi12_dot
+            sliding_friction_12 => mu12*k12*delta12*psi12_dot
                 /((tiny12.powi(2) + delta12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         F_mu12_by_psi12_dot {
-            sliding_friction => mu12*k12*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
+            sliding_friction_12 => mu12*k12*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
                 - mu12*k12*psi12_dot.powi(2)*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
         }
         F_mu12_by_k12 {
-            sliding_friction => mu12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            sliding_friction_12 => mu12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu23_by_delta23 {
-            sliding_friction => mu23*k23*delta23*psi23_dot
+            sliding_friction_23 => mu23*k23*delta23*psi23_dot
                 /((tiny23.powi(2) + delta23.powi(2)).sqrt()*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
         }
         F_mu23_by_psi23_dot {
-            sliding_friction => mu23*k23*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()
+            sliding_friction_23 => mu23*k23*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()
                 - mu23*k23*psi23_dot.powi(2)*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).powf(3.0/2.0);
         }
         F_mu23_by_k23 {
-            sliding_friction => mu23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            sliding_friction_23 => mu23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
     }
     energies {
@@ -134,13 +146,13 @@ equations! {
     }
     torques {
         slide12 "friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction => -side12*F_mu12*tau12_dot; }
+        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
         roll12 "friction of the mesh of gears 1 and 2, through the rolling of the gears" {}
-        power { sliding_friction => -arm12*F_mu12*psi12_dot; }
+        power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         slide23 "friction of the mesh of gears 2 and 3, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction => -side23*F_mu23*tau23_dot; }
+        power { sliding_friction_23 => -side23*F_mu23*tau23_dot; }
         roll23 "friction of the mesh of gears 2 and 3, through the rolling of the gears" {}
-        power { sliding_friction => -arm23*F_mu23*psi23_dot; }
+        power { sliding_friction_23 => -arm23*F_mu23*psi23_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(delta1/(h*N1) + theta/N1); }
         load "load torque of the driven gear, against its rotation" { torques => T_load*(delta2/(h*N3) - theta/N3); }
     }
@@ -158,8 +170,10 @@ equations! {
     }
     force {
         theta {
-            transmission_error_and_jump_terms => k12*de12*delta12 + k23*de23*delta23;
-            sliding_friction => -arm12*F_mu12/N1 - arm12*F_mu12/N2 - arm23*F_mu23/N2 - arm23*F_mu23/N3;
+            transmission_error_12_and_jump_terms => k12*de12*delta12;
+            transmission_error_23_and_jump_terms => k23*de23*delta23;
+            sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
+            sliding_friction_23 => -arm23*F_mu23/N2 - arm23*F_mu23/N3;
             torques => T_motor/N1 - T_load/N3;
             damping => I3*alpha_M*delta2_dot/(h*N3.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I3*alpha_M*theta_dot/N3.powi(2) - I1*alpha_M*delta1_dot/(h*N1.powi(2));
@@ -167,91 +181,96 @@ equations! {
         }
         delta1 {
             _ => -k12*delta12;
-            sliding_friction => -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1);
+            sliding_friction_12 => -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1);
             torques => T_motor/(h*N1);
             damping => -beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h.powi(2)*N1.powi(2)) - I1*alpha_M*theta_dot/(h*N1.powi(2));
         }
         delta2 {
             _ => -k23*delta23;
-            sliding_friction => arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23;
+            sliding_friction_23 => arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23;
             torques => T_load/(h*N3);
             damping => I3*alpha_M*theta_dot/(h*N3.powi(2)) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h.powi(2)*N3.powi(2));
         }
     }
     jacobian {
         theta theta {
-            transmission_error_and_sliding_friction_and_moving_phase => de12*arm12*F_mu12_by_delta12/N1 + de12*arm12*F_mu12_by_delta12/N2
-                + de23*arm23*F_mu23_by_delta23/N2 + de23*arm23*F_mu23_by_delta23/N3;
-            transmission_error_and_jump_terms => k12*dde12*delta12 - k12*de12.powi(2) + k23*dde23*delta23 - k23*de23.powi(2)
-                + 2.0*de12*dk12*delta12 + 2.0*de23*dk23*delta23;
-            sliding_friction_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2 - darm23*F_mu23/N2
-                - dk12*arm12*F_mu12_by_k12/N2 - dk23*arm23*F_mu23_by_k23/N2 - darm23*F_mu23/N3 - dk23*arm23*F_mu23_by_k23/N3;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_delta12/N1
+                + de12*arm12*F_mu12_by_delta12/N2;
+            transmission_error_12_and_jump_terms => k12*dde12*delta12 - k12*de12.powi(2) + 2.0*de12*dk12*delta12;
+            transmission_error_23_and_sliding_friction_23_and_moving_phase => de23*arm23*F_mu23_by_delta23/N2
+                + de23*arm23*F_mu23_by_delta23/N3;
+            transmission_error_23_and_jump_terms => k23*dde23*delta23 - k23*de23.powi(2) + 2.0*de23*dk23*delta23;
+            sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
+                - dk12*arm12*F_mu12_by_k12/N2;
+            sliding_friction_23_and_moving_phase => -darm23*F_mu23/N2 - dk23*arm23*F_mu23_by_k23/N2 - darm23*F_mu23/N3
+                - dk23*arm23*F_mu23_by_k23/N3;
             jump_terms => (-ddk12*delta12.powi(2) - ddk23*delta23.powi(2))/2.0;
         }
         theta delta1 {
-            transmission_error_and_jump_terms => k12*de12;
-            sliding_friction => -arm12*F_mu12_by_delta12/N1 - arm12*F_mu12_by_delta12/N2;
+            transmission_error_12_and_jump_terms => k12*de12;
+            sliding_friction_12 => -arm12*F_mu12_by_delta12/N1 - arm12*F_mu12_by_delta12/N2;
             jump_terms => -dk12*delta12;
         }
         theta delta2 {
-            transmission_error_and_jump_terms => k23*de23;
-            sliding_friction => -arm23*F_mu23_by_delta23/N2 - arm23*F_mu23_by_delta23/N3;
+            transmission_error_23_and_jump_terms => k23*de23;
+            sliding_friction_23 => -arm23*F_mu23_by_delta23/N2 - arm23*F_mu23_by_delta23/N3;
             jump_terms => -dk23*delta23;
         }
         theta theta_dot {
-            sliding_friction => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2) - arm23*F_mu23_by_psi23_dot/N2.powi(2) - 2.0*arm23*F_mu23_by_psi23_dot/(N2*N3)
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
+                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            sliding_friction_23 => -arm23*F_mu23_by_psi23_dot/N2.powi(2) - 2.0*arm23*F_mu23_by_psi23_dot/(N2*N3)
                 - arm23*F_mu23_by_psi23_dot/N3.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I3*alpha_M/N3.powi(2);
         }
         theta delta1_dot {
-            sliding_friction => -arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
             damping => -I1*alpha_M/(h*N1.powi(2));
         }
         theta delta2_dot {
-            sliding_friction => arm23*F_mu23_by_psi23_dot/(h*N2*N3) + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
+            sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
             damping => I3*alpha_M/(h*N3.powi(2));
         }
         delta1 theta {
-            transmission_error_and_sliding_friction_and_moving_phase => tan_a*de12*side12*F_mu12_by_delta12
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_delta12
                 + de12*arm12*F_mu12_by_delta12/(h*N1);
-            transmission_error_and_moving_phase => k12*de12;
-            sliding_friction_and_moving_phase => -tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12 - darm12*F_mu12/(h*N1)
+            transmission_error_12_and_moving_phase => k12*de12;
+            sliding_friction_12_and_moving_phase => -tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12 - darm12*F_mu12/(h*N1)
                 - dk12*arm12*F_mu12_by_k12/(h*N1);
             moving_phase => -dk12*delta12;
         }
         delta1 delta1 {
             _ => -k12;
-            sliding_friction => -tan_a*side12*F_mu12_by_delta12 - arm12*F_mu12_by_delta12/(h*N1);
+            sliding_friction_12 => -tan_a*side12*F_mu12_by_delta12 - arm12*F_mu12_by_delta12/(h*N1);
         }
         delta1 theta_dot {
-            sliding_friction => -tan_a*side12*F_mu12_by_psi12_dot/N1 - tan_a*side12*F_mu12_by_psi12_dot/N2
+            sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot/N1 - tan_a*side12*F_mu12_by_psi12_dot/N2
                 - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
             damping => -I1*alpha_M/(h*N1.powi(2));
         }
         delta1 delta1_dot {
-            sliding_friction => -arm12*F_mu12_by_psi12_dot/(h.powi(2)*N1.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(h*N1);
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h.powi(2)*N1.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(h*N1);
             damping => -beta_K*k12_mid - I1*alpha_M/(h.powi(2)*N1.powi(2));
         }
         delta2 theta {
-            transmission_error_and_sliding_friction_and_moving_phase => tan_a*de23*side23*F_mu23_by_delta23
+            transmission_error_23_and_sliding_friction_23_and_moving_phase => tan_a*de23*side23*F_mu23_by_delta23
                 - de23*arm23*F_mu23_by_delta23/(h*N3);
-            transmission_error_and_moving_phase => k23*de23;
-            sliding_friction_and_moving_phase => darm23*F_mu23/(h*N3) - tan_a*dk23*side23*F_mu23_by_k23 - tan_a*dside23*F_mu23
+            transmission_error_23_and_moving_phase => k23*de23;
+            sliding_friction_23_and_moving_phase => darm23*F_mu23/(h*N3) - tan_a*dk23*side23*F_mu23_by_k23 - tan_a*dside23*F_mu23
                 + dk23*arm23*F_mu23_by_k23/(h*N3);
             moving_phase => -dk23*delta23;
         }
         delta2 delta2 {
             _ => -k23;
-            sliding_friction => arm23*F_mu23_by_delta23/(h*N3) - tan_a*side23*F_mu23_by_delta23;
+            sliding_friction_23 => arm23*F_mu23_by_delta23/(h*N3) - tan_a*side23*F_mu23_by_delta23;
         }
         delta2 theta_dot {
-            sliding_friction => arm23*F_mu23_by_psi23_dot/(h*N2*N3) - tan_a*side23*F_mu23_by_psi23_dot/N2
+            sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) - tan_a*side23*F_mu23_by_psi23_dot/N2
                 - tan_a*side23*F_mu23_by_psi23_dot/N3 + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
             damping => I3*alpha_M/(h*N3.powi(2));
         }
         delta2 delta2_dot {
-            sliding_friction => tan_a*side23*F_mu23_by_psi23_dot/(h*N3) - arm23*F_mu23_by_psi23_dot/(h.powi(2)*N3.powi(2));
+            sliding_friction_23 => tan_a*side23*F_mu23_by_psi23_dot/(h*N3) - arm23*F_mu23_by_psi23_dot/(h.powi(2)*N3.powi(2));
             damping => -beta_K*k23_mid - I3*alpha_M/(h.powi(2)*N3.powi(2));
         }
     }
@@ -280,10 +299,10 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction "-side12*F_mu12 in the torque `slide12`";
-        sliding_friction "-arm12*F_mu12 in the torque `roll12`";
-        sliding_friction "-side23*F_mu23 in the torque `slide23`";
-        sliding_friction "-arm23*F_mu23 in the torque `roll23`";
+        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        sliding_friction_23 "-side23*F_mu23 in the torque `slide23`";
+        sliding_friction_23 "-arm23*F_mu23 in the torque `roll23`";
     }
     jump k12 { step { _ => dk12*delta12.powi(2)/2.0; } }
     jump k23 { step { _ => dk23*delta23.powi(2)/2.0; } }
@@ -325,5 +344,5 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 2 | 2 |
 // | named forces | 4 | 16 | 4 |
-// | force | 16 | 84 | 0 |
+// | force | 14 | 84 | 0 |
 // | energy steps, all laws | 2 | 16 | 0 |

@@ -13,6 +13,12 @@ pub mod chain_32;
 #[rustfmt::skip]
 pub mod chain_5;
 #[rustfmt::skip]
+pub mod electric_axle;
+#[rustfmt::skip]
+pub mod freewheel;
+#[rustfmt::skip]
+pub mod friction_oscillator;
+#[rustfmt::skip]
 pub mod gear_pair;
 #[rustfmt::skip]
 pub mod gear_pair_bearings;
@@ -47,6 +53,9 @@ pub mod wind_turbine;
 pub static MODELS: &[Entry] = &[
     Entry::new::<gear_pair::GearPair>(),
     Entry::new::<backlash_oscillator::BacklashOscillator>(),
+    Entry::new::<friction_oscillator::FrictionOscillator>(),
+    Entry::new::<freewheel::Freewheel>(),
+    Entry::new::<electric_axle::ElectricAxle>(),
     Entry::new::<gear_pair_shafts::GearPairShafts>(),
     Entry::new::<gear_pair_bearings::GearPairBearings>(),
     Entry::new::<geared_branches::GearedBranches>(),

@@ -50,8 +50,8 @@ equations! {
         psi1 "rad" default 0.0, open -inf to inf, "angular position of planet 1";
         psi2 "rad" default 2.0943951023931953, open -inf to inf, "angular position of planet 2";
         psi3 "rad" default 4.1887902047863905, open -inf to inf, "angular position of planet 3";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the sun";
-        T_load "N*m" required, open -inf to inf, "load torque of the carrier, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -62,17 +62,17 @@ equations! {
         k_r2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 2 along the line of action";
         k_s3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 3 along the line of action";
         k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error_s1,
             "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error_r1,
             "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error_s2,
             "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error_r2,
             "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error_s3,
             "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
@@ -83,7 +83,17 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step)
+        transmission_error_s1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s3 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -91,8 +101,18 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_jump_terms = transmission_error_s1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_jump_terms = transmission_error_r1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s2_and_jump_terms = transmission_error_s2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r2_and_jump_terms = transmission_error_r2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s3_and_jump_terms = transmission_error_s3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r3_and_jump_terms = transmission_error_r3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_moving_phase = transmission_error_r1, stiffness_step, !frozen_phase;
+        transmission_error_r2_and_moving_phase = transmission_error_r2, stiffness_step, !frozen_phase;
+        transmission_error_r3_and_moving_phase = transmission_error_r3, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_moving_phase = transmission_error_s1, stiffness_step, !frozen_phase;
+        transmission_error_s2_and_moving_phase = transmission_error_s2, stiffness_step, !frozen_phase;
+        transmission_error_s3_and_moving_phase = transmission_error_s3, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -216,8 +236,12 @@ equations! {
     }
     force {
         theta {
-            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1
-                + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*delta_r3;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r
                 - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
@@ -326,71 +350,94 @@ equations! {
     }
     jacobian {
         theta theta {
-            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2)
-                + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2
-                - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2
-                + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3;
+            transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + 2.0*de_r2*dk_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_s3*dk_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + 2.0*de_r3*dk_r3*delta_r3;
             jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*delta_s1.powi(2)
                 - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
         }
         theta theta_c {
-            transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
+            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
         theta theta_r {
-            transmission_error_and_jump_terms => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3;
+            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3;
             jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3;
         }
         theta x_s {
-            transmission_error_and_jump_terms => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3;
+            transmission_error_s1_and_jump_terms => -sin_s1*k_s1*de_s1;
+            transmission_error_s2_and_jump_terms => -sin_s2*k_s2*de_s2;
+            transmission_error_s3_and_jump_terms => -sin_s3*k_s3*de_s3;
             jump_terms => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3;
         }
         theta y_s {
-            transmission_error_and_jump_terms => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3;
+            transmission_error_s1_and_jump_terms => cos_s1*k_s1*de_s1;
+            transmission_error_s2_and_jump_terms => cos_s2*k_s2*de_s2;
+            transmission_error_s3_and_jump_terms => cos_s3*k_s3*de_s3;
             jump_terms => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3;
         }
         theta x_r {
-            transmission_error_and_jump_terms => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3;
+            transmission_error_r1_and_jump_terms => -sin_r1*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => -sin_r2*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => -sin_r3*k_r3*de_r3;
             jump_terms => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3;
         }
         theta y_r {
-            transmission_error_and_jump_terms => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3;
+            transmission_error_r1_and_jump_terms => cos_r1*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => cos_r2*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => cos_r3*k_r3*de_r3;
             jump_terms => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3;
         }
         theta zeta1 {
-            transmission_error_and_jump_terms => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
+            transmission_error_s1_and_jump_terms => -sin_a*k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => sin_a*k_r1*de_r1;
             jump_terms => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         theta eta1 {
-            transmission_error_and_jump_terms => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
+            transmission_error_s1_and_jump_terms => -cos_a*k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => -cos_a*k_r1*de_r1;
             jump_terms => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         theta u1 {
-            transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => -k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         theta zeta2 {
-            transmission_error_and_jump_terms => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
+            transmission_error_s2_and_jump_terms => -sin_a*k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => sin_a*k_r2*de_r2;
             jump_terms => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         theta eta2 {
-            transmission_error_and_jump_terms => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
+            transmission_error_s2_and_jump_terms => -cos_a*k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => -cos_a*k_r2*de_r2;
             jump_terms => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         theta u2 {
-            transmission_error_and_jump_terms => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => -k_r2*de_r2;
             jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         theta zeta3 {
-            transmission_error_and_jump_terms => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
+            transmission_error_s3_and_jump_terms => -sin_a*k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => sin_a*k_r3*de_r3;
             jump_terms => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         theta eta3 {
-            transmission_error_and_jump_terms => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
+            transmission_error_s3_and_jump_terms => -cos_a*k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => -cos_a*k_r3*de_r3;
             jump_terms => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         theta u3 {
-            transmission_error_and_jump_terms => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => -k_r3*de_r3;
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta theta_dot {
@@ -409,7 +456,9 @@ equations! {
         theta eta3_dot { damping => -a*alpha_M*m_p/Z_r; }
         theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
-            transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
+            transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
         theta_c theta_c { _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
@@ -449,7 +498,9 @@ equations! {
         theta_c eta3_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid; }
         theta_c u3_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
         theta_r theta {
-            transmission_error_and_moving_phase => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3;
+            transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3;
             moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3;
         }
         theta_r theta_c { _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
@@ -485,7 +536,9 @@ equations! {
         theta_r eta3_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid; }
         theta_r u3_dot { damping => h*Z_r*beta_K*k_r3_mid; }
         x_s theta {
-            transmission_error_and_moving_phase => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3;
+            transmission_error_s1_and_moving_phase => -sin_s1*k_s1*de_s1;
+            transmission_error_s2_and_moving_phase => -sin_s2*k_s2*de_s2;
+            transmission_error_s3_and_moving_phase => -sin_s3*k_s3*de_s3;
             moving_phase => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3;
         }
         x_s x_s { _ => -kb_s - sin_s1.powi(2)*k_s1 - sin_s2.powi(2)*k_s2 - sin_s3.powi(2)*k_s3; }
@@ -514,7 +567,9 @@ equations! {
         x_s eta3_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid; }
         x_s u3_dot { damping => sin_s3*beta_K*k_s3_mid; }
         y_s theta {
-            transmission_error_and_moving_phase => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3;
+            transmission_error_s1_and_moving_phase => cos_s1*k_s1*de_s1;
+            transmission_error_s2_and_moving_phase => cos_s2*k_s2*de_s2;
+            transmission_error_s3_and_moving_phase => cos_s3*k_s3*de_s3;
             moving_phase => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3;
         }
         y_s x_s { _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3; }
@@ -583,7 +638,9 @@ equations! {
         y_c zeta3_dot { damping => sin_c3*beta_K*kb_p; }
         y_c eta3_dot { damping => cos_c3*beta_K*kb_p; }
         x_r theta {
-            transmission_error_and_moving_phase => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3;
+            transmission_error_r1_and_moving_phase => -sin_r1*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => -sin_r2*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => -sin_r3*k_r3*de_r3;
             moving_phase => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3;
         }
         x_r theta_c { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3; }
@@ -616,7 +673,9 @@ equations! {
         x_r eta3_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid; }
         x_r u3_dot { damping => -sin_r3*beta_K*k_r3_mid; }
         y_r theta {
-            transmission_error_and_moving_phase => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3;
+            transmission_error_r1_and_moving_phase => cos_r1*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => cos_r2*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => cos_r3*k_r3*de_r3;
             moving_phase => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3;
         }
         y_r theta_c { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3; }
@@ -649,7 +708,8 @@ equations! {
         y_r eta3_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid; }
         y_r u3_dot { damping => cos_r3*beta_K*k_r3_mid; }
         zeta1 theta {
-            transmission_error_and_moving_phase => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
+            transmission_error_s1_and_moving_phase => -sin_a*k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => sin_a*k_r1*de_r1;
             moving_phase => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         zeta1 theta_c { _ => h*sin_a*Z_r*k_r1; }
@@ -675,7 +735,8 @@ equations! {
         zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
         zeta1 u1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
         eta1 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
+            transmission_error_s1_and_moving_phase => -cos_a*k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => -cos_a*k_r1*de_r1;
             moving_phase => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         eta1 theta_c { _ => -cos_a*h*Z_r*k_r1; }
@@ -702,7 +763,8 @@ equations! {
         eta1 eta1_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid; }
         eta1 u1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
         u1 theta {
-            transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_moving_phase => k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => -k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         u1 theta_c { _ => -h*Z_r*k_r1; }
@@ -725,7 +787,8 @@ equations! {
         u1 eta1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
         u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
         zeta2 theta {
-            transmission_error_and_moving_phase => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
+            transmission_error_s2_and_moving_phase => -sin_a*k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => sin_a*k_r2*de_r2;
             moving_phase => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         zeta2 theta_c { _ => h*sin_a*Z_r*k_r2; }
@@ -751,7 +814,8 @@ equations! {
         zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
         zeta2 u2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
         eta2 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
+            transmission_error_s2_and_moving_phase => -cos_a*k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => -cos_a*k_r2*de_r2;
             moving_phase => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         eta2 theta_c { _ => -cos_a*h*Z_r*k_r2; }
@@ -778,7 +842,8 @@ equations! {
         eta2 eta2_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid; }
         eta2 u2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
         u2 theta {
-            transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_moving_phase => k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => -k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         u2 theta_c { _ => -h*Z_r*k_r2; }
@@ -801,7 +866,8 @@ equations! {
         u2 eta2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
         u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
         zeta3 theta {
-            transmission_error_and_moving_phase => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
+            transmission_error_s3_and_moving_phase => -sin_a*k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => sin_a*k_r3*de_r3;
             moving_phase => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         zeta3 theta_c { _ => h*sin_a*Z_r*k_r3; }
@@ -827,7 +893,8 @@ equations! {
         zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
         zeta3 u3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
         eta3 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
+            transmission_error_s3_and_moving_phase => -cos_a*k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => -cos_a*k_r3*de_r3;
             moving_phase => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         eta3 theta_c { _ => -cos_a*h*Z_r*k_r3; }
@@ -854,7 +921,8 @@ equations! {
         eta3 eta3_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid; }
         eta3 u3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
         u3 theta {
-            transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_moving_phase => k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => -k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         u3 theta_c { _ => -h*Z_r*k_r3; }
@@ -1188,5 +1256,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 14 | 11 | 20 |
-// | force | 170 | 566 | 0 |
+// | force | 165 | 566 | 0 |
 // | energy steps, all laws | 6 | 48 | 0 |

@@ -54,8 +54,8 @@ equations! {
         psi2 "rad" default 1.5707963267948966, open -inf to inf, "angular position of planet 2";
         psi3 "rad" default 3.141592653589793, open -inf to inf, "angular position of planet 3";
         psi4 "rad" default 4.71238898038469, open -inf to inf, "angular position of planet 4";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the sun";
-        T_load "N*m" required, open -inf to inf, "load torque of the carrier, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -68,21 +68,21 @@ equations! {
         k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
         k_s4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 4 along the line of action";
         k_r4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 4 along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error_s1,
             "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error_r1,
             "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error_s2,
             "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error_r2,
             "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error_s3,
             "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
-        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error_s4,
             "transmission error of the mesh of sun and planet 4 along the line of action";
-        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error_r4,
             "transmission error of the mesh of ring and planet 4 along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
@@ -93,7 +93,21 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step)
+        transmission_error_s1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s3 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r3 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s4 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r4 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -101,8 +115,22 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_jump_terms = transmission_error_s1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_jump_terms = transmission_error_r1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s2_and_jump_terms = transmission_error_s2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r2_and_jump_terms = transmission_error_r2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s3_and_jump_terms = transmission_error_s3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r3_and_jump_terms = transmission_error_r3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s4_and_jump_terms = transmission_error_s4, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r4_and_jump_terms = transmission_error_r4, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_moving_phase = transmission_error_r1, stiffness_step, !frozen_phase;
+        transmission_error_r2_and_moving_phase = transmission_error_r2, stiffness_step, !frozen_phase;
+        transmission_error_r3_and_moving_phase = transmission_error_r3, stiffness_step, !frozen_phase;
+        transmission_error_r4_and_moving_phase = transmission_error_r4, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_moving_phase = transmission_error_s1, stiffness_step, !frozen_phase;
+        transmission_error_s2_and_moving_phase = transmission_error_s2, stiffness_step, !frozen_phase;
+        transmission_error_s3_and_moving_phase = transmission_error_s3, stiffness_step, !frozen_phase;
+        transmission_error_s4_and_moving_phase = transmission_error_s4, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -250,8 +278,14 @@ equations! {
     }
     force {
         theta {
-            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4
-                + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3 + k_s4*de_s4*delta_s4;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*delta_r3;
+            transmission_error_s4_and_jump_terms => k_s4*de_s4*delta_s4;
+            transmission_error_r4_and_jump_terms => k_r4*de_r4*delta_r4;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r
                 - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2)
@@ -378,85 +412,117 @@ equations! {
     }
     jacobian {
         theta theta {
-            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2)
-                + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + k_s1*dde_s1*delta_s1
-                - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2)
-                + k_s4*dde_s4*delta_s4 - k_s4*de_s4.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2
-                + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_r4*dk_r4*delta_r4 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2
-                + 2.0*de_s3*dk_s3*delta_s3 + 2.0*de_s4*dk_s4*delta_s4;
+            transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + 2.0*de_r2*dk_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_s3*dk_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + 2.0*de_r3*dk_r3*delta_r3;
+            transmission_error_s4_and_jump_terms => k_s4*dde_s4*delta_s4 - k_s4*de_s4.powi(2) + 2.0*de_s4*dk_s4*delta_s4;
+            transmission_error_r4_and_jump_terms => k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + 2.0*de_r4*dk_r4*delta_r4;
             jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_r4*delta_r4.powi(2)
                 - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2) - ddk_s4*delta_s4.powi(2))/2.0;
         }
         theta theta_c {
-            transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4;
+            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_jump_terms => -h*Z_r*k_r4*de_r4;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4;
         }
         theta theta_r {
-            transmission_error_and_jump_terms => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4;
+            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_jump_terms => h*Z_r*k_r4*de_r4;
             jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4;
         }
         theta x_s {
-            transmission_error_and_jump_terms => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3 - sin_s4*k_s4*de_s4;
+            transmission_error_s1_and_jump_terms => -sin_s1*k_s1*de_s1;
+            transmission_error_s2_and_jump_terms => -sin_s2*k_s2*de_s2;
+            transmission_error_s3_and_jump_terms => -sin_s3*k_s3*de_s3;
+            transmission_error_s4_and_jump_terms => -sin_s4*k_s4*de_s4;
             jump_terms => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4;
         }
         theta y_s {
-            transmission_error_and_jump_terms => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3 + cos_s4*k_s4*de_s4;
+            transmission_error_s1_and_jump_terms => cos_s1*k_s1*de_s1;
+            transmission_error_s2_and_jump_terms => cos_s2*k_s2*de_s2;
+            transmission_error_s3_and_jump_terms => cos_s3*k_s3*de_s3;
+            transmission_error_s4_and_jump_terms => cos_s4*k_s4*de_s4;
             jump_terms => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4;
         }
         theta x_r {
-            transmission_error_and_jump_terms => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3 - sin_r4*k_r4*de_r4;
+            transmission_error_r1_and_jump_terms => -sin_r1*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => -sin_r2*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => -sin_r3*k_r3*de_r3;
+            transmission_error_r4_and_jump_terms => -sin_r4*k_r4*de_r4;
             jump_terms => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4;
         }
         theta y_r {
-            transmission_error_and_jump_terms => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3 + cos_r4*k_r4*de_r4;
+            transmission_error_r1_and_jump_terms => cos_r1*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => cos_r2*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => cos_r3*k_r3*de_r3;
+            transmission_error_r4_and_jump_terms => cos_r4*k_r4*de_r4;
             jump_terms => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4;
         }
         theta zeta1 {
-            transmission_error_and_jump_terms => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
+            transmission_error_s1_and_jump_terms => -sin_a*k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => sin_a*k_r1*de_r1;
             jump_terms => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         theta eta1 {
-            transmission_error_and_jump_terms => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
+            transmission_error_s1_and_jump_terms => -cos_a*k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => -cos_a*k_r1*de_r1;
             jump_terms => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         theta u1 {
-            transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => -k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         theta zeta2 {
-            transmission_error_and_jump_terms => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
+            transmission_error_s2_and_jump_terms => -sin_a*k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => sin_a*k_r2*de_r2;
             jump_terms => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         theta eta2 {
-            transmission_error_and_jump_terms => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
+            transmission_error_s2_and_jump_terms => -cos_a*k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => -cos_a*k_r2*de_r2;
             jump_terms => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         theta u2 {
-            transmission_error_and_jump_terms => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => -k_r2*de_r2;
             jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         theta zeta3 {
-            transmission_error_and_jump_terms => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
+            transmission_error_s3_and_jump_terms => -sin_a*k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => sin_a*k_r3*de_r3;
             jump_terms => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         theta eta3 {
-            transmission_error_and_jump_terms => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
+            transmission_error_s3_and_jump_terms => -cos_a*k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => -cos_a*k_r3*de_r3;
             jump_terms => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         theta u3 {
-            transmission_error_and_jump_terms => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => -k_r3*de_r3;
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta zeta4 {
-            transmission_error_and_jump_terms => sin_a*k_r4*de_r4 - sin_a*k_s4*de_s4;
+            transmission_error_s4_and_jump_terms => -sin_a*k_s4*de_s4;
+            transmission_error_r4_and_jump_terms => sin_a*k_r4*de_r4;
             jump_terms => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
         }
         theta eta4 {
-            transmission_error_and_jump_terms => -cos_a*k_r4*de_r4 - cos_a*k_s4*de_s4;
+            transmission_error_s4_and_jump_terms => -cos_a*k_s4*de_s4;
+            transmission_error_r4_and_jump_terms => -cos_a*k_r4*de_r4;
             jump_terms => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
         }
         theta u4 {
-            transmission_error_and_jump_terms => k_s4*de_s4 - k_r4*de_r4;
+            transmission_error_s4_and_jump_terms => k_s4*de_s4;
+            transmission_error_r4_and_jump_terms => -k_r4*de_r4;
             jump_terms => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         theta theta_dot {
@@ -477,7 +543,10 @@ equations! {
         theta eta4_dot { damping => -a*alpha_M*m_p/Z_r; }
         theta u4_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
-            transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4;
+            transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_moving_phase => -h*Z_r*k_r4*de_r4;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4;
         }
         theta_c theta_c {
@@ -533,7 +602,10 @@ equations! {
         theta_c eta4_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r4_mid; }
         theta_c u4_dot { damping => -h*Z_r*beta_K*k_r4_mid - I_p*alpha_M/r_p; }
         theta_r theta {
-            transmission_error_and_moving_phase => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4;
+            transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_moving_phase => h*Z_r*k_r4*de_r4;
             moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4;
         }
         theta_r theta_c {
@@ -585,7 +657,10 @@ equations! {
         theta_r eta4_dot { damping => cos_a*h*Z_r*beta_K*k_r4_mid; }
         theta_r u4_dot { damping => h*Z_r*beta_K*k_r4_mid; }
         x_s theta {
-            transmission_error_and_moving_phase => -sin_s1*k_s1*de_s1 - sin_s2*k_s2*de_s2 - sin_s3*k_s3*de_s3 - sin_s4*k_s4*de_s4;
+            transmission_error_s1_and_moving_phase => -sin_s1*k_s1*de_s1;
+            transmission_error_s2_and_moving_phase => -sin_s2*k_s2*de_s2;
+            transmission_error_s3_and_moving_phase => -sin_s3*k_s3*de_s3;
+            transmission_error_s4_and_moving_phase => -sin_s4*k_s4*de_s4;
             moving_phase => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4;
         }
         x_s x_s { _ => -kb_s - sin_s1.powi(2)*k_s1 - sin_s2.powi(2)*k_s2 - sin_s3.powi(2)*k_s3 - sin_s4.powi(2)*k_s4; }
@@ -623,7 +698,10 @@ equations! {
         x_s eta4_dot { damping => -cos_a*sin_s4*beta_K*k_s4_mid; }
         x_s u4_dot { damping => sin_s4*beta_K*k_s4_mid; }
         y_s theta {
-            transmission_error_and_moving_phase => cos_s1*k_s1*de_s1 + cos_s2*k_s2*de_s2 + cos_s3*k_s3*de_s3 + cos_s4*k_s4*de_s4;
+            transmission_error_s1_and_moving_phase => cos_s1*k_s1*de_s1;
+            transmission_error_s2_and_moving_phase => cos_s2*k_s2*de_s2;
+            transmission_error_s3_and_moving_phase => cos_s3*k_s3*de_s3;
+            transmission_error_s4_and_moving_phase => cos_s4*k_s4*de_s4;
             moving_phase => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4;
         }
         y_s x_s { _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3 + cos_s4*sin_s4*k_s4; }
@@ -711,7 +789,10 @@ equations! {
         y_c zeta4_dot { damping => sin_c4*beta_K*kb_p; }
         y_c eta4_dot { damping => cos_c4*beta_K*kb_p; }
         x_r theta {
-            transmission_error_and_moving_phase => -sin_r1*k_r1*de_r1 - sin_r2*k_r2*de_r2 - sin_r3*k_r3*de_r3 - sin_r4*k_r4*de_r4;
+            transmission_error_r1_and_moving_phase => -sin_r1*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => -sin_r2*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => -sin_r3*k_r3*de_r3;
+            transmission_error_r4_and_moving_phase => -sin_r4*k_r4*de_r4;
             moving_phase => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4;
         }
         x_r theta_c { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3 - h*sin_r4*Z_r*k_r4; }
@@ -759,7 +840,10 @@ equations! {
         x_r eta4_dot { damping => -cos_a*sin_r4*beta_K*k_r4_mid; }
         x_r u4_dot { damping => -sin_r4*beta_K*k_r4_mid; }
         y_r theta {
-            transmission_error_and_moving_phase => cos_r1*k_r1*de_r1 + cos_r2*k_r2*de_r2 + cos_r3*k_r3*de_r3 + cos_r4*k_r4*de_r4;
+            transmission_error_r1_and_moving_phase => cos_r1*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => cos_r2*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => cos_r3*k_r3*de_r3;
+            transmission_error_r4_and_moving_phase => cos_r4*k_r4*de_r4;
             moving_phase => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4;
         }
         y_r theta_c { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3 + cos_r4*h*Z_r*k_r4; }
@@ -807,7 +891,8 @@ equations! {
         y_r eta4_dot { damping => cos_a*cos_r4*beta_K*k_r4_mid; }
         y_r u4_dot { damping => cos_r4*beta_K*k_r4_mid; }
         zeta1 theta {
-            transmission_error_and_moving_phase => sin_a*k_r1*de_r1 - sin_a*k_s1*de_s1;
+            transmission_error_s1_and_moving_phase => -sin_a*k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => sin_a*k_r1*de_r1;
             moving_phase => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
         }
         zeta1 theta_c { _ => h*sin_a*Z_r*k_r1; }
@@ -833,7 +918,8 @@ equations! {
         zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
         zeta1 u1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
         eta1 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r1*de_r1 - cos_a*k_s1*de_s1;
+            transmission_error_s1_and_moving_phase => -cos_a*k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => -cos_a*k_r1*de_r1;
             moving_phase => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
         }
         eta1 theta_c { _ => -cos_a*h*Z_r*k_r1; }
@@ -860,7 +946,8 @@ equations! {
         eta1 eta1_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid; }
         eta1 u1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
         u1 theta {
-            transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_moving_phase => k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => -k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         u1 theta_c { _ => -h*Z_r*k_r1; }
@@ -883,7 +970,8 @@ equations! {
         u1 eta1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
         u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
         zeta2 theta {
-            transmission_error_and_moving_phase => sin_a*k_r2*de_r2 - sin_a*k_s2*de_s2;
+            transmission_error_s2_and_moving_phase => -sin_a*k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => sin_a*k_r2*de_r2;
             moving_phase => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
         }
         zeta2 theta_c { _ => h*sin_a*Z_r*k_r2; }
@@ -909,7 +997,8 @@ equations! {
         zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
         zeta2 u2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
         eta2 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r2*de_r2 - cos_a*k_s2*de_s2;
+            transmission_error_s2_and_moving_phase => -cos_a*k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => -cos_a*k_r2*de_r2;
             moving_phase => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
         }
         eta2 theta_c { _ => -cos_a*h*Z_r*k_r2; }
@@ -936,7 +1025,8 @@ equations! {
         eta2 eta2_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid; }
         eta2 u2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
         u2 theta {
-            transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_moving_phase => k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => -k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         u2 theta_c { _ => -h*Z_r*k_r2; }
@@ -959,7 +1049,8 @@ equations! {
         u2 eta2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
         u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
         zeta3 theta {
-            transmission_error_and_moving_phase => sin_a*k_r3*de_r3 - sin_a*k_s3*de_s3;
+            transmission_error_s3_and_moving_phase => -sin_a*k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => sin_a*k_r3*de_r3;
             moving_phase => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
         }
         zeta3 theta_c { _ => h*sin_a*Z_r*k_r3; }
@@ -985,7 +1076,8 @@ equations! {
         zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
         zeta3 u3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
         eta3 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r3*de_r3 - cos_a*k_s3*de_s3;
+            transmission_error_s3_and_moving_phase => -cos_a*k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => -cos_a*k_r3*de_r3;
             moving_phase => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
         }
         eta3 theta_c { _ => -cos_a*h*Z_r*k_r3; }
@@ -1012,7 +1104,8 @@ equations! {
         eta3 eta3_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid; }
         eta3 u3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
         u3 theta {
-            transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_moving_phase => k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => -k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         u3 theta_c { _ => -h*Z_r*k_r3; }
@@ -1035,7 +1128,8 @@ equations! {
         u3 eta3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
         u3 u3_dot { damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2); }
         zeta4 theta {
-            transmission_error_and_moving_phase => sin_a*k_r4*de_r4 - sin_a*k_s4*de_s4;
+            transmission_error_s4_and_moving_phase => -sin_a*k_s4*de_s4;
+            transmission_error_r4_and_moving_phase => sin_a*k_r4*de_r4;
             moving_phase => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
         }
         zeta4 theta_c { _ => h*sin_a*Z_r*k_r4; }
@@ -1061,7 +1155,8 @@ equations! {
         zeta4 eta4_dot { damping => cos_a*sin_a*beta_K*k_r4_mid - cos_a*sin_a*beta_K*k_s4_mid; }
         zeta4 u4_dot { damping => sin_a*beta_K*k_r4_mid + sin_a*beta_K*k_s4_mid; }
         eta4 theta {
-            transmission_error_and_moving_phase => -cos_a*k_r4*de_r4 - cos_a*k_s4*de_s4;
+            transmission_error_s4_and_moving_phase => -cos_a*k_s4*de_s4;
+            transmission_error_r4_and_moving_phase => -cos_a*k_r4*de_r4;
             moving_phase => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
         }
         eta4 theta_c { _ => -cos_a*h*Z_r*k_r4; }
@@ -1088,7 +1183,8 @@ equations! {
         eta4 eta4_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r4_mid - cos_a.powi(2)*beta_K*k_s4_mid; }
         eta4 u4_dot { damping => cos_a*beta_K*k_s4_mid - cos_a*beta_K*k_r4_mid; }
         u4 theta {
-            transmission_error_and_moving_phase => k_s4*de_s4 - k_r4*de_r4;
+            transmission_error_s4_and_moving_phase => k_s4*de_s4;
+            transmission_error_r4_and_moving_phase => -k_r4*de_r4;
             moving_phase => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         u4 theta_c { _ => -h*Z_r*k_r4; }
@@ -1516,5 +1612,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 18 | 11 | 26 |
-// | force | 217 | 708 | 0 |
+// | force | 210 | 708 | 0 |
 // | energy steps, all laws | 8 | 64 | 0 |

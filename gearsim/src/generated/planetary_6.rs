@@ -31,8 +31,8 @@ equations! {
         k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the sun";
-        T_load "N*m" required, open -inf to inf, "load torque of the carrier, against its rotation";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -49,29 +49,29 @@ equations! {
         k_r5 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 5 along the line of action";
         k_s6 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 6 along the line of action";
         k_r6 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 6 along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error_s1,
             "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error_r1,
             "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error_s2,
             "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error_r2,
             "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error_s3,
             "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
-        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error_s4,
             "transmission error of the mesh of sun and planet 4 along the line of action";
-        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error_r4,
             "transmission error of the mesh of ring and planet 4 along the line of action";
-        e_s5 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s5 "m" phase theta period 6.283185307179586 rolling with transmission_error_s5,
             "transmission error of the mesh of sun and planet 5 along the line of action";
-        e_r5 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r5 "m" phase theta period 6.283185307179586 rolling with transmission_error_r5,
             "transmission error of the mesh of ring and planet 5 along the line of action";
-        e_s6 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_s6 "m" phase theta period 6.283185307179586 rolling with transmission_error_s6,
             "transmission error of the mesh of sun and planet 6 along the line of action";
-        e_r6 "m" phase theta period 6.283185307179586 rolling with transmission_error,
+        e_r6 "m" phase theta period 6.283185307179586 rolling with transmission_error_r6,
             "transmission error of the mesh of ring and planet 6 along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
@@ -82,7 +82,29 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step)
+        transmission_error_s1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s3 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r3 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s4 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r4 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s5 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r5 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s6 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r6 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -90,8 +112,30 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_jump_terms = transmission_error_s1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_jump_terms = transmission_error_r1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s2_and_jump_terms = transmission_error_s2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r2_and_jump_terms = transmission_error_r2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s3_and_jump_terms = transmission_error_s3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r3_and_jump_terms = transmission_error_r3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s4_and_jump_terms = transmission_error_s4, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r4_and_jump_terms = transmission_error_r4, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s5_and_jump_terms = transmission_error_s5, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r5_and_jump_terms = transmission_error_r5, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s6_and_jump_terms = transmission_error_s6, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r6_and_jump_terms = transmission_error_r6, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_moving_phase = transmission_error_r1, stiffness_step, !frozen_phase;
+        transmission_error_r2_and_moving_phase = transmission_error_r2, stiffness_step, !frozen_phase;
+        transmission_error_r3_and_moving_phase = transmission_error_r3, stiffness_step, !frozen_phase;
+        transmission_error_r4_and_moving_phase = transmission_error_r4, stiffness_step, !frozen_phase;
+        transmission_error_r5_and_moving_phase = transmission_error_r5, stiffness_step, !frozen_phase;
+        transmission_error_r6_and_moving_phase = transmission_error_r6, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_moving_phase = transmission_error_s1, stiffness_step, !frozen_phase;
+        transmission_error_s2_and_moving_phase = transmission_error_s2, stiffness_step, !frozen_phase;
+        transmission_error_s3_and_moving_phase = transmission_error_s3, stiffness_step, !frozen_phase;
+        transmission_error_s4_and_moving_phase = transmission_error_s4, stiffness_step, !frozen_phase;
+        transmission_error_s5_and_moving_phase = transmission_error_s5, stiffness_step, !frozen_phase;
+        transmission_error_s6_and_moving_phase = transmission_error_s6, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -186,9 +230,18 @@ equations! {
     }
     force {
         theta {
-            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_r4*de_r4*delta_r4
-                + k_r5*de_r5*delta_r5 + k_r6*de_r6*delta_r6 + k_s1*de_s1*delta_s1 + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3
-                + k_s4*de_s4*delta_s4 + k_s5*de_s5*delta_s5 + k_s6*de_s6*delta_s6;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*delta_r3;
+            transmission_error_s4_and_jump_terms => k_s4*de_s4*delta_s4;
+            transmission_error_r4_and_jump_terms => k_r4*de_r4*delta_r4;
+            transmission_error_s5_and_jump_terms => k_s5*de_s5*delta_s5;
+            transmission_error_r5_and_jump_terms => k_r5*de_r5*delta_r5;
+            transmission_error_s6_and_jump_terms => k_s6*de_s6*delta_s6;
+            transmission_error_r6_and_jump_terms => k_r6*de_r6*delta_r6;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
                 + h*I_p*alpha_M*u4_dot/r_p.powi(2) + h*I_p*alpha_M*u5_dot/r_p.powi(2) + h*I_p*alpha_M*u6_dot/r_p.powi(2)
@@ -255,52 +308,70 @@ equations! {
     }
     jacobian {
         theta theta {
-            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2)
-                + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + k_r5*dde_r5*delta_r5
-                - k_r5*de_r5.powi(2) + k_r6*dde_r6*delta_r6 - k_r6*de_r6.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2)
-                + k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + k_s4*dde_s4*delta_s4
-                - k_s4*de_s4.powi(2) + k_s5*dde_s5*delta_s5 - k_s5*de_s5.powi(2) + k_s6*dde_s6*delta_s6 - k_s6*de_s6.powi(2)
-                + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2 + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_r4*dk_r4*delta_r4
-                + 2.0*de_r5*dk_r5*delta_r5 + 2.0*de_r6*dk_r6*delta_r6 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2
-                + 2.0*de_s3*dk_s3*delta_s3 + 2.0*de_s4*dk_s4*delta_s4 + 2.0*de_s5*dk_s5*delta_s5 + 2.0*de_s6*dk_s6*delta_s6;
+            transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + 2.0*de_r2*dk_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_s3*dk_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + 2.0*de_r3*dk_r3*delta_r3;
+            transmission_error_s4_and_jump_terms => k_s4*dde_s4*delta_s4 - k_s4*de_s4.powi(2) + 2.0*de_s4*dk_s4*delta_s4;
+            transmission_error_r4_and_jump_terms => k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + 2.0*de_r4*dk_r4*delta_r4;
+            transmission_error_s5_and_jump_terms => k_s5*dde_s5*delta_s5 - k_s5*de_s5.powi(2) + 2.0*de_s5*dk_s5*delta_s5;
+            transmission_error_r5_and_jump_terms => k_r5*dde_r5*delta_r5 - k_r5*de_r5.powi(2) + 2.0*de_r5*dk_r5*delta_r5;
+            transmission_error_s6_and_jump_terms => k_s6*dde_s6*delta_s6 - k_s6*de_s6.powi(2) + 2.0*de_s6*dk_s6*delta_s6;
+            transmission_error_r6_and_jump_terms => k_r6*dde_r6*delta_r6 - k_r6*de_r6.powi(2) + 2.0*de_r6*dk_r6*delta_r6;
             jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_r4*delta_r4.powi(2)
                 - ddk_r5*delta_r5.powi(2) - ddk_r6*delta_r6.powi(2) - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2)
                 - ddk_s3*delta_s3.powi(2) - ddk_s4*delta_s4.powi(2) - ddk_s5*delta_s5.powi(2) - ddk_s6*delta_s6.powi(2))/2.0;
         }
         theta theta_c {
-            transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4
-                - h*Z_r*k_r5*de_r5 - h*Z_r*k_r6*de_r6;
+            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_jump_terms => -h*Z_r*k_r4*de_r4;
+            transmission_error_r5_and_jump_terms => -h*Z_r*k_r5*de_r5;
+            transmission_error_r6_and_jump_terms => -h*Z_r*k_r6*de_r6;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4 + h*Z_r*dk_r5*delta_r5
                 + h*Z_r*dk_r6*delta_r6;
         }
         theta theta_r {
-            transmission_error_and_jump_terms => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4
-                + h*Z_r*k_r5*de_r5 + h*Z_r*k_r6*de_r6;
+            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_jump_terms => h*Z_r*k_r4*de_r4;
+            transmission_error_r5_and_jump_terms => h*Z_r*k_r5*de_r5;
+            transmission_error_r6_and_jump_terms => h*Z_r*k_r6*de_r6;
             jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4
                 - h*Z_r*dk_r5*delta_r5 - h*Z_r*dk_r6*delta_r6;
         }
         theta u1 {
-            transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => -k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         theta u2 {
-            transmission_error_and_jump_terms => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => -k_r2*de_r2;
             jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         theta u3 {
-            transmission_error_and_jump_terms => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => -k_r3*de_r3;
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta u4 {
-            transmission_error_and_jump_terms => k_s4*de_s4 - k_r4*de_r4;
+            transmission_error_s4_and_jump_terms => k_s4*de_s4;
+            transmission_error_r4_and_jump_terms => -k_r4*de_r4;
             jump_terms => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         theta u5 {
-            transmission_error_and_jump_terms => k_s5*de_s5 - k_r5*de_r5;
+            transmission_error_s5_and_jump_terms => k_s5*de_s5;
+            transmission_error_r5_and_jump_terms => -k_r5*de_r5;
             jump_terms => dk_r5*delta_r5 - dk_s5*delta_s5;
         }
         theta u6 {
-            transmission_error_and_jump_terms => k_s6*de_s6 - k_r6*de_r6;
+            transmission_error_s6_and_jump_terms => k_s6*de_s6;
+            transmission_error_r6_and_jump_terms => -k_r6*de_r6;
             jump_terms => dk_r6*delta_r6 - dk_s6*delta_s6;
         }
         theta theta_dot {
@@ -319,8 +390,12 @@ equations! {
         theta u5_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta u6_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
-            transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3 - h*Z_r*k_r4*de_r4
-                - h*Z_r*k_r5*de_r5 - h*Z_r*k_r6*de_r6;
+            transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_moving_phase => -h*Z_r*k_r4*de_r4;
+            transmission_error_r5_and_moving_phase => -h*Z_r*k_r5*de_r5;
+            transmission_error_r6_and_moving_phase => -h*Z_r*k_r6*de_r6;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4
                 + h*Z_r*dk_r5*delta_r5 + h*Z_r*dk_r6*delta_r6;
         }
@@ -359,8 +434,12 @@ equations! {
         theta_c u5_dot { damping => -h*Z_r*beta_K*k_r5_mid - I_p*alpha_M/r_p; }
         theta_c u6_dot { damping => -h*Z_r*beta_K*k_r6_mid - I_p*alpha_M/r_p; }
         theta_r theta {
-            transmission_error_and_moving_phase => h*Z_r*k_r1*de_r1 + h*Z_r*k_r2*de_r2 + h*Z_r*k_r3*de_r3 + h*Z_r*k_r4*de_r4
-                + h*Z_r*k_r5*de_r5 + h*Z_r*k_r6*de_r6;
+            transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3;
+            transmission_error_r4_and_moving_phase => h*Z_r*k_r4*de_r4;
+            transmission_error_r5_and_moving_phase => h*Z_r*k_r5*de_r5;
+            transmission_error_r6_and_moving_phase => h*Z_r*k_r6*de_r6;
             moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4
                 - h*Z_r*dk_r5*delta_r5 - h*Z_r*dk_r6*delta_r6;
         }
@@ -395,7 +474,8 @@ equations! {
         theta_r u5_dot { damping => h*Z_r*beta_K*k_r5_mid; }
         theta_r u6_dot { damping => h*Z_r*beta_K*k_r6_mid; }
         u1 theta {
-            transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_moving_phase => k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => -k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         u1 theta_c { _ => -h*Z_r*k_r1; }
@@ -406,7 +486,8 @@ equations! {
         u1 theta_r_dot { damping => h*Z_r*beta_K*k_r1_mid; }
         u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
         u2 theta {
-            transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_moving_phase => k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => -k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         u2 theta_c { _ => -h*Z_r*k_r2; }
@@ -417,7 +498,8 @@ equations! {
         u2 theta_r_dot { damping => h*Z_r*beta_K*k_r2_mid; }
         u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
         u3 theta {
-            transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_moving_phase => k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => -k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         u3 theta_c { _ => -h*Z_r*k_r3; }
@@ -428,7 +510,8 @@ equations! {
         u3 theta_r_dot { damping => h*Z_r*beta_K*k_r3_mid; }
         u3 u3_dot { damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2); }
         u4 theta {
-            transmission_error_and_moving_phase => k_s4*de_s4 - k_r4*de_r4;
+            transmission_error_s4_and_moving_phase => k_s4*de_s4;
+            transmission_error_r4_and_moving_phase => -k_r4*de_r4;
             moving_phase => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         u4 theta_c { _ => -h*Z_r*k_r4; }
@@ -439,7 +522,8 @@ equations! {
         u4 theta_r_dot { damping => h*Z_r*beta_K*k_r4_mid; }
         u4 u4_dot { damping => -beta_K*k_r4_mid - beta_K*k_s4_mid - I_p*alpha_M/r_p.powi(2); }
         u5 theta {
-            transmission_error_and_moving_phase => k_s5*de_s5 - k_r5*de_r5;
+            transmission_error_s5_and_moving_phase => k_s5*de_s5;
+            transmission_error_r5_and_moving_phase => -k_r5*de_r5;
             moving_phase => dk_r5*delta_r5 - dk_s5*delta_s5;
         }
         u5 theta_c { _ => -h*Z_r*k_r5; }
@@ -450,7 +534,8 @@ equations! {
         u5 theta_r_dot { damping => h*Z_r*beta_K*k_r5_mid; }
         u5 u5_dot { damping => -beta_K*k_r5_mid - beta_K*k_s5_mid - I_p*alpha_M/r_p.powi(2); }
         u6 theta {
-            transmission_error_and_moving_phase => k_s6*de_s6 - k_r6*de_r6;
+            transmission_error_s6_and_moving_phase => k_s6*de_s6;
+            transmission_error_r6_and_moving_phase => -k_r6*de_r6;
             moving_phase => dk_r6*delta_r6 - dk_s6*delta_s6;
         }
         u6 theta_c { _ => -h*Z_r*k_r6; }
@@ -613,5 +698,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 11 | 2 |
-// | force | 125 | 458 | 0 |
+// | force | 114 | 458 | 0 |
 // | energy steps, all laws | 12 | 96 | 0 |

@@ -33,10 +33,10 @@ equations! {
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_c "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the countershaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
-        b12 "m" required with backlash, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
-        b34 "m" required with backlash, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
-        T_motor "N*m" required, open -inf to inf, "driving torque of the motor";
-        T_load "N*m" required, open -inf to inf, "load torque of the load, against its rotation";
+        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
+        b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -52,14 +52,16 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        backlash_34 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        backlash_and_moving_phase = backlash, stiffness_step, !frozen_phase;
+        backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
+        backlash_34_and_moving_phase = backlash_34, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -71,9 +73,133 @@ equations! {
         over12 = s1 - edge12;
         over34 = s2 - edge34;
     }
-    dead_bands {
-        over12 "m" (touch12, edge12, damp12, clip12) half b12/2.0 with backlash, "play of the mesh of gears 1 and 2";
-        over34 "m" (touch34, edge34, damp34, clip34) half b34/2.0 with backlash, "play of the mesh of gears 3 and 4";
+    switches {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh of gears 1 and 2" {
+            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper_loose {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper_hit {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower_loose {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until lower_hit {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
+                }
+                until lower {
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
+            }
+            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            loss { over12 { _ => k12*clip12*touch12; } }
+        }
+        over34 "m" (touch34 1.0, edge34 0.0, damp34 1.0, clip34 0.0) with backlash_34, "play of the mesh of gears 3 and 4" {
+            upper (1.0, b34/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over34 { _ => 1.0; } }
+                until upper_loose {
+                    over34 { _ => k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+                until upper_hit {
+                    over34 { _ => k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+            }
+            lower (1.0, -b34/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over34 { _ => -1.0; } }
+                until lower_loose {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+                until lower_hit {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over34 { _ => -1.0; }
+                    one { _ => b34/2.0; }
+                }
+                until lower {
+                    over34 { _ => 1.0; }
+                    one { _ => b34/2.0; }
+                }
+            }
+            upper_hit (1.0, b34/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over34 { _ => 1.0; } }
+                until upper {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+            }
+            lower_hit (1.0, -b34/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over34 { _ => -1.0; } }
+                until lower {
+                    over34 { _ => k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+            }
+            upper_loose (1.0, b34/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over34 { _ => 1.0; } }
+                until upper {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+            }
+            lower_loose (1.0, -b34/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over34 { _ => -1.0; } }
+                until lower {
+                    over34 { _ => k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+            }
+            loss { over34 { _ => k34*clip34*touch34; } }
+        }
     }
     energies {
         kinetic {
@@ -132,7 +258,7 @@ equations! {
         }
         s1 {
             _ => k_c*twist_c/(2.0*h1*N2) - k12*touch12*over12;
-            backlash => -k12*touch12*clip12*over12;
+            backlash_12 => -k12*clip12*touch12*over12;
             torques => T_motor/(2.0*h1*N1);
             damping => I2*alpha_M*theta1_dot/(2.0*h1*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M*s1_dot/(4.0*h1.powi(2)*N2.powi(2))
@@ -149,7 +275,7 @@ equations! {
         }
         s2 {
             _ => k_c*twist_c/(2.0*h2*N3) - k34*touch34*over34;
-            backlash => -k34*touch34*clip34*over34;
+            backlash_34 => -k34*clip34*touch34*over34;
             torques => T_load/(2.0*h2*N4);
             damping => I4*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - beta_K*k34_mid*damp34*over34_dot
                 - I3*alpha_M*s2_dot/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2))
@@ -188,12 +314,12 @@ equations! {
         theta1 psi_m_dot { damping => -I_m*alpha_M/N1; }
         s1 theta1 {
             _ => k_c/(2.0*h1*N2.powi(2));
-            backlash_and_moving_phase => -dk12*touch12*clip12*over12;
+            backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
             moving_phase => -dk12*touch12*over12;
         }
         s1 s1 {
             _ => -k12*touch12 - k_c/(4.0*h1.powi(2)*N2.powi(2));
-            backlash => -k12*touch12*clip12;
+            backlash_12 => -k12*clip12*touch12;
         }
         s1 theta2 { _ => -k_c/(2.0*h1*N2*N3); }
         s1 s2 { _ => -k_c/(4.0*h1*h2*N2*N3); }
@@ -230,12 +356,12 @@ equations! {
         s2 s1 { _ => -k_c/(4.0*h1*h2*N2*N3); }
         s2 theta2 {
             _ => -k_c/(2.0*h2*N3.powi(2));
-            backlash_and_moving_phase => -dk34*touch34*clip34*over34;
+            backlash_34_and_moving_phase => -dk34*clip34*touch34*over34;
             moving_phase => -dk34*touch34*over34;
         }
         s2 s2 {
             _ => -k34*touch34 - k_c/(4.0*h2.powi(2)*N3.powi(2));
-            backlash => -k34*touch34*clip34;
+            backlash_34 => -k34*clip34*touch34;
         }
         s2 theta1_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
         s2 s1_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
@@ -265,7 +391,7 @@ equations! {
             theta1 s2 { _ => -k_c/(2.0*h2*N2*N3); }
             s1 s1 {
                 _ => k12*touch12 + k_c/(4.0*h1.powi(2)*N2.powi(2));
-                backlash => k12*touch12*clip12;
+                backlash_12 => k12*clip12*touch12;
             }
             s1 theta2 { _ => k_c/(2.0*h1*N2*N3); }
             s1 s2 { _ => k_c/(4.0*h1*h2*N2*N3); }
@@ -273,7 +399,7 @@ equations! {
             theta2 s2 { _ => k_c/(2.0*h2*N3.powi(2)); }
             s2 s2 {
                 _ => k34*touch34 + k_c/(4.0*h2.powi(2)*N3.powi(2));
-                backlash => k34*touch34*clip34;
+                backlash_34 => k34*clip34*touch34;
             }
             psi_m psi_m { _ => k_m; }
             psi_l psi_l { _ => k_l; }
@@ -312,13 +438,13 @@ equations! {
             theta1 { torques => T_motor/N1; }
             s1 {
                 _ => k12*touch12*edge12;
-                backlash => k12*touch12*clip12*edge12;
+                backlash_12 => k12*clip12*touch12*edge12;
                 torques => T_motor/(2.0*h1*N1);
             }
             theta2 { torques => -T_load/N4; }
             s2 {
                 _ => k34*touch34*edge34;
-                backlash => k34*touch34*clip34*edge34;
+                backlash_34 => k34*clip34*touch34*edge34;
                 torques => T_load/(2.0*h2*N4);
             }
             psi_m { torques => T_motor; }
@@ -335,19 +461,21 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects; q'.dD/dq' includes the power of clipped damper forces
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: T is a sum of squares that vanish together only at rest
 // - at a step of k12, k34: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
 //   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
-// - V is the same on both sides of the edges of over12: no impulse there
-// - V is the same on both sides of the edges of over34: no impulse there
+// - V is the same on both sides of the exits of over12: no impulse there
+// - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
+//   dD/dover12_dot >= F over12
+// - V is the same on both sides of the exits of over34: no impulse there
+// - the force of the switch over34 takes energy or none: f over34_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover34 and c = 1 or -1, since F over34 >= 0, over34_dot dD/dover34_dot >= 0 and c over34
+//   dD/dover34_dot >= F over34
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
-// - the damper of over12, clipped to the force F = dV/dover12 of its spring, takes energy or none: clip12 F over12_dot >= 0, since F over12
-//   >= 0, over12_dot dD/dover12_dot >= 0 and, where it is clipped, clip12 over12 dD/dover12_dot >= F over12
-// - the damper of over34, clipped to the force F = dV/dover34 of its spring, takes energy or none: clip34 F over34_dot >= 0, since F over34
-//   >= 0, over34_dot dD/dover34_dot >= 0 and, where it is clipped, clip34 over34 dD/dover34_dot >= F over34
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate (dk12*touch12*over12^2*theta1_dot +
 //   dk34*touch34*over34^2*theta2_dot)/2

@@ -39,8 +39,8 @@ equations! {
         k_h "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the high-speed shaft";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
-        T_wind "N*m" required, open -inf to inf, "driving torque of the rotor";
-        T_generator "N*m" required, open -inf to inf, "load torque of the generator, against its rotation";
+        T_wind "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
+        T_generator "N*m" required with torques, open -inf to inf, "load torque of the generator, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -52,17 +52,17 @@ equations! {
         k_s3 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of sun and planet 3 along the line of action";
         k_r3 "N/m" phase theta period 6.283185307179586, "stiffness of the mesh of ring and planet 3 along the line of action";
         k12 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh of the parallel stage along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 with transmission_error,
+        e_s1 "m" phase theta period 6.283185307179586 with transmission_error_s1,
             "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 with transmission_error,
+        e_r1 "m" phase theta period 6.283185307179586 with transmission_error_r1,
             "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 with transmission_error,
+        e_s2 "m" phase theta period 6.283185307179586 with transmission_error_s2,
             "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 with transmission_error,
+        e_r2 "m" phase theta period 6.283185307179586 with transmission_error_r2,
             "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 with transmission_error,
+        e_s3 "m" phase theta period 6.283185307179586 with transmission_error_s3,
             "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 with transmission_error,
+        e_r3 "m" phase theta period 6.283185307179586 with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); theta2_dot = N1; }, "rotational speed of the sun"; }
@@ -73,7 +73,17 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
-        transmission_error requires(stiffness_step)
+        transmission_error_s1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r1 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r2 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_s3 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_r3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -81,8 +91,18 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_jump_terms = transmission_error_s1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_jump_terms = transmission_error_r1, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s2_and_jump_terms = transmission_error_s2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r2_and_jump_terms = transmission_error_r2, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s3_and_jump_terms = transmission_error_s3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r3_and_jump_terms = transmission_error_r3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_r1_and_moving_phase = transmission_error_r1, stiffness_step, !frozen_phase;
+        transmission_error_r2_and_moving_phase = transmission_error_r2, stiffness_step, !frozen_phase;
+        transmission_error_r3_and_moving_phase = transmission_error_r3, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_moving_phase = transmission_error_s1, stiffness_step, !frozen_phase;
+        transmission_error_s2_and_moving_phase = transmission_error_s2, stiffness_step, !frozen_phase;
+        transmission_error_s3_and_moving_phase = transmission_error_s3, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -176,8 +196,12 @@ equations! {
     force {
         theta {
             _ => -k_i*twist_i/Z_r - k_i*twist_i/Z_s;
-            transmission_error_and_jump_terms => k_r1*de_r1*delta_r1 + k_r2*de_r2*delta_r2 + k_r3*de_r3*delta_r3 + k_s1*de_s1*delta_s1
-                + k_s2*de_s2*delta_s2 + k_s3*de_s3*delta_s3;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*delta_r3;
             torques => T_wind/Z_r;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
                 + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r.powi(2)
@@ -246,30 +270,37 @@ equations! {
     jacobian {
         theta theta {
             _ => -k_i/Z_r.powi(2) - 2.0*k_i/(Z_r*Z_s) - k_i/Z_s.powi(2);
-            transmission_error_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2)
-                + k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + k_s2*dde_s2*delta_s2
-                - k_s2*de_s2.powi(2) + k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_r1*dk_r1*delta_r1 + 2.0*de_r2*dk_r2*delta_r2
-                + 2.0*de_r3*dk_r3*delta_r3 + 2.0*de_s1*dk_s1*delta_s1 + 2.0*de_s2*dk_s2*delta_s2 + 2.0*de_s3*dk_s3*delta_s3;
+            transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
+            transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
+            transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
+            transmission_error_r2_and_jump_terms => k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + 2.0*de_r2*dk_r2*delta_r2;
+            transmission_error_s3_and_jump_terms => k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_s3*dk_s3*delta_s3;
+            transmission_error_r3_and_jump_terms => k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + 2.0*de_r3*dk_r3*delta_r3;
             jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_s1*delta_s1.powi(2)
                 - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
         }
         theta theta_c {
             _ => -k_i/Z_r - k_i/Z_s;
-            transmission_error_and_jump_terms => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
+            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
             jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
         theta theta2 { _ => k_i/(N1*Z_r) + k_i/(N1*Z_s); }
         theta s2 { _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0; }
         theta u1 {
-            transmission_error_and_jump_terms => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1;
+            transmission_error_r1_and_jump_terms => -k_r1*de_r1;
             jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         theta u2 {
-            transmission_error_and_jump_terms => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2;
+            transmission_error_r2_and_jump_terms => -k_r2*de_r2;
             jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         theta u3 {
-            transmission_error_and_jump_terms => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3;
+            transmission_error_r3_and_jump_terms => -k_r3*de_r3;
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta theta_dot {
@@ -289,7 +320,9 @@ equations! {
         theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
             _ => -k_i/Z_r - k_i/Z_s;
-            transmission_error_and_moving_phase => -h*Z_r*k_r1*de_r1 - h*Z_r*k_r2*de_r2 - h*Z_r*k_r3*de_r3;
+            transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
+            transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
+            transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
         theta_c theta_c { _ => -k_i - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
@@ -357,7 +390,8 @@ equations! {
         psi_h s2_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
         psi_h psi_h_dot { damping => -I_g*alpha_M - beta_K*k_h; }
         u1 theta {
-            transmission_error_and_moving_phase => k_s1*de_s1 - k_r1*de_r1;
+            transmission_error_s1_and_moving_phase => k_s1*de_s1;
+            transmission_error_r1_and_moving_phase => -k_r1*de_r1;
             moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
         }
         u1 theta_c { _ => -h*Z_r*k_r1; }
@@ -366,7 +400,8 @@ equations! {
         u1 theta_c_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
         u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
         u2 theta {
-            transmission_error_and_moving_phase => k_s2*de_s2 - k_r2*de_r2;
+            transmission_error_s2_and_moving_phase => k_s2*de_s2;
+            transmission_error_r2_and_moving_phase => -k_r2*de_r2;
             moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
         }
         u2 theta_c { _ => -h*Z_r*k_r2; }
@@ -375,7 +410,8 @@ equations! {
         u2 theta_c_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
         u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
         u3 theta {
-            transmission_error_and_moving_phase => k_s3*de_s3 - k_r3*de_r3;
+            transmission_error_s3_and_moving_phase => k_s3*de_s3;
+            transmission_error_r3_and_moving_phase => -k_r3*de_r3;
             moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         u3 theta_c { _ => -h*Z_r*k_r3; }
@@ -503,5 +539,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 12 | 2 |
-// | force | 97 | 410 | 0 |
+// | force | 92 | 410 | 0 |
 // | energy steps, all laws | 6 | 51 | 0 |

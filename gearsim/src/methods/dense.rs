@@ -58,7 +58,7 @@ impl Dense {
     }
 
     /// Coefficients of a linear function of the state, with slopes along coordinates and speeds, that begins with `value`.
-    pub fn from(&self, value: f64, [on_q, on_speed]: &[Vector; 2]) -> Polynomial {
+    pub fn from(&self, value: f64, [on_q, on_speed]: [&Vector; 2]) -> Polynomial {
         let mut from: Polynomial = self.coefficients.iter().map(|c| on_q.dot(&c.q) + on_speed.dot(&c.v)).collect();
         from[0] = value;
         from
@@ -79,7 +79,7 @@ mod tests {
         let dense = Dense::new(vec![flow(1.0), flow(2.0), flow(-3.0)]);
         assert_eq!(dense.at(0.5), flow(1.25));
         assert_eq!(dense.gap(0, 4.0, 1.0)[..], [3.0, -2.0, 3.0]);
-        assert_eq!(dense.from(4.0, &[[2.0].into(), [0.5].into()])[..], [4.0, 3.0, -4.5]);
+        assert_eq!(dense.from(4.0, [&[2.0].into(), &[0.5].into()])[..], [4.0, 3.0, -4.5]);
         let nested = Dense::nested(&flow(1.0), &[flow(2.0), flow(3.0), flow(5.0), flow(7.0)]);
         let x = 0.25;
         assert_eq!(nested.at(x), flow(1.0 + x * (2.0 + (1.0 - x) * (3.0 + x * (5.0 + (1.0 - x) * 7.0)))));

@@ -1,16 +1,18 @@
 //! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and what damping takes.
 //!
-//! P = M⁻¹, or what held phases leave of it. The regimes of dead bands are those of the mode: a step may go beyond the end of its
+//! P = M⁻¹, or what held phases leave of it. The modes of switches do not change within a step: it may go beyond the end of its
 //! mode, and the forces go on smoothly there.
+
+use std::sync::Arc;
 
 use crate::engine::contact::Form;
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::{DeadBand, Regime};
 use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law::Law;
 use crate::engine::motion::Guard;
+use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
 use crate::methods::flow::Flow;
 
@@ -19,7 +21,8 @@ pub struct Field<'a> {
     /// The equations.
     pub equations: &'a (dyn Equations + 'a),
     laws: Vec<Law>,
-    bands: Vec<DeadBand>,
+    switches: Vec<Switch>,
+    guards: Arc<Guards>,
     forcing: Option<Box<Forcing>>,
     /// The functions that end holds.
     holds: Vec<Form>,
@@ -44,7 +47,8 @@ impl<'a> Field<'a> {
         let mut field = Field {
             equations: now.equations,
             laws: vec![],
-            bands: vec![],
+            switches: vec![],
+            guards: Arc::default(),
             forcing: None,
             holds: vec![],
             mobility: Matrix::zeros(0, 0),
@@ -62,7 +66,8 @@ impl<'a> Field<'a> {
     /// Goes on to the mode of `now`.
     pub fn enter(&mut self, now: &Hybrid<'_>) {
         self.laws.clone_from(&now.laws);
-        self.bands.clone_from(&now.bands);
+        self.switches.clone_from(&now.switches);
+        self.guards.clone_from(&now.guards);
         self.k.clone_from(&now.k);
         self.forcing.clone_from(&now.forcing);
         let watches = now.contact.iter().flat_map(|contact| &contact.watches);
@@ -90,8 +95,8 @@ impl<'a> Field<'a> {
         force
     }
 
-    /// The power that damping takes at `y`, the time `t` after the step began \[W\]; without clipped dampers, where their loss follows
-    /// from the displacement ([`Hybrid::clipped`]).
+    /// The power that damping takes at `y`, the time `t` after the step began \[W\]; without the forces of switches, where their loss follows
+    /// from the displacement ([`Hybrid::lost_by_switches`]).
     pub fn lost(&mut self, t: f64, y: &Flow) -> f64 {
         self.set(t, y);
         self.loss(y)
@@ -104,14 +109,11 @@ impl<'a> Field<'a> {
         if self.steps_only {
             return rayleigh;
         }
-        let clipped = |band: &DeadBand| match band.regime {
-            // The elastic contact costs two matrices: it is asked for only where a damper is clipped.
-            Regime::Contact(_, grip) if grip.is_clipped() => {
-                band.clipped_power(band.elastic(self.equations, &self.k), &y.q, &y.v)
-            }
-            _ => 0.0,
-        };
-        rayleigh + self.bands.iter().map(clipped).sum::<f64>()
+        if self.switches.is_empty() {
+            return rayleigh;
+        }
+        // With curved laws, the forces of switches change within a mode.
+        rayleigh + Guards::of(self.equations, &self.switches, &self.k).power(&y.q, &y.v, &self.k)
     }
 
     /// The power of each torque, as far as it is not constant, at `y`, the time `t` after the step began \[W\].
@@ -133,18 +135,18 @@ impl<'a> Field<'a> {
     pub fn left(&mut self, guard: Guard, side: Side, t: f64, y: &Flow) -> f64 {
         match guard {
             Guard::Phase(i) => side.sign() * (self.laws[i].boundary(side) - y.q[self.laws[i].phase]),
-            Guard::Exit(i, which, exit) => {
+            Guard::Exit(i, which) => {
                 self.set(t, y);
-                // With curved laws, spring and damper of the contact change within the mode.
-                let exit = match self.steps_only {
-                    true => exit,
-                    false => self.bands[i].exits(self.bands[i].elastic(self.equations, &self.k))[which],
+                // With curved laws, the factors of a guard change within the mode.
+                let guards = match self.steps_only {
+                    true => self.guards.clone(),
+                    false => Arc::new(Guards::of(self.equations, &self.switches, &self.k)),
                 };
-                exit.value(&self.bands[i], &y.q, &y.v)
+                guards.exits[i][which].guard.value(&y.q, &y.v, &self.k)
             }
             Guard::Hold(which) => {
                 let form = self.holds[which].clone();
-                -side.sign() * form.value(&y.q, || self.force(t, y))
+                -side.sign() * form.value(&y.q, &y.v, || self.force(t, y))
             }
         }
     }
@@ -158,6 +160,5 @@ impl<'a> Field<'a> {
         for (i, law) in self.laws.iter().enumerate() {
             [self.k[i], self.dk[i], self.ddk[i]] = law.course(y.q[law.phase], self.begins + t);
         }
-        self.bands.iter_mut().for_each(|band| band.follow(&self.k));
     }
 }

@@ -4,12 +4,15 @@
 //! ([`crate::engine::root`]). The step is then taken again, as long as to there, so that states at events are as accurate as
 //! steps, not as their interpolation.
 
+use std::sync::Arc;
+
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{Effort, Motion, Solver};
+use crate::engine::switch::Guards;
 use crate::engine::vector::{Matrix, Vector};
-use crate::tolerance::methods::{REJECTIONS, STIFF_STEPS};
+use crate::tolerance::methods::{HELD_STEP, REJECTIONS, STIFF_STEPS};
 
 use super::control::{Control, Steps};
 use super::dense::Dense;
@@ -130,7 +133,7 @@ impl<'a> BySteps<'a> {
 
 impl Solver for BySteps<'_> {
     fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
-        now.elastic = now.bands.iter().map(|band| band.elastic(now.equations, &now.k)).collect();
+        now.guards = Arc::new(Guards::of(now.equations, &now.switches, &now.k));
         self.field.enter(now);
         self.last = None;
         Ok(())
@@ -139,6 +142,9 @@ impl Solver for BySteps<'_> {
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
         let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
         self.field.begins = now.clock.now();
+        // What is at rest has no error that would limit a step, but the reaction follows torques that vary.
+        let swings = now.contact.as_ref().and(now.forcing.as_ref()).map_or(0.0, |forcing| Forcing::fastest(forcing));
+        let horizon = if swings > 0.0 { horizon.min(HELD_STEP / swings) } else { horizon };
         let rate = match self.last.take() {
             Some((at, rate)) if at.q == y.q && at.v == y.v => rate,
             _ => self.field.rate(0.0, &y),

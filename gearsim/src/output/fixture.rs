@@ -16,7 +16,7 @@ pub(crate) static MODEL: Model = Model {
     laws: &[],
     motions: &[],
     effects: &[],
-    dead_bands: &[],
+    switches: &[],
     nonlinear: "",
     nonlinear_with: &[],
     torques: &[

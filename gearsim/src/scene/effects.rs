@@ -12,35 +12,53 @@ impl Effects {
         i < u64::BITS as usize && self.0 >> i & 1 == 1
     }
 
-    /// The names of the effects, in the model's order.
+    /// The effects of the set, in the model's order.
+    fn of(self, model: &Model) -> impl Iterator<Item = &'static Effect> + use<> {
+        model.effects.iter().enumerate().filter(move |(i, _)| self.contains(*i)).map(|(_, effect)| effect)
+    }
+
+    /// Whether the set has the effect `name`, or that of one of its parts.
+    pub fn has(self, name: &str, model: &Model) -> bool {
+        self.of(model).any(|effect| effect.name == name || effect.of == Some(name))
+    }
+
+    /// The names of the effects, in the model's order. If all parts have an effect, its name stands for them.
     pub fn names(self, model: &Model) -> Vec<&'static str> {
-        model.effects.iter().enumerate().filter(|(i, _)| self.contains(*i)).map(|(_, effect)| effect.name).collect()
+        let of_all = |name: &str| {
+            model.effects.iter().filter(|e| e.of == Some(name)).all(|e| self.of(model).any(|o| o.name == e.name))
+        };
+        let mut names: Vec<&'static str> = vec![];
+        for effect in self.of(model) {
+            let name = effect.of.filter(|of| of_all(of)).unwrap_or(effect.name);
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
     }
 
     /// The terms that make cells of `model` nonlinear with these effects, as text; empty if cells are linear.
     pub fn nonlinear(self, model: &Model) -> String {
-        let with = model.nonlinear_with.iter().filter(|(effect, _)| self.names(model).contains(effect));
+        let with = model.nonlinear_with.iter().filter(|(effect, _)| self.has(effect, model));
         let all = std::iter::once(model.nonlinear).filter(|terms| !terms.is_empty()).chain(with.map(|(_, term)| *term));
         all.collect::<Vec<_>>().join("; ")
     }
 
     /// The effects of the set that exclude one another or need a missing one, as text; empty if there are none.
     pub fn contradictions(self, model: &Model) -> String {
-        let names = self.names(model);
         let of = |effect: &Effect| {
-            let excluded = effect.excludes.iter().filter(|other| names.contains(other));
-            let lacking = effect.requires.iter().filter(|other| !names.contains(other));
+            let excluded = effect.excludes.iter().filter(|other| self.has(other, model));
+            let lacking = effect.requires.iter().filter(|other| !self.has(other, model));
             let excluded = excluded.map(|other| format!("`{}` excludes `{other}`", effect.name));
             excluded.chain(lacking.map(|other| format!("`{}` needs `{other}`", effect.name))).collect::<Vec<_>>()
         };
-        let present = model.effects.iter().filter(|effect| names.contains(&effect.name));
-        present.flat_map(of).collect::<Vec<_>>().join(", ")
+        self.of(model).flat_map(of).collect::<Vec<_>>().join(", ")
     }
 
-    /// The set of the effects with these names; `None` if the model lacks one of them.
+    /// The set of the effects with these names, those of all parts for an effect of parts; `None` if the model lacks one of them.
     pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
-        let index = |name| model.effects.iter().position(|effect| effect.name == name);
-        names.into_iter().try_fold(Effects(0), |set, name| Some(set.with(index(name)?)))
+        let mut named = names.into_iter().map(|name| named(name, model));
+        named.try_fold(Effects(0), |set, named| (!named.is_empty()).then(|| named.into_iter().fold(set, Effects::with)))
     }
 
     fn with(self, i: usize) -> Effects {
@@ -48,15 +66,35 @@ impl Effects {
     }
 }
 
+/// The indices of the effect `name`, or of the effect of that name at each part.
+fn named(name: &str, model: &Model) -> Vec<usize> {
+    let all = model.effects.iter().enumerate().filter(|(_, effect)| effect.name == name || effect.of == Some(name));
+    all.map(|(i, _)| i).collect()
+}
+
+/// The names that a scene may use: of effects, and of effects of parts for all parts.
+pub fn allowed(model: &Model) -> Vec<&'static str> {
+    let mut names = vec![];
+    for effect in model.effects {
+        names.extend(effect.of.filter(|of| !names.contains(of)));
+        names.push(effect.name);
+    }
+    names
+}
+
 /// Reads `effects`.
 pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
-    let allowed: Vec<_> = model.effects.iter().map(|effect| effect.name).collect();
-    let chosen = field::names("effects", node, "effect", &allowed, report)?;
+    let allowed = allowed(model);
+    let names = field::names("effects", node, "effect", &allowed, report)?;
+    let mut chosen: Vec<usize> = vec![];
+    for name in names {
+        chosen.extend(named(allowed[name], model).into_iter().filter(|i| !chosen.contains(i)).collect::<Vec<_>>());
+    }
+    let set = chosen.iter().copied().fold(Effects(0), Effects::with);
     for (n, &i) in chosen.iter().enumerate() {
         let effect = &model.effects[i];
         let name = effect.name;
-        let has = |other: &&&str| chosen.iter().any(|j| allowed[*j] == **other);
-        let lacking: Vec<_> = effect.requires.iter().filter(|other| !has(other)).copied().collect();
+        let lacking: Vec<_> = effect.requires.iter().filter(|other| !set.has(other, model)).copied().collect();
         if !lacking.is_empty() {
             let message = format!("effect `{name}` needs {}", list(&lacking));
             let help = format!("add {}, or leave out `{name}`", list(&lacking));
@@ -70,5 +108,5 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
             }
         }
     }
-    Some(chosen.into_iter().fold(Effects(0), Effects::with))
+    Some(set)
 }

@@ -4,7 +4,7 @@ use super::document::{Entry, Node, Value};
 use super::mistake::Report;
 use super::smooth::{self, SmoothLaw};
 use super::teeth::{self, TeethReader};
-use super::{Effects, field, friction, keys, mesh_phase, transmission_error};
+use super::{Effects, damage, field, friction, keys, mesh_phase, transmission_error};
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 use crate::tolerance::scene::WIDTHS;
@@ -18,8 +18,7 @@ pub(super) fn read(
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
 ) -> Option<Vec<Profile>> {
-    let names = effects.map_or(vec![], |effects| effects.names(model));
-    let idle = |law: &Law| law.with.is_some_and(|effect| !names.contains(&effect));
+    let idle = |law: &Law| law.with.is_some_and(|effect| !effects.is_some_and(|effects| effects.has(effect, model)));
     let readers = model.laws.iter().map(|law| LawReader::new(law, model));
     let Some(node) = keys::get(entries, "laws") else {
         let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table(model)).collect();
@@ -84,7 +83,7 @@ impl<'a> LawReader<'a> {
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
         let of_kind: Vec<_> = match self.law.role {
-            Role::Stiffness => teeth::KEYS.to_vec(),
+            Role::Stiffness => teeth::KEYS.into_iter().chain([damage::DAMAGE]).collect(),
             Role::Error => transmission_error::KEYS.to_vec(),
             Role::Side | Role::Arm => friction::keys_of_teeth().chain([friction::OF]).collect(),
         };
@@ -98,7 +97,10 @@ impl<'a> LawReader<'a> {
             Some(node) if mesh_phase::wrong_type(&format!("{table}.phase"), node, report) => None,
             Some(node) => mesh_phase::read(self.law, self.phase_unit, pitches, node, report),
         };
-        let law = self.unshifted(entries, node, pitches, report)?.with_pitches(stated?);
+        let law = self.unshifted(entries, node, pitches, report)?;
+        // A law with damaged teeth has a period of its own.
+        let pitches = law.pitches * stated?;
+        let law = law.with_pitches(pitches);
         let begins = law.origin - phase?;
         Some(law.with_origin(begins))
     }
@@ -124,7 +126,7 @@ impl<'a> LawReader<'a> {
                     law.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
                 }
             };
-            return smooth.ramped(read?, report);
+            return smooth.ramped(self.damaged(entries, read?, report)?, report);
         }
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());
@@ -132,7 +134,15 @@ impl<'a> LawReader<'a> {
             return None;
         };
         let stepping = self.stepping(steps, length, report)?;
-        smooth.ramped(stepping, report)
+        smooth.ramped(self.damaged(entries, stepping, report)?, report)
+    }
+
+    /// The law with the damaged teeth of the scene.
+    fn damaged(&self, entries: &[Entry], healthy: Profile, report: &mut Report) -> Option<Profile> {
+        match keys::get(entries, damage::DAMAGE) {
+            Some(node) => damage::read(self.law, node, healthy, report),
+            None => Some(healthy),
+        }
     }
 
     fn stepping(&self, steps: &Node, length: f64, report: &mut Report) -> Option<Profile> {

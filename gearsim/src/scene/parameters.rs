@@ -22,8 +22,9 @@ pub(super) fn read(
     let known: Vec<_> = model.parameters.iter().map(|p| p.name).collect();
     keys::known(given, "[parameters]", &known, report);
 
-    let names = effects.map_or(vec![], |effects| effects.names(model));
-    let idle = |p: &Parameter| p.default.is_none() && p.with.is_some_and(|effect| !names.contains(&effect));
+    let idle = |p: &Parameter| {
+        p.default.is_none() && p.with.is_some_and(|effect| !effects.is_some_and(|effects| effects.has(effect, model)))
+    };
     let needed = |p: &&Parameter| p.default.is_none() && !idle(p) && keys::get(given, p.name).is_none();
     let lines = model.parameters.iter().filter(needed).map(|p| (p.name, example(p)));
     let lines: Vec<_> = lines.collect();

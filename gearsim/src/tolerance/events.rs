@@ -107,8 +107,9 @@ pub(crate) const ORDER: f64 = 1e-9;
 /// that can change together.
 pub(crate) const EVENTS_AT_ONE_TIME: u32 = 16;
 
-/// Rounding error of a deflection at an edge of its play [relative to half the play plus the offset by transmission errors]. Flanks that
-/// meet and part without passing time must pass the edge by this. Smaller: they rattle on. Larger: no effect on other motions.
+/// Rounding error of the guard of a switch near zero [relative to its constant part plus that of transmission errors: of a play, half the
+/// play plus its offset]. Flanks that meet and part without passing time must pass the edge by this, and an impulse must violate a guard
+/// by this. Smaller: they rattle on. Larger: no effect on other motions.
 pub(crate) const EDGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Largest number of cells that are computed before the run [cells]: their modes take about a second. With more, each is computed when it
@@ -130,3 +131,16 @@ pub(crate) const WINDOW_CUT: f64 = 1e-3;
 /// A phase this close to a boundary as the run ends has reached it [rounding errors of the phase], besides its way in half a unit of the
 /// last place of the time. Smaller: a run split there loses an event. Larger: an event of the time after the run is taken.
 pub(crate) const END_OF_RUN: f64 = 2.0;
+
+/// Two guards are multiples of one another if each coefficient of the one is a multiple of that of the other by the same factor, up to
+/// this [relative to the coefficient]. Coefficients are products of a few numbers, whose rounding errors are 1e3 times smaller.
+pub(crate) const SAME_GUARD: f64 = 1e-12;
+
+/// A held deflection is still at rest after an impulse if its rate is smaller [relative to the rate that the kinetic energy of the
+/// whole train allows]: an impulse that does not act on it leaves rounding errors of the speeds, 1e4 times smaller. Larger: slow slip
+/// is taken for rest, and its energy is in the account as neglected.
+pub(crate) const AT_REST: f64 = 1e-12;
+
+/// A motion is possible beside others that are held if its compliance is larger [relative to its compliance without them]. The rounding
+/// error of the difference is 1e3 times smaller.
+pub(crate) const INDEPENDENT: f64 = 1e-12;

@@ -42,3 +42,6 @@ pub(crate) const EXACT_RESIDUAL: f64 = 1e-9;
 pub(crate) const STEP_RESIDUAL: f64 = 1e3;
 /// The same of a method with fixed steps, which has no tolerance [relative].
 pub(crate) const FIXED_STEP_RESIDUAL: f64 = 1e-2;
+/// Longest step while something is held and torques vary [rad of their fastest harmonic]: the reaction is then interpolated to 1e-11 of
+/// their amplitude, which is less than what a release is late by. Larger: releases are missed, or found where there are none.
+pub(crate) const HELD_STEP: f64 = 0.5;

@@ -21,6 +21,8 @@ pub(crate) const TABLE_POINTS: usize = 1000;
 pub(crate) const HISTORY_ENTRIES: usize = 10_000;
 /// Largest number of pitches in one period of a transmission error [pitches].
 pub(crate) const ERROR_PITCHES: f64 = 10_000.0;
+/// Largest number of cells of a law with damaged teeth [cells].
+pub(crate) const DAMAGED_CELLS: usize = 20_000;
 /// Largest number of teeth of a gear [teeth].
 pub(crate) const TEETH: f64 = 10_000.0;
 

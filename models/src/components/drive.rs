@@ -15,6 +15,8 @@ pub fn load(m: &mut Model, part: &str, what: &str, theta: Expr) {
 }
 
 fn torque(m: &mut Model, part: &str, doc: &str, through: Expr) {
-    let value = m.parameter(&named("T", part), "N*m", None, Range::Any, doc);
-    m.effect("torques", "constant torques of motor and load", |m| m.torque(part, value, through, doc));
+    m.effect("torques", "constant torques of motor and load", |m| {
+        let value = m.parameter(&named("T", part), "N*m", None, Range::Any, doc);
+        m.torque(part, value, through, doc);
+    });
 }

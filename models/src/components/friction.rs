@@ -39,7 +39,7 @@ pub struct Sliding {
 /// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` [1] and `arm` [unit], both periodic in the
 /// phase, the coefficient of friction `mu`, and the rolling speed `w_mix` [rad/s] below which friction decreases.
 pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
-    m.sliding_friction(|m| {
+    m.sliding_friction(part, |m| {
         let doc = format!("coefficient of friction of the {what}");
         let mu = m.parameter(&named("mu", part), "1", None, Range::NotNegative, &doc);
         let doc =
@@ -70,11 +70,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
 
 /// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` [rad] and `tan_a`.
 pub fn pressure_tangent(m: &mut Model) -> Expr {
-    let mut tangent = Expr::from(0);
-    m.sliding_friction(|m| {
-        let doc = "working pressure angle, for friction";
-        let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, doc);
-        tangent = m.constant("tan_a", alpha.sin() / alpha.cos());
-    });
-    tangent
+    let doc = "working pressure angle, for friction";
+    let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, doc);
+    m.constant("tan_a", alpha.sin() / alpha.cos())
 }

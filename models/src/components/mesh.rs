@@ -37,7 +37,7 @@ pub fn mesh_with_play(m: &mut Model, part: &str, what: &str, phase: Expr, delta:
 /// then `delta - e.value`. Declares its law `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi.
 pub fn transmission_error(m: &mut Model, part: &str, what: &str, phase: Expr) -> MeshError {
     let doc = format!("transmission error of the {what} along the line of action");
-    m.transmission_error(&named("e", part), "m", phase, TAU, &doc)
+    m.transmission_error([&named("e", part), part], "m", phase, TAU, &doc)
 }
 
 fn stiffness(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {

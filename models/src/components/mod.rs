@@ -5,9 +5,11 @@
 //! quantity and the name of the part: the inertia of part `1` is `I1`, that of part `motor` is `I_motor`.
 
 pub mod bearing;
+pub mod clutch;
 pub mod constraint;
 pub mod damping;
 pub mod drive;
+pub mod dry_friction;
 pub mod fan;
 pub mod friction;
 pub mod gear;
@@ -19,11 +21,14 @@ pub mod planets;
 pub mod play;
 pub mod rotor;
 pub mod shaft;
+pub mod viscous;
 
 pub use bearing::bearing;
+pub use clutch::overrunning_clutch;
 pub use constraint::geared;
 pub use damping::damping;
 pub use drive::{drive, load};
+pub use dry_friction::dry_friction;
 pub use fan::fan;
 pub use friction::{Sliding, pressure_tangent, sliding_friction};
 pub use gear::{Direction, Gear, external, internal};
@@ -32,9 +37,10 @@ pub use mesh::{Mesh, mesh, mesh_with_play, transmission_error};
 pub use motor::induction_motor;
 pub use pair::{Pair, pair};
 pub use planets::{Stage, stage};
-pub use play::play;
+pub use play::{Play, dead_band, play};
 pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft};
+pub use viscous::viscous;
 
 /// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.
 pub fn named(quantity: &str, part: &str) -> String {

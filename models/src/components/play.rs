@@ -1,16 +1,79 @@
 //! Backlash: a deflection causes a force only while flanks are in contact, in the effect `backlash`.
+//!
+//! Contact never pulls. At the depth x >= 0 beyond an edge the spring has the force F_s = dV/dx and the damper would have F_d =
+//! dD/dx'. The damper is limited to plus or minus the spring's force, as in
+//! Modelica.Mechanics.Rotational.Components.ElastoBacklash2: each mode is then a linear cell.
+//!
+//! | mode | while | force of the contact |
+//! | --- | --- | --- |
+//! | upper, lower | -F_s <= F_d <= F_s | F_s + F_d |
+//! | upper_hit, lower_hit | F_d > F_s | 2 F_s |
+//! | upper_loose, lower_loose | F_d < -F_s | 0 |
+//! | free | within the play | 0 |
 
-use gearsim_derive::{Expr, Model, Play, Range, half};
+use gearsim_derive::{Expr, Model, Range, half};
 
 use super::named;
 
+/// The symbols of a play.
+#[derive(Clone, Copy)]
+pub struct Play {
+    /// The deflection minus the edge that is in contact: positive beyond the upper edge, negative beyond the lower one.
+    pub over: Expr,
+    /// 1 in contact, 0 inside the band.
+    pub touch: Expr,
+    /// 1 while the damper of the contact acts, 0 while its force is clipped and inside the band.
+    pub damp: Expr,
+}
+
 /// Play of the deflection `delta` [unit], which is linear in the coordinates: free between -b/2 and b/2. Declares its size `b`
-/// [unit], which scenes with the effect must give. [`Model::dead_band`] says how V and D are written in the result.
+/// [unit], which scenes with the effect must give. Write V as `k * gap.touch * gap.over.sq()`, and the dissipation function of a
+/// damper in the contact as `gap.damp * gap.over.dot().sq()`. Declares the names `over`, `touch`, `edge`, `damp` and `clip`, each
+/// followed by `part`.
 pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> Play {
     let mut size = Expr::from(0);
-    m.effect("backlash", "play between the flanks: contact on the drive or coast flank, free motion between", |m| {
+    let doc = "play between the flanks: contact on the drive or coast flank, free motion between";
+    let effect = m.part_effect("backlash", part, doc, |m| {
         let doc = format!("backlash of the {what}: no contact within b/2 to either side");
         size = m.parameter(&named("b", part), unit, None, Range::Positive, &doc);
     });
-    m.dead_band(part, unit, delta, half(size), "backlash", &format!("play of the {what}"))
+    dead_band(m, part, unit, delta, half(size), &effect, &format!("play of the {what}"))
+}
+
+/// A dead band of the deflection `delta` [unit], in an effect: there is no force while it is between `-edge` and `edge` [unit].
+pub fn dead_band(m: &mut Model, part: &str, unit: &str, delta: Expr, edge: Expr, effect: &str, doc: &str) -> Play {
+    let name = |what: &str| format!("{what}{part}");
+    let mut gap = m.switch(&name("over"), unit, delta, effect, doc);
+    let touch = gap.factor(&name("touch"), 1);
+    gap.offset(&name("edge"));
+    let damp = gap.factor(&name("damp"), 1);
+    let clip = gap.factor(&name("clip"), 0);
+    gap.damped(&name("touch"), &name("damp"));
+    let (over, spring, damper) = (gap.over(), gap.spring(), gap.damper());
+
+    let [zero, one] = [0, 1].map(Expr::from);
+    let flanks = [("upper", one), ("lower", -one)];
+    for (flank, side) in flanks {
+        gap.mode(flank, &[one, side * edge, one, zero])
+            .rests()
+            .counts("flanks met")
+            .unless("free", side * over)
+            .until(&format!("{flank}_loose"), side * (spring + damper))
+            .until(&format!("{flank}_hit"), side * (spring - damper));
+    }
+    gap.mode("free", &[zero; 4]).rests().until("upper", edge - over).until("lower", edge + over);
+    for (flank, side) in flanks {
+        gap.mode(&format!("{flank}_hit"), &[one, side * edge, zero, one])
+            .counts("flanks met")
+            .unless("free", side * over)
+            .until(flank, side * (damper - spring));
+    }
+    for (flank, side) in flanks {
+        gap.mode(&format!("{flank}_loose"), &[one, side * edge, zero, -one])
+            .counts("flanks met")
+            .until("free", side * over)
+            .until(flank, -side * (spring + damper));
+    }
+    gap.loss(clip * spring);
+    Play { over, touch, damp }
 }

@@ -93,7 +93,7 @@ pub fn check(data: &[u8]) {
         Ok(done) => Some(done),
     };
     // One search after every event, and one at the start.
-    let most = if simulation.now.bands.is_empty() { STEPS } else { STEPS_WITH_PLAY };
+    let most = if simulation.now.switches.is_empty() { STEPS } else { STEPS_WITH_PLAY };
     let counts = &simulation.now.counts;
     assert!(counts.cost.steps <= most * (u64::from(events) + 1), "{events} events, {counts:?}");
     let Some(done) = done else { return };

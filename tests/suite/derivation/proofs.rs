@@ -2,6 +2,7 @@
 
 use gearsim_derive::{Expr, Friction, Model, Range, Start, Wrong, derive, derive_wrong, half};
 use gearsim_models::MODELS;
+use gearsim_models::components::dead_band;
 
 use crate::slips::{Oscillator, oscillator};
 
@@ -38,7 +39,9 @@ type Row = (&'static str, fn(&mut Model, Oscillator));
 
 const FEEDING: &[Row] = &[
     ("every damper takes energy or none", |m, o| m.dissipation(o.m * (o.x.dot().sq() + 1).pow(-2))),
-    ("the damper of over, clipped", |m, o| clipped(m, o, Range::Any)),
+    ("the force of the switch over takes energy or none", |m, o| clipped(m, o, Range::Any)),
+    ("the force of the switch slip takes energy or none", |m, o| dry(m, o, -1)),
+    ("V is the same on both sides of the exits of over", |m, o| shifted(m, o)),
     ("the friction `roll` takes energy or none", |m, o| friction(m, o, 1, -1)),
     ("the friction `slide`", |m, o| friction(m, o, -1, -2)),
 ];
@@ -46,15 +49,35 @@ const FEEDING: &[Row] = &[
 /// A contact with a spring `k` of this range and a damper.
 fn clipped(m: &mut Model, o: Oscillator, range: Range) {
     let [k, b] = [("k", range), ("b", Range::Positive)].map(|(name, range)| m.parameter(name, "1", None, range, ""));
-    let play = m.dead_band("", "m", o.x, b, "backlash", "");
+    let play = dead_band(m, "", "m", o.x, b, "backlash", "");
     m.effect("backlash", "", |_| {});
     m.potential(half(k * play.touch * play.over.sq()));
     m.dissipation(half(o.s * play.damp * play.over.dot().sq()));
 }
 
+/// Dry friction, against the motion or, with the sign -1, along it.
+fn dry(m: &mut Model, o: Oscillator, sign: i64) {
+    m.effect("dry_friction", "", |_| {});
+    let mut slip = m.switch("slip", "m", o.x, "dry_friction", "");
+    let (direction, rate) = (slip.factor("dir", 0), slip.over().dot());
+    slip.mode("forward", &[1.into()]).until("backward", rate);
+    slip.mode("backward", &[Expr::from(-1)]).until("forward", -rate);
+    slip.loss(sign * o.s * direction);
+}
+
+/// A spring that is switched on where it is strained.
+fn shifted(m: &mut Model, o: Oscillator) {
+    m.effect("backlash", "", |_| {});
+    let mut gap = m.switch("over", "m", o.x, "backlash", "");
+    let (touch, over) = (gap.factor("touch", 1), gap.over());
+    gap.mode("free", &[0.into()]).until("on", 1 - over);
+    gap.mode("on", &[1.into()]).until("free", over - 1);
+    m.potential(half(o.s * touch * over.sq()));
+}
+
 /// Friction of rolling `roll` times its force, and of sliding `slide` times its force.
 fn friction(m: &mut Model, o: Oscillator, roll: i64, slide: i64) {
-    m.sliding_friction(|m| {
+    m.sliding_friction("", |m| {
         let [side, arm] = [("side", Friction::Side), ("arm", Friction::Arm)]
             .map(|(name, what)| m.friction_law(name, "1", o.x, 1.0, what, ""));
         let tau = m.deflection("tau", 2 * o.x);
@@ -75,7 +98,9 @@ pub fn a_model_that_feeds_energy_is_refused() {
         let slip = derive(&of(*describe)).err().unwrap_or_else(|| panic!("{proof}: not refused")).to_string();
         assert!(slip.contains("proof failed") && slip.contains(proof), "{proof}: {slip}");
     }
-    for sound in [|m: &mut Model, o| clipped(m, o, Range::NotNegative), |m: &mut Model, o| friction(m, o, -1, -1)] {
+    let sound: [fn(&mut Model, Oscillator); 3] =
+        [|m, o| clipped(m, o, Range::NotNegative), |m, o| dry(m, o, 1), |m, o| friction(m, o, -1, -1)];
+    for sound in sound {
         let model = of(sound);
         derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
     }
@@ -101,7 +126,7 @@ pub fn other_dampers_are_proved() {
 pub fn a_torque_through_a_deflection_is_in_the_balance() {
     let model = Model::new("train", |m| {
         let o = oscillator(m);
-        let e = m.transmission_error("e", "m", o.x, 1.0, "");
+        let e = m.transmission_error(["e", ""], "m", o.x, 1.0, "");
         let delta = m.deflection("delta", 2 * o.x - e.value);
         m.potential(half(o.s * delta.sq()));
         m.torque("pull", o.s, delta, "");

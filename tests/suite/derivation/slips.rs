@@ -74,11 +74,11 @@ const SLIPS: &[Row] = &[
         m.potential(k.slope * o.x.pow(3));
     }),
     ("a transmission error in V, not by way of a deflection", "`e`", |m, o| {
-        let e = m.transmission_error("e", "m", o.x, 1.0, "");
+        let e = m.transmission_error(["e", ""], "m", o.x, 1.0, "");
         m.potential(o.s * (o.x - e.value).sq());
     }),
     ("a transmission error squared in a deflection", "the deflection `delta`", |m, o| {
-        let e = m.transmission_error("e", "m", o.x, 1.0, "");
+        let e = m.transmission_error(["e", ""], "m", o.x, 1.0, "");
         m.deflection("delta", o.x - e.value.sq());
     }),
     ("a stiffness in a deflection", "`k`", |m, o| {
@@ -87,31 +87,31 @@ const SLIPS: &[Row] = &[
     }),
     ("a torque that depends on the position", "the torque `wind`", |m, o| m.torque("wind", o.s * o.x, o.x, "")),
     ("a law of friction in V", "`side`", |m, o| {
-        m.sliding_friction(|m| {
+        m.sliding_friction("", |m| {
             let side = friction_law(m, &o, Friction::Side);
             m.potential(side * o.x.sq());
         });
     }),
     ("friction outside its effect", "`side`", |m, o| {
         let side = friction_law(m, &o, Friction::Side);
-        m.sliding_friction(|_| {});
+        m.sliding_friction("", |_| {});
         m.torque("slide", side * o.s, o.x, "");
     }),
     ("a torque that is friction only in part", "`side`", |m, o| {
-        m.sliding_friction(|m| {
+        m.sliding_friction("", |m| {
             let side = friction_law(m, &o, Friction::Side);
             let delta = m.deflection("delta", 2 * o.x);
             m.torque("slide", o.s * (delta + side), o.x, "");
         });
     }),
     ("friction of rolling that feeds energy", "`roll`", |m, o| {
-        m.sliding_friction(|m| {
+        m.sliding_friction("", |m| {
             let arm = friction_law(m, &o, Friction::Arm);
             m.torque("roll", o.m * arm * o.x.dot(), o.x, "");
         });
     }),
     ("friction of rolling with an arm of any sign", "`roll`", |m, o| {
-        m.sliding_friction(|m| {
+        m.sliding_friction("", |m| {
             let [arm, side] = [Friction::Arm, Friction::Side].map(|what| friction_law(m, &o, what));
             m.torque("roll", -o.m * arm * side * o.x.dot(), o.x, "");
         });
@@ -186,6 +186,32 @@ const SLIPS: &[Row] = &[
         let w = m.inverse_mass(o.x, o.s);
         m.constant("W", w);
     }),
+    ("a mode without a value for a symbol", "`free`", |m, o| {
+        let mut gap = m.switch("over", "m", o.x, "backlash", "");
+        gap.factor("touch", 1);
+        gap.mode("free", &[]);
+    }),
+    ("an exit to a mode that is not there", "`gone`", |m, o| {
+        let mut gap = m.switch("over", "m", o.x, "backlash", "");
+        let over = gap.over();
+        gap.mode("free", &[]).until("gone", over);
+    }),
+    ("a guard that is not linear", "`free`", |m, o| {
+        let mut gap = m.switch("over", "m", o.x, "backlash", "");
+        let over = gap.over();
+        gap.mode("free", &[]).until("free", over.sq());
+    }),
+    ("a reaction where nothing is held", "`reaction`", |m, o| {
+        let mut gap = m.switch("over", "m", o.x, "backlash", "");
+        let reaction = gap.reaction();
+        gap.mode("free", &[]).until("free", reaction);
+    }),
+    ("a hold that begins in motion", "`free`", |m, o| {
+        let mut gap = m.switch("over", "m", o.x, "backlash", "");
+        let over = gap.over();
+        gap.mode("free", &[]).until("stuck", over);
+        gap.mode("stuck", &[]).holds();
+    }),
     ("a division by zero", "the potential energy", |m, o| m.potential(o.s * o.x / 0)),
 ];
 
@@ -201,7 +227,7 @@ macro_rules! variants {
 }
 variants! {
     Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear NotADeflection Massless Singular NegativeDissipation
-    Phase Pitch Default InverseMass Unproved Empty
+    Switch Phase Pitch Default InverseMass Unproved Empty
 }
 
 pub fn every_mistake_is_refused() {

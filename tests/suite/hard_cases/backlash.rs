@@ -3,7 +3,6 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 use gearsim::engine::Refusal;
-use gearsim::engine::dead_band::{Grip, Regime};
 use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair;
@@ -234,19 +233,25 @@ fn pulls(note: &mut String) -> f64 {
         while !over {
             over = simulation.step(&mut None).expect("a run");
             events += 1;
-            let ([k, .., damp, clip], band) = (&simulation.now.k[..], &simulation.now.bands[0]) else { unreachable!() };
-            regimes.insert(format!("{:?}", band.regime));
-            let Regime::Contact(side, grip) = band.regime else { continue };
-            let x = band.depth(side, &simulation.now.state.q);
-            let (spring, damper) = (k * x, c * side.sign() * simulation.now.state.q_dot[1]);
+            let ([k, .., edge, damp, clip], switch) = (&simulation.now.k[..], &simulation.now.switches[0]) else {
+                unreachable!()
+            };
+            let mode = switch.here().name;
+            regimes.insert(mode);
+            if mode == "free" {
+                continue;
+            }
+            let side = edge.signum();
+            let x = side * (switch.normal.dot(&simulation.now.state.q) - edge);
+            let (spring, damper) = (k * x, c * side * simulation.now.state.q_dot[1]);
             // The contact force by its definition, and by the law values that the engine uses.
             let force = spring + damper.clamp(-spring.abs(), spring.abs());
             let ours = k * x * (1.0 + clip) + damp * damper;
-            let size = spring.abs() + damper.abs() + k * band.half;
-            let wrong = match grip {
-                Grip::Touch => damper - spring,
-                Grip::Hit => spring - damper,
-                Grip::Loose => spring + damper,
+            let size = spring.abs() + damper.abs() + k * edge.abs();
+            let wrong = match mode.split_once('_') {
+                None => damper - spring,
+                Some((_, "hit")) => spring - damper,
+                Some(_) => spring + damper,
             };
             worst = largest([worst, -ours / size, wrong / size, (ours - force).abs() / size]);
         }

@@ -2,7 +2,7 @@
 
 use gearsim::engine::cell::{Cell, Flight, Point};
 use gearsim::engine::crossing::{Cost, Lost, Search, Side};
-use gearsim::engine::equations::{DeadBand, Equations, Switching, matrix};
+use gearsim::engine::equations::{Equations, Switching, matrix};
 use gearsim::engine::signal::Signal;
 use gearsim::engine::vector::{Matrix, Vector, dot};
 
@@ -88,9 +88,6 @@ impl<const N: usize> Equations for Linear<N> {
     }
     fn step(&self, _: usize, q: &[f64], _: &[f64], dk: f64) -> f64 {
         0.5 * dk * q[0] * q[0]
-    }
-    fn dead_band(&self, _: usize) -> Option<DeadBand> {
-        None
     }
 }
 

@@ -22,6 +22,7 @@ mod cells;
 mod claims;
 mod contact;
 mod coupled;
+mod damage;
 mod damping;
 mod digits;
 mod displaced;
@@ -40,6 +41,7 @@ mod resonance;
 mod scenes;
 mod splits;
 mod stiff;
+mod switches;
 mod together;
 mod trapped;
 
@@ -70,6 +72,8 @@ const GROUPS: &[&[Case]] = &[
     edges::CASES,
     resonance::CASES,
     stiff::CASES,
+    switches::CASES,
+    damage::CASES,
     coupled::CASES,
     limits::CASES,
     ramps::CASES,

@@ -28,8 +28,8 @@ pub fn balance(name: &str) -> Result<String, String> {
     if !scene.effects.nonlinear(scene.model).is_empty() || scene.laws.iter().any(|law| !law.steps_only()) {
         return Ok(format!("{name}: not checked, its cells are not linear"));
     }
-    if scene.model.dead_bands.iter().any(|band| names.contains(&band.with)) {
-        return Ok(format!("{name}: not checked, the regimes of its dead bands are not known beforehand"));
+    if scene.model.switches.iter().any(|switch| names.contains(&switch.with)) {
+        return Ok(format!("{name}: not checked, the modes of its switches are not known beforehand"));
     }
     let (mut worst, mut boundaries) = (0.0f64, 0);
     for i in 0..STARTS {

@@ -57,7 +57,9 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
     }
     for name in &present {
         // Effects that require this one are left out with it.
-        let needs = |other: &&str| model.effects.iter().any(|e| e.name == *other && e.requires.contains(name));
+        let needs = |other: &&str| {
+            model.effects.iter().any(|e| (e.name == *other || e.of == Some(*other)) && e.requires.contains(name))
+        };
         let mut gone: Vec<&str> = vec![name];
         gone.extend(present.iter().copied().filter(|other| needs(other)));
         let names: Vec<_> = present.iter().copied().filter(|other| !gone.contains(other)).collect();

@@ -60,7 +60,7 @@ impl Groups {
         let gap = |p: &(usize, &'static crate::model::Parameter)| {
             let (i, parameter) = *p;
             let effect = parameter.with?;
-            let present = scene.effects.names(model).contains(&effect);
+            let present = scene.effects.has(effect, model);
             let rolls = |name: &str| model.laws.iter().any(|law| law.rolling && law.phase == name);
             let alike = (0..statics.len())
                 .filter(|&j| model.coordinates[j].unit == parameter.unit && !rolls(model.coordinates[j].name));

@@ -32,8 +32,7 @@ pub fn of(scene: &Scene, entry: &Entry) -> Result<Vec<Spring>, Refusal> {
     };
     let mut springs = vec![];
     for (i, parameter) in scene.model.parameters.iter().enumerate() {
-        if scene.parameters[i] == 0.0 || parameter.with.is_some_and(|e| !scene.effects.names(scene.model).contains(&e))
-        {
+        if scene.parameters[i] == 0.0 || parameter.with.is_some_and(|e| !scene.effects.has(e, scene.model)) {
             continue;
         }
         let once = matrices(i, 1.0)?;

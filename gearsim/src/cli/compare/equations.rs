@@ -51,7 +51,8 @@ fn under(scene: &Scene, set: &'static EquationSet) -> Result<Scene, Failure> {
                 ),
                 help: "use `gearsim run`: it simulates the scene as it is".into(),
             })?;
-        let lacking: Vec<_> = effect.requires.iter().copied().filter(|other| !names.contains(other)).collect();
+        let lacking: Vec<_> =
+            effect.requires.iter().copied().filter(|other| !scene.effects.has(other, model)).collect();
         if !lacking.is_empty() {
             let what =
                 format!("scene {} lacks the effect {}: all sets of equations are the same", scene.name, list(&lacking));

@@ -76,6 +76,9 @@ fn motions(model: &Model) -> Vec<Row> {
 fn effects(model: &Model) -> Vec<Row> {
     let row = |e: &crate::model::Effect| {
         let mut words = e.doc.to_owned();
+        if let Some(of) = e.of {
+            words += &format!("\nthe effect `{of}` at one part; `{of}` is that of all parts");
+        }
         for (verb, others) in [("needs", e.requires), ("excludes", e.excludes)] {
             if !others.is_empty() {
                 words += &format!("\n{verb} {}", others.join(", "));

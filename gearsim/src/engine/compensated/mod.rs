@@ -62,7 +62,7 @@ impl<'a> Compensated<'a> {
     ) -> Result<Self, Refusal> {
         let laws = &now.laws;
         let cells = plain.cells().and_then(cells::Cells::all);
-        let cells = cells.filter(|_| now.bands.is_empty() && !laws.iter().any(|law| law.is_error));
+        let cells = cells.filter(|_| now.switches.is_empty() && !laws.iter().any(|law| law.is_error));
         let cells = cells.ok_or(Refusal::CompensatedCells)?;
         let rest = &now.k[laws.len()..];
         let wide = |k: Vec<f64>| k.into_iter().map(Df64::from).collect::<Vec<_>>();
@@ -176,7 +176,7 @@ impl Motion for Refined<'_> {
                 }
             }
             End::Run => at(clock.exactly_until(self.now.t_end)),
-            End::Open | End::Hold(..) | End::Flank(..) | End::Breakpoint => at(t.into()),
+            End::Open | End::Hold(..) | End::Exit(..) | End::Loose(..) | End::Breakpoint => at(t.into()),
         };
         state.write(&mut reached.state);
         (t, reached)

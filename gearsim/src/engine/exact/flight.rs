@@ -39,7 +39,7 @@ impl<'s> InFlight<'s> {
 
     fn reached(&self, point: &Point, state: impl FnOnce(&State, &Vector, &Vector) -> State) -> Reached {
         let (dq, dv) = self.flight.increments(point);
-        let dissipated = self.flight.dissipated(point) + self.now.clipped(&dq);
+        let dissipated = self.flight.dissipated(point) + self.now.lost_by_switches(&dq);
         let work = self.now.forcing.as_ref().map(|forcing| forcing.power(self.now.clock.now(), &dq));
         Reached { state: state(&self.now.state, &dq, &dv), dissipated, work: work.unwrap_or_default() }
     }
@@ -67,9 +67,9 @@ impl Motion for InFlight<'_> {
                     None => search.first(&mut point, cost)?,
                 }
             }
-            Guard::Exit(band, which, exit) => {
-                let value = now.left_to(band, &exit);
-                here.exits[band][which].first_zero(value, flight, until, &mut point, cost)?
+            Guard::Exit(switch, which) => {
+                let value = now.left_to(&now.guards.exits[switch][which]);
+                here.exits[switch][which].first_zero(value, flight, until, &mut point, cost)?
             }
             Guard::Hold(which) => {
                 let value = now.left_of_hold(which);

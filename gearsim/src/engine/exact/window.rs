@@ -20,7 +20,7 @@ pub struct InWindow<'s> {
     now: &'s Hybrid<'s>,
     forcing: &'s Forcing,
     window: Window<'s>,
-    /// The exits of the dead bands, and the functions that end the holds.
+    /// The exits of the switches, and the functions that end the holds.
     exits: &'s [SmallVec<[Watch; 2]>],
     held: &'s [Watch],
     /// The event that was found last: its time \[s\], and its part of the window.
@@ -69,7 +69,7 @@ impl<'s> InWindow<'s> {
     fn reached(&self, x: f64, state: impl FnOnce(&State, &Vector, &Vector) -> State) -> Reached {
         let (dq, dv) = self.window.increments(x);
         let gains = self.window.gains(self.forcing, x);
-        let dissipated = gains.lost + self.now.clipped(&dq);
+        let dissipated = gains.lost + self.now.lost_by_switches(&dq);
         Reached { state: state(&self.now.state, &dq, &dv), dissipated, work: gains.work }
     }
 }
@@ -83,9 +83,9 @@ impl Motion for InWindow<'_> {
         let (window, now) = (&self.window, self.now);
         let first = match guard {
             Guard::Phase(law) => self.first_boundary(law, cost),
-            Guard::Exit(band, which, exit) => {
-                let value = now.left_to(band, &exit);
-                self.exits[band][which].first_zero_in(value, window, cost).map(|x| (x, Side::Lower))
+            Guard::Exit(switch, which) => {
+                let value = now.left_to(&now.guards.exits[switch][which]);
+                self.exits[switch][which].first_zero_in(value, window, cost).map(|x| (x, Side::Lower))
             }
             Guard::Hold(which) => {
                 let value = now.left_of_hold(which);

@@ -1,9 +1,8 @@
-//! What happens where a motion ends: steps are passed or turn the motion back, phases are held, flanks meet.
+//! What happens where a motion ends: steps are passed or turn the motion back, phases are held, switches change their modes.
 
-use crate::engine::cells::{self, Stand};
-use crate::engine::contact::{self, Contact, Ending};
+use crate::engine::cells::Stand;
+use crate::engine::contact::{self, Ending};
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::Regime;
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
 use crate::engine::jump::Passage;
@@ -73,23 +72,18 @@ impl Simulation<'_> {
                 if ending == Ending::Slip {
                     self.enter(law, side)?;
                 }
-                self.hold(held)
+                self.resume(held)
             }
-            End::Flank(band, regime) => {
-                let free = |regime| regime == Regime::Free;
-                let now = &mut self.now;
-                now.counts.impacts += u64::from(free(now.bands[band].regime) && !free(regime));
-                now.bands[band].regime = regime;
-                let t = now.clock.now();
-                now.rattle = if t == now.rattle.0 { (t, now.rattle.1 + 1) } else { (t, 0) };
-                // What is held now presses otherwise, or against nothing.
-                let held = now.contact.take().map_or(vec![], |contact| contact.laws);
-                self.change_mode()?;
-                let void =
-                    |held: &(usize, Side)| contact::is_void(self.now.equations, self.stand(), *held, &self.now.state);
-                let (void, held): (Vec<_>, Vec<_>) = held.into_iter().partition(void);
-                void.into_iter().try_for_each(|(law, side)| self.enter(law, side))?;
-                self.hold(held)
+            End::Exit(switch, which) => {
+                let exit = self.now.guards.exits[switch][which].clone();
+                self.now.put(switch, exit.beyond, Some(&exit.guard));
+                self.follow_switch()?;
+                self.now.counts.sticks += u64::from(self.now.switches[switch].here().held);
+                Ok(())
+            }
+            End::Loose(switch, mode) => {
+                self.now.set_mode(switch, mode);
+                self.follow_switch()
             }
             End::Breakpoint => {
                 if let Some(forcing) = &mut self.now.forcing {
@@ -99,17 +93,16 @@ impl Simulation<'_> {
                 }
                 // What is held may be pulled off by the new torque.
                 let held = self.now.contact.take().map_or(vec![], |contact| contact.laws);
-                self.change_mode()?;
-                self.hold(held)
+                self.resume(held)
             }
             End::Open | End::Run => Ok(()),
         }
     }
 
-    /// The laws, the dead bands and their values.
+    /// The laws, the switches and their values.
     #[inline]
     fn stand(&self) -> Stand<'_> {
-        (&self.now.laws, &self.now.bands, &self.now.k)
+        (&self.now.laws, &self.now.switches, &self.now.k)
     }
 
     /// Passes a step, or is turned back by it.
@@ -124,8 +117,7 @@ impl Simulation<'_> {
             return self.enter(law, side);
         }
         self.now.counts.reflections += 1;
-        self.change_mode()?;
-        self.grip()?;
+        self.resume(vec![])?;
         self.press(law, side)
     }
 
@@ -140,34 +132,45 @@ impl Simulation<'_> {
             }
             laws => law::enter(laws, law, side, &mut now.state),
         }
-        if !now.bands.is_empty() {
-            let place = (&now.state.q[..], now.clock.now());
-            now.counts.impacts += cells::displace((&now.laws, &mut now.bands), place, &mut now.k);
-        }
-        self.change_mode()?;
-        self.grip()
+        self.resume(vec![])
     }
 
-    /// Has the dampers of contacts follow a step of the forces.
+    /// Goes on after a switch has changed its mode.
+    fn follow_switch(&mut self) -> Result<(), Stop> {
+        let now = &mut self.now;
+        let t = now.clock.now();
+        now.rattle = if t == now.rattle.0 { (t, now.rattle.1 + 1) } else { (t, 0) };
+        // What is held now presses otherwise, or against nothing.
+        let held = now.contact.take().map_or(vec![], |contact| contact.laws);
+        let void = |held: &(usize, Side)| contact::is_void(self.now.equations, self.stand(), *held, &self.now.state);
+        let (void, held): (Vec<_>, Vec<_>) = held.into_iter().partition(void);
+        void.into_iter().try_for_each(|(law, side)| self.enter(law, side))?;
+        self.proceed(held)
+    }
+
+    /// Goes on after a sudden change of the state or of the forces: the switches follow it. Phases of `held` stay held, if they press.
     #[inline]
-    fn grip(&mut self) -> Result<(), Stop> {
-        if self.now.bands.is_empty() {
-            return Ok(());
+    fn resume(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
+        self.now.set_levels();
+        if !self.now.switches.is_empty() {
+            self.now.settle();
         }
-        let (state, mut changed) = (&self.now.state, false);
-        for (band, elastic) in self.now.bands.iter_mut().zip(&self.now.elastic) {
-            let regime = band.gripped(*elastic, &state.q, &state.q_dot);
-            changed |= regime != band.regime;
-            band.regime = regime;
-        }
-        if changed { self.change_mode() } else { Ok(()) }
+        self.proceed(held)
+    }
+
+    /// Goes on in the present mode, with holds if there are any.
+    #[inline]
+    fn proceed(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
+        if held.is_empty() && !self.now.is_stuck() { self.change_mode() } else { self.hold(held) }
     }
 
     /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
     fn press(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         let (equations, state, k) = (self.now.equations, &self.now.state, &self.now.k);
         let energy = equations.kinetic(&state.q_dot) + equations.potential(&state.q, k);
-        let acceleration = &equations.mobility() * &self.now.force();
+        let mobility =
+            self.now.contact.as_ref().map_or_else(|| equations.mobility(), |contact| contact.mobility.clone());
+        let acceleration = &mobility * &self.now.force();
         if !contact::presses(&self.now.laws[law], side, state, &acceleration, self.solver.rate(), energy) {
             return Ok(());
         }
@@ -175,13 +178,10 @@ impl Simulation<'_> {
         self.hold(vec![(law, side)])
     }
 
-    /// Holds phases at their steps, those of them that press.
-    fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
-        let begun = Contact::begin(&mut self.now, held).and_then(|(contact, ignored)| {
-            self.now.contact = contact.map(Box::new);
-            self.now.ignored += ignored;
-            self.solver.enter(&mut self.now)
-        });
+    /// Holds phases at their steps and the deflections of switches, those of them whose reactions are as they must be.
+    pub(super) fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
+        self.entered = true;
+        let begun = self.now.hold(held).and_then(|()| self.solver.enter(&mut self.now));
         begun.map_err(|reason| {
             let (t, state) = (self.now.clock.now(), self.now.state.describe());
             Stop::Held { t, state, cell: self.now.cell(), reason }

@@ -4,6 +4,7 @@ use crate::engine::crossing::Side;
 use crate::engine::error::Stop;
 use crate::engine::motion::End;
 use crate::engine::simulate::{Recording, Simulation};
+use crate::engine::switch;
 
 impl Simulation<'_> {
     /// Takes the events that have happened by now.
@@ -13,11 +14,11 @@ impl Simulation<'_> {
                 while self.pass_late(law, side, recording)? {}
             }
         }
-        for band in 0..self.now.bands.len() {
-            let (dead, state) = (&self.now.bands[band], &self.now.state);
-            let gripped = dead.gripped_at(dead.met(&state.q), self.now.elastic[band], &state.q, &state.q_dot);
-            if gripped != dead.regime {
-                self.pass(End::Flank(band, gripped), recording)?;
+        for switch in 0..self.now.switches.len() {
+            let mut after = self.now.switches[switch].clone();
+            let (state, mut k) = (&self.now.state, self.now.k.clone());
+            if switch::settle(&mut after, self.now.equations, (&state.q, &state.q_dot), &mut k, None) {
+                self.pass(End::Loose(switch, after.mode), recording)?;
             }
         }
         Ok(())

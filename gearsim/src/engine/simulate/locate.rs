@@ -48,13 +48,13 @@ pub fn first(
     for i in (0..now.laws.len()).filter(|&i| now.watches(i)) {
         look(Guard::Phase(i), &|side| End::Step(i, side))?;
     }
-    for (i, (band, elastic)) in now.bands.iter().zip(&now.elastic).enumerate() {
-        for (which, exit) in band.exits(*elastic).into_iter().enumerate() {
-            look(Guard::Exit(i, which, exit), &|_| End::Flank(i, exit.beyond))?;
+    for (i, exits) in now.guards.exits.iter().enumerate().filter(|(i, _)| !now.is_locked(*i)) {
+        for which in 0..exits.len() {
+            look(Guard::Exit(i, which), &|_| End::Exit(i, which))?;
         }
     }
     for (i, watch) in now.contact.iter().flat_map(|contact| &contact.watches).enumerate() {
-        look(Guard::Hold(i), &|_| End::Hold(watch.law, watch.ending))?;
+        look(Guard::Hold(i), &|_| watch.end)?;
     }
     Ok(first)
 }

@@ -10,11 +10,11 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use crate::engine::crossing::Side;
-use crate::engine::dead_band::DeadBand;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, Law};
 use crate::engine::record::State;
+use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Coordinate;
 use crate::scene::Scene;
@@ -49,12 +49,11 @@ struct Step {
 }
 
 impl Equilibrium<'_> {
-    /// The equilibrium found from the coordinates `guess` (N), with the dead bands in their present regimes.
+    /// The equilibrium found from the coordinates `guess` (N), with the switches in their present modes.
     ///
     /// # Errors
     /// [`Refusal::NoEquilibrium`] if the iteration finds none; those of [`Law::begin`].
-    pub fn from(&self, guess: &Vector, bands: &[DeadBand]) -> Result<Settled, Refusal> {
-        let mut bands = bands.to_vec();
+    pub fn from(&self, guess: &Vector, switches: &[Switch]) -> Result<Settled, Refusal> {
         let mut state = State::new(guess.clone(), self.q_dot.clone());
         let mut laws = Law::begin(self.equations, self.scene, &mut state)?;
         // The coordinates held on a boundary to which both cells push them.
@@ -64,7 +63,7 @@ impl Equilibrium<'_> {
         for _ in 0..start::STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
             let Step { step, stiffness, stable } =
-                self.newton(&moving, &state, &laws, &mut bands).ok_or_else(|| self.refusal())?;
+                self.newton(&moving, &state, &laws, switches).ok_or_else(|| self.refusal())?;
             if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
                 // The step is longer than a pitch: restart at its end instead of passing every boundary on the way.
                 let here = Settled { state, laws, stable };
@@ -114,12 +113,12 @@ impl Equilibrium<'_> {
 
     /// Newton's step. Where V is not convex, negative curvatures count as positive, so that the step reduces V and leads to the
     /// minimum nearest to the guess. `None` if the forces do not determine the step.
-    fn newton(&self, moving: &[usize], state: &State, laws: &[Law], bands: &mut [DeadBand]) -> Option<Step> {
+    fn newton(&self, moving: &[usize], state: &State, laws: &[Law], switches: &[Switch]) -> Option<Step> {
         let (mut step, mut diagonal) = (Vector::zeros(self.q_dot.len()), Vector::zeros(self.q_dot.len()));
         if moving.is_empty() {
             return Some(Step { step, stiffness: diagonal, stable: true });
         }
-        let (force, stiffness) = self.balance(state, laws, bands);
+        let (force, stiffness) = self.balance(state, laws, switches);
         let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| stiffness[(moving[i], moving[j])]);
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
@@ -144,12 +143,9 @@ impl Equilibrium<'_> {
     }
 
     /// The generalised forces (N), and minus their derivatives by the coordinates (N x N).
-    fn balance(&self, state: &State, laws: &[Law], bands: &mut [DeadBand]) -> (Vector, Matrix) {
+    fn balance(&self, state: &State, laws: &[Law], switches: &[Switch]) -> (Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
-        for band in bands {
-            band.follow(&k);
-            band.write(&mut k);
-        }
+        switches.iter().for_each(|switch| switch.write(&mut k));
         let (q, v) = (&state.q, &self.q_dot);
         if self.scene.effects.nonlinear(self.scene.model).is_empty() && laws.iter().all(|law| law.pitch.steps_only()) {
             let (stiffness, damping, load) =
@@ -162,9 +158,9 @@ impl Equilibrium<'_> {
 
     /// Other equilibria, found from guesses around `settled`, in order of their distance from `guess`.
     ///
-    /// A linear cell in given regimes has one equilibrium. Others are sought only if phases are free (in the neighbouring cells),
+    /// A linear cell in given modes of the switches has one equilibrium. Others are sought only if phases are free (in the neighbouring cells),
     /// or if cells are not linear.
-    pub fn others(&self, settled: &Settled, guess: &Vector, bands: &[DeadBand]) -> Vec<Settled> {
+    pub fn others(&self, settled: &Settled, guess: &Vector, switches: &[Switch]) -> Vec<Settled> {
         let linear = self.scene.effects.nonlinear(self.scene.model).is_empty();
         let (at, mut found) = (settled.absolute(), vec![settled.clone()]);
         for &i in self.free {
@@ -187,7 +183,7 @@ impl Equilibrium<'_> {
                 let mut from = at.clone();
                 // Start beyond the boundary, not on it.
                 from[i] += start::BEYOND * step;
-                let other = self.from(&from, bands).ok();
+                let other = self.from(&from, switches).ok();
                 found.extend(other.filter(|other| !found.iter().any(|known| self.same(known, other))));
             }
         }
@@ -236,21 +232,14 @@ impl Equilibrium<'_> {
 }
 
 impl Settled {
-    /// Depth of contact at a flank of a dead band, with the edges given by the laws of the scene [unit of the deflection].
-    pub fn depth(&self, scene: &Scene, band: &DeadBand, side: Side) -> f64 {
-        let mut band = band.clone();
-        band.follow(&courses(scene, &self.state, &self.laws)[0]);
-        band.depth(side, &self.state.q)
-    }
-
     /// The coordinates, with their whole turns (N).
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
 }
 
-/// The values of the laws and their first and second derivatives by their phases, in the present cells. The values of the dead
-/// bands follow those of the laws.
+/// The values of the laws and their first and second derivatives by their phases, in the present cells. The neutral values of
+/// the switches follow those of the laws.
 pub fn courses(scene: &Scene, state: &State, laws: &[Law]) -> [Vec<f64>; 3] {
     let courses: Vec<[f64; 3]> = laws.iter().map(|law| law.course(state.q[law.phase], 0.0)).collect();
     let padded = |i: usize| {

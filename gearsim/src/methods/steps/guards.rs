@@ -44,16 +44,16 @@ impl Step<'_, '_> {
                     note(side, root::first_known_to(&gap, 4.0 * law.rounding(), slack));
                 }
             }
-            Guard::Exit(i, _, exit) => {
-                let side = Side::Lower;
+            Guard::Exit(i, which) => {
+                let (side, exit) = (Side::Lower, &self.now.guards.exits[i][which]);
                 let gap = if self.now.steps_only() {
-                    self.dense.from(self.now.left_to(i, &exit), &exit.slopes(&self.now.bands[i]))
+                    self.dense.from(self.now.left_to(exit), [&exit.guard.on_q, &exit.guard.on_speed])
                 } else {
                     let left = self.solver.field.left(guard, side, 0.0, &self.start);
-                    self.interpolated(guard, side, left.max(0.0) + self.now.slack_of(&exit))
+                    self.interpolated(guard, side, left.max(0.0) + self.now.slack_of(exit))
                 };
-                // The slack of an exit is sixteen roundings of its value.
-                note(side, root::first(&gap, 0.25 * exit.slack));
+                // The rounding of a guard is sixteen units of its last place.
+                note(side, root::first(&gap, 0.25 * exit.guard.rounding(&self.now.k)));
             }
             Guard::Hold(which) => {
                 let left = self.now.left_of_hold(which);

@@ -61,7 +61,7 @@ impl Step<'_, '_> {
     fn rounding(&self, guard: Guard) -> f64 {
         match guard {
             Guard::Phase(law) => self.now.laws[law].rounding(),
-            Guard::Exit(_, _, exit) => exit.slack / 16.0,
+            Guard::Exit(i, which) => self.now.guards.exits[i][which].guard.rounding(&self.now.k) / 16.0,
             Guard::Hold(which) => f64::EPSILON * self.now.left_of_hold(which).abs(),
         }
     }

@@ -43,7 +43,7 @@ impl Step<'_, '_> {
     fn reached(&mut self, y: Flow, t: f64) -> Reached {
         let mut dissipated = y.lost;
         if self.now.steps_only() {
-            dissipated += self.now.clipped(&(&y.q - &self.start.q));
+            dissipated += self.now.lost_by_switches(&(&y.q - &self.start.q));
         }
         let work = self.work(t);
         Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }

@@ -1,4 +1,4 @@
-//! Play by methods by steps: every change of regime, of flanks and of clipped dampers, is an event.
+//! Play by methods by steps: every change of mode, of flanks and of clipped dampers, is an event.
 
 use super::{difference, run};
 

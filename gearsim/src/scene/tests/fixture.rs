@@ -20,7 +20,7 @@ const fn parameter(
 }
 
 const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {
-    Effect { name, doc: "", requires, excludes }
+    Effect { name, of: None, doc: "", requires, excludes }
 }
 
 const fn law(name: &'static str, unit: &'static str, with: Option<&'static str>, role: Role, doc: &'static str) -> Law {
@@ -43,7 +43,7 @@ pub static GEAR_PAIR: Model = Model {
         parameter("zeta", "1", Some(0.0), NOT_NEGATIVE, "damping ratio"),
         parameter("T0", "N*m", Some(10.0), ANY, "driving torque"),
     ],
-    dead_bands: &[],
+    switches: &[],
     nonlinear: "",
     nonlinear_with: &[],
     laws: &[

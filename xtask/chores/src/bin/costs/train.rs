@@ -10,7 +10,7 @@
 //!
 //! Dampers act in parallel with the springs, in proportion to k_mid and k_s. Since k differs from k_mid, they couple the modes.
 
-use gearsim::engine::equations::{DeadBand, Derived, Equations, Switching};
+use gearsim::engine::equations::{Derived, Equations, Switching};
 use gearsim::engine::vector::{Matrix, Vector};
 use gearsim::generated::gear_pair::GearPair;
 use gearsim::model::{Coordinate, Model, Start};
@@ -127,9 +127,6 @@ impl Equations for Train {
     }
     fn step(&self, _: usize, q: &[f64], _: &[f64], dk: f64) -> f64 {
         0.5 * dk * q[1] * q[1]
-    }
-    fn dead_band(&self, _: usize) -> Option<DeadBand> {
-        None
     }
 }
 

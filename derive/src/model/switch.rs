@@ -1,0 +1,242 @@
+//! Switches: modes between which a deflection changes the equations.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::expr::{Expr, Kind, number, speed_name, symbol, total};
+use crate::model::{Deflection, Model};
+
+/// A switch: a deflection x, and a finite number of modes. In each mode the symbols of the switch are constant, and what ends it
+/// is the zero of a linear function of the state.
+#[derive(Clone)]
+pub(crate) struct Switch {
+    /// Name of the deflection x, which is less the offset of the mode.
+    pub over: String,
+    pub unit: String,
+    pub symbols: Vec<Constant>,
+    pub modes: Vec<Mode>,
+    /// The force against x whose work is lost, beyond those of V and D; linear in x.
+    pub loss: Expr,
+    /// Symbols of springs, each with the symbol that takes its place in Rayleigh damping.
+    pub damped: Vec<(String, String)>,
+    /// Without this effect there is no switch: the symbols have their neutral values.
+    pub effect: String,
+    pub doc: String,
+}
+
+/// A symbol that is constant in each mode.
+#[derive(Clone)]
+pub(crate) struct Constant {
+    pub name: String,
+    /// [`Kind::Edge`] or [`Kind::Switched`].
+    pub kind: Kind,
+    /// Its value in scenes without the effect.
+    pub neutral: i64,
+}
+
+/// A mode of a switch.
+#[derive(Clone)]
+pub(crate) struct Mode {
+    pub name: String,
+    /// The values of the symbols.
+    pub values: Vec<Expr>,
+    /// Whether x' = 0 is enforced by a reaction.
+    pub held: bool,
+    /// Whether a static equilibrium may be in it.
+    pub rests: bool,
+    /// What is counted when a run enters it from a mode that does not count the same.
+    pub counts: Option<String>,
+    pub exits: Vec<Exit>,
+}
+
+/// What ends a mode.
+#[derive(Clone)]
+pub(crate) struct Exit {
+    /// The mode beyond.
+    pub to: String,
+    /// The mode lasts while this is >= 0.
+    pub guard: Expr,
+    /// Whether only a sudden change of the state can violate it: another exit comes first in every motion.
+    pub sudden: bool,
+}
+
+/// A switch that is being described.
+pub struct Switching<'m> {
+    model: &'m mut Model,
+    index: usize,
+    delta: Expr,
+}
+
+/// A mode that is being described.
+pub struct Describing<'s>(&'s mut Mode);
+
+impl Model {
+    /// Declares a switch of the deflection `delta` [unit], which is linear in the coordinates, named `over`. In scenes without
+    /// `effect` there is no switch.
+    pub fn switch(&mut self, over: &str, unit: &str, delta: Expr, effect: &str, doc: &str) -> Switching<'_> {
+        let index = self.switches.len();
+        self.deflections.push(Deflection { name: over.into(), value: delta.expand() });
+        self.switches.push(Switch {
+            over: over.into(),
+            unit: unit.into(),
+            symbols: vec![],
+            modes: vec![],
+            loss: Expr::from(0),
+            damped: vec![],
+            effect: effect.into(),
+            doc: doc.into(),
+        });
+        Switching { model: self, index, delta }
+    }
+}
+
+impl Switching<'_> {
+    fn switch(&mut self) -> &mut Switch {
+        &mut self.model.switches[self.index]
+    }
+
+    /// A symbol that is subtracted from the deflection, constant in each mode; 0 in scenes without the effect.
+    pub fn offset(&mut self, name: &str) {
+        self.switch().symbols.push(Constant { name: name.into(), kind: Kind::Edge, neutral: 0 });
+        let (over, value) = (self.switch().over.clone(), self.delta.expand() - Expr::var(Kind::Edge, name));
+        self.model.deflections.iter_mut().filter(|d| d.name == over).for_each(|d| d.value = value);
+    }
+
+    /// A factor for energies and for the force that is lost, constant in each mode; `neutral` in scenes without the effect.
+    pub fn factor(&mut self, name: &str, neutral: i64) -> Expr {
+        self.switch().symbols.push(Constant { name: name.into(), kind: Kind::Switched, neutral });
+        Expr::var(Kind::Switched, name)
+    }
+
+    /// In Rayleigh damping the factor `damper` takes the place of the factor `spring`.
+    pub fn damped(&mut self, spring: &str, damper: &str) {
+        self.switch().damped.push((spring.into(), damper.into()));
+    }
+
+    /// The deflection x [unit].
+    pub fn over(&mut self) -> Expr {
+        Expr::var(Kind::Deflection, &self.switch().over)
+    }
+
+    /// The force of the springs of x, dV/dx.
+    pub fn spring(&mut self) -> Expr {
+        Expr::var(Kind::Spring, &self.switch().over)
+    }
+
+    /// The force of the dampers of x, dD/dx', as if all of them acted.
+    pub fn damper(&mut self) -> Expr {
+        Expr::var(Kind::Damper, &self.switch().over)
+    }
+
+    /// In a mode that holds x: the force along x that the hold resists. Only guards of that mode may contain it.
+    pub fn reaction(&self) -> Expr {
+        Expr::var(Kind::Reaction, REACTION)
+    }
+
+    /// The force `f` against x whose work is lost; linear in x, and such that f x' >= 0 in every mode.
+    pub fn loss(&mut self, f: Expr) {
+        self.switch().loss = f;
+    }
+
+    /// A mode, with the values of all symbols in the order of their declarations.
+    pub fn mode(&mut self, name: &str, values: &[Expr]) -> Describing<'_> {
+        let modes = &mut self.switch().modes;
+        let (name, values) = (name.into(), values.to_vec());
+        modes.push(Mode { name, values, held: false, rests: false, counts: None, exits: vec![] });
+        Describing(modes.last_mut().expect("just added"))
+    }
+}
+
+impl Describing<'_> {
+    /// In this mode x' = 0, by a reaction that does no work.
+    pub fn holds(self) -> Self {
+        self.0.held = true;
+        self
+    }
+
+    /// A static equilibrium may be in this mode.
+    pub fn rests(self) -> Self {
+        self.0.rests = true;
+        self
+    }
+
+    /// What is counted when a run enters this mode from one that does not count the same, e.g. "flanks met".
+    pub fn counts(self, what: &str) -> Self {
+        self.0.counts = Some(what.into());
+        self
+    }
+
+    /// The mode lasts while `guard` >= 0, then the mode `to` follows. The guard is linear in deflections and rates, and in the
+    /// reaction of a mode that holds.
+    pub fn until(self, to: &str, guard: Expr) -> Self {
+        self.0.exits.push(Exit { to: to.into(), guard, sudden: false });
+        self
+    }
+
+    /// The same of a guard that only a sudden change of the state can violate: in every motion another exit comes first.
+    pub fn unless(self, to: &str, guard: Expr) -> Self {
+        self.0.exits.push(Exit { to: to.into(), guard, sudden: true });
+        self
+    }
+}
+
+/// The name of the reaction in guards.
+pub(crate) const REACTION: &str = "reaction";
+
+impl Switch {
+    /// The force that is lost, with the marker of the effect.
+    pub fn lost(&self) -> Atom {
+        Atom::var(symbol(Kind::Marker, &self.effect)) * self.loss.atom()
+    }
+
+    /// An expression with the values of a mode.
+    pub fn within(&self, mode: &Mode, e: &Atom) -> Atom {
+        let values = self.symbols.iter().zip(&mode.values).map(|(s, value)| (s, value.atom()));
+        values.fold(e.clone(), |e, (s, value)| set(&e, symbol(s.kind, &s.name), &value))
+    }
+
+    /// An expression with the neutral values.
+    pub fn neutral(&self, e: &Atom) -> Atom {
+        self.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(s.neutral)))
+    }
+
+    /// The mode of a name.
+    pub fn mode(&self, name: &str) -> Option<&Mode> {
+        self.modes.iter().find(|mode| mode.name == name)
+    }
+
+    /// Its exits, each with the mode that it ends.
+    pub fn exits(&self) -> impl Iterator<Item = (&Mode, &Exit)> {
+        self.modes.iter().flat_map(|mode| mode.exits.iter().map(move |exit| (mode, exit)))
+    }
+}
+
+/// Replaces the forces of springs and dampers in guards and losses by the derivatives of V and D.
+pub(super) fn complete(model: &mut Model) {
+    let mut switches = model.switches.clone();
+    for switch in &mut switches {
+        let by = |pieces: &[Expr], kind, name: &str| {
+            total(pieces.iter().map(|piece| piece.atom().derivative(symbol(kind, name))).collect()).expand()
+        };
+        let spring = by(&model.potential, Kind::Deflection, &switch.over);
+        let damper = switch.neutral(&by(&model.dissipation, Kind::Rate, &speed_name(&switch.over)));
+        let over = switch.over.clone();
+        let written = |e: Expr| {
+            let e = set(&e.atom(), symbol(Kind::Spring, &over), &spring);
+            Expr::new(set(&e, symbol(Kind::Damper, &over), &damper).expand())
+        };
+        switch.loss = written(switch.loss);
+        let here = switch.clone();
+        for mode in &mut switch.modes {
+            let values = mode.clone();
+            for exit in &mut mode.exits {
+                exit.guard = Expr::new(here.within(&values, &written(exit.guard).atom()).expand());
+            }
+        }
+    }
+    model.switches = switches;
+}
+
+/// The expression with a symbol replaced by a value.
+fn set(e: &Atom, symbol: symbolica::atom::Symbol, value: &Atom) -> Atom {
+    e.replace(Atom::var(symbol).to_pattern()).with(value.to_pattern())
+}

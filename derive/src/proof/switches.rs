@@ -1,0 +1,114 @@
+//! Switches: V does not step where a mode ends, so that there is no impulse; and the force of a switch takes energy or none.
+
+use symbolica::atom::{Atom, AtomCore, Symbol};
+
+use super::Proof;
+use crate::check::never_negative;
+use crate::expr::{Expr, Kind, number, speed_name, symbol, total};
+use crate::markers::all_present;
+use crate::mobility::is_zero;
+use crate::model::{Exit, Mode, Switch};
+use crate::slip::Slip;
+
+/// Proves both of every switch.
+pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
+    for switch in &p.model.switches {
+        let what = format!("V is the same on both sides of the exits of {}: no impulse there", switch.over);
+        let rests: Vec<Atom> = switch.exits().map(|(mode, exit)| step(p, switch, mode, exit)).collect();
+        p.claim(&what, rests)?;
+        losses(p, switch)?;
+    }
+    Ok(())
+}
+
+/// The step of V from a mode to the one beyond an exit. Where V depends on the mode, the guard is zero at one value of the
+/// deflection, and V is compared there.
+fn step(p: &Proof, switch: &Switch, mode: &Mode, exit: &Exit) -> Atom {
+    let Some(beyond) = switch.mode(&exit.to) else { return number(0) };
+    let over = symbol(Kind::Deflection, &switch.over);
+    // The deflection without the offset of a mode.
+    let x = symbol(Kind::Free, "x");
+    let plain = |mode: &Mode, e: &Atom| {
+        let offsets = switch.symbols.iter().zip(&mode.values).filter(|(s, _)| s.kind == Kind::Edge);
+        let offset = total(offsets.map(|(_, value)| value.atom()).collect());
+        let e = e.replace(Atom::var(over).to_pattern()).with((Atom::var(x) - offset).to_pattern());
+        switch.within(mode, &e)
+    };
+    let v = all_present(&total(p.model.potential.iter().map(|v| v.atom()).collect()));
+    let step = (plain(beyond, &v) - plain(mode, &v)).expand();
+    if step.is_zero() {
+        return step;
+    }
+    let guard = plain(mode, &all_present(&exit.guard.atom())).expand();
+    let slope = guard.derivative(x);
+    let at_zero = guard.replace(Atom::var(x).to_pattern()).with(number(0).to_pattern());
+    step.replace(Atom::var(x).to_pattern()).with((-at_zero / slope).to_pattern())
+}
+
+/// The force f of a switch takes energy or none: f x' >= 0 in every mode in which f is not zero. Either f x' is a guard of the mode,
+/// which is >= 0 in it, times a factor that is never negative; or f is the force of a clipped damper.
+fn losses(p: &mut Proof, switch: &Switch) -> Result<(), Slip> {
+    if switch.loss.atom().is_zero() {
+        return Ok(());
+    }
+    let name = &switch.over;
+    let mut what = format!(
+        "the force of the switch {name} takes energy or none: f {name}_dot >= 0 in every mode, from the guards that hold in it"
+    );
+    let rate = symbol(Kind::Rate, &speed_name(name));
+    let mut clipped = false;
+    for mode in &switch.modes {
+        let force = switch.within(mode, &all_present(&switch.loss.atom())).expand();
+        let guards: Vec<Atom> = mode.exits.iter().map(|exit| all_present(&exit.guard.atom())).collect();
+        // In a mode that holds x' = 0, and the force does no work.
+        if force.is_zero() || mode.held || guards.iter().any(|guard| is_guard(p, &force, guard, rate)) {
+            continue;
+        }
+        if !is_clipped(p, switch, mode, &force, &guards) {
+            return Err(p.unproved(&what, &(force * Atom::var(rate))));
+        }
+        clipped = true;
+    }
+    if clipped {
+        what += &format!(
+            "; of a damper that is clipped to f = c F, where F = dV/d{name} and c = 1 or -1, since F {name} >= 0, \
+             {name}_dot dD/d{name}_dot >= 0 and c {name} dD/d{name}_dot >= F {name}"
+        );
+    }
+    p.proved.push(what);
+    Ok(())
+}
+
+/// Whether f x' is a guard times a factor that is never negative.
+fn is_guard(p: &Proof, force: &Atom, guard: &Atom, rate: Symbol) -> bool {
+    let slope = guard.derivative(rate).expand();
+    if slope.is_zero() {
+        return false;
+    }
+    let factor = (force / slope).expand();
+    never_negative(p.model, &factor) && is_zero(&(force * Atom::var(rate) - factor * guard))
+}
+
+/// Whether f is the force of a clipped damper. In contact, at x = over, its spring has the force F_s = dV/dx and its damper would
+/// have the force F_d = dD/dx'. Where c F_d x > F_s x, with c = 1 or -1, it is clipped to the force f = c F_s. Now
+///
+/// ```text
+/// (c F_s x') (c F_d x) = (F_s x) (F_d x')      since c² = 1
+/// ```
+///
+/// and c F_d x > F_s x >= 0. So c F_s x' >= 0 follows from F_s x >= 0 and F_d x' >= 0, which their forms show. That c F_d x >= F_s x
+/// in the mode follows from two guards whose product it is.
+fn is_clipped(p: &Proof, switch: &Switch, mode: &Mode, force: &Atom, guards: &[Atom]) -> bool {
+    let [over, rate] = [(Kind::Deflection, switch.over.clone()), (Kind::Rate, speed_name(&switch.over))]
+        .map(|(kind, name)| symbol(kind, &name));
+    let by =
+        |pieces: &[Expr], by| all_present(&total(pieces.iter().map(|e| e.atom().derivative(by)).collect()).expand());
+    let spring = switch.within(mode, &by(&p.model.potential, over)).expand();
+    let damper = switch.neutral(&by(&p.model.dissipation, rate)).expand();
+    let Some(c) = [1, -1].into_iter().find(|c| is_zero(&(force - number(*c) * &spring))) else { return false };
+    let (at, moving) = ((&spring * Atom::var(over)).expand(), (&damper * Atom::var(rate)).expand());
+    let more = (number(c) * &damper - &spring) * Atom::var(over);
+    never_negative(p.model, &at)
+        && never_negative(p.model, &moving)
+        && guards.iter().any(|a| guards.iter().any(|b| is_zero(&(a * b - &more))))
+}

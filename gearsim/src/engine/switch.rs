@@ -1,0 +1,207 @@
+//! Switches: modes of a deflection, each a linear cell, until a linear function of the state becomes zero. Play, a clipped damper, a
+//! clutch and dry friction are such switches. The modes and their guards are derived ([`Equations::mode`], [`Equations::exits`]);
+//! nothing here knows what they mean.
+//!
+//! A mode lasts while the guard of each of its exits is >= 0. Where one becomes zero, the mode beyond it follows. Then its own guards
+//! are compared with the state: a mode whose guard is already violated is left at once ([`settle`]). Energies do not step at an exit
+//! (this is proved by the derivation), so there is no impulse. A step of a transmission error may violate a guard, and V steps with
+//! the mode: an impulse as any other ([`law::barrier`](crate::engine::law::barrier)).
+//!
+//! A mode may hold its deflection: x' = 0, by a reaction ([`crate::engine::contact`]).
+
+use std::sync::Arc;
+
+use smallvec::SmallVec;
+
+use crate::engine::equations::{Affine, Deflection, Equations, Exit};
+use crate::engine::vector::Vector;
+use crate::model::{Mode, Model};
+use crate::tolerance::events::{AT_REST, SAME_GUARD};
+
+/// A switch under way.
+#[derive(Debug, Clone)]
+pub struct Switch {
+    /// Its index in the model.
+    pub index: usize,
+    /// Where its values begin among the law values.
+    at: usize,
+    /// Gradient of its deflection (n).
+    pub normal: Vector,
+    /// The laws that shift its deflection.
+    shifted: bool,
+    /// The mode. State: not computed from the deflection.
+    pub mode: usize,
+    /// The modes, and the values of its symbols in each.
+    modes: Arc<(&'static [Mode], Vec<Vec<f64>>)>,
+}
+
+impl Switch {
+    /// The switches of a model that its effects ask for, each in its first mode. `k` are law values.
+    pub fn all(equations: &dyn Equations, model: &Model, k: &[f64]) -> Vec<Switch> {
+        let mut at = model.laws.len();
+        let mut all = vec![];
+        for (index, switch) in model.switches.iter().enumerate() {
+            let values: Option<Vec<_>> = (0..switch.modes.len()).map(|mode| equations.mode(index, mode)).collect();
+            if let Some(values) = values {
+                let Deflection { normal, errors, .. } = equations.deflection(equations.switched(index), k);
+                let modes = Arc::new((switch.modes, values));
+                all.push(Switch { index, at, normal, shifted: !errors.is_empty(), mode: 0, modes });
+            }
+            at += switch.neutral.len();
+        }
+        all
+    }
+
+    /// Number of its modes.
+    pub fn modes(&self) -> usize {
+        self.modes.0.len()
+    }
+
+    /// Its present mode.
+    pub fn here(&self) -> &'static Mode {
+        &self.modes.0[self.mode]
+    }
+
+    /// Whether transmission errors shift its deflection.
+    pub fn is_shifted(&self) -> bool {
+        self.shifted
+    }
+
+    /// Writes the values of its symbols to where they belong among the law values `k`.
+    pub fn write(&self, k: &mut [f64]) {
+        let values = &self.modes.1[self.mode];
+        k[self.at..self.at + values.len()].copy_from_slice(values);
+    }
+
+    /// The modes in which a static equilibrium may be.
+    pub fn rests(&self) -> impl Iterator<Item = usize> + use<> {
+        let modes = self.modes.0;
+        (0..modes.len()).filter(move |mode| modes[*mode].rests)
+    }
+
+    /// What can end its present mode, at the law values `k`.
+    pub fn exits(&self, equations: &dyn Equations, k: &[f64]) -> Vec<Exit> {
+        equations.exits(self.index, self.mode, k)
+    }
+
+    /// Whether its deflection is at rest, up to the rounding errors of the speeds.
+    fn is_at_rest(&self, equations: &dyn Equations, q_dot: &[f64]) -> bool {
+        let (rate, compliance) = (self.normal.dot(q_dot), self.normal.dot(&(&equations.mobility() * &self.normal)));
+        rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q_dot) * compliance
+    }
+}
+
+/// What guards the present modes of switches.
+#[derive(Debug, Clone, Default)]
+pub struct Guards {
+    /// The exits of each switch that a motion can take.
+    pub exits: Vec<SmallVec<[Exit; 2]>>,
+    /// The deflection of each switch, and the force against it whose work is lost: its constant, and its slope.
+    lost: Vec<(Deflection, [f64; 2])>,
+}
+
+impl Guards {
+    /// Those of `switches` at the law values `k`.
+    pub fn of(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Self {
+        let exits = |switch: &Switch| watched(switch.exits(equations, k));
+        let lost = |switch: &Switch| {
+            (equations.deflection(equations.switched(switch.index), k), equations.lost(switch.index, k))
+        };
+        Guards { exits: switches.iter().map(exits).collect(), lost: switches.iter().map(lost).collect() }
+    }
+
+    /// What the forces of switches take where the coordinates move on from `q` by `dq`, at the law values `k` \[J\].
+    #[inline]
+    pub fn lost(&self, q: &[f64], dq: &Vector, k: &[f64]) -> f64 {
+        let of = |(over, [constant, slope]): &(Deflection, [f64; 2])| {
+            if (*constant, *slope) == (0.0, 0.0) {
+                return 0.0;
+            }
+            let (x, dx) = (over.value(q, k), over.normal.dot(dq));
+            (constant + slope * (x + 0.5 * dx)) * dx
+        };
+        self.lost.iter().map(of).sum()
+    }
+
+    /// The power that the forces of switches take \[W\].
+    pub fn power(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+        let of = |(over, [constant, slope]): &(Deflection, [f64; 2])| match (*constant, *slope) {
+            (0.0, 0.0) => 0.0,
+            _ => (constant + slope * over.value(q, k)) * over.normal.dot(q_dot),
+        };
+        self.lost.iter().map(of).sum()
+    }
+}
+
+/// The exits that a motion can take: those that no other exit precedes, and of equal ones the first. Those of a reaction are watched
+/// with the hold.
+fn watched(exits: Vec<Exit>) -> SmallVec<[Exit; 2]> {
+    let mut watched: SmallVec<[Exit; 2]> = SmallVec::new();
+    for exit in exits.into_iter().filter(|exit| !exit.sudden && exit.guard.on_reaction == 0.0) {
+        if !watched.iter().any(|other| ratio(&exit.guard, &other.guard).is_some_and(|c| c > 0.0)) {
+            watched.push(exit);
+        }
+    }
+    watched
+}
+
+/// The factor by which one guard is a multiple of another, if it is one.
+fn ratio(guard: &Affine, of: &Affine) -> Option<f64> {
+    let parts = |guard: &Affine| {
+        let errors = guard.errors.iter().map(|(_, unit)| *unit);
+        let slopes = guard.on_q.iter().chain(guard.on_speed.iter()).copied();
+        slopes.chain([guard.constant, guard.on_reaction]).chain(errors).collect::<SmallVec<[f64; 16]>>()
+    };
+    let (a, b) = (parts(guard), parts(of));
+    let largest = (0..b.len()).max_by(|&i, &j| b[i].abs().total_cmp(&b[j].abs()))?;
+    let factor = a.get(largest)? / b[largest];
+    let same = |(a, b): (&f64, &f64)| (a - factor * b).abs() <= SAME_GUARD * a.abs();
+    (a.len() == b.len() && factor != 0.0 && a.iter().zip(&b).all(same)).then_some(factor)
+}
+
+/// Goes on to the mode in which the state `q`, `q_dot` violates no guard. `crossed` is the guard that has just become zero: its
+/// multiples have the sign that this means, whatever their rounded values are. The law values `k` follow. Returns whether the mode
+/// has changed.
+pub fn settle(
+    switch: &mut Switch,
+    equations: &dyn Equations,
+    (q, q_dot): (&[f64], &[f64]),
+    k: &mut [f64],
+    crossed: Option<&Affine>,
+) -> bool {
+    let before = switch.mode;
+    for _ in 0..switch.modes() {
+        let exits = switch.exits(equations, k);
+        let violated = |exit: &Exit| match crossed.and_then(|crossed| ratio(&exit.guard, crossed)) {
+            Some(factor) => factor > 0.0,
+            None => exit.guard.value(q, q_dot, k) < -exit.guard.rounding(k),
+        };
+        let exit = match switch.here().held {
+            // The reaction is known once the hold is begun. A motion along the deflection ends the hold.
+            true if crossed.is_some() || switch.is_at_rest(equations, q_dot) => None,
+            true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),
+            false => exits.iter().find(|exit| violated(exit)),
+        };
+        let Some(exit) = exit else { break };
+        switch.mode = exit.beyond;
+        switch.write(k);
+    }
+    switch.mode != before
+}
+
+/// Whether another mode of a switch admits a state: its guards are positive there, or about to be.
+pub fn admits(
+    switch: &Switch,
+    equations: &dyn Equations,
+    mode: usize,
+    (q, q_dot): (&[f64], &[f64]),
+    k: &[f64],
+) -> bool {
+    let (mut other, mut k) = (switch.clone(), k.to_vec());
+    other.mode = mode;
+    other.write(&mut k);
+    other.exits(equations, &k).iter().filter(|exit| exit.guard.on_reaction == 0.0).all(|exit| {
+        let value = exit.guard.value(q, q_dot, &k);
+        value > 0.0 || (value == 0.0 && exit.guard.on_q.dot(q_dot) > 0.0)
+    })
+}

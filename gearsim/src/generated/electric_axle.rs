@@ -1,0 +1,765 @@
+//! Equations of motion of `electric_axle`: an electric axle with an overrunning clutch and two stages.
+//!
+//! Derived from the energies in `models/src/electric_axle.rs` by `cargo xtask derive electric_axle`. Do not edit: change the energies and
+//! derive again. For reading: `text/electric_axle.txt`, `latex/electric_axle.tex`. What is proved: at the end.
+
+use gearsim_macros::equations;
+
+equations! {
+    model electric_axle "an electric axle with an overrunning clutch and two stages";
+    source "standard torsional model; phases as Oh, Grosh & Barber (2005)";
+
+    coordinates {
+        theta_m "rad" start 0.0, "rotation of the motor";
+        theta1 "rad" start 0.0, "mean rotation of gears 1 and 2; one pitch is 2 pi";
+        s1 "m" start static, "motion of gear 1 relative to gear 2 along the line of action";
+        theta2 "rad" start static, "mean rotation of gears 3 and 4; one pitch is 2 pi";
+        s2 "m" start static, "motion of gear 3 relative to gear 4 along the line of action";
+        psi "rad" start static, "twist of the half shaft";
+    }
+    parameters {
+        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
+        r1 "m" required, open 0.0 to inf, "base radius of gear 1";
+        N3 "1" required, open 0.0 to inf, "number of teeth of gear 3";
+        N4 "1" required, open 0.0 to inf, "number of teeth of gear 4";
+        r3 "m" required, open 0.0 to inf, "base radius of gear 3";
+        I_m "kg*m^2" required, open 0.0 to inf, "moment of inertia of the motor";
+        I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the gear 1";
+        I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the gear 2";
+        I3 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the gear 3";
+        I4 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the gear 4";
+        I_w "kg*m^2" required, open 0.0 to inf, "moment of inertia of the wheel and vehicle";
+        Tmax "N*m" required with overrunning_clutch, open 0.0 to inf,
+            "capacity of the clutch between motor and gear 1: the largest torque that it transmits";
+        Tdrag "N*m" default 0.0, from 0.0 to inf, "drag torque of the clutch between motor and gear 1 while it overruns";
+        k_c "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the intermediate shaft";
+        k_h "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the half shaft";
+        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh 12: no contact within b/2 to either side";
+        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh 12";
+        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh 12 below which friction decreases to zero (mixed film)";
+        b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh 34: no contact within b/2 to either side";
+        mu34 "1" required with sliding_friction_34, from 0.0 to inf, "coefficient of friction of the mesh 34";
+        w_mix34 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh 34 below which friction decreases to zero (mixed film)";
+        T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        Ts "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
+        n0 "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
+        Tb "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
+        sb "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
+        ns "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the wheel, by slope and air, against its rotation";
+        Tc_w "N*m" required with dry_friction_w, from 0.0 to inf, "Coulomb friction of the rolling wheel: constant, against the motion";
+        rise_w "1" default 0.0, from 0.0 to inf,
+            "excess of the breakaway torque of the rolling wheel over its Coulomb friction, relative to that";
+        c_w "N*m*s/rad" required with viscous_friction_w, from 0.0 to inf, "viscous friction of the wheel: torque per speed";
+        alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
+        beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
+    }
+    laws {
+        k12 "N/m" phase theta1 period 6.283185307179586, "stiffness of the mesh 12 along the line of action";
+        k34 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh 34 along the line of action";
+        e12 "m" phase theta1 period 6.283185307179586 with transmission_error_12,
+            "transmission error of the mesh 12 along the line of action";
+        e34 "m" phase theta2 period 6.283185307179586 with transmission_error_34,
+            "transmission error of the mesh 34 along the line of action";
+        side12 "1" phase theta1 period 6.283185307179586 with sliding_friction_12 as side,
+            "share of the force of the mesh 12 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm12 "m" phase theta1 period 6.283185307179586 with sliding_friction_12 as arm,
+            "mean distance of the force of the mesh 12 from the pitch point along the line of action";
+        side34 "1" phase theta2 period 6.283185307179586 with sliding_friction_34 as side,
+            "share of the force of the mesh 34 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm34 "m" phase theta2 period 6.283185307179586 with sliding_friction_34 as arm,
+            "mean distance of the force of the mesh 34 from the pitch point along the line of action";
+    }
+    motions { speed "rad/s" { theta_m_dot = 1.0; theta1_dot = N1; theta2_dot = N1*N3/N2; }, "rotational speed of the motor"; }
+    effects {
+        overrunning_clutch "a one-way clutch: locked while it drives, free while the driven side is faster; without it the clutch is open";
+        stiffness_step
+            "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
+        rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
+            "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
+        frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
+            "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error_12 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        transmission_error_34 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_34 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_34 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        torques "constant torques of motor and load";
+        dc_motor excludes(induction_motor, rigid_kinematics, frozen_phase)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(rigid_kinematics, frozen_phase) "an induction motor, its torque by the formula of Kloss";
+        dry_friction_w of dry_friction
+            "dry friction with sticking: a constant torque against the motion, and at rest up to the breakaway torque";
+        viscous_friction_w of viscous_friction "friction proportional to speed";
+        damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
+    }
+    conditions {
+        jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
+        moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_34_and_jump_terms = transmission_error_34, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
+            !frozen_phase;
+        sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
+        backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_34_and_sliding_friction_34_and_moving_phase = transmission_error_34, sliding_friction_34, stiffness_step,
+            !frozen_phase;
+        sliding_friction_34_and_moving_phase = sliding_friction_34, stiffness_step, !frozen_phase;
+        transmission_error_34_and_backlash_34_and_moving_phase = transmission_error_34, backlash_34, stiffness_step, !frozen_phase;
+        transmission_error_34_and_moving_phase = transmission_error_34, stiffness_step, !frozen_phase;
+        backlash_34_and_moving_phase = backlash_34, stiffness_step, !frozen_phase;
+    }
+
+    constants {
+        h1 = r1/N1;
+        h2 = r3/N3;
+        tan_a = alpha.sin()/alpha.cos();
+        tiny12 = 1.0/1000000000000.0;
+        tiny34 = 1.0/1000000000000.0;
+    }
+    deflections {
+        lead = theta_m - s1/(2.0*h1*N1) - theta1/N1;
+        twist_c = theta1/N2 - s1/(2.0*h1*N2) - s2/(2.0*h2*N3) - theta2/N3;
+        over12 = s1 - edge12 - e12;
+        tau12 = tan_a*s1;
+        psi12 = s1/(2.0*h1*N1) - s1/(2.0*h1*N2) + theta1/N1 + theta1/N2;
+        over34 = s2 - edge34 - e34;
+        tau34 = tan_a*s2;
+        psi34 = s2/(2.0*h2*N3) - s2/(2.0*h2*N4) + theta2/N3 + theta2/N4;
+        slip_w = theta2/N4 - psi - s2/(2.0*h2*N4);
+    }
+    forces {
+        F_mu12 {
+            sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        F_mu34 {
+            sliding_friction_34 => mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+        }
+    }
+    partials {
+        F_mu12_by_over12 {
+            sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
+                /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        F_mu12_by_psi12_dot {
+            sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu12_by_k12 {
+            sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        F_mu34_by_over34 {
+            sliding_friction_34 => mu34*k34*touch34*over34*psi34_dot
+                /((tiny34.powi(2) + over34.powi(2)).sqrt()*(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt());
+        }
+        F_mu34_by_psi34_dot {
+            sliding_friction_34 => mu34*k34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt()
+                - mu34*k34*touch34*psi34_dot.powi(2)*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu34_by_k34 {
+            sliding_friction_34 => mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+        }
+    }
+    switches {
+        lead "rad" (slips 0.0, drags 0.0) with overrunning_clutch, "modes of the clutch between motor and gear 1" {
+            locked (0.0, 0.0) holds rests counts "clutch locked" {
+                until overrun {
+                    reaction { _ => 1.0; }
+                    one { _ => Tdrag; }
+                }
+                until slips {
+                    reaction { _ => -1.0; }
+                    one { _ => Tmax; }
+                }
+            }
+            overrun (0.0, -1.0) { until locked { lead_dot { _ => -1.0; } } }
+            slips (1.0, 0.0) { until locked { lead_dot { _ => 1.0; } } }
+            loss { one { _ => Tdrag*drags + Tmax*slips; } }
+        }
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh 12" {
+            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper_loose {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper_hit {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower_loose {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until lower_hit {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
+                }
+                until lower {
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
+            }
+            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            loss { over12 { _ => k12*clip12*touch12; } }
+        }
+        over34 "m" (touch34 1.0, edge34 0.0, damp34 1.0, clip34 0.0) with backlash_34, "play of the mesh 34" {
+            upper (1.0, b34/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over34 { _ => 1.0; } }
+                until upper_loose {
+                    over34 { _ => k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+                until upper_hit {
+                    over34 { _ => k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+            }
+            lower (1.0, -b34/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over34 { _ => -1.0; } }
+                until lower_loose {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+                until lower_hit {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over34 { _ => -1.0; }
+                    one { _ => b34/2.0; }
+                }
+                until lower {
+                    over34 { _ => 1.0; }
+                    one { _ => b34/2.0; }
+                }
+            }
+            upper_hit (1.0, b34/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over34 { _ => 1.0; } }
+                until upper {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+            }
+            lower_hit (1.0, -b34/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over34 { _ => -1.0; } }
+                until lower {
+                    over34 { _ => k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+            }
+            upper_loose (1.0, b34/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over34 { _ => 1.0; } }
+                until upper {
+                    over34 { _ => -k34; }
+                    over34_dot { damping => -beta_K*k34_mid; }
+                }
+            }
+            lower_loose (1.0, -b34/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over34 { _ => -1.0; } }
+                until lower {
+                    over34 { _ => k34; }
+                    over34_dot { damping => beta_K*k34_mid; }
+                }
+            }
+            loss { over34 { _ => k34*clip34*touch34; } }
+        }
+        slip_w "rad" (dir_w 0.0) with dry_friction_w, "dry friction of the rolling wheel" {
+            stuck (0.0) holds rests counts "stuck" {
+                until forward {
+                    reaction { _ => -1.0; }
+                    one { _ => Tc_w + Tc_w*rise_w; }
+                }
+                until backward {
+                    reaction { _ => 1.0; }
+                    one { _ => Tc_w + Tc_w*rise_w; }
+                }
+            }
+            forward (1.0) { until stuck { slip_w_dot { _ => 1.0; } } }
+            backward (-1.0) { until stuck { slip_w_dot { _ => -1.0; } } }
+            loss { one { _ => Tc_w*dir_w; } }
+        }
+    }
+    energies {
+        kinetic {
+            _ => (I1*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
+                + I3*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
+                + I_m*theta_m_dot.powi(2) + I_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2))/2.0;
+        }
+        potential { _ => (k_c*twist_c.powi(2) + k_h*psi.powi(2) + k12*touch12*over12.powi(2) + k34*touch34*over34.powi(2))/2.0; }
+        dissipation {
+            dc_motor => Ts*theta_m_dot.powi(2)/(2.0*n0);
+            viscous_friction_w => c_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2)/2.0;
+            damping => (I1*alpha_M*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*alpha_M*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
+                + I3*alpha_M*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*alpha_M*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
+                + I_m*alpha_M*theta_m_dot.powi(2) + I_w*alpha_M*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2)
+                + beta_K*k_c*twist_c_dot.powi(2) + beta_K*k_h*psi_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
+                + beta_K*k34_mid*damp34*over34_dot.powi(2))/2.0;
+        }
+    }
+    torques {
+        slide12 "friction of the mesh 12, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        roll12 "friction of the mesh 12, through the rolling of the gears" {}
+        power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
+        slide34 "friction of the mesh 34, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_34 => -side34*F_mu34*tau34_dot; }
+        roll34 "friction of the mesh 34, through the rolling of the gears" {}
+        power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
+        motor "driving torque of the motor" { torques => T_motor*theta_m; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts*theta_m; }
+        induction "torque of the induction motor" {}
+        power { induction_motor => 2.0*Tb*sb*theta_m_dot*(1.0 - theta_m_dot/ns)/(sb.powi(2) + (1.0 - theta_m_dot/ns).powi(2)); }
+        load "load torque of the wheel, by slope and air, against its rotation" { torques => T_load*(psi + s2/(2.0*h2*N4) - theta2/N4); }
+    }
+    work {
+        theta_m {
+            torques => T_motor;
+            dc_motor => Ts;
+        }
+        theta2 { torques => -T_load/N4; }
+        s2 { torques => T_load/(2.0*h2*N4); }
+        psi { torques => T_load; }
+    }
+    mass {
+        theta_m theta_m { _ => I_m; }
+        theta1 theta1 { _ => I1/N1.powi(2) + I2/N2.powi(2); }
+        theta1 s1 { _ => (I1/(h1*N1.powi(2)) - I2/(h1*N2.powi(2)))/2.0; }
+        s1 s1 { _ => (I1/(h1.powi(2)*N1.powi(2)) + I2/(h1.powi(2)*N2.powi(2)))/4.0; }
+        theta2 theta2 { _ => I3/N3.powi(2) + I4/N4.powi(2) + I_w/N4.powi(2); }
+        theta2 s2 { _ => (I3/(h2*N3.powi(2)) - I4/(h2*N4.powi(2)) - I_w/(h2*N4.powi(2)))/2.0; }
+        theta2 psi { _ => -I_w/N4; }
+        s2 s2 { _ => (I3/(h2.powi(2)*N3.powi(2)) + I4/(h2.powi(2)*N4.powi(2)) + I_w/(h2.powi(2)*N4.powi(2)))/4.0; }
+        s2 psi { _ => I_w/(2.0*h2*N4); }
+        psi psi { _ => I_w; }
+    }
+    force {
+        theta_m {
+            overrunning_clutch => -Tdrag*drags - Tmax*slips;
+            torques => T_motor;
+            dc_motor => Ts - Ts*theta_m_dot/n0;
+            induction_motor => 2.0*(Tb*sb/(1.0 + sb.powi(2) + theta_m_dot.powi(2)/ns.powi(2) - 2.0*theta_m_dot/ns)
+                - Tb*sb*theta_m_dot/(ns*(1.0 + sb.powi(2) + theta_m_dot.powi(2)/ns.powi(2) - 2.0*theta_m_dot/ns)));
+            damping => -I_m*alpha_M*theta_m_dot;
+        }
+        theta1 {
+            _ => -k_c*twist_c/N2;
+            overrunning_clutch => Tdrag*drags/N1 + Tmax*slips/N1;
+            transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
+            sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
+            damping => I2*alpha_M*s1_dot/(2.0*h1*N2.powi(2)) - I1*alpha_M*theta1_dot/N1.powi(2) - I2*alpha_M*theta1_dot/N2.powi(2)
+                - I1*alpha_M*s1_dot/(2.0*h1*N1.powi(2)) - beta_K*k_c*twist_c_dot/N2;
+            jump_terms => -dk12*touch12*over12.powi(2)/2.0;
+        }
+        s1 {
+            _ => k_c*twist_c/(2.0*h1*N2) - k12*touch12*over12;
+            overrunning_clutch => (Tdrag*drags/(h1*N1) + Tmax*slips/(h1*N1))/2.0;
+            backlash_12 => -k12*clip12*touch12*over12;
+            sliding_friction_12 => arm12*F_mu12/(2.0*h1*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h1*N1);
+            damping => I2*alpha_M*theta1_dot/(2.0*h1*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
+                - I1*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M*s1_dot/(4.0*h1.powi(2)*N2.powi(2))
+                - I1*alpha_M*theta1_dot/(2.0*h1*N1.powi(2)) + beta_K*k_c*twist_c_dot/(2.0*h1*N2);
+        }
+        theta2 {
+            _ => k_c*twist_c/N3;
+            transmission_error_34_and_jump_terms => k34*de34*touch34*over34;
+            sliding_friction_34 => -arm34*F_mu34/N3 - arm34*F_mu34/N4;
+            torques => -T_load/N4;
+            dry_friction_w => -Tc_w*dir_w/N4;
+            viscous_friction_w => c_w*s2_dot/(2.0*h2*N4.powi(2)) - c_w*theta2_dot/N4.powi(2) + c_w*psi_dot/N4;
+            damping => I_w*alpha_M*psi_dot/N4 - I3*alpha_M*theta2_dot/N3.powi(2) - I4*alpha_M*theta2_dot/N4.powi(2)
+                - I_w*alpha_M*theta2_dot/N4.powi(2) - I3*alpha_M*s2_dot/(2.0*h2*N3.powi(2)) + I4*alpha_M*s2_dot/(2.0*h2*N4.powi(2))
+                + I_w*alpha_M*s2_dot/(2.0*h2*N4.powi(2)) + beta_K*k_c*twist_c_dot/N3;
+            jump_terms => -dk34*touch34*over34.powi(2)/2.0;
+        }
+        s2 {
+            _ => k_c*twist_c/(2.0*h2*N3) - k34*touch34*over34;
+            backlash_34 => -k34*clip34*touch34*over34;
+            sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_mu34 - arm34*F_mu34/(2.0*h2*N3);
+            torques => T_load/(2.0*h2*N4);
+            dry_friction_w => Tc_w*dir_w/(2.0*h2*N4);
+            viscous_friction_w => c_w*theta2_dot/(2.0*h2*N4.powi(2)) - c_w*s2_dot/(4.0*h2.powi(2)*N4.powi(2)) - c_w*psi_dot/(2.0*h2*N4);
+            damping => I4*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - beta_K*k34_mid*damp34*over34_dot
+                - I3*alpha_M*s2_dot/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2))
+                - I_w*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2)) - I3*alpha_M*theta2_dot/(2.0*h2*N3.powi(2))
+                + I_w*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - I_w*alpha_M*psi_dot/(2.0*h2*N4) + beta_K*k_c*twist_c_dot/(2.0*h2*N3);
+        }
+        psi {
+            _ => -k_h*psi;
+            torques => T_load;
+            dry_friction_w => Tc_w*dir_w;
+            viscous_friction_w => c_w*theta2_dot/N4 - c_w*psi_dot - c_w*s2_dot/(2.0*h2*N4);
+            damping => I_w*alpha_M*theta2_dot/N4 - I_w*alpha_M*psi_dot - beta_K*k_h*psi_dot - I_w*alpha_M*s2_dot/(2.0*h2*N4);
+        }
+    }
+    jacobian {
+        theta_m theta_m_dot {
+            dc_motor => -Ts/n0;
+            induction_motor => 4.0*Tb*sb*theta_m_dot.powi(2)
+                /(ns.powi(3)*(1.0 + 2.0*sb.powi(2) + sb.powi(4) + theta_m_dot.powi(4)/ns.powi(4) - 4.0*theta_m_dot.powi(3)/ns.powi(3)
+                + 2.0*sb.powi(2)*theta_m_dot.powi(2)/ns.powi(2) + 6.0*theta_m_dot.powi(2)/ns.powi(2) - 4.0*theta_m_dot/ns
+                - 4.0*sb.powi(2)*theta_m_dot/ns))
+                - 8.0*Tb*sb*theta_m_dot/(ns.powi(2)
+                *(1.0 + 2.0*sb.powi(2) + sb.powi(4) + theta_m_dot.powi(4)/ns.powi(4) - 4.0*theta_m_dot.powi(3)/ns.powi(3)
+                + 2.0*sb.powi(2)*theta_m_dot.powi(2)/ns.powi(2) + 6.0*theta_m_dot.powi(2)/ns.powi(2) - 4.0*theta_m_dot/ns
+                - 4.0*sb.powi(2)*theta_m_dot/ns))
+                - 2.0*Tb*sb/(ns*(1.0 + sb.powi(2) + theta_m_dot.powi(2)/ns.powi(2) - 2.0*theta_m_dot/ns))
+                + 4.0*Tb*sb/(ns*(1.0 + 2.0*sb.powi(2) + sb.powi(4) + theta_m_dot.powi(4)/ns.powi(4) - 4.0*theta_m_dot.powi(3)/ns.powi(3)
+                + 2.0*sb.powi(2)*theta_m_dot.powi(2)/ns.powi(2) + 6.0*theta_m_dot.powi(2)/ns.powi(2) - 4.0*theta_m_dot/ns
+                - 4.0*sb.powi(2)*theta_m_dot/ns));
+            damping => -I_m*alpha_M;
+        }
+        theta1 theta1 {
+            _ => -k_c/N2.powi(2);
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
+                + de12*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
+                - dk12*arm12*F_mu12_by_k12/N2;
+            jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
+        }
+        theta1 s1 {
+            _ => k_c/(2.0*h1*N2.powi(2));
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
+            jump_terms => -dk12*touch12*over12;
+        }
+        theta1 theta2 { _ => k_c/(N2*N3); }
+        theta1 s2 { _ => k_c/(2.0*h2*N2*N3); }
+        theta1 theta1_dot {
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
+                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - beta_K*k_c/N2.powi(2);
+        }
+        theta1 s1_dot {
+            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h1*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h1*N1.powi(2)))/2.0;
+            damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) + beta_K*k_c/(h1*N2.powi(2)))/2.0;
+        }
+        theta1 theta2_dot { damping => beta_K*k_c/(N2*N3); }
+        theta1 s2_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
+        s1 theta1 {
+            _ => k_c/(2.0*h1*N2.powi(2));
+            transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
+                + de12*arm12*F_mu12_by_over12/(2.0*h1*N1) - de12*arm12*F_mu12_by_over12/(2.0*h1*N2);
+            transmission_error_12_and_moving_phase => k12*de12*touch12;
+            backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h1*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
+                - darm12*F_mu12/(2.0*h1*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h1*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h1*N2);
+            moving_phase => -dk12*touch12*over12;
+        }
+        s1 s1 {
+            _ => -k12*touch12 - k_c/(4.0*h1.powi(2)*N2.powi(2));
+            backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h1*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h1*N1);
+        }
+        s1 theta2 { _ => -k_c/(2.0*h1*N2*N3); }
+        s1 s2 { _ => -k_c/(4.0*h1*h2*N2*N3); }
+        s1 theta1_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
+                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1.powi(2));
+            damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) + beta_K*k_c/(h1*N2.powi(2)))/2.0;
+        }
+        s1 s1_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1.powi(2)*N1*N2)
+                - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N2.powi(2))
+                - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N1) + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N2);
+            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
+                - beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
+        }
+        s1 theta2_dot { damping => -beta_K*k_c/(2.0*h1*N2*N3); }
+        s1 s2_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
+        theta2 theta1 { _ => k_c/(N2*N3); }
+        theta2 s1 { _ => -k_c/(2.0*h1*N2*N3); }
+        theta2 theta2 {
+            _ => -k_c/N3.powi(2);
+            transmission_error_34_and_sliding_friction_34_and_moving_phase => de34*arm34*F_mu34_by_over34/N3
+                + de34*arm34*F_mu34_by_over34/N4;
+            transmission_error_34_and_jump_terms => k34*dde34*touch34*over34 - k34*de34.powi(2)*touch34 + 2.0*de34*dk34*touch34*over34;
+            sliding_friction_34_and_moving_phase => -darm34*F_mu34/N3 - dk34*arm34*F_mu34_by_k34/N3 - darm34*F_mu34/N4
+                - dk34*arm34*F_mu34_by_k34/N4;
+            jump_terms => -ddk34*touch34*over34.powi(2)/2.0;
+        }
+        theta2 s2 {
+            _ => -k_c/(2.0*h2*N3.powi(2));
+            transmission_error_34_and_jump_terms => k34*de34*touch34;
+            sliding_friction_34 => -arm34*F_mu34_by_over34/N3 - arm34*F_mu34_by_over34/N4;
+            jump_terms => -dk34*touch34*over34;
+        }
+        theta2 theta1_dot { damping => beta_K*k_c/(N2*N3); }
+        theta2 s1_dot { damping => -beta_K*k_c/(2.0*h1*N2*N3); }
+        theta2 theta2_dot {
+            sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3.powi(2) - 2.0*arm34*F_mu34_by_psi34_dot/(N3*N4)
+                - arm34*F_mu34_by_psi34_dot/N4.powi(2);
+            viscous_friction_w => -c_w/N4.powi(2);
+            damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_w*alpha_M/N4.powi(2) - beta_K*k_c/N3.powi(2);
+        }
+        theta2 s2_dot {
+            sliding_friction_34 => (arm34*F_mu34_by_psi34_dot/(h2*N4.powi(2)) - arm34*F_mu34_by_psi34_dot/(h2*N3.powi(2)))/2.0;
+            viscous_friction_w => c_w/(2.0*h2*N4.powi(2));
+            damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_w*alpha_M/(h2*N4.powi(2))
+                - beta_K*k_c/(h2*N3.powi(2)))/2.0;
+        }
+        theta2 psi_dot {
+            viscous_friction_w => c_w/N4;
+            damping => I_w*alpha_M/N4;
+        }
+        s2 theta1 { _ => k_c/(2.0*h2*N2*N3); }
+        s2 s1 { _ => -k_c/(4.0*h1*h2*N2*N3); }
+        s2 theta2 {
+            _ => -k_c/(2.0*h2*N3.powi(2));
+            transmission_error_34_and_backlash_34_and_moving_phase => k34*de34*clip34*touch34;
+            transmission_error_34_and_sliding_friction_34_and_moving_phase => tan_a*de34*side34*F_mu34_by_over34
+                + de34*arm34*F_mu34_by_over34/(2.0*h2*N3) - de34*arm34*F_mu34_by_over34/(2.0*h2*N4);
+            transmission_error_34_and_moving_phase => k34*de34*touch34;
+            backlash_34_and_moving_phase => -dk34*clip34*touch34*over34;
+            sliding_friction_34_and_moving_phase => darm34*F_mu34/(2.0*h2*N4) - tan_a*dk34*side34*F_mu34_by_k34 - tan_a*dside34*F_mu34
+                - darm34*F_mu34/(2.0*h2*N3) - dk34*arm34*F_mu34_by_k34/(2.0*h2*N3) + dk34*arm34*F_mu34_by_k34/(2.0*h2*N4);
+            moving_phase => -dk34*touch34*over34;
+        }
+        s2 s2 {
+            _ => -k34*touch34 - k_c/(4.0*h2.powi(2)*N3.powi(2));
+            backlash_34 => -k34*clip34*touch34;
+            sliding_friction_34 => arm34*F_mu34_by_over34/(2.0*h2*N4) - tan_a*side34*F_mu34_by_over34 - arm34*F_mu34_by_over34/(2.0*h2*N3);
+        }
+        s2 theta1_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
+        s2 s1_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
+        s2 theta2_dot {
+            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4.powi(2)) - tan_a*side34*F_mu34_by_psi34_dot/N3
+                - tan_a*side34*F_mu34_by_psi34_dot/N4 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3.powi(2));
+            viscous_friction_w => c_w/(2.0*h2*N4.powi(2));
+            damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_w*alpha_M/(h2*N4.powi(2))
+                - beta_K*k_c/(h2*N3.powi(2)))/2.0;
+        }
+        s2 s2_dot {
+            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2.powi(2)*N3*N4)
+                - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N3.powi(2)) - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N4.powi(2))
+                - tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N3) + tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N4);
+            viscous_friction_w => -c_w/(4.0*h2.powi(2)*N4.powi(2));
+            damping => -beta_K*k34_mid*damp34 - I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
+                - I_w*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) - beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
+        }
+        s2 psi_dot {
+            viscous_friction_w => -c_w/(2.0*h2*N4);
+            damping => -I_w*alpha_M/(2.0*h2*N4);
+        }
+        psi psi { _ => -k_h; }
+        psi theta2_dot {
+            viscous_friction_w => c_w/N4;
+            damping => I_w*alpha_M/N4;
+        }
+        psi s2_dot {
+            viscous_friction_w => -c_w/(2.0*h2*N4);
+            damping => -I_w*alpha_M/(2.0*h2*N4);
+        }
+        psi psi_dot {
+            viscous_friction_w => -c_w;
+            damping => -I_w*alpha_M - beta_K*k_h;
+        }
+    }
+    cell {
+        stiffness {
+            theta1 theta1 { _ => k_c/N2.powi(2); }
+            theta1 s1 { _ => -k_c/(2.0*h1*N2.powi(2)); }
+            theta1 theta2 { _ => -k_c/(N2*N3); }
+            theta1 s2 { _ => -k_c/(2.0*h2*N2*N3); }
+            s1 s1 {
+                _ => k12*touch12 + k_c/(4.0*h1.powi(2)*N2.powi(2));
+                backlash_12 => k12*clip12*touch12;
+            }
+            s1 theta2 { _ => k_c/(2.0*h1*N2*N3); }
+            s1 s2 { _ => k_c/(4.0*h1*h2*N2*N3); }
+            theta2 theta2 { _ => k_c/N3.powi(2); }
+            theta2 s2 { _ => k_c/(2.0*h2*N3.powi(2)); }
+            s2 s2 {
+                _ => k34*touch34 + k_c/(4.0*h2.powi(2)*N3.powi(2));
+                backlash_34 => k34*clip34*touch34;
+            }
+            psi psi { _ => k_h; }
+        }
+        damping {
+            theta_m theta_m {
+                dc_motor => Ts/n0;
+                damping => I_m*alpha_M;
+            }
+            theta1 theta1 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + beta_K*k_c/N2.powi(2); }
+            theta1 s1 { damping => (I1*alpha_M/(h1*N1.powi(2)) - I2*alpha_M/(h1*N2.powi(2)) - beta_K*k_c/(h1*N2.powi(2)))/2.0; }
+            theta1 theta2 { damping => -beta_K*k_c/(N2*N3); }
+            theta1 s2 { damping => -beta_K*k_c/(2.0*h2*N2*N3); }
+            s1 s1 {
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
+                    + beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
+            }
+            s1 theta2 { damping => beta_K*k_c/(2.0*h1*N2*N3); }
+            s1 s2 { damping => beta_K*k_c/(4.0*h1*h2*N2*N3); }
+            theta2 theta2 {
+                viscous_friction_w => c_w/N4.powi(2);
+                damping => I3*alpha_M/N3.powi(2) + I4*alpha_M/N4.powi(2) + I_w*alpha_M/N4.powi(2) + beta_K*k_c/N3.powi(2);
+            }
+            theta2 s2 {
+                viscous_friction_w => -c_w/(2.0*h2*N4.powi(2));
+                damping => (I3*alpha_M/(h2*N3.powi(2)) - I4*alpha_M/(h2*N4.powi(2)) - I_w*alpha_M/(h2*N4.powi(2))
+                    + beta_K*k_c/(h2*N3.powi(2)))/2.0;
+            }
+            theta2 psi {
+                viscous_friction_w => -c_w/N4;
+                damping => -I_w*alpha_M/N4;
+            }
+            s2 s2 {
+                viscous_friction_w => c_w/(4.0*h2.powi(2)*N4.powi(2));
+                damping => beta_K*k34_mid*damp34 + I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) + I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
+                    + I_w*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) + beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
+            }
+            s2 psi {
+                viscous_friction_w => c_w/(2.0*h2*N4);
+                damping => I_w*alpha_M/(2.0*h2*N4);
+            }
+            psi psi {
+                viscous_friction_w => c_w;
+                damping => I_w*alpha_M + beta_K*k_h;
+            }
+        }
+        load {
+            theta_m {
+                overrunning_clutch => -Tdrag*drags - Tmax*slips;
+                torques => T_motor;
+                dc_motor => Ts;
+            }
+            theta1 { overrunning_clutch => Tdrag*drags/N1 + Tmax*slips/N1; }
+            s1 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                overrunning_clutch => (Tdrag*drags/(h1*N1) + Tmax*slips/(h1*N1))/2.0;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+            }
+            theta2 {
+                torques => -T_load/N4;
+                dry_friction_w => -Tc_w*dir_w/N4;
+            }
+            s2 {
+                _ => k34*touch34*edge34 + k34*touch34*e34;
+                backlash_34 => k34*clip34*touch34*edge34 + k34*clip34*touch34*e34;
+                torques => T_load/(2.0*h2*N4);
+                dry_friction_w => Tc_w*dir_w/(2.0*h2*N4);
+            }
+            psi {
+                torques => T_load;
+                dry_friction_w => Tc_w*dir_w;
+            }
+        }
+    }
+    nonlinear_with {
+        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        sliding_friction_34 "-side34*F_mu34 in the torque `slide34`";
+        sliding_friction_34 "-arm34*F_mu34 in the torque `roll34`";
+        induction_motor "2*Tb*sb*(1 - theta_m_dot/ns)/(sb^2 + (1 - theta_m_dot/ns)^2) in the torque `induction`";
+    }
+    jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
+    jump k34 { step { _ => dk34*touch34*over34.powi(2)/2.0; } }
+    jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
+    jump e34 { step { _ => k34*de34.powi(2)*touch34/2.0 - k34*de34*touch34*over34; } }
+    jump side12 { step {} }
+    jump arm12 { step {} }
+    jump side34 { step {} }
+    jump arm34 { step {} }
+
+    text "text/electric_axle.txt";
+    latex "latex/electric_axle.tex";
+}
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects; q'.dD/dq' includes the power that switches take
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: T is a sum of squares that vanish together only at rest
+// - at a step of k12, k34, e12, e34: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged
+//   in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - V is the same on both sides of a step of side12, arm12, side34, arm34: no impulse there
+// - V is the same on both sides of the exits of lead: no impulse there
+// - the force of the switch lead takes energy or none: f lead_dot >= 0 in every mode, from the guards that hold in it
+// - V is the same on both sides of the exits of over12: no impulse there
+// - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
+//   dD/dover12_dot >= F over12
+// - V is the same on both sides of the exits of over34: no impulse there
+// - the force of the switch over34 takes energy or none: f over34_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover34 and c = 1 or -1, since F over34 >= 0, over34_dot dD/dover34_dot >= 0 and c over34
+//   dD/dover34_dot >= F over34
+// - V is the same on both sides of the exits of slip_w: no impulse there
+// - the force of the switch slip_w takes energy or none: f slip_w_dot >= 0 in every mode, from the guards that hold in it
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - the friction `roll12` takes energy or none: its power is never positive
+// - the friction `roll34` takes energy or none: its power is never positive
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
+//   flanks slide as rolling makes them
+// - the friction `slide34` takes with `roll34` energy or none where psi34_dot and arm34 psi34_dot + side34 tau34_dot have one sign: where
+//   flanks slide as rolling makes them
+// - every deflection equals the linear form by which the equations differentiate it
+// - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta1_dot/2 -
+//   k12*de12*touch12*over12*theta1_dot - k34*de34*touch34*over34*theta2_dot + dk34*touch34*over34^2*theta2_dot/2
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | constants (once a scene) | 0 | 3 | 2 |
+// | named forces | 4 | 18 | 4 |
+// | force | 52 | 303 | 0 |
+// | energy steps, all laws | 2 | 22 | 0 |

@@ -1,0 +1,53 @@
+//! An electric axle, from motor to wheel: overrunning clutch, two stages of gears, half shaft, wheel and vehicle.
+
+use gearsim_derive::{Model, Start};
+
+use crate::components::{
+    Pair, Sliding, damping, dc_motor, drive, dry_friction, induction_motor, load, mesh_with_play, overrunning_clutch,
+    pair, pressure_tangent, rotor, shaft, sliding_friction, transmission_error, viscous,
+};
+
+/// Coordinates: the rotation of the motor, the mean rotation and the deflection of each mesh, and the twist of the half shaft.
+pub fn electric_axle(m: &mut Model) {
+    m.title("an electric axle with an overrunning clutch and two stages");
+    m.source("standard torsional model; phases as Oh, Grosh & Barber (2005)");
+
+    let theta_m = m.coordinate("theta_m", "rad", Start::At(0.0), "rotation of the motor");
+    let (first, second) = (pair(m, "1", "1", "2"), pair(m, "2", "3", "4"));
+    let psi = m.coordinate("psi", "rad", Start::Static, "twist of the half shaft");
+    let wheel = second.theta2 - psi;
+
+    rotor(m, "m", "motor", theta_m);
+    let gears = [("1", first.theta1), ("2", first.theta2), ("3", second.theta1), ("4", second.theta2)];
+    for (part, theta) in gears {
+        rotor(m, part, &format!("gear {part}"), theta);
+    }
+    rotor(m, "w", "wheel and vehicle", wheel);
+    overrunning_clutch(m, "", "clutch between motor and gear 1", theta_m - first.theta1);
+    shaft(m, "c", "intermediate shaft", first.theta2 - second.theta1);
+    shaft(m, "h", "half shaft", psi);
+
+    let tangent = pressure_tangent(m);
+    let mut geared = |part: &str, gears: Pair| {
+        let what = format!("mesh {part}");
+        let e = transmission_error(m, part, &what, gears.theta);
+        let mesh = mesh_with_play(m, part, &what, gears.theta, gears.s - e.value);
+        let sliding = Sliding { phase: gears.theta, tau: tangent * gears.s, psi: gears.theta1 + gears.theta2 };
+        sliding_friction(m, part, &what, "m", mesh, sliding);
+    };
+    geared("12", first);
+    geared("34", second);
+
+    drive(m, "motor", "motor", theta_m);
+    dc_motor(m, "", "motor", theta_m, theta_m.dot());
+    induction_motor(m, "", "motor", theta_m, theta_m.dot());
+    m.exclude("dc_motor", &["induction_motor", "rigid_kinematics", "frozen_phase"]);
+    m.exclude("induction_motor", &["rigid_kinematics", "frozen_phase"]);
+    load(m, "load", "wheel, by slope and air", wheel);
+    dry_friction(m, "w", "rolling wheel", ["rad", "N*m"], wheel);
+    viscous(m, "w", "wheel", wheel);
+    damping(m);
+    let (fast, slow) = (first.n1, first.n1 / first.n2 * second.n1);
+    let speeds = [(theta_m, 1.into()), (first.theta, fast), (second.theta, slow)];
+    m.motion("speed", "rad/s", &speeds, "rotational speed of the motor");
+}
