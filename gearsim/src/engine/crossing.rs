@@ -27,7 +27,7 @@ use crate::tolerance::modes::SHIFT_SPAN;
 pub use lateness::Lateness;
 
 /// One of the two boundaries of a cell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The boundary at the smaller phase.
     Lower,

@@ -2,11 +2,12 @@
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use std::sync::Arc;
 
 use crate::engine::cell::Cell;
 use crate::engine::cells::{Cells, Prepared};
 use crate::engine::contact::{Contact, Form};
-use crate::engine::crossing::Lateness;
+use crate::engine::crossing::{Lateness, Side};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::linear::Linear;
 use crate::engine::hybrid::Hybrid;
@@ -15,6 +16,7 @@ use crate::engine::motion::{Motion, Solver};
 use crate::engine::vector::transposed;
 use crate::engine::watch::Watch;
 use crate::scene::Scene;
+use crate::tolerance::events::HELD_CELLS;
 
 mod flight;
 mod window;
@@ -28,13 +30,15 @@ pub struct Exact {
     cells: Cells,
     /// The cells in their undamped modes, for windows, by their numbers.
     linear: HashMap<usize, Linear>,
-    /// The present cell with phases held in it.
-    held: Option<Box<Held>>,
+    /// The present cell with what is held in it.
+    held: Option<Arc<Held>>,
+    /// The cells met so far in which something was held, by their numbers and the phases held.
+    met: HashMap<(usize, Vec<(usize, Side)>), Arc<Held>>,
     /// How late the phase was in each cell of a pitch, when it was last there; of a single law, whose motion repeats itself.
     lateness: Vec<Lateness>,
 }
 
-/// A cell in which phases are held.
+/// A cell in which phases or deflections are held.
 #[derive(Debug, Clone)]
 struct Held {
     cell: Prepared,
@@ -58,14 +62,29 @@ impl Exact {
         }
         let cells = Cells::new(now.equations, scene.model.motions.len(), (&now.laws, &now.switches, &now.k))?;
         let lateness = vec![Lateness::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
-        Ok(Exact { cells, linear: HashMap::new(), held: None, lateness })
+        Ok(Exact { cells, linear: HashMap::new(), held: None, met: HashMap::new(), lateness })
     }
 }
 
 /// The present cell with what is held in it, and the functions that end the holds.
 #[inline]
-fn here<'s>(cells: &'s Cells, held: &'s Option<Box<Held>>) -> (&'s Prepared, &'s [Watch]) {
+fn here<'s>(cells: &'s Cells, held: &'s Option<Arc<Held>>) -> (&'s Prepared, &'s [Watch]) {
     held.as_ref().map_or_else(|| (cells.here(), &[][..]), |held| (&held.cell, &held.watches))
+}
+
+impl Exact {
+    /// The present cell with what is held in it; computed once for each.
+    fn meet_held(&mut self, now: &Hybrid<'_>, contact: &Contact) -> Result<Arc<Held>, Refusal> {
+        let key = (now.cell(), contact.laws.clone());
+        if let Some(held) = self.met.get(&key) {
+            return Ok(held.clone());
+        }
+        let held = Arc::new(Held::new(now, contact)?);
+        if self.met.len() < HELD_CELLS {
+            self.met.insert(key, held.clone());
+        }
+        Ok(held)
+    }
 }
 
 impl Solver for Exact {
@@ -78,7 +97,7 @@ impl Solver for Exact {
             place.insert(Linear::new(now.equations, &now.k)?);
         }
         self.held = match &now.contact {
-            Some(contact) => Some(Box::new(Held::new(now, contact)?)),
+            Some(contact) => Some(self.meet_held(now, contact)?),
             None => None,
         };
         if !now.switches.is_empty() {
@@ -88,7 +107,7 @@ impl Solver for Exact {
     }
 
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
-        let Exact { cells, linear, held, lateness } = self;
+        let Exact { cells, linear, held, lateness, .. } = self;
         let (here, watches) = here(cells, held);
         if let Some(forcing) = &now.forcing
             && !forcing.is_flat()

@@ -144,3 +144,6 @@ pub(crate) const AT_REST: f64 = 1e-12;
 /// A motion is possible beside others that are held if its compliance is larger [relative to its compliance without them]. The rounding
 /// error of the difference is 1e3 times smaller.
 pub(crate) const INDEPENDENT: f64 = 1e-12;
+
+/// Cells with holds that are kept for the next time they are met [cells]. It decides the memory, not the accuracy.
+pub(crate) const HELD_CELLS: usize = 4096;

@@ -151,8 +151,8 @@ impl Simulation<'_> {
     /// Goes on after a sudden change of the state or of the forces: the switches follow it. Phases of `held` stay held, if they press.
     #[inline]
     fn resume(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
-        self.now.set_levels();
         if !self.now.switches.is_empty() {
+            self.now.set_levels();
             self.now.settle();
         }
         self.proceed(held)
