@@ -70,7 +70,7 @@
 //! events = true                               # record both sides of each event; default
 //! plots = ["energy", "motion", "spectrum"]    # default
 //! csv = false                                 # default
-//! most_rows = 1e7                             # the run stops when this many rows are recorded; default: as many as fit in 4 GB
+//! most_rows = 1e7                             # the run stops when this many rows are recorded; default: as many as fit in 1 GB
 //! ```
 
 mod check;
