@@ -116,6 +116,7 @@ impl Compare {
         };
         let json = serde_json::to_string_pretty(&comparison).map_err(|e| OutputError::format("JSON", e))?;
         folder.write_bytes("compare.json", (json + "\n").as_bytes())?;
+        folder.commit("compare.json")?;
         Ok(summaries)
     }
 }

@@ -48,6 +48,6 @@ impl Verb for Merge {
         if !self.quiet {
             terminal::print_out(&summary_text(&self.out, &files, &manifest, &rows, None));
         }
-        Ok(())
+        Failure::of_points(&rows, &self.out)
     }
 }

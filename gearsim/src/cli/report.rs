@@ -44,7 +44,11 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         ("unaccounted for", unaccounted(summary)),
         ("time taken", time(summary, rows)),
     ];
-    lines.iter().map(|(name, text)| line(name, text, width)).collect::<String>() + &rare_lines(summary, width)
+    let mut text: String = lines.iter().map(|(name, text)| line(name, text, width)).collect();
+    if summary.refuted.is_some() {
+        text += &line("wrong result", "the energy account does not close: none of these numbers can be trusted", width);
+    }
+    text + &rare_lines(summary, width)
 }
 
 /// Lines that most runs do not have.

@@ -61,6 +61,7 @@ impl Run {
         }
         let summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
         folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
+        folder.commit("summary.json")?;
         let width = terminal::width();
         Ok(report::scene(scene, width)
             + "\n"

@@ -137,6 +137,6 @@ impl Verb for SweepCommand {
                 Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads: threads.get() };
             terminal::print_out(&summary_text(&path, &files, &manifest, &rows, Some(done)));
         }
-        Ok(())
+        Failure::of_points(&rows, &path)
     }
 }

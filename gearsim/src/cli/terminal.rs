@@ -30,6 +30,13 @@ pub(super) fn print_err(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", text.trim_end());
 }
 
+/// Writes an error to stderr, its first word in red where the terminal has colours.
+pub(super) fn error(text: &str) {
+    let wrapped = wrap(&format!("error: {text}"), width());
+    let rest = wrapped.strip_prefix("error:").unwrap_or(&wrapped);
+    print_err(&if colours() { format!("\x1b[1;31merror:\x1b[0m{rest}") } else { wrapped });
+}
+
 /// Writes a warning to stderr.
 pub(super) fn warn(text: &str) {
     print_err(&wrap(&format!("warning: {text}"), width()));

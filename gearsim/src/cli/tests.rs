@@ -1,6 +1,7 @@
 //! Tests of the commands, called directly without a built program.
 
 mod advise;
+mod faults;
 mod runs;
 mod sweeps;
 mod texts;

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -21,6 +22,7 @@ use parquet::schema::types::Type;
 
 use super::OutputError;
 use super::table::{Column, Table, Values};
+use crate::trajectory::Trajectory;
 
 /// Key of the metadata under which the units are.
 pub const UNITS: &str = "units";
@@ -38,48 +40,66 @@ pub fn write<'a>(
     provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
     sink: impl Write + Send,
 ) -> Result<(), OutputError> {
-    write_groups(table, provenance, sink, GROUP)
+    let mut writer = Writer::new(table, provenance, sink, GROUP)?;
+    writer.write(table)?;
+    writer.close()
 }
 
-/// [`write()`] with row groups of `group` rows.
-fn write_groups<'a>(
-    table: &Table,
+/// Writes a trajectory part by part; the file is that of [`write()`] with [`Table::of_trajectory`].
+///
+/// Errors: those of [`write()`] and [`Table::of_trajectory`].
+pub fn write_trajectory<'a>(
+    run: &Trajectory,
     provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
     sink: impl Write + Send,
-    group: usize,
 ) -> Result<(), OutputError> {
-    let units: BTreeMap<_, _> = table.columns().iter().map(|column| (&column.name, &column.unit)).collect();
-    let units = serde_json::to_string(&units).map_err(|e| OutputError::format("Parquet", e))?;
-    let pair = |(name, value): (&str, &str)| KeyValue::new(name.to_owned(), value.to_owned());
-    let mut metadata: Vec<_> = provenance.into_iter().map(pair).collect();
-    metadata.push(pair((UNITS, &units)));
-    let properties = WriterProperties::builder()
-        .set_created_by(concat!("gearsim ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_compression(Compression::SNAPPY)
-        .set_key_value_metadata(Some(metadata))
-        .build();
-    write_columns(table, properties, sink, group).map_err(|error| match error {
-        // A full disk must be reported as such, not as bad Parquet.
-        ParquetError::External(e) => match e.downcast::<std::io::Error>() {
-            Ok(e) => OutputError::Sink(*e),
-            Err(e) => OutputError::format("Parquet", e),
-        },
-        other => OutputError::format("Parquet", other),
-    })
+    let mut writer = Writer::new(&Table::of_trajectory(&Trajectory::new(run.model))?, provenance, sink, GROUP)?;
+    Table::parts(run, GROUP).try_for_each(|part| writer.write(&part?))?;
+    writer.close()
 }
 
-fn write_columns(
-    table: &Table,
-    properties: WriterProperties,
-    sink: impl Write + Send,
+/// A file that is being written.
+struct Writer<W: Write + Send> {
+    file: SerializedFileWriter<W>,
+    /// Largest number of rows of a row group.
     group: usize,
-) -> Result<(), ParquetError> {
-    let fields = table.columns().iter().map(|column| Ok(Arc::new(field(column)?))).collect::<Result<_, ParquetError>>();
-    let schema = Type::group_type_builder("schema").with_fields(fields?).build()?;
-    let mut file = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties))?;
-    for start in (0..table.rows()).step_by(group) {
-        let rows = start..table.rows().min(start + group);
-        let mut group = file.next_row_group()?;
+}
+
+impl<W: Write + Send> Writer<W> {
+    /// Begins a file of tables with the columns of `like`.
+    fn new<'a>(
+        like: &Table,
+        provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
+        sink: W,
+        group: usize,
+    ) -> Result<Self, OutputError> {
+        let units: BTreeMap<_, _> = like.columns().iter().map(|column| (&column.name, &column.unit)).collect();
+        let units = serde_json::to_string(&units).map_err(|e| OutputError::format("Parquet", e))?;
+        let pair = |(name, value): (&str, &str)| KeyValue::new(name.to_owned(), value.to_owned());
+        let mut metadata: Vec<_> = provenance.into_iter().map(pair).collect();
+        metadata.push(pair((UNITS, &units)));
+        let properties = WriterProperties::builder()
+            .set_created_by(concat!("gearsim ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_compression(Compression::SNAPPY)
+            .set_key_value_metadata(Some(metadata))
+            .build();
+        let fields = like.columns().iter().map(|column| Ok(Arc::new(field(column)?)));
+        let fields = fields.collect::<Result<_, ParquetError>>().map_err(failed)?;
+        let schema = Type::group_type_builder("schema").with_fields(fields).build().map_err(failed)?;
+        let file = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties)).map_err(failed)?;
+        Ok(Writer { file, group })
+    }
+
+    /// Adds the rows of a table.
+    fn write(&mut self, table: &Table) -> Result<(), OutputError> {
+        for start in (0..table.rows()).step_by(self.group) {
+            self.write_group(table, start..table.rows().min(start + self.group)).map_err(failed)?;
+        }
+        Ok(())
+    }
+
+    fn write_group(&mut self, table: &Table, rows: Range<usize>) -> Result<(), ParquetError> {
+        let mut group = self.file.next_row_group()?;
         for column in table.columns() {
             let mut writer = group.next_column()?.expect("the schema has a field for each column");
             match &column.values {
@@ -96,9 +116,23 @@ fn write_columns(
             writer.close()?;
         }
         group.close()?;
+        Ok(())
     }
-    file.close()?;
-    Ok(())
+
+    fn close(self) -> Result<(), OutputError> {
+        self.file.close().map_err(failed).map(drop)
+    }
+}
+
+/// A full disk is reported as such, not as bad Parquet.
+fn failed(error: ParquetError) -> OutputError {
+    match error {
+        ParquetError::External(e) => match e.downcast::<std::io::Error>() {
+            Ok(e) => OutputError::Sink(*e),
+            Err(e) => OutputError::format("Parquet", e),
+        },
+        other => OutputError::format("Parquet", other),
+    }
 }
 
 fn field(column: &Column) -> Result<Type, ParquetError> {
@@ -171,7 +205,9 @@ mod tests {
         // Several groups, the last of them shorter, and several conversions of text in each.
         let table = Table::of_trajectory(&oscillator(2 * WORDS + 1030)).unwrap();
         let file = tempfile::NamedTempFile::new().unwrap();
-        write_groups(&table, [("scene", "test"), ("commit", "")], &file, WORDS + 500).unwrap();
+        let mut writer = Writer::new(&table, [("scene", "test"), ("commit", "")], &file, WORDS + 500).unwrap();
+        writer.write(&table).unwrap();
+        writer.close().unwrap();
         let (back, provenance) = read(file.path()).unwrap();
         assert!(back == table, "{} columns, {} rows", back.columns().len(), back.rows());
         let pairs: Vec<_> = provenance.iter().map(|(n, v)| (n.as_str(), v.as_str())).collect();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::folder::{self, ROWS, Rows, SPECTRA};
 use super::manifest::{self, Layout, Manifest};
 use super::{Error, impossible};
-use crate::output::OutputFolder;
+use crate::output::WholeFiles;
 use crate::run::Entry;
 
 /// Maximum number of ranges of points that a message lists; the points of the others are only counted.
@@ -65,7 +65,7 @@ pub fn gather(from: &[PathBuf], entries: &[Entry]) -> Result<(Manifest, Layout, 
 /// If the folder holds another sweep, or cannot be written to.
 pub fn write(out: &Path, manifest: &Manifest, layout: &Layout, rows: &Rows) -> Result<(), Error> {
     folder::refuse_another(out, manifest)?;
-    let mut folder = OutputFolder::create(out)?;
+    let mut folder = WholeFiles::create(out)?;
     folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
     Ok(folder::write(&mut folder, (ROWS, SPECTRA), manifest, layout, rows)?)
 }

@@ -2,8 +2,8 @@
 
 /// Shortest end time of a run [s]. For a smaller one the sampling rate would not be finite.
 pub(crate) const SHORTEST_RUN: f64 = 1e-300;
-/// Memory for the rows of a run if the scene states no limit [bytes]. A run with more rows stops. A run and its files take about
-/// three times as much, because columns grow by doubling; `compare` has three runs in memory, a sweep one per thread.
+/// Memory for the rows of a run if the scene states no limit [bytes]. A run with more rows stops. With its
+/// files and plots a run takes about twice as much; `compare` holds three runs, a sweep one per thread.
 pub(crate) const ROW_MEMORY: f64 = 1e9;
 /// Largest memory for the rows of a run that a scene may ask for by `output.most_rows` [bytes].
 pub(crate) const MOST_ROW_MEMORY: f64 = 16e9;
