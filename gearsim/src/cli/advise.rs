@@ -79,6 +79,7 @@ impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
         let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
         let scene = Scene::load(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
+        scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let base = advise::base(&scene);
         let advice = of(&base)?;
         let width = terminal::width();

@@ -113,7 +113,7 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         digits: outcome
             .digits
             .map(|digits| Digits { at_end: Number(digits.at_end), none_from: digits.none_from.map(Number) }),
-        remarks: outcome.remarks.clone(),
+        remarks: scene.warnings.iter().chain(&outcome.remarks).cloned().collect(),
         cpu_seconds: Number(outcome.cpu_seconds),
         completed: outcome.stopped_by.is_none(),
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),

@@ -39,6 +39,7 @@ pub(super) struct Merge {
 
 impl Verb for Merge {
     fn run(self) -> Result<(), Failure> {
+        merge::refuse_input(&self.folders, &self.out)?;
         OutputFolder::probe(&self.out)?;
         let (manifest, layout, rows) = merge::gather(&self.folders, MODELS)?;
         self.plots.check(&layout)?;

@@ -48,14 +48,15 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
     if summary.refuted.is_some() {
         text += &line("wrong result", "the energy account does not close: none of these numbers can be trusted", width);
     }
-    text + &rare_lines(summary, width)
+    text + &rare_lines(scene, summary, width)
 }
 
 /// Lines that most runs do not have.
-fn rare_lines(summary: &Summary, width: usize) -> String {
+fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
     let mut text = String::new();
-    for remark in &summary.remarks {
+    // The warnings about the scene were printed before the run.
+    for remark in summary.remarks.iter().filter(|remark| !scene.warnings.contains(remark)) {
         text += &line("note", remark, width);
     }
     if counts.holds > 0 {

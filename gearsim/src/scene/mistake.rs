@@ -84,11 +84,21 @@ impl std::error::Error for SceneMistakes {}
 pub(crate) struct Report {
     sources: Vec<NamedSource<Arc<str>>>,
     mistakes: Vec<(Place, Mistake)>,
+    warnings: Vec<String>,
 }
 
 impl Report {
     pub(crate) fn new() -> Report {
-        Report { sources: Vec::new(), mistakes: Vec::new() }
+        Report { sources: Vec::new(), mistakes: Vec::new(), warnings: Vec::new() }
+    }
+
+    /// Adds a warning: the scene is allowed, but a reader may have meant something else.
+    pub(crate) fn warn(&mut self, warning: String) {
+        self.warnings.push(warning);
+    }
+
+    pub(crate) fn into_warnings(self) -> Vec<String> {
+        self.warnings
     }
 
     /// Adds a text that mistakes can refer to, and returns its index.

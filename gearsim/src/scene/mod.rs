@@ -79,6 +79,7 @@ pub(crate) mod document;
 mod effects;
 mod field;
 mod friction;
+mod gear_data;
 mod key_unit;
 mod keys;
 mod laws;
@@ -141,6 +142,8 @@ pub struct Scene {
     pub output: Output,
     /// SHA-256 of the scene's text and overrides, in hexadecimal. It identifies the scene in every output.
     pub hash: String,
+    /// What is allowed, but odd: a sentence each.
+    pub warnings: Vec<String>,
 }
 
 impl Scene {

@@ -61,7 +61,9 @@ impl Template {
         all.set("--vary ", values);
         let Template { name, root, end, mut report, hash } = all;
         match check::scene(&root, &end, models, &mut report) {
-            Some(scene) if report.is_empty() => Ok(Scene { name, hash: hexadecimal(hash), ..scene }),
+            Some(scene) if report.is_empty() => {
+                Ok(Scene { name, hash: hexadecimal(hash), warnings: report.into_warnings(), ..scene })
+            }
             _ => Err(report.into_mistakes(&name)),
         }
     }

@@ -11,6 +11,24 @@ use crate::run::Entry;
 /// Maximum number of ranges of points that a message lists; the points of the others are only counted.
 const LISTED: usize = 8;
 
+/// Refuses a folder `out` for the joined results that is one of the folders `from`: its shard would be lost.
+///
+/// # Errors
+/// [`Error::Impossible`].
+pub fn refuse_input(from: &[PathBuf], out: &Path) -> Result<(), Error> {
+    let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    };
+    match from.iter().find(|folder| same(folder, out)) {
+        Some(folder) => {
+            let what = format!("--out {} is one of the folders to merge", folder.display());
+            impossible(what, "choose another folder for the joined results: the shards are kept")
+        }
+        None => Ok(()),
+    }
+}
+
 /// Reads the results in the folders `from`, which together hold all points of one sweep.
 ///
 /// # Errors
