@@ -106,7 +106,7 @@ impl Compare {
         let before = folder.files().len();
         let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
         for warning in files::plots(folder, scene, &runs)? {
-            terminal::print_err(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
+            terminal::warn(&warning);
         }
         let entries = members.iter().zip(&summaries);
         let comparison = Comparison {

@@ -92,10 +92,24 @@ impl Failure {
     pub(super) fn report(&self) -> ExitCode {
         match self {
             // If the help cannot be printed because the pipe is closed, that is no further error.
-            Failure::Usage(error) => drop(error.print()),
+            Failure::Usage(error) => terminal::note(error.print()),
             Failure::Scene(errors) => terminal::print_err(&errors.render(terminal::width(), terminal::colours())),
             other => terminal::error(&other.to_string()),
         }
+        if self.code() == 0 {
+            return done();
+        }
         ExitCode::from(self.code())
+    }
+}
+
+/// The exit code of a command that is done: 1 if its output could not be written.
+pub(super) fn done() -> ExitCode {
+    match terminal::failed() {
+        None => ExitCode::SUCCESS,
+        Some(why) => {
+            terminal::error(&format!("cannot write to stdout: {why}"));
+            ExitCode::from(1)
+        }
     }
 }

@@ -3,6 +3,7 @@
 //! [`table::Table`] is a table of columns with units, e.g. of a trajectory. [`parquet`] and [`csv`] write it, [`summary`] defines
 //! `summary.json`. [`OutputFolder`] writes a result completely or not at all, [`WholeFiles`] single files.
 
+mod checksum;
 pub mod csv;
 mod error;
 pub(crate) mod fault;

@@ -1,12 +1,14 @@
 //! A table as Parquet: compact, typed, with the unit of each column and the provenance inside.
 //!
 //! Columns are required `DOUBLE`s and UTF-8 strings. The key-value metadata of the file hold the provenance, and under
-//! [`UNITS`] a JSON object of column name and unit.
+//! [`UNITS`] a JSON object of column name and unit, and under [`CHECKSUM`] the SHA-256 of the content ([`super::checksum`]), which is
+//! verified when a file is read.
 
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write;
 use std::ops::Range;
+use std::panic::catch_unwind;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -21,11 +23,15 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
 use super::OutputError;
+use super::checksum::Checksum;
 use super::table::{Column, Table, Values};
 use crate::trajectory::Trajectory;
 
 /// Key of the metadata under which the units are.
 pub const UNITS: &str = "units";
+
+/// Key of the metadata under which the checksum of the content is.
+pub const CHECKSUM: &str = "content_sha256";
 
 /// Rows of a row group. Each group repeats the dictionaries of its columns, so that small groups make a larger file.
 const GROUP: usize = 1 << 20;
@@ -61,6 +67,7 @@ pub fn write_trajectory<'a>(
 /// A file that is being written.
 struct Writer<W: Write + Send> {
     file: SerializedFileWriter<W>,
+    checksum: Checksum,
     /// Largest number of rows of a row group.
     group: usize,
 }
@@ -87,11 +94,12 @@ impl<W: Write + Send> Writer<W> {
         let fields = fields.collect::<Result<_, ParquetError>>().map_err(failed)?;
         let schema = Type::group_type_builder("schema").with_fields(fields).build().map_err(failed)?;
         let file = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties)).map_err(failed)?;
-        Ok(Writer { file, group })
+        Ok(Writer { file, checksum: Checksum::new(like), group })
     }
 
     /// Adds the rows of a table.
     fn write(&mut self, table: &Table) -> Result<(), OutputError> {
+        self.checksum.add(table);
         for start in (0..table.rows()).step_by(self.group) {
             self.write_group(table, start..table.rows().min(start + self.group)).map_err(failed)?;
         }
@@ -119,7 +127,8 @@ impl<W: Write + Send> Writer<W> {
         Ok(())
     }
 
-    fn close(self) -> Result<(), OutputError> {
+    fn close(mut self) -> Result<(), OutputError> {
+        self.file.append_key_value_metadata(KeyValue::new(CHECKSUM.to_owned(), self.checksum.text()));
         self.file.close().map_err(failed).map(drop)
     }
 }
@@ -149,28 +158,43 @@ fn field(column: &Column) -> Result<Type, ParquetError> {
 /// A table read from a file, and its provenance as pairs of name and value.
 pub type TableAndProvenance = (Table, Vec<(String, String)>);
 
-/// Reads a file written by [`write()`]. Errors: [`OutputError::Read`].
+/// Reads a file written by [`write()`], and verifies its checksum. Errors: [`OutputError::Read`].
 pub fn read(path: &Path) -> Result<TableAndProvenance, OutputError> {
     let failed = |why: String| OutputError::Read { path: path.to_owned(), why };
-    let file = File::open(path).map_err(|e| failed(e.to_string()))?;
-    let file = SerializedFileReader::new(file).map_err(|e| failed(e.to_string()))?;
+    // The reader may panic on damaged bytes.
+    catch_unwind(|| read_unverified(path)).unwrap_or_else(|_| Err("it is damaged".into())).map_err(failed)
+}
+
+fn read_unverified(path: &Path) -> Result<TableAndProvenance, String> {
+    let text = |e: &dyn std::fmt::Display| e.to_string();
+    let file = File::open(path).map_err(|e| text(&e))?;
+    let file = SerializedFileReader::new(file).map_err(|e| text(&e))?;
     let metadata = file.metadata().file_metadata();
     let pairs = metadata.key_value_metadata().into_iter().flatten();
-    let pairs = pairs.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default()));
-    let (units, provenance): (Vec<_>, Vec<_>) = pairs.partition(|(name, _)| name == UNITS);
-    let units = units.first().ok_or_else(|| failed(format!("its metadata have no `{UNITS}`")))?;
+    let mut pairs: Vec<_> = pairs.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default())).collect();
+    let mut take = |key: &str| {
+        let at = pairs.iter().position(|(name, _)| name == key).ok_or(format!("its metadata have no `{key}`"));
+        at.map(|at| pairs.remove(at).1)
+    };
+    let (units, checksum) = (take(UNITS)?, take(CHECKSUM)?);
     let units: BTreeMap<String, String> =
-        serde_json::from_str(&units.1).map_err(|e| failed(format!("`{UNITS}` of its metadata: {e}")))?;
+        serde_json::from_str(&units).map_err(|e| format!("`{UNITS}` of its metadata: {e}"))?;
 
     let mut table = Table::default();
     for (i, column) in metadata.schema_descr().columns().iter().enumerate() {
+        let name = column.name();
         if column.max_def_level() > 0 || column.max_rep_level() > 0 {
-            return Err(failed(format!("column `{}` may have missing or repeated entries", column.name())));
+            return Err(format!("column `{name}` may have missing or repeated entries"));
         }
-        let values = read_column(&file, i).map_err(|e| failed(format!("column `{}`: {e}", column.name())))?;
-        table.push(column.name(), units.get(column.name()).map_or("", String::as_str), values)?;
+        let values = read_column(&file, i).map_err(|e| format!("column `{name}`: {e}"))?;
+        table.push(name, units.get(name).map_or("", String::as_str), values).map_err(|e| text(&e))?;
     }
-    Ok((table, provenance))
+    let mut found = Checksum::new(&table);
+    found.add(&table);
+    match found.text() == checksum {
+        true => Ok((table, pairs)),
+        false => Err("its content does not have its checksum: it is damaged".into()),
+    }
 }
 
 /// The values of the `i`-th column, which has none missing.
@@ -224,7 +248,8 @@ mod tests {
         let file = SerializedFileReader::new(file.reopen().unwrap()).unwrap();
         let metadata = file.metadata().file_metadata();
         let pairs: Vec<_> = metadata.key_value_metadata().into_iter().flatten().collect();
-        assert_eq!(pairs, [&KeyValue::new(UNITS.to_owned(), r#"{"moment":"","t":"s"}"#.to_owned())]);
+        assert_eq!(pairs[0], &KeyValue::new(UNITS.to_owned(), r#"{"moment":"","t":"s"}"#.to_owned()));
+        assert!(pairs.len() == 2 && pairs[1].key == CHECKSUM);
     }
 
     #[test]
@@ -235,6 +260,26 @@ mod tests {
         let file = tempfile::NamedTempFile::new().unwrap();
         write(&table, [], &file).unwrap();
         assert!(read(file.path()).unwrap().0 == table);
+    }
+
+    /// A byte changed anywhere is found, unless it changes nothing that is read.
+    #[test]
+    fn a_changed_byte_never_gives_other_numbers() {
+        let table = Table::of_trajectory(&oscillator(50)).unwrap();
+        let file = tempfile::NamedTempFile::new().unwrap();
+        write(&table, [("scene", "test")], &file).unwrap();
+        let whole = std::fs::read(file.path()).unwrap();
+        let mut refused = 0;
+        for at in (0..whole.len()).step_by(3) {
+            let mut bytes = whole.clone();
+            bytes[at] ^= 0x10;
+            std::fs::write(file.path(), &bytes).unwrap();
+            match read(file.path()) {
+                Ok((back, _)) => assert!(back == table, "byte {at}"),
+                Err(error) => refused += usize::from(matches!(error, OutputError::Read { .. })),
+            }
+        }
+        assert!(refused > whole.len() / 10, "{refused} of {}", whole.len() / 3);
     }
 
     #[test]

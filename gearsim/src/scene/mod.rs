@@ -104,7 +104,7 @@ pub mod unit;
 
 pub use key_unit::unit_of;
 pub use mistake::{Mistake, SceneMistakes};
-pub(crate) use mistake::{did_you_mean, list};
+pub(crate) use mistake::{did_you_mean, list, shown};
 pub use solver::{Precision, Solver};
 pub use template::Template;
 pub use time_history::TimeHistory;

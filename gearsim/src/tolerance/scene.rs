@@ -45,6 +45,8 @@ pub(crate) const FACE_WIDTHS: std::ops::RangeInclusive<f64> = 1e-5..=10.0;
 pub(crate) const YOUNG: std::ops::RangeInclusive<f64> = 1e6..=2e12;
 /// Largest size of the text of a scene [bytes].
 pub(crate) const SCENE_BYTES: u64 = 16 << 20;
+/// Largest number of mistakes in a scene that are shown [1].
+pub(crate) const SHOWN_MISTAKES: usize = 100;
 /// Length of a quoted line above which only the part round the mistake is shown [bytes].
 pub(crate) const QUOTED: usize = 300;
 /// Largest number of threads of a sweep [1].

@@ -87,8 +87,7 @@ impl PlotOptions {
                     folder.write_bytes(&format!("{name}.png"), &png)?;
                 }
                 Err(error) => {
-                    let warning = format!("warning: no plot `{name}`: {error}");
-                    terminal::print_err(&terminal::wrap(&warning, terminal::width()));
+                    terminal::warn(&format!("no plot `{name}`: {error}"));
                 }
             }
         }
