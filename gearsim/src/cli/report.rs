@@ -21,7 +21,25 @@ pub(super) fn scene(scene: &Scene, width: usize) -> String {
         text += &line("about", &scene.about, width);
     }
     text += &line("model", &format!("{}, {}", scene.model.name, scene.model.title), width);
-    text + &line("effects", &effects, width)
+    text += &line("effects", &effects, width);
+    text + &torques(scene, width)
+}
+
+/// The torques on the bodies, where they are not parameters themselves: a model may have a torque per tooth.
+fn torques(scene: &Scene, width: usize) -> String {
+    if !scene.effects.names(scene.model).contains(&"torques") {
+        return String::new();
+    }
+    let at_start = if scene.varying().is_some() { " at t = 0" } else { "" };
+    let torque = |doc: &str| {
+        let (product, body) = doc.strip_prefix("torque ")?.split_once(" on the ")?;
+        let (sign, names) = product.strip_prefix('-').map_or((1.0, product), |names| (-1.0, names));
+        let factors = names.split(' ').map(|name| scene.parameter(name)).collect::<Option<Vec<_>>>()?;
+        let value = sign * factors.iter().product::<f64>();
+        (factors.len() > 1).then(|| format!("{} N*m on the {body}{at_start} ({product})", number::short(value)))
+    };
+    let torques: Vec<_> = scene.model.torques.iter().filter_map(|t| torque(t.doc)).collect();
+    if torques.is_empty() { String::new() } else { line("torques", &torques.join(", "), width) }
 }
 
 /// The outcome of a run that recorded `rows` rows.
