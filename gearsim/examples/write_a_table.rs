@@ -31,5 +31,6 @@ pub fn write(path: &str, out: &Path) -> anyhow::Result<OutputFolder> {
     folder.write("trajectory.csv", |sink| csv::write(&table, sink))?;
     folder.write("trajectory.parquet", |sink| parquet::write(&table, [("scene", label)], sink))?;
     folder.write_bytes("motion.svg", (plot::find("motion")?.draw)(&[run])?.svg()?.as_bytes())?;
+    folder.commit("trajectory.csv")?;
     Ok(folder)
 }

@@ -164,6 +164,9 @@ struct Plan<'a> {
 impl<'a> Prepared<'a> {
     fn new(derived: &DerivedModel, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Self, Refusal> {
         let begun = start::begin(equations, scene)?;
+        if !equations.kinetic(&begun.state.q_dot).is_finite() {
+            return Err(Refusal::StartOverflow);
+        }
         let choice = choice::of(scene, &begun.laws)?;
         let (others, forcing) = (begun.others.clone(), Forcing::of(derived, scene));
         let compensated = scene.solver.precision == Precision::Compensated;

@@ -17,7 +17,13 @@ pub fn gear_pair(m: &mut Model) {
     let I1 = m.parameter("I1", "kg*m^2", None, Range::Positive, "moment of inertia of the driving gear");
     let I2 = m.parameter("I2", "kg*m^2", None, Range::Positive, "moment of inertia of the driven gear");
     let zeta = m.parameter("zeta", "1", Some(0.0), Range::NotNegative, "damping factor of phi at the mid stiffness");
-    let T0 = m.parameter("T0", "N*m", None, Range::Any, "balanced torque: T0 N1 drives, T0 N2 loads");
+    let T0 = m.parameter(
+        "T0",
+        "N*m",
+        None,
+        Range::Any,
+        "torque per tooth: T0 N1 drives the driving gear, T0 N2 loads the driven gear",
+    );
 
     let theta = m.coordinate("theta", "rad", Start::At(0.0), "mean rotation, (N1 theta1 + N2 theta2)/2");
     let phi = m.coordinate("phi", "rad", Start::Static, "relative deflection, (N1 theta1 - N2 theta2)/2");
@@ -27,15 +33,21 @@ pub fn gear_pair(m: &mut Model) {
     m.kinetic(half(I1 * (q1.dot() / N1).sq()));
     m.kinetic(half(I2 * (q2.dot() / N2).sq()));
 
-    let k = m.mesh_stiffness("k", "N*m", theta, TAU, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action");
+    let k = m.mesh_stiffness(
+        "k",
+        "N*m",
+        theta,
+        TAU,
+        "mesh stiffness, 2 kt (rb1/N1)^2 with kt along the line of action, rb1 the base radius",
+    );
     let e = m.transmission_error(
         ["e", ""],
         "rad",
         theta,
         TAU,
-        "transmission error in phi, et N1/(2 r1) with et along the line of action",
+        "transmission error in phi, et N1/(2 rb1) with et along the line of action",
     );
-    let gap = play(m, "", "mesh, in phi", "rad", phi - e.value);
+    let gap = play(m, "", "mesh in phi, bt N1/(2 rb1) with bt along the line of action", "rad", phi - e.value);
     m.potential(k.value * gap.touch * gap.over.sq());
 
     let _M1 = m.constant("M1", 2 * m.inverse_mass(theta, phi));
@@ -50,7 +62,7 @@ pub fn gear_pair(m: &mut Model) {
         m.torque("load", -T0, q2, "torque -T0 N2 on the driven gear");
     });
 
-    // In units of phi, with h = r1/N1: V = k phi², F = k phi/h and delta = 2 h phi, so that h cancels in the work.
+    // In units of phi, with h = rb1/N1 and the base radius rb1: V = k phi², F = k phi/h and delta = 2 h phi, so that h cancels in the work.
     let tau = 2 * pressure_tangent(m) * phi;
     let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over };
     sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });

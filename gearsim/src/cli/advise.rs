@@ -14,7 +14,7 @@ use crate::analysis::advise::measures::coordinates;
 use crate::analysis::advise::orbit::{Steady, Unknown};
 use crate::analysis::advise::{self, Apart, Bands, Candidate, LIMITS, Measures, Way, expected, short_run};
 use crate::generated::MODELS;
-use crate::run::Outcome;
+use crate::run::{Account, Outcome};
 use crate::scene::Scene;
 
 /// Which effects matter to a scene, and which may be left out; checked by runs with and without each
@@ -79,12 +79,17 @@ impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
         let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
         let scene = Scene::load(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
+        scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let base = advise::base(&scene);
         let advice = of(&base)?;
         let width = terminal::width();
         let dropped = scene.effects != base.effects;
         terminal::print_out(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
-        Ok(())
+        match advice.refuted {
+            // The deviations are those from a wrong result.
+            Some(account) => Err(Failure::RefutedAdvice { scene: scene.name, account }),
+            None => Ok(()),
+        }
     }
 }
 
@@ -100,6 +105,8 @@ pub(super) struct Advice {
     bands: Bands,
     /// Why its run stopped early, if it did.
     stopped: Option<String>,
+    /// Its energy account, where that refutes it.
+    refuted: Option<Account>,
     reflections: u64,
     t_end: f64,
 }
@@ -163,6 +170,7 @@ pub(super) fn of(base: &Scene) -> Result<Advice, Failure> {
         verdicts,
         seconds,
         stopped: outcome.stopped_by.as_ref().map(ToString::to_string),
+        refuted: outcome.refuted,
         reflections: outcome.counts.reflections,
         t_end: base.t_end,
         bands,

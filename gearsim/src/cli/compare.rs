@@ -106,7 +106,7 @@ impl Compare {
         let before = folder.files().len();
         let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
         for warning in files::plots(folder, scene, &runs)? {
-            terminal::print_err(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
+            terminal::warn(&warning);
         }
         let entries = members.iter().zip(&summaries);
         let comparison = Comparison {
@@ -116,6 +116,7 @@ impl Compare {
         };
         let json = serde_json::to_string_pretty(&comparison).map_err(|e| OutputError::format("JSON", e))?;
         folder.write_bytes("compare.json", (json + "\n").as_bytes())?;
+        folder.commit("compare.json")?;
         Ok(summaries)
     }
 }

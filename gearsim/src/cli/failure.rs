@@ -8,6 +8,8 @@ use crate::engine::{Refusal, Stop};
 use crate::output::OutputError;
 use crate::run::{Account, Outcome};
 use crate::scene::SceneMistakes;
+use crate::sweep::folder::Rows;
+use crate::sweep::row::Status;
 
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
@@ -30,6 +32,15 @@ pub(super) enum Failure {
     /// A run stopped before its end.
     #[error("{run} stopped early: {stop}\n  the results until then are in {folder}", folder = folder.display())]
     Stopped { run: String, stop: Box<Stop>, folder: PathBuf },
+    /// Advice is based on a run whose energy account does not close.
+    #[error("the advice is worth nothing, because the result of scene {scene} is wrong: {account}")]
+    RefutedAdvice { scene: String, account: Account },
+    /// Runs of some points of a sweep reached their ends, but their energy accounts do not close.
+    #[error(
+        "the results of {count} points are wrong: their energy accounts do not close\n  the rows with the status `refuted` in {folder}",
+        folder = folder.display()
+    )]
+    RefutedPoints { count: usize, folder: PathBuf },
     /// A run reached its end, but its energy account does not close.
     #[error("the result of {run} is wrong: {account}\n  the results are in {folder}", folder = folder.display())]
     Refuted { run: String, account: Account, folder: PathBuf },
@@ -56,13 +67,24 @@ impl Failure {
         }
     }
 
+    /// The error of a sweep in `folder`, if the energy account of a point does not close.
+    pub(super) fn of_points(rows: &Rows, folder: &Path) -> Result<(), Failure> {
+        match rows.values().filter(|row| row.status == Status::Refuted).count() {
+            0 => Ok(()),
+            count => Err(Failure::RefutedPoints { count, folder: folder.to_owned() }),
+        }
+    }
+
     /// The exit code.
     pub(super) fn code(&self) -> u8 {
         match self {
             Failure::Usage(error) => u8::try_from(error.exit_code()).unwrap_or(2),
             Failure::Scene(_) | Failure::Refused { .. } | Failure::Impossible { .. } => 2,
             Failure::Output(_) => 1,
-            Failure::Stopped { .. } | Failure::Refuted { .. } => 3,
+            Failure::Stopped { .. }
+            | Failure::Refuted { .. }
+            | Failure::RefutedPoints { .. }
+            | Failure::RefutedAdvice { .. } => 3,
         }
     }
 
@@ -70,10 +92,24 @@ impl Failure {
     pub(super) fn report(&self) -> ExitCode {
         match self {
             // If the help cannot be printed because the pipe is closed, that is no further error.
-            Failure::Usage(error) => drop(error.print()),
+            Failure::Usage(error) => terminal::note(error.print()),
             Failure::Scene(errors) => terminal::print_err(&errors.render(terminal::width(), terminal::colours())),
-            other => terminal::print_err(&terminal::wrap(&format!("error: {other}"), terminal::width())),
+            other => terminal::error(&other.to_string()),
+        }
+        if self.code() == 0 {
+            return done();
         }
         ExitCode::from(self.code())
+    }
+}
+
+/// The exit code of a command that is done: 1 if its output could not be written.
+pub(super) fn done() -> ExitCode {
+    match terminal::failed() {
+        None => ExitCode::SUCCESS,
+        Some(why) => {
+            terminal::error(&format!("cannot write to stdout: {why}"));
+            ExitCode::from(1)
+        }
     }
 }

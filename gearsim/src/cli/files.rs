@@ -1,12 +1,17 @@
 //! The files of a run.
 
-use crate::output::summary::{Counts, Digits, Energy, Method, Named, Number, Summary};
+use std::collections::BTreeMap;
+
+use crate::output::summary::{Counts, Digits, Energy, FORMAT, Method, Named, Number, Summary, VERSION};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
 use crate::run::Outcome;
 use crate::scene::Scene;
 
 use super::provenance;
+
+/// Rows converted to CSV at a time.
+const ROWS: usize = 1 << 16;
 
 /// Writes the trajectory as `<name>.parquet`, and also as `<name>.csv` if `as_csv`.
 pub(super) fn trajectory(
@@ -16,12 +21,11 @@ pub(super) fn trajectory(
     (scene, overrides): (&Scene, &[String]),
     outcome: &Outcome,
 ) -> Result<(), OutputError> {
-    let table = Table::of_trajectory(&outcome.trajectory)?;
     let provenance = provenance::pairs(scene, overrides, outcome);
     let pairs = || provenance.iter().map(|(name, value)| (*name, value.as_str()));
-    folder.write(&format!("{name}.parquet"), |sink| parquet::write(&table, pairs(), sink))?;
+    folder.write(&format!("{name}.parquet"), |sink| parquet::write_trajectory(&outcome.trajectory, pairs(), sink))?;
     if as_csv {
-        folder.write(&format!("{name}.csv"), |sink| csv::write(&table, sink))?;
+        folder.write(&format!("{name}.csv"), |sink| csv::write_parts(Table::parts(&outcome.trajectory, ROWS), sink))?;
     }
     Ok(())
 }
@@ -80,7 +84,9 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         largest: none,
     };
     let parameters = scene.model.parameters.iter().map(|p| p.name).zip(scene.parameters.iter().copied());
-    Summary {
+    let mut summary = Summary {
+        format: FORMAT.into(),
+        version: VERSION,
         scene: scene.name.clone(),
         model: scene.model.name.into(),
         effects: scene.effects.names(scene.model).into_iter().map(Into::into).collect(),
@@ -107,12 +113,16 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         digits: outcome
             .digits
             .map(|digits| Digits { at_end: Number(digits.at_end), none_from: digits.none_from.map(Number) }),
-        remarks: outcome.remarks.clone(),
+        remarks: scene.warnings.iter().chain(&outcome.remarks).cloned().collect(),
         cpu_seconds: Number(outcome.cpu_seconds),
         completed: outcome.stopped_by.is_none(),
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),
+        refuted: outcome.refuted.map(|account| account.to_string()),
         parameters: parameters.collect(),
+        missing: BTreeMap::new(),
         files,
         provenance: provenance::of(scene, overrides, provenance::solver(scene, outcome)),
-    }
+    };
+    summary.note_missing();
+    summary
 }

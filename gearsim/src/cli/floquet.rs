@@ -98,6 +98,7 @@ impl Verb for FloquetCommand {
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         folder.write_bytes("floquet.json", (json + "\n").as_bytes())?;
+        folder.commit("floquet.json")?;
         let width = terminal::width();
         let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
         let written = report::files(folder.path(), folder.files(), width);

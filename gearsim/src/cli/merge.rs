@@ -39,6 +39,7 @@ pub(super) struct Merge {
 
 impl Verb for Merge {
     fn run(self) -> Result<(), Failure> {
+        merge::refuse_input(&self.folders, &self.out)?;
         OutputFolder::probe(&self.out)?;
         let (manifest, layout, rows) = merge::gather(&self.folders, MODELS)?;
         self.plots.check(&layout)?;
@@ -48,6 +49,6 @@ impl Verb for Merge {
         if !self.quiet {
             terminal::print_out(&summary_text(&self.out, &files, &manifest, &rows, None));
         }
-        Ok(())
+        Failure::of_points(&rows, &self.out)
     }
 }

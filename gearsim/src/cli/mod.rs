@@ -101,7 +101,7 @@ pub fn main() -> ExitCode {
         command.map_or(Ok(()), |(command, (_, matches))| (command.run)(matches))
     });
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => failure::done(),
         Err(failure) => failure.report(),
     }
 }

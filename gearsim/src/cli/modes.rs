@@ -59,6 +59,8 @@ struct Report<'a> {
     mesh_frequencies: Vec<Option<f64>>,
     /// Harmonics of a mesh frequency near a damped natural frequency of the chosen cell.
     meetings: Vec<Meeting<'a>>,
+    /// Names of the other files in the same folder.
+    files: &'a [String],
     provenance: Provenance,
 }
 
@@ -118,8 +120,9 @@ impl Verb for Modes {
         if courses.iter().any(Course::turns) {
             files::figure(&mut folder, "campbell", plot::campbell::draw(&scene, &courses, &chosen), terminal::warn)?;
         }
-        let json = self.json(&scene, &courses, &springs, &chosen, &cells)?;
+        let json = self.json(&scene, &courses, &springs, &chosen, &cells, folder.files())?;
         folder.write_bytes("modes.json", json.as_bytes())?;
+        folder.commit("modes.json")?;
         let width = terminal::width();
         let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
         let written = report::files(folder.path(), folder.files(), width);
@@ -157,6 +160,7 @@ impl Modes {
         springs: &[Spring],
         chosen: &CellModes,
         cells: &[CellModes],
+        files: &[String],
     ) -> Result<String, Failure> {
         let meeting = |m: &modes::Meeting| Meeting {
             law: courses[m.law].name,
@@ -174,6 +178,7 @@ impl Modes {
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
+            files,
             provenance: provenance::of(scene, &self.source.overrides, "modes of linear cells".into()),
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;

@@ -21,7 +21,25 @@ pub(super) fn scene(scene: &Scene, width: usize) -> String {
         text += &line("about", &scene.about, width);
     }
     text += &line("model", &format!("{}, {}", scene.model.name, scene.model.title), width);
-    text + &line("effects", &effects, width)
+    text += &line("effects", &effects, width);
+    text + &torques(scene, width)
+}
+
+/// The torques on the bodies, where they are not parameters themselves: a model may have a torque per tooth.
+fn torques(scene: &Scene, width: usize) -> String {
+    if !scene.effects.names(scene.model).contains(&"torques") {
+        return String::new();
+    }
+    let at_start = if scene.varying().is_some() { " at t = 0" } else { "" };
+    let torque = |doc: &str| {
+        let (product, body) = doc.strip_prefix("torque ")?.split_once(" on the ")?;
+        let (sign, names) = product.strip_prefix('-').map_or((1.0, product), |names| (-1.0, names));
+        let factors = names.split(' ').map(|name| scene.parameter(name)).collect::<Option<Vec<_>>>()?;
+        let value = sign * factors.iter().product::<f64>();
+        (factors.len() > 1).then(|| format!("{} N*m on the {body}{at_start} ({product})", number::short(value)))
+    };
+    let torques: Vec<_> = scene.model.torques.iter().filter_map(|t| torque(t.doc)).collect();
+    if torques.is_empty() { String::new() } else { line("torques", &torques.join(", "), width) }
 }
 
 /// The outcome of a run that recorded `rows` rows.
@@ -44,14 +62,19 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         ("unaccounted for", unaccounted(summary)),
         ("time taken", time(summary, rows)),
     ];
-    lines.iter().map(|(name, text)| line(name, text, width)).collect::<String>() + &rare_lines(summary, width)
+    let mut text: String = lines.iter().map(|(name, text)| line(name, text, width)).collect();
+    if summary.refuted.is_some() {
+        text += &line("wrong result", "the energy account does not close: none of these numbers can be trusted", width);
+    }
+    text + &rare_lines(scene, summary, width)
 }
 
 /// Lines that most runs do not have.
-fn rare_lines(summary: &Summary, width: usize) -> String {
+fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
     let mut text = String::new();
-    for remark in &summary.remarks {
+    // The warnings about the scene were printed before the run.
+    for remark in summary.remarks.iter().filter(|remark| !scene.warnings.contains(remark)) {
         text += &line("note", remark, width);
     }
     if counts.holds > 0 {

@@ -57,10 +57,11 @@ impl Run {
         let none_from = outcome.digits.and_then(|digits| digits.none_from);
         let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name, none_from };
         for warning in files::plots(folder, scene, &[run])? {
-            terminal::print_err(&terminal::wrap(&format!("warning: {warning}"), terminal::width()));
+            terminal::warn(&warning);
         }
         let summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
         folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
+        folder.commit("summary.json")?;
         let width = terminal::width();
         Ok(report::scene(scene, width)
             + "\n"

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::failure::Failure;
 use super::progress::Progress;
+use super::terminal;
 use crate::analysis::digits;
 use crate::generated::MODELS;
 use crate::output::OutputFolder;
@@ -28,7 +29,9 @@ pub(super) struct Source {
 impl Source {
     /// Loads and checks the scene.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
-        self.load_with(&[])
+        let scene = self.load_with(&[])?;
+        scene.warnings.iter().for_each(|warning| terminal::warn(warning));
+        Ok(scene)
     }
 
     /// Loads and checks the scene with `further` values set.

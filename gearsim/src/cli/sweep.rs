@@ -17,6 +17,7 @@ use crate::output::OutputFolder;
 use crate::sweep::folder::{self, Folder};
 use crate::sweep::record::GROUPS;
 use crate::sweep::{Manifest, Request, Shard, Sweep};
+use crate::tolerance::scene::THREADS;
 pub(super) use plots::PlotOptions;
 pub(super) use report::{Progress, summary_text};
 
@@ -52,9 +53,9 @@ pub(super) struct SweepCommand {
     /// Runs only shard I of N of the points; `gearsim merge` joins the shards
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
     shard: Shard,
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    /// Number of threads, at most 1024 [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=THREADS))]
+    threads: Option<u16>,
     /// Print nothing but warnings and errors
     #[arg(long, short)]
     quiet: bool,
@@ -78,7 +79,7 @@ of the result depend neither on the number of threads nor on interruptions and s
 
 Groups that can be recorded:
 {groups}extremes and peak need samples at output.rate, which take longer than the motion itself: a sweep
-without them is faster.
+without them is faster. Each thread then has the rows of one run in memory, by default at most 1 GB.
 
 Examples:
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=1:100:50
@@ -122,7 +123,8 @@ impl Verb for SweepCommand {
         let todo: Vec<usize> = (0..sweep.points).filter(|point| mine(point) && !there.contains_key(point)).collect();
         let before = there.len();
         drop(there);
-        let threads = self.threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
+        let threads = self.threads.and_then(|n| NonZeroUsize::new(n.into()));
+        let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
         let mut bar = PointsBar::new(todo.len(), self.quiet);
         sweep.run(&todo, threads, |rows| Ok(folder.keep(&rows)?), |count| bar.at(count))?;
         drop(bar);
@@ -137,6 +139,6 @@ impl Verb for SweepCommand {
                 Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads: threads.get() };
             terminal::print_out(&summary_text(&path, &files, &manifest, &rows, Some(done)));
         }
-        Ok(())
+        Failure::of_points(&rows, &path)
     }
 }

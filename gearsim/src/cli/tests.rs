@@ -1,6 +1,8 @@
 //! Tests of the commands, called directly without a built program.
 
 mod advise;
+mod faults;
+mod refusals;
 mod runs;
 mod sweeps;
 mod texts;

@@ -96,6 +96,7 @@ impl WorkPrecision {
         folder.write_bytes("work_precision.png", &drawn.png().map_err(failed)?)?;
         folder.write_bytes("work_precision.md", table::markdown(&measured).as_bytes())?;
         folder.write_bytes("work_precision.csv", table::csv(&measured).as_bytes())?;
+        folder.commit("work_precision.csv")?;
         let width = terminal::width();
         let files = report::files(folder.path(), folder.files(), width);
         terminal::print_out(&format!(

@@ -18,6 +18,10 @@ pub enum Refusal {
         "the mass matrix is not positive definite: check the inertias. One is zero or negative, or so much smaller than another that rounding removes it"
     )]
     Mass,
+    #[error(
+        "the energy of the start is beyond the range of floating-point numbers, 1.8e308 J: check the speeds and coordinates in [start], and the inertias"
+    )]
+    StartOverflow,
     #[error("an entry of a matrix of the equations is not finite: check the magnitudes of the parameters")]
     Overflow,
     #[error(
@@ -61,31 +65,48 @@ pub enum Refusal {
 #[allow(missing_docs)]
 pub enum Stop {
     #[error(
-        "at t = {t} s the state is no longer finite ({state}) in cell {cell}: the motion grew beyond the range of floating-point numbers"
+        "at t = {} s the state is no longer finite ({state}) in cell {cell}: the motion grew beyond the range of floating-point numbers",
+        at(*t)
     )]
     NotFinite { t: f64, state: String, cell: usize },
     #[error(
-        "at t = {t} s, {events} events followed one another within {span:e} s ({state}, cell {cell}): a phase is pressed against a step of the stiffness that its energy cannot pass"
+        "at t = {} s, {events} events followed one another within {span:e} s ({state}, cell {cell}): a phase is pressed against a step of the stiffness that its energy cannot pass, or it turns so fast that these steps take no time compared with the vibration: check the speeds in [start]",
+        at(*t)
     )]
     Cascade { t: f64, events: usize, span: f64, state: String, cell: usize },
     #[error(
-        "at t = {t} s ({state}, cell {cell}) a phase is held at a step, and the modes of the motion with this phase held cannot be computed: {reason}"
+        "at t = {} s ({state}, cell {cell}) a phase is held at a step, and the modes of the motion with this phase held cannot be computed: {reason}",
+        at(*t)
     )]
     Held { t: f64, state: String, cell: usize, reason: Refusal },
-    #[error("at t = {t} s ({state}, cell {cell}) the modes of the cell entered there cannot be computed: {reason}")]
+    #[error(
+        "at t = {} s ({state}, cell {cell}) the modes of the cell entered there cannot be computed: {reason}",
+        at(*t)
+    )]
     Cell { t: f64, state: String, cell: usize, reason: Refusal },
-    #[error("at t = {t} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})")]
+    #[error(
+        "at t = {} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})",
+        at(*t)
+    )]
     Search { t: f64, steps: usize, state: String, cell: usize },
     #[error(
-        "at t = {t} s {method} does not meet the tolerance with steps down to {h:e} s ({state}, cell {cell}): the motion is singular there, or the tolerance is below the rounding error"
+        "at t = {} s {method} does not meet the tolerance with steps down to {h:e} s ({state}, cell {cell}): the motion is singular there, or the tolerance is below the rounding error",
+        at(*t)
     )]
     Step { t: f64, h: f64, method: &'static str, state: String, cell: usize },
     #[error(
-        "at t = {t} s the run has recorded {rows} rows, the limit output.most_rows: record less (output.events = false, a lower output.rate), end the run earlier, or raise output.most_rows"
+        "at t = {} s the run has recorded {rows} rows, the limit output.most_rows: record less (output.events = false, a lower output.rate), end the run earlier, or raise output.most_rows",
+        at(*t)
     )]
     Rows { t: f64, rows: usize },
     #[error(
-        "at t = {t} s the run has reached the limit of {steps} steps ({state}, cell {cell}): raise run.tolerance or run.step, or end the run earlier"
+        "at t = {} s the run has reached the limit of {steps} steps ({state}, cell {cell}): raise run.tolerance or run.step, or end the run earlier",
+        at(*t)
     )]
     Steps { t: f64, steps: u64, state: String, cell: usize },
+}
+
+/// A time [s], short for very small ones.
+fn at(t: f64) -> String {
+    if t != 0.0 && t.abs() < 1e-4 { format!("{t:e}") } else { format!("{t}") }
 }

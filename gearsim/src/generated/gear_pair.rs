@@ -19,17 +19,19 @@ equations! {
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         zeta "1" default 0.0, from 0.0 to inf, "damping factor of phi at the mid stiffness";
-        T0 "N*m" required, open -inf to inf, "balanced torque: T0 N1 drives, T0 N2 loads";
-        b "rad" required with backlash, open 0.0 to inf, "backlash of the mesh, in phi: no contact within b/2 to either side";
+        T0 "N*m" required, open -inf to inf, "torque per tooth: T0 N1 drives the driving gear, T0 N2 loads the driven gear";
+        b "rad" required with backlash, open 0.0 to inf,
+            "backlash of the mesh in phi, bt N1/(2 rb1) with bt along the line of action: no contact within b/2 to either side";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
         w_mix "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
     }
     laws {
-        k "N*m" phase theta period 6.283185307179586 rolling, "mesh stiffness, 2 kt (r1/N1)^2 with kt along the line of action";
+        k "N*m" phase theta period 6.283185307179586 rolling,
+            "mesh stiffness, 2 kt (rb1/N1)^2 with kt along the line of action, rb1 the base radius";
         e "rad" phase theta period 6.283185307179586 rolling with transmission_error,
-            "transmission error in phi, et N1/(2 r1) with et along the line of action";
+            "transmission error in phi, et N1/(2 rb1) with et along the line of action";
         side "1" phase theta period 6.283185307179586 rolling with sliding_friction as side,
             "share of the force of the mesh on tooth pairs beyond the pitch point, minus that on pairs before it";
         arm "rad" phase theta period 6.283185307179586 rolling with sliding_friction as arm,
@@ -88,7 +90,8 @@ equations! {
         F_mu_by_k { sliding_friction => mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
     }
     switches {
-        over "rad" (touch 1.0, edge 0.0, damp 1.0, clip 0.0) with backlash, "play of the mesh, in phi" {
+        over "rad" (touch 1.0, edge 0.0, damp 1.0, clip 0.0) with backlash,
+            "play of the mesh in phi, bt N1/(2 rb1) with bt along the line of action" {
             upper (1.0, b/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { over { _ => 1.0; } }
                 until upper_loose {

@@ -2,6 +2,7 @@
 //!
 //! Numbers that are not finite are written as `inf`, `-inf`, `NaN`. CSV has no units; the Parquet file has them.
 
+use std::borrow::Borrow;
 use std::io::Write;
 
 use super::OutputError;
@@ -9,8 +10,27 @@ use super::table::{Table, Values};
 
 /// Writes `table` to `sink`. Errors: [`OutputError::Sink`], [`OutputError::Format`].
 pub fn write(table: &Table, sink: impl Write) -> Result<(), OutputError> {
+    write_parts([Ok(table)], sink)
+}
+
+/// Writes a table given in parts, which have the same columns. Errors: those of the parts and of [`write()`].
+pub fn write_parts<T: Borrow<Table>>(
+    parts: impl IntoIterator<Item = Result<T, OutputError>>,
+    sink: impl Write,
+) -> Result<(), OutputError> {
     let mut csv = csv::Writer::from_writer(sink);
-    csv.write_record(table.columns().iter().map(|c| &c.name)).map_err(failed)?;
+    for (i, part) in parts.into_iter().enumerate() {
+        let part = part?;
+        let table = part.borrow();
+        if i == 0 {
+            csv.write_record(table.columns().iter().map(|c| &c.name)).map_err(failed)?;
+        }
+        write_rows(table, &mut csv)?;
+    }
+    Ok(csv.flush()?)
+}
+
+fn write_rows(table: &Table, csv: &mut csv::Writer<impl Write>) -> Result<(), OutputError> {
     let mut cell = String::new();
     for row in 0..table.rows() {
         for column in table.columns() {
@@ -26,7 +46,7 @@ pub fn write(table: &Table, sink: impl Write) -> Result<(), OutputError> {
         }
         csv.write_record(None::<&[u8]>).map_err(failed)?;
     }
-    Ok(csv.flush()?)
+    Ok(())
 }
 
 /// Input and output errors, e.g. a full disk, stay as they are; all others are errors of the format.

@@ -28,6 +28,16 @@ pub enum OutputError {
         /// The error of the operating system.
         source: io::Error,
     },
+    /// A result could not be written completely.
+    #[error("{error}\n  written before, and kept in {}: {}", path.display(), files.join(", "))]
+    Partial {
+        /// Why.
+        error: Box<OutputError>,
+        /// The folder of the files that are whole.
+        path: PathBuf,
+        /// Their names.
+        files: Vec<String>,
+    },
     /// A file could not be read.
     #[error("cannot read {path}: {why}")]
     Read {
@@ -69,6 +79,16 @@ impl OutputError {
     /// A [`OutputError::Format`] with `why` in words.
     pub(crate) fn format(format: &'static str, why: impl std::fmt::Display) -> Self {
         OutputError::Format { format, why: why.to_string() }
+    }
+
+    /// The error for a reader who knows the folder `to`, but not the temporary folder `from` in it.
+    pub(crate) fn moved(self, from: &Path, to: &Path) -> Self {
+        let moved = |path: PathBuf| path.strip_prefix(from).map(|name| to.join(name)).unwrap_or(path);
+        match self {
+            OutputError::Write { path, source } => OutputError::Write { path: moved(path), source },
+            OutputError::CreateFolder { path, source } => OutputError::CreateFolder { path: moved(path), source },
+            other => other,
+        }
     }
 
     /// Adds `path` to an error of a sink; other errors are returned unchanged.

@@ -1,51 +1,55 @@
-//! The output folder of a run. Every file in it is complete, or absent.
+//! The output folder of a command. The files of a result are written to a folder of their own inside it, and take the place of an
+//! earlier result when all of them are whole ([`super::swap`]). Until then the earlier result is unchanged.
 
-use std::io::{self, BufWriter, Write};
-use std::path::{Component, Path, PathBuf};
+use std::fs::File;
+use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, NamedTempFile};
+use tempfile::{Builder, TempDir};
 
-use super::OutputError;
+use super::whole::{TEMPORARY, create_folder};
+use super::{OutputError, Sink, WholeFiles, fault, swap};
 
-/// The buffered writer that a file is written to; it gets its final name later.
-pub type Sink<'a> = &'a mut (dyn Write + Send);
+/// Subfolder of the files that were whole when a command failed to write another one.
+const PARTIAL: &str = "incomplete";
 
-/// An output folder and the files written to it so far.
+/// An output folder, and the result that is being written to it.
 #[derive(Debug)]
 pub struct OutputFolder {
     path: PathBuf,
-    files: Vec<String>,
+    staged: WholeFiles,
+    /// The folder of the staged files; removed with all in it when dropped.
+    staging: Option<TempDir>,
+    /// Lock that tells other processes that the staged files are not left over. Held while this process writes.
+    _lock: Option<File>,
 }
 
 impl OutputFolder {
-    /// Opens the folder at `path`; creates it and its parents if missing.
+    /// Opens the folder at `path`; creates it and its parents if missing. Removes what interrupted commands left in it.
     ///
-    /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`].
+    /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`], [`OutputError::Write`].
     pub fn create(path: impl Into<PathBuf>) -> Result<Self, OutputError> {
         let path = path.into();
         if path.exists() && !path.is_dir() {
             return Err(OutputError::NotAFolder { path });
         }
         create_folder(&path)?;
-        Ok(OutputFolder { path, files: vec![] })
+        let failed = |source| OutputError::Write { path: path.clone(), source };
+        fault::point().map_err(failed)?;
+        // Another process that opens the folder must not find the staging folder before it is locked.
+        let _folder = lock(&path, true);
+        WholeFiles::create(&path)?.clear_leftovers();
+        let _ = std::fs::remove_dir_all(path.join(PARTIAL));
+        let staging = staging_in(&path).map_err(failed)?;
+        let lock = lock(staging.path(), false);
+        let staged = WholeFiles::create(staging.path())?;
+        Ok(OutputFolder { path, staged, staging: Some(staging), _lock: lock })
     }
 
     /// Checks that [`OutputFolder::create`] would succeed and the folder could be written to. Creates nothing that stays.
     ///
     /// Errors: [`OutputError::NotAFolder`], [`OutputError::CreateFolder`], [`OutputError::Write`].
     pub fn probe(path: &Path) -> Result<(), OutputError> {
-        if path.is_dir() {
-            let unwritable = |source| OutputError::Write { path: path.to_owned(), source };
-            return tempfile::tempfile_in(path).map(drop).map_err(unwritable);
-        }
-        if path.exists() {
-            return Err(OutputError::NotAFolder { path: path.to_owned() });
-        }
-        // The new folder will be created in its nearest existing ancestor.
-        let above = path.ancestors().skip(1).find(|above| above.exists());
-        let above = above.filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let cannot = |source| OutputError::CreateFolder { path: path.to_owned(), source };
-        tempfile::tempfile_in(above).map(drop).map_err(cannot)
+        WholeFiles::probe(path)
     }
 
     /// Path of the folder.
@@ -55,127 +59,83 @@ impl OutputFolder {
 
     /// Names of the files written, relative to the folder, in the order of writing.
     pub fn files(&self) -> &[String] {
-        &self.files
+        self.staged.files()
     }
 
-    /// Writes the file `name` with `fill`; the name may contain a subfolder: `plots/energy.svg`.
+    /// Writes the file `name` of the result with `fill`. It appears in the folder with [`OutputFolder::commit`].
     ///
-    /// `fill` writes to a temporary file in the same folder. It gets the final name only when it is complete and on the disk. If
-    /// anything fails, an older file of that name is unchanged.
-    ///
-    /// Errors: those of `fill`; [`OutputError::BadName`], [`OutputError::CreateFolder`], [`OutputError::Write`].
+    /// Errors: those of [`WholeFiles::write`]. If other files of the result are whole, they are kept in the subfolder `incomplete`, and
+    /// the error is an [`OutputError::Partial`].
     pub fn write(
         &mut self,
         name: &str,
         fill: impl FnOnce(Sink<'_>) -> Result<(), OutputError>,
     ) -> Result<(), OutputError> {
-        let path = self.resolve(name)?;
-        let folder = path.parent().unwrap_or(&self.path);
-        create_folder(folder)?;
-        let failed = |source: io::Error| OutputError::Write { path: path.clone(), source };
-
-        let mut sink = BufWriter::new(temporary_in(folder).map_err(failed)?);
-        fill(&mut sink).map_err(|e| e.at(&path))?;
-        let file = sink.into_inner().map_err(|e| failed(e.into_error()))?;
-        // Without this, a crash of the machine may leave an empty file under the final name.
-        file.as_file().sync_all().map_err(failed)?;
-        file.persist(&path).map_err(|e| failed(e.error))?;
-
-        if !self.files.iter().any(|f| f == name) {
-            self.files.push(name.to_owned());
-        }
-        Ok(())
+        let written = self.staged.write(name, fill).map_err(|error| error.moved(self.staged.path(), &self.path));
+        written.map_err(|error| self.keep_partial(error))
     }
 
     /// Writes the file `name` with the given content. Errors: as [`OutputFolder::write`].
     pub fn write_bytes(&mut self, name: &str, content: &[u8]) -> Result<(), OutputError> {
-        self.write(name, |sink| Ok(sink.write_all(content)?))
+        self.write(name, |sink| Ok(std::io::Write::write_all(sink, content)?))
     }
 
-    /// The full path of `name`, which must stay inside the folder.
-    fn resolve(&self, name: &str) -> Result<PathBuf, OutputError> {
-        let inside = Path::new(name).components().all(|c| matches!(c, Component::Normal(_)));
-        if name.is_empty() || !inside {
-            return Err(OutputError::BadName { name: name.to_owned() });
+    /// Puts the files written in the place of an earlier result. `index` is the file of the result that names its other files; it
+    /// appears last.
+    ///
+    /// Errors: [`OutputError::Write`], [`OutputError::Partial`].
+    pub fn commit(&mut self, index: &str) -> Result<(), OutputError> {
+        let _folder = lock(&self.path, true);
+        let swapped = swap::swap(&self.path, self.staged.path(), self.staged.files(), index);
+        swapped.map_err(|error| self.keep_partial(error))?;
+        self.staging.take();
+        Ok(())
+    }
+
+    /// Keeps the files that are whole, because what was computed would be lost otherwise.
+    fn keep_partial(&mut self, error: OutputError) -> OutputError {
+        let to = self.path.join(PARTIAL);
+        let kept = match &self.staging {
+            Some(staging) if !self.staged.files().is_empty() && fault::point().is_ok() => {
+                (!to.exists() || std::fs::remove_dir_all(&to).is_ok()) && std::fs::rename(staging.path(), &to).is_ok()
+            }
+            _ => false,
+        };
+        if !kept {
+            return error;
         }
-        Ok(self.path.join(name))
+        self.staging.take();
+        OutputError::Partial { error: Box::new(error), path: to, files: self.files().to_vec() }
     }
 }
 
-fn create_folder(path: &Path) -> Result<(), OutputError> {
-    std::fs::create_dir_all(path).map_err(|source| OutputError::CreateFolder { path: path.to_owned(), source })
+impl Drop for OutputFolder {
+    fn drop(&mut self) {
+        // A process that is killed does not clear up.
+        if fault::point().is_err() {
+            self.staging.take().map(TempDir::keep);
+        }
+    }
 }
 
-/// A temporary file whose permissions are those of an ordinary new file (0666 less the umask), since it becomes the final file.
-fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
+/// A temporary folder with the permissions of an ordinary new folder, since it may become the folder of a partial result.
+fn staging_in(folder: &Path) -> std::io::Result<TempDir> {
     let mut builder = Builder::new();
-    builder.prefix(".gearsim-");
+    builder.prefix(TEMPORARY);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
+        builder.permissions(std::fs::Permissions::from_mode(0o777));
     }
-    builder.tempfile_in(folder)
+    builder.tempdir_in(folder)
+}
+
+/// Locks a folder until the file is closed; `None` if it is locked, or if the file system has no locks. `wait`: waits for the lock.
+pub(super) fn lock(folder: &Path, wait: bool) -> Option<File> {
+    let file = File::open(folder).ok()?;
+    let locked = if wait { file.lock().is_ok() } else { file.try_lock().is_ok() };
+    locked.then_some(file)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<_> =
-            std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-
-    #[test]
-    fn files_are_written_and_listed_once() {
-        let root = tempfile::tempdir().unwrap();
-        let mut folder = OutputFolder::create(root.path().join("a/b")).unwrap();
-        folder.write_bytes("plots/energy.svg", b"<svg/>").unwrap();
-        folder.write_bytes("summary.json", b"1").unwrap();
-        folder.write_bytes("summary.json", b"2").unwrap();
-        assert_eq!(folder.files(), ["plots/energy.svg", "summary.json"]);
-        assert_eq!(std::fs::read(folder.path().join("summary.json")).unwrap(), b"2");
-        assert_eq!(names(folder.path()), ["plots", "summary.json"]);
-    }
-
-    #[test]
-    fn a_failing_writer_leaves_no_file_and_keeps_an_older_one() {
-        let root = tempfile::tempdir().unwrap();
-        let mut folder = OutputFolder::create(root.path()).unwrap();
-        let fail = |sink: Sink<'_>| {
-            sink.write_all(b"half")?;
-            Err(OutputError::format("CSV", "stopped"))
-        };
-        assert!(folder.write("trajectory.csv", fail).is_err());
-        assert!(names(root.path()).is_empty());
-        assert!(folder.files().is_empty());
-
-        folder.write_bytes("trajectory.csv", b"whole").unwrap();
-        assert!(folder.write("trajectory.csv", fail).is_err());
-        assert_eq!(std::fs::read(root.path().join("trajectory.csv")).unwrap(), b"whole");
-        assert_eq!(names(root.path()), ["trajectory.csv"]);
-    }
-
-    #[test]
-    fn names_outside_the_folder_are_refused() {
-        let root = tempfile::tempdir().unwrap();
-        let mut folder = OutputFolder::create(root.path()).unwrap();
-        for name in ["", "../x", "/etc/x", "a/../../x"] {
-            assert!(matches!(folder.write_bytes(name, b""), Err(OutputError::BadName { .. })), "{name}");
-        }
-    }
-
-    #[test]
-    fn errors_of_folders_suggest_another_one() {
-        let root = tempfile::tempdir().unwrap();
-        let file = root.path().join("file");
-        std::fs::write(&file, "").unwrap();
-        let at = OutputFolder::create(&file).unwrap_err().to_string();
-        assert!(at.contains("it is a file; choose another with --out"), "{at}");
-        let below = OutputFolder::create(file.join("deeper")).unwrap_err().to_string();
-        assert!(below.starts_with("cannot create folder") && below.contains("--out"), "{below}");
-    }
-}
+mod tests;

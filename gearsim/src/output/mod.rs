@@ -1,19 +1,25 @@
 //! The files that a run writes: a folder with its trajectory, its summary and its plots.
 //!
 //! [`table::Table`] is a table of columns with units, e.g. of a trajectory. [`parquet`] and [`csv`] write it, [`summary`] defines
-//! `summary.json`, and [`files::OutputFolder`] writes every file completely or not at all.
+//! `summary.json`. [`OutputFolder`] writes a result completely or not at all, [`WholeFiles`] single files.
 
+mod checksum;
 pub mod csv;
 mod error;
-pub mod files;
+pub(crate) mod fault;
+mod files;
 pub mod parquet;
 pub mod summary;
+mod swap;
 pub mod table;
+mod whole;
 
 pub use error::OutputError;
 pub use files::OutputFolder;
 pub use summary::Summary;
+pub use swap::MARKER;
 pub use table::Table;
+pub use whole::{Sink, WholeFiles};
 
 #[cfg(test)]
 pub(crate) mod fixture;

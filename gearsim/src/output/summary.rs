@@ -1,21 +1,32 @@
 //! `summary.json`: the scene and method of a run, its end state, its energy account and its processor time.
 //!
-//! All numbers are in SI units, in the shortest form that reads back bit for bit. JSON has no infinite numbers and no NaN: they are
-//! the strings `"inf"`, `"-inf"` and `"nan"`, never `null`, see [`Number`].
+//! All numbers are in SI units, in the shortest form that reads back bit for bit. JSON has no infinite numbers and no NaN: such a
+//! number is `null`, and `missing` gives the reason, see [`Number`]. The format is described by the JSON Schema
+//! `summary.schema.json` beside this file. A change that a reader of the file could notice raises [`VERSION`].
 
+use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::de::{self, MapAccess, Visitor};
+use serde::de::{MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::OutputError;
 use crate::trajectory::Trajectory;
 
+/// Name of the format of `summary.json`.
+pub const FORMAT: &str = "gearsim.summary";
+/// Version of the format. Files of version 0 have neither `format` nor `version`.
+pub const VERSION: u32 = 1;
+
 /// The content of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Summary {
+    /// [`FORMAT`].
+    pub format: String,
+    /// [`VERSION`].
+    pub version: u32,
     /// Name of the scene.
     pub scene: String,
     /// Name of the model.
@@ -46,8 +57,12 @@ pub struct Summary {
     pub completed: bool,
     /// Why it stopped early; `null` if it did not.
     pub stopped_by: Option<String>,
+    /// Why the result is wrong, by its energy account; `null` if the account closes.
+    pub refuted: Option<String>,
     /// Parameter values [SI], in the order of the model.
     pub parameters: Named,
+    /// Why a number is `null`, by the path of the number: `parameters.b`.
+    pub missing: BTreeMap<String, String>,
     /// Names of the other files of the run in the same folder.
     pub files: Vec<String>,
     /// Program, scene and solver that made the result.
@@ -137,6 +152,35 @@ pub struct Provenance {
 }
 
 impl Summary {
+    /// Fills `missing`: the reason for every number that is not finite.
+    pub fn note_missing(&mut self) {
+        let Energy { kinetic, strain, work, dissipated, residual, at_start, largest } = self.energy;
+        let energy = [
+            ("kinetic", kinetic),
+            ("strain", strain),
+            ("work", work),
+            ("dissipated", dissipated),
+            ("residual", residual),
+            ("at_start", at_start),
+            ("largest", largest),
+        ];
+        let others =
+            [("t_end", self.t_end), ("counts.ignored", self.counts.ignored), ("cpu_seconds", self.cpu_seconds)];
+        let computed = (others.into_iter().map(|(name, x)| (name.to_owned(), x)))
+            .chain(energy.into_iter().map(|(name, x)| (format!("energy.{name}"), x)))
+            .chain(self.state.0.iter().map(|(name, x)| (format!("state.{name}"), *x)));
+        let reason = |x: Number| match x.0 {
+            x if x.is_nan() => "not a number: the run has no row, or the motion left the range of numbers",
+            _ => "infinite: the motion left the range of numbers",
+        };
+        let computed = computed.map(|(path, x)| (path, x, reason(x)));
+        let parameters = self.parameters.0.iter();
+        let given = parameters
+            .map(|(name, x)| (format!("parameters.{name}"), *x, "not given: no effect of the scene needs it"));
+        let missing = computed.chain(given).filter(|(_, x, _)| !x.0.is_finite());
+        self.missing = missing.map(|(path, _, why)| (path, why.to_owned())).collect();
+    }
+
     /// The text of `summary.json`. Errors: [`OutputError::Format`].
     pub fn json(&self) -> Result<String, OutputError> {
         let text = serde_json::to_string_pretty(self).map_err(|e| OutputError::format("JSON", e))?;
@@ -160,7 +204,7 @@ impl Energy {
     }
 }
 
-/// A number that may be infinite or NaN. In JSON, finite numbers are numbers, others the strings `"inf"`, `"-inf"`, `"nan"`.
+/// A number that may be infinite or NaN. JSON has no such numbers: they are `null`, and read back as NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number(pub f64);
 
@@ -172,32 +216,13 @@ impl From<f64> for Number {
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            x if x.is_finite() => s.serialize_f64(x),
-            x if x.is_nan() => s.serialize_str("nan"),
-            x if x > 0.0 => s.serialize_str("inf"),
-            _ => s.serialize_str("-inf"),
-        }
+        self.0.is_finite().then_some(self.0).serialize(s)
     }
 }
 
 impl<'de> Deserialize<'de> for Number {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(untagged)]
-        enum Form {
-            Finite(f64),
-            Word(String),
-        }
-        match Form::deserialize(d)? {
-            Form::Finite(x) => Ok(Number(x)),
-            Form::Word(word) => match word.as_str() {
-                "inf" => Ok(Number(f64::INFINITY)),
-                "-inf" => Ok(Number(f64::NEG_INFINITY)),
-                "nan" => Ok(Number(f64::NAN)),
-                _ => Err(de::Error::custom(format!("`{word}` is not a number"))),
-            },
-        }
+        Ok(Number(Option::deserialize(d)?.unwrap_or(f64::NAN)))
     }
 }
 
@@ -261,69 +286,4 @@ impl<'de> Deserialize<'de> for Named {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::output::fixture::oscillator;
-
-    fn summary() -> Summary {
-        let run = oscillator(1000);
-        Summary {
-            scene: "energy_300rpm".into(),
-            model: run.model.name.into(),
-            effects: vec!["damping".into()],
-            t_end: Number(0.1),
-            state: Named::state(&run),
-            cell_changes: 12,
-            reflections: 0,
-            energy: Energy::at_end(&run).unwrap(),
-            method: Method { name: "exact".into(), why: "linear cells".into(), steps: 0, rejected: 0 },
-            counts: Counts {
-                function_evaluations: 1,
-                root_steps: 2,
-                grazes: 3,
-                holds: 4,
-                impacts: 5,
-                ignored: Number(5e-12),
-                ambiguous: 6,
-            },
-            digits: Some(Digits { at_end: Number(11.5), none_from: None }),
-            remarks: vec!["one of two equilibria".into()],
-            cpu_seconds: Number(0.01),
-            completed: false,
-            stopped_by: Some("stalled".into()),
-            parameters: [("T0", 10.0), ("I1", 1.0 / 3.0)].into_iter().collect(),
-            files: vec!["trajectory.parquet".into()],
-            provenance: Provenance {
-                program: "gearsim".into(),
-                version: "0.1.0".into(),
-                commit: None,
-                scene_sha256: "00".into(),
-                solver: "closed form".into(),
-                overrides: vec![],
-            },
-        }
-    }
-
-    #[test]
-    fn a_summary_reads_back_as_written_and_in_order() {
-        let written = summary();
-        let text = written.json().unwrap();
-        assert_eq!(serde_json::from_str::<Summary>(&text).unwrap(), written);
-        let place = |key: &str| text.find(&format!("\"{key}\"")).unwrap();
-        assert!(place("theta") < place("theta_dot") && place("theta_dot") < place("phi"));
-        assert!(place("T0") < place("I1"));
-    }
-
-    #[test]
-    fn infinite_numbers_and_nan_are_strings() {
-        let mut odd = summary();
-        odd.cpu_seconds = Number(f64::NEG_INFINITY);
-        odd.parameters = [("cap", f64::INFINITY), ("x", f64::NAN)].into_iter().collect();
-        let text = odd.json().unwrap();
-        assert!(text.contains(r#""cpu_seconds": "-inf""#), "{text}");
-        let back: Summary = serde_json::from_str(&text).unwrap();
-        assert_eq!(back.parameters.get("cap"), Some(f64::INFINITY));
-        assert!(back.parameters.get("x").unwrap().is_nan());
-        assert!(serde_json::from_str::<Number>("\"much\"").is_err());
-    }
-}
+mod tests;

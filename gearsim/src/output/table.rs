@@ -1,6 +1,7 @@
 //! A table of named columns with units; all results with rows are written as such tables.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use super::OutputError;
 use crate::trajectory::Trajectory;
@@ -87,28 +88,47 @@ impl Table {
     ///
     /// Errors: [`OutputError::Ragged`] if a column has not exactly one entry per row.
     pub fn of_trajectory(run: &Trajectory) -> Result<Self, OutputError> {
-        let number = |v: &Vec<f64>| Values::Number(v.clone());
-        let moment = run.moment.iter().map(|m| Cow::Borrowed(m.name())).collect();
-        let energy: Vec<f64> = (run.kinetic.iter().zip(&run.strain).zip(&run.work))
-            .map(|((kinetic, strain), work)| kinetic + strain - work)
-            .collect();
+        Self::of_rows(run, 0..run.len())
+    }
+
+    /// The tables of a trajectory in parts of `rows` rows, the last of which may be shorter; one empty part if it has no rows. A
+    /// long trajectory is written part by part, so that it is not held in memory twice.
+    pub fn parts(run: &Trajectory, rows: usize) -> impl Iterator<Item = Result<Self, OutputError>> {
+        let parts = run.len().div_ceil(rows).max(1);
+        (0..parts).map(move |i| Self::of_rows(run, i * rows..run.len().min((i + 1) * rows)))
+    }
+
+    /// The table of some rows of a trajectory. Errors: [`OutputError::Ragged`].
+    fn of_rows(run: &Trajectory, rows: Range<usize>) -> Result<Self, OutputError> {
+        let part = |name: &str, v: &[f64]| match v.get(rows.clone()) {
+            Some(part) => Ok(part.to_vec()),
+            None => Err(OutputError::Ragged { column: name.to_owned(), rows: v.len(), expected: run.len() }),
+        };
+        let number = |name: &str, v: &[f64]| part(name, v).map(Values::Number);
+        let moment = run.moment.iter().skip(rows.start).take(rows.len()).map(|m| Cow::Borrowed(m.name())).collect();
 
         let mut table = Table::default();
-        table.push("t", "s", number(&run.t))?;
+        table.push("t", "s", number("t", &run.t)?)?;
         table.push("moment", "", Values::Text(moment))?;
         for ((coordinate, q), q_dot) in run.model.coordinates.iter().zip(&run.q).zip(&run.q_dot) {
             let (name, unit) = (coordinate.name, coordinate.unit);
-            table.push(name, unit, number(q))?;
-            table.push(&format!("{name}_dot"), &format!("{unit}/s"), number(q_dot))?;
+            table.push(name, unit, number(name, q)?)?;
+            let speed = format!("{name}_dot");
+            table.push(&speed, &format!("{unit}/s"), number(&speed, q_dot)?)?;
         }
-        table.push("kinetic", "J", number(&run.kinetic))?;
-        table.push("strain", "J", number(&run.strain))?;
-        table.push("work", "J", number(&run.work))?;
+        let (kinetic, strain) = (part("kinetic", &run.kinetic)?, part("strain", &run.strain)?);
+        let work = part("work", &run.work)?;
+        let energy = kinetic.iter().zip(&strain).zip(&work).map(|((kinetic, strain), work)| kinetic + strain - work);
+        let energy = energy.collect();
+        table.push("kinetic", "J", Values::Number(kinetic))?;
+        table.push("strain", "J", Values::Number(strain))?;
+        table.push("work", "J", Values::Number(work))?;
         for (torque, work) in run.model.torques.iter().zip(&run.torque_work) {
-            table.push(&format!("work_{}", torque.name), "J", number(work))?;
+            let name = format!("work_{}", torque.name);
+            table.push(&name, "J", number(&name, work)?)?;
         }
-        table.push("dissipated", "J", number(&run.dissipated))?;
-        table.push("residual", "J", number(&run.residual))?;
+        table.push("dissipated", "J", number("dissipated", &run.dissipated)?)?;
+        table.push("residual", "J", number("residual", &run.residual)?)?;
         table.push("energy", "J", Values::Number(energy))?;
         Ok(table)
     }

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Place};
 use super::mistake::{Report, did_you_mean};
-use super::{Scene, effects, field, keys, laws, output, parameters, start};
+use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, start};
 use crate::model::Model;
 
 const KEYS: [&str; 8] = ["about", "model", "effects", "parameters", "laws", "start", "run", "output"];
@@ -36,7 +36,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
 
     let (effects, parameters, laws, start) = of_model?;
     let (parameters, time_histories) = parameters?;
-    Some(Scene {
+    let scene = Scene {
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
@@ -49,7 +49,10 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         solver: solver?,
         output: output?,
         hash: String::new(),
-    })
+        warnings: vec![],
+    };
+    gear_data::check(&scene, entries, report);
+    Some(scene)
 }
 
 /// Reports keys that are not allowed at the top level. For a key that belongs to a table, the help names that table.

@@ -1,6 +1,7 @@
 //! Mistakes in a scene file, shown with the marked line: what is wrong, where, what is allowed, and what to do.
 
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
 
 use miette::{
@@ -8,6 +9,7 @@ use miette::{
 };
 
 use super::document::Place;
+use crate::tolerance::scene::{QUOTED, SHOWN_MISTAKES};
 
 /// One mistake in a scene.
 #[derive(Debug, Clone, thiserror::Error, Diagnostic)]
@@ -29,13 +31,16 @@ pub struct SceneMistakes {
     scene: String,
     #[related]
     mistakes: Vec<Mistake>,
+    /// Number of further mistakes.
+    more: usize,
 }
 
 impl SceneMistakes {
     /// The error of a file that could not be read.
     pub(super) fn unreadable(scene: &str, message: String, help: &str) -> SceneMistakes {
-        let mistake = Mistake { message, label: String::new(), help: help.to_string(), span: None, text: None };
-        SceneMistakes { scene: scene.to_string(), mistakes: vec![mistake] }
+        let mistake =
+            Mistake { message: brief(&message), label: String::new(), help: help.to_string(), span: None, text: None };
+        SceneMistakes { scene: scene.to_string(), mistakes: vec![mistake], more: 0 }
     }
 
     /// The mistakes, in the order in which they are shown.
@@ -71,8 +76,11 @@ impl SceneMistakes {
 impl fmt::Display for SceneMistakes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.mistakes.len() {
-            1 => write!(f, "scene {} has a mistake", self.scene),
-            n => write!(f, "scene {} has {n} mistakes", self.scene),
+            n if self.more > 0 => {
+                write!(f, "scene {} has {} mistakes, of which {n} are shown", shown(&self.scene), n + self.more)
+            }
+            1 => write!(f, "scene {} has a mistake", shown(&self.scene)),
+            n => write!(f, "scene {} has {n} mistakes", shown(&self.scene)),
         }
     }
 }
@@ -84,16 +92,28 @@ impl std::error::Error for SceneMistakes {}
 pub(crate) struct Report {
     sources: Vec<NamedSource<Arc<str>>>,
     mistakes: Vec<(Place, Mistake)>,
+    warnings: Vec<String>,
+    /// Number of mistakes that were found, but are not kept.
+    more: usize,
 }
 
 impl Report {
     pub(crate) fn new() -> Report {
-        Report { sources: Vec::new(), mistakes: Vec::new() }
+        Report { sources: Vec::new(), mistakes: Vec::new(), warnings: Vec::new(), more: 0 }
+    }
+
+    /// Adds a warning: the scene is allowed, but a reader may have meant something else.
+    pub(crate) fn warn(&mut self, warning: String) {
+        self.warnings.push(warning);
+    }
+
+    pub(crate) fn into_warnings(self) -> Vec<String> {
+        self.warnings
     }
 
     /// Adds a text that mistakes can refer to, and returns its index.
     pub(crate) fn source(&mut self, name: &str, text: &str) -> usize {
-        self.sources.push(NamedSource::new(name, Arc::from(text)));
+        self.sources.push(NamedSource::new(shown(name), Arc::from(text)));
         self.sources.len() - 1
     }
 
@@ -110,12 +130,23 @@ impl Report {
         label: impl Into<String>,
         help: impl Into<String>,
     ) {
+        if self.mistakes.len() >= SHOWN_MISTAKES {
+            self.more += 1;
+            return;
+        }
+        let (text, span) = match self.sources.get(place.source) {
+            Some(source) => {
+                let (text, span) = excerpt(source, place.span.clone());
+                (Some(text), span)
+            }
+            None => (None, place.span.clone()),
+        };
         let mistake = Mistake {
-            message: message.into(),
-            label: label.into(),
-            help: help.into(),
-            span: Some(place.span.clone().into()),
-            text: self.sources.get(place.source).cloned(),
+            message: brief(&message.into()),
+            label: brief(&label.into()),
+            help: brief(&help.into()),
+            span: Some(span.into()),
+            text,
         };
         self.mistakes.push((place.clone(), mistake));
     }
@@ -126,8 +157,70 @@ impl Report {
 
     pub(crate) fn into_mistakes(mut self, scene: &str) -> SceneMistakes {
         self.mistakes.sort_by_key(|(place, _)| (place.source, place.span.start));
-        SceneMistakes { scene: scene.to_string(), mistakes: self.mistakes.into_iter().map(|(_, p)| p).collect() }
+        let more = self.more;
+        SceneMistakes { scene: scene.to_string(), more, mistakes: self.mistakes.into_iter().map(|(_, p)| p).collect() }
     }
+}
+
+/// The text round a mistake, and the span of the mistake in it. A line that is too long to be shown is cut on both sides. Control
+/// characters, which a terminal would obey, become question marks.
+fn excerpt(source: &NamedSource<Arc<str>>, span: Range<usize>) -> (NamedSource<Arc<str>>, Range<usize>) {
+    let text = source.inner();
+    let start = text[..floor(text, span.start)].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[floor(text, span.start)..].find('\n').map_or(text.len(), |at| floor(text, span.start) + at);
+    let plain = !text.contains(is_control);
+    if end - start <= QUOTED && plain {
+        return (source.clone(), span);
+    }
+    let tame = |part: &str| -> String {
+        // As many bytes as before, so that spans stay right.
+        part.chars()
+            .map(|c| {
+                if c == '\r' {
+                    " ".into()
+                } else if is_control(c) {
+                    "?".repeat(c.len_utf8())
+                } else {
+                    c.into()
+                }
+            })
+            .collect()
+    };
+    if end - start <= QUOTED {
+        return (NamedSource::new(source.name(), Arc::from(tame(text))), span);
+    }
+    let (from, to) = (
+        floor(text, span.start.saturating_sub(QUOTED / 4).max(start)),
+        floor(text, (span.start + QUOTED / 4).min(end)),
+    );
+    let line = text[..start].matches('\n').count() + 1;
+    let name = format!("{}, a part of line {line}, from byte {}", source.name(), from - start);
+    let span = span.start.clamp(from, to) - from..span.end.clamp(from, to) - from;
+    (NamedSource::new(name, Arc::from(tame(&text[from..to]))), span)
+}
+
+/// The largest place up to `at` at which a character begins.
+fn floor(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+}
+
+/// A text for a message: not longer than can be read, and with its control characters shown.
+fn brief(text: &str) -> String {
+    match text.char_indices().nth(4 * QUOTED) {
+        Some((at, _)) => shown(&text[..at]) + " ...",
+        None => shown(text),
+    }
+}
+
+/// Whether a terminal would obey a character; not a line end or a tab.
+fn is_control(c: char) -> bool {
+    c.is_control() && c != '\n' && c != '\t'
+}
+
+/// A text in which control characters are shown as in Rust: `\u{1b}`.
+pub(crate) fn shown(text: &str) -> String {
+    let show = |c: char| if is_control(c) { c.escape_default().to_string() } else { c.to_string() };
+    text.chars().map(show).collect()
 }
 
 /// The candidate nearest to `word`: the smallest Damerau-Levenshtein distance without case, if at most a third of the word's length.

@@ -70,7 +70,7 @@
 //! events = true                               # record both sides of each event; default
 //! plots = ["energy", "motion", "spectrum"]    # default
 //! csv = false                                 # default
-//! most_rows = 1e7                             # the run stops when this many rows are recorded; default: as many as fit in 4 GB
+//! most_rows = 1e7                             # the run stops when this many rows are recorded; default: as many as fit in 1 GB
 //! ```
 
 mod check;
@@ -80,6 +80,7 @@ pub(crate) mod document;
 mod effects;
 mod field;
 mod friction;
+mod gear_data;
 mod key_unit;
 mod keys;
 mod laws;
@@ -104,7 +105,7 @@ pub mod unit;
 
 pub use key_unit::unit_of;
 pub use mistake::{Mistake, SceneMistakes};
-pub(crate) use mistake::{did_you_mean, list};
+pub(crate) use mistake::{did_you_mean, list, shown};
 pub use solver::{Precision, Solver};
 pub use template::Template;
 pub use time_history::TimeHistory;
@@ -142,6 +143,8 @@ pub struct Scene {
     pub output: Output,
     /// SHA-256 of the scene's text and overrides, in hexadecimal. It identifies the scene in every output.
     pub hash: String,
+    /// What is allowed, but odd: a sentence each.
+    pub warnings: Vec<String>,
 }
 
 impl Scene {

@@ -4,7 +4,7 @@ use super::document::{Entry, Node};
 use super::mistake::Report;
 use super::{Output, PLOTS, Solver, field, keys, solver};
 use crate::model::Model;
-use crate::tolerance::scene::{ROW_MEMORY, SHORTEST_RUN};
+use crate::tolerance::scene::{MOST_ROW_MEMORY, ROW_MEMORY, SHORTEST_RUN};
 use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
@@ -26,7 +26,8 @@ pub(super) fn read_run(
     let Some(given) = field::table("run", run, report) else { return (None, None) };
     let allowed: Vec<_> = ["t_end"].into_iter().chain(solver::KEYS).collect();
     keys::known(given, "[run]", &allowed, report);
-    (read_end(given, run, report), solver::read(given, run, report))
+    let t_end = read_end(given, run, report);
+    (t_end, solver::read(given, run, t_end, report))
 }
 
 fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
@@ -67,7 +68,7 @@ pub(super) fn read(
         None => Some((0..PLOTS.len()).collect()),
     };
     let most_rows = match keys::get(given, "most_rows") {
-        Some(node) => read_most_rows(node, report),
+        Some(node) => read_most_rows(node, model, report),
         None => model.map(|model| ROW_MEMORY / Trajectory::bytes_of_row(model) as f64),
     };
     let rate = match keys::get(given, "rate") {
@@ -78,11 +79,18 @@ pub(super) fn read(
     Some(Output { rate: rate?, events: events?, plots, csv: csv?, most_rows: most_rows? as u64 })
 }
 
-fn read_most_rows(node: &Node, report: &mut Report) -> Option<f64> {
+fn read_most_rows(node: &Node, model: Option<&Model>, report: &mut Report) -> Option<f64> {
     let rows = field::quantity("output.most_rows", node, "1", report)?;
     if rows < 2.0 || rows.fract() != 0.0 {
         let what = "give the largest number of rows to record, e.g. 1e7";
         field::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
+        return None;
+    }
+    let bytes = Trajectory::bytes_of_row(model?) as f64;
+    if rows * bytes > MOST_ROW_MEMORY {
+        let must = format!("must be at most {:.1e}", MOST_ROW_MEMORY / bytes);
+        let what = format!("a row takes {bytes} bytes, and rows may take {} GB", MOST_ROW_MEMORY / 1e9);
+        field::out_of_range("output.most_rows", node, &must, &what, report);
         return None;
     }
     Some(rows)

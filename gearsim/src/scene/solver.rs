@@ -84,8 +84,8 @@ impl Default for Solver {
     }
 }
 
-/// Reads the solver's keys of `[run]`. The caller reads the others.
-pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<Solver> {
+/// Reads the solver's keys of `[run]`, a run until `t_end` [s]. The caller reads the others.
+pub(super) fn read(run: &[Entry], place: &Node, t_end: Option<f64>, report: &mut Report) -> Option<Solver> {
     let method = match keys::get(run, "method") {
         None => Some(None),
         Some(node) => read_method(node, report).map(Some),
@@ -97,9 +97,21 @@ pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<S
         let why = if exact { "leave it out: it is exact" } else { "leave it out: its step is fixed, give `step`" };
         report.add(&node.place, "this method has no tolerance".to_string(), "out of place", why);
     }
-    if let Some(node) = step.filter(|_| fixed == Some(false)) {
-        let why = "leave it out: it chooses its steps from `tolerance`; `rk4` has a fixed step";
-        report.add(&node.place, "this method has no fixed step".to_string(), "out of place", why);
+    if let Some(node) = step.filter(|_| fixed != Some(true)) {
+        let (what, why) = match method {
+            // Without a name the exact method or an adaptive one is chosen: neither would use the step.
+            Some(None) => {
+                ("`run.step` is given, but no method with a fixed step", "add method = \"rk4\", or leave out `step`")
+            }
+            _ if exact => ("this method has no steps", "leave it out: it is exact; `rk4` has a fixed step"),
+            _ => (
+                "this method has no fixed step",
+                "leave it out: it chooses its steps from `tolerance`; `rk4` has a fixed step",
+            ),
+        };
+        if method.is_some() {
+            report.add(&node.place, what, "out of place", why);
+        }
     }
     if fixed == Some(true) && step.is_none() {
         let line = "step = \"... s\"  # the fixed step length".to_string();
@@ -118,18 +130,30 @@ pub(super) fn read(run: &[Entry], place: &Node, report: &mut Report) -> Option<S
     };
     let step = match step {
         None => Some(None),
-        Some(node) => field::quantity("run.step", node, "s", report)
-            .filter(|x| {
-                if *x <= 0.0 {
-                    field::out_of_range("run.step", node, "must be positive", "the length of a step", report);
-                }
-                *x > 0.0
-            })
-            .map(Some),
+        Some(node) => read_step(node, t_end, report).map(Some),
     };
     let precision = read_precision(run, method.flatten(), report);
     let (method, tolerance, step, precision) = (method?, tolerance?, step?, precision?);
     Some(Solver { method, tolerance, step, precision, ..Solver::default() })
+}
+
+/// Reads the length of a step [s]: at most the run, and not so short that the run would reach its limit of steps.
+fn read_step(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64> {
+    let step = field::quantity("run.step", node, "s", report)?;
+    let must = match t_end {
+        _ if step <= 0.0 => "must be positive".to_string(),
+        Some(t_end) if step > t_end => format!("must be at most the run, {t_end} s"),
+        Some(t_end) if t_end / step > methods::STEPS as f64 => {
+            format!(
+                "must be at least {:e} s: a run has at most {:e} steps",
+                t_end / methods::STEPS as f64,
+                methods::STEPS
+            )
+        }
+        _ => return Some(step),
+    };
+    field::out_of_range("run.step", node, &must, "the length of a step", report);
+    None
 }
 
 fn read_precision(run: &[Entry], method: Option<Method>, report: &mut Report) -> Option<Precision> {

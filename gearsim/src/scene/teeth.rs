@@ -101,7 +101,8 @@ impl TeethReader<'_> {
         }
     }
 
-    fn gears(&self, report: &mut Report) -> Option<Gears> {
+    /// Reads the gears.
+    pub(super) fn gears(&self, report: &mut Report) -> Option<Gears> {
         let lines = [
             ("teeth", "teeth = [24, 96]"),
             ("module", "module = \"... mm\""),
@@ -116,8 +117,10 @@ impl TeethReader<'_> {
         let one = |key: &str, unit: &str, range: (&str, f64, f64), default: Option<f64>, report: &mut Report| {
             self.get(key).map_or(default, |node| within(&self.path(key), node, unit, range, report))
         };
-        let module = one("module", "m", POSITIVE, None, report);
-        let face_width = one("face_width", "m", POSITIVE, None, report);
+        let modules = ("must lie between 0.01 and 100 mm", *scene::MODULES.start(), *scene::MODULES.end());
+        let module = one("module", "m", modules, None, report);
+        let widths = ("must lie between 0.01 mm and 10 m", *scene::FACE_WIDTHS.start(), *scene::FACE_WIDTHS.end());
+        let face_width = one("face_width", "m", widths, None, report);
         let angles = ("must lie between 5 and 45 deg", 5f64.to_radians(), 45f64.to_radians());
         let pressure_angle = one("pressure_angle", "rad", angles, Some(20f64.to_radians()), report);
         let rounds = ("must lie between 0 and 1, in modules", 0.0, 1.0);
@@ -128,7 +131,8 @@ impl TeethReader<'_> {
         let addendum = self.both("addendum", "1", heights, 1.0, report);
         let dedendum = self.both("dedendum", "1", heights, 1.25, report);
         let shift = self.both("profile_shift", "1", ("must lie between -5 and 5, in modules", -5.0, 5.0), 0.0, report);
-        let young = self.both("young", "Pa", POSITIVE, Material::STEEL.young, report);
+        let moduli = ("must lie between 1 MPa and 2000 GPa", *scene::YOUNG.start(), *scene::YOUNG.end());
+        let young = self.both("young", "Pa", moduli, Material::STEEL.young, report);
         let poisson =
             self.both("poisson", "1", ("must lie between 0 and 0.5", 0.0, 0.5), Material::STEEL.poisson, report);
         let bore = self.get("bore").map(|_| self.both("bore", "m", POSITIVE, 0.0, report));

@@ -8,6 +8,7 @@ use super::document::{self, Node, Origin, Place, Value};
 use super::mistake::Report;
 use super::{Scene, SceneMistakes, check, keys, overrides};
 use crate::model::Model;
+use crate::tolerance::scene::SCENE_BYTES;
 
 /// The text of a scene as a tree with overrides applied, and the mistakes found so far.
 #[derive(Debug, Clone)]
@@ -26,6 +27,16 @@ impl Template {
         let shown = path.display().to_string();
         let name = path.file_stem().map_or_else(|| shown.clone(), |stem| stem.to_string_lossy().into_owned());
         let unreadable = |message| SceneMistakes::unreadable(&name, message, "give the path of a scene, a TOML file");
+        // To read a pipe or a device may never end.
+        let kind = std::fs::metadata(path).map_err(|error| unreadable(format!("cannot read {shown}: {error}")))?;
+        if !kind.is_file() {
+            let what = if kind.is_dir() { "a folder" } else { "a pipe or a device" };
+            return Err(unreadable(format!("cannot read {shown}: it is {what}, not a file")));
+        }
+        if kind.len() > SCENE_BYTES {
+            let most = SCENE_BYTES >> 20;
+            return Err(unreadable(format!("{shown} has {} bytes; a scene has at most {most} MB", kind.len())));
+        }
         let bytes = std::fs::read(path).map_err(|error| unreadable(format!("cannot read {shown}: {error}")))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             unreadable(format!("{shown} is not text: byte {} is not UTF-8", error.utf8_error().valid_up_to()))
@@ -61,7 +72,9 @@ impl Template {
         all.set("--vary ", values);
         let Template { name, root, end, mut report, hash } = all;
         match check::scene(&root, &end, models, &mut report) {
-            Some(scene) if report.is_empty() => Ok(Scene { name, hash: hexadecimal(hash), ..scene }),
+            Some(scene) if report.is_empty() => {
+                Ok(Scene { name, hash: hexadecimal(hash), warnings: report.into_warnings(), ..scene })
+            }
             _ => Err(report.into_mistakes(&name)),
         }
     }

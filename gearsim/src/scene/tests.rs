@@ -2,6 +2,8 @@
 
 mod fixture;
 mod friction;
+mod gear_data;
+mod hostile;
 mod mistakes;
 mod quantities;
 mod scenes;

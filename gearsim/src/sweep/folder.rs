@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use super::manifest::{self, Layout, Manifest};
 use super::row::{self, Row};
 use super::{Error, impossible, spectra};
-use crate::output::{OutputError, OutputFolder, Table, parquet};
+use crate::output::{OutputError, Table, WholeFiles, parquet};
 
 /// File of the rows, in the order of their points.
 pub const ROWS: &str = "sweep.parquet";
@@ -27,7 +27,7 @@ pub type Rows = BTreeMap<usize, Row>;
 /// The folder of a running sweep.
 pub struct Folder<'a> {
     path: PathBuf,
-    parts: OutputFolder,
+    parts: WholeFiles,
     manifest: &'a Manifest,
     layout: &'a Layout,
     /// File lock, held while this process writes to the folder.
@@ -41,8 +41,8 @@ impl<'a> Folder<'a> {
     /// If the folder holds another sweep, if another process writes to it, or if it cannot be written to.
     pub fn open(path: &Path, manifest: &'a Manifest, layout: &'a Layout) -> Result<Self, Error> {
         refuse_another(path, manifest)?;
-        let mut folder = OutputFolder::create(path)?;
-        let parts = OutputFolder::create(path.join(PARTS))?;
+        let mut folder = WholeFiles::create(path)?;
+        let parts = WholeFiles::create(path.join(PARTS))?;
         let lock = path.join(PARTS).join("lock");
         let unwritable = |source| OutputError::Write { path: lock.clone(), source };
         let file = File::create(&lock).map_err(unwritable)?;
@@ -55,6 +55,8 @@ impl<'a> Folder<'a> {
             // The file system does not support locks: run without one.
             Err(std::fs::TryLockError::Error(_)) => {}
         }
+        parts.clear_leftovers();
+        folder.clear_leftovers();
         folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
         Ok(Folder { path: path.to_owned(), parts, manifest, layout, _lock: file })
     }
@@ -85,7 +87,7 @@ impl<'a> Folder<'a> {
     /// Those of reading and writing the files. The parts are kept then.
     pub fn finish(self) -> Result<Rows, OutputError> {
         let rows = self.rows()?;
-        let mut folder = OutputFolder::create(&self.path)?;
+        let mut folder = WholeFiles::create(&self.path)?;
         write(&mut folder, (ROWS, SPECTRA), self.manifest, self.layout, &rows)?;
         let parts = self.path.join(PARTS);
         std::fs::remove_dir_all(&parts).map_err(|source| OutputError::Write { path: parts, source })?;
@@ -159,7 +161,7 @@ fn read(file: &Path, manifest: &Manifest) -> Result<Option<Table>, OutputError> 
 /// Writes rows to the file `rows_name`, and their spectra, if the manifest asks for them, to `spectra_name`. The spectra are written
 /// first, so that a row on disk always has its spectra.
 pub(super) fn write(
-    folder: &mut OutputFolder,
+    folder: &mut WholeFiles,
     (rows_name, spectra_name): (&str, &str),
     manifest: &Manifest,
     layout: &Layout,

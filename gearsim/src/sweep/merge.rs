@@ -5,11 +5,29 @@ use std::path::{Path, PathBuf};
 use super::folder::{self, ROWS, Rows, SPECTRA};
 use super::manifest::{self, Layout, Manifest};
 use super::{Error, impossible};
-use crate::output::OutputFolder;
+use crate::output::WholeFiles;
 use crate::run::Entry;
 
 /// Maximum number of ranges of points that a message lists; the points of the others are only counted.
 const LISTED: usize = 8;
+
+/// Refuses a folder `out` for the joined results that is one of the folders `from`: its shard would be lost.
+///
+/// # Errors
+/// [`Error::Impossible`].
+pub fn refuse_input(from: &[PathBuf], out: &Path) -> Result<(), Error> {
+    let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    };
+    match from.iter().find(|folder| same(folder, out)) {
+        Some(folder) => {
+            let what = format!("--out {} is one of the folders to merge", folder.display());
+            impossible(what, "choose another folder for the joined results: the shards are kept")
+        }
+        None => Ok(()),
+    }
+}
 
 /// Reads the results in the folders `from`, which together hold all points of one sweep.
 ///
@@ -65,7 +83,7 @@ pub fn gather(from: &[PathBuf], entries: &[Entry]) -> Result<(Manifest, Layout, 
 /// If the folder holds another sweep, or cannot be written to.
 pub fn write(out: &Path, manifest: &Manifest, layout: &Layout, rows: &Rows) -> Result<(), Error> {
     folder::refuse_another(out, manifest)?;
-    let mut folder = OutputFolder::create(out)?;
+    let mut folder = WholeFiles::create(out)?;
     folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
     Ok(folder::write(&mut folder, (ROWS, SPECTRA), manifest, layout, rows)?)
 }

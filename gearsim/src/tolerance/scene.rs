@@ -2,8 +2,11 @@
 
 /// Shortest end time of a run [s]. For a smaller one the sampling rate would not be finite.
 pub(crate) const SHORTEST_RUN: f64 = 1e-300;
-/// Memory for the rows of a run if the scene states no limit [bytes]. A run with more rows stops.
-pub(crate) const ROW_MEMORY: f64 = 4e9;
+/// Memory for the rows of a run if the scene states no limit [bytes]. A run with more rows stops. With its
+/// files and plots a run takes about twice as much; `compare` holds three runs, a sweep one per thread.
+pub(crate) const ROW_MEMORY: f64 = 1e9;
+/// Largest memory for the rows of a run that a scene may ask for by `output.most_rows` [bytes].
+pub(crate) const MOST_ROW_MEMORY: f64 = 16e9;
 /// If all widths of a law are given, their sum may differ from the pitch by this [relative to the pitch], because written widths
 /// are rounded. Larger: mistakes in widths pass. Smaller: widths with nine digits are refused.
 pub(crate) const WIDTHS: f64 = 1e-9;
@@ -25,6 +28,31 @@ pub(crate) const ERROR_PITCHES: f64 = 10_000.0;
 pub(crate) const DAMAGED_CELLS: usize = 20_000;
 /// Largest number of teeth of a gear [teeth].
 pub(crate) const TEETH: f64 = 10_000.0;
+
+/// Modules of gears [m]; others are refused. Watches have 0.05 mm, mills 50 mm. Wider: a wrong unit passes.
+pub(crate) const MODULES: std::ops::RangeInclusive<f64> = 1e-5..=0.1;
+/// Modules that are not rare [m]: those of ISO 54, widened. Others give a warning.
+pub(crate) const USUAL_MODULES: std::ops::RangeInclusive<f64> = 0.999e-4..=0.0501;
+/// Pressure angles of gears [deg]; others are refused.
+pub(crate) const PRESSURE_ANGLES: std::ops::RangeInclusive<f64> = 5.0..=45.0;
+/// Pressure angles that are not rare [deg], as working angles. Others give a warning.
+pub(crate) const USUAL_ANGLES: std::ops::RangeInclusive<f64> = 13.0..=32.0;
+/// A base radius may differ from that of the teeth by this [relative]: written radii have three digits. Larger: another gear passes.
+pub(crate) const BASE_RADIUS: f64 = 5e-3;
+/// Difference of a pressure angle from the working angle of the teeth [deg] above which there is a warning, and above which the
+/// scene is refused. Between them: shifted teeth in a model with one angle for several meshes.
+pub(crate) const WORKING_ANGLE: [f64; 2] = [0.1, 5.0];
+/// Face widths, and moduli of elasticity, that gears can have [m, Pa]; others are refused.
+pub(crate) const FACE_WIDTHS: std::ops::RangeInclusive<f64> = 1e-5..=10.0;
+pub(crate) const YOUNG: std::ops::RangeInclusive<f64> = 1e6..=2e12;
+/// Largest size of the text of a scene [bytes].
+pub(crate) const SCENE_BYTES: u64 = 16 << 20;
+/// Largest number of mistakes in a scene that are shown [1].
+pub(crate) const SHOWN_MISTAKES: usize = 100;
+/// Length of a quoted line above which only the part round the mistake is shown [bytes].
+pub(crate) const QUOTED: usize = 300;
+/// Largest number of threads of a sweep [1].
+pub(crate) const THREADS: i64 = 1024;
 
 /// If a tooth pair passes the pitch point this close to a boundary of a cell, no further boundary is added [base pitches].
 /// Smaller: a cell as short as a rounding error. Larger: the sign of the friction changes late.

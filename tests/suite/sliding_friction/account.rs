@@ -96,9 +96,9 @@ fn friction_combines_with_backlash_and_transmission_errors() {
 fn both_meshes_of_an_idler_lose_energy() {
     let effects = r#"effects=["stiffness_step", "sliding_friction", "torques"]"#;
     let mut set = vec![effects.to_string(), "run={t_end=\"20 ms\", tolerance=1e-11}".into()];
-    for mesh in ["12", "23"] {
+    for (mesh, teeth) in [("12", "[28, 35]"), ("23", "[35, 56]")] {
         set.push(format!("parameters.mu{mesh}=0.05"));
-        set.push(format!(r#"laws.side{mesh}={{teeth=[24, 40], module="3 mm", face_width="20 mm"}}"#));
+        set.push(format!(r#"laws.side{mesh}={{teeth={teeth}, module="2.5 mm", face_width="20 mm"}}"#));
         set.push(format!(r#"laws.arm{mesh}={{teeth_of="side{mesh}"}}"#));
     }
     let outcome = common::run(&common::scene("idler", &set));

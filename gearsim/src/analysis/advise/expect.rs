@@ -33,7 +33,8 @@ pub fn expected(scene: &Scene, steady: &Steady<'_>, bands: &Bands, without: Opti
     let (elastic, rolling) = coordinates(scene.model);
     let mut measures = Measures {
         rms: vec![0.0; elastic.len()],
-        peak: elastic.iter().map(|&i| steady.statics[i].abs()).collect(),
+        peak: vec![0.0; elastic.len()],
+        size: elastic.iter().map(|&i| steady.statics[i].abs()).collect(),
         bands: vec![vec![0.0; bands.count]; elastic.len()],
         speed: vec![1.0; rolling.len()],
         energy: 0.0,
@@ -47,7 +48,7 @@ pub fn expected(scene: &Scene, steady: &Steady<'_>, bands: &Bands, without: Opti
     let jumps = without.is_none();
     let (mut left, mut turned_back) = (1.0f64, false);
     let part = scene.t_end / SPEEDS as f64;
-    measures.peak.fill(0.0);
+    measures.size.fill(0.0);
     let mut rate = 0.0;
     for _ in 0..SPEEDS {
         // The speed, over that at the start, in the middle of this part of the run.
@@ -80,6 +81,7 @@ fn add(measures: &mut Measures, orbit: &Orbit, elastic: &[usize], bands: &Bands)
     for (place, &i) in elastic.iter().enumerate() {
         measures.rms[place] += orbit.square[i] / SPEEDS as f64;
         measures.peak[place] = measures.peak[place].max(orbit.peak[i]);
+        measures.size[place] = measures.size[place].max(orbit.size[i]);
         for (order, power) in orbit.lines[i].iter().enumerate() {
             if let Some(at) = bands.index((order + 1) as f64 / orbit.period) {
                 measures.bands[place][at] += power / SPEEDS as f64;

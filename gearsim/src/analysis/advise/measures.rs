@@ -22,8 +22,11 @@ pub struct Bands {
 pub struct Measures {
     /// Root mean square of each elastic coordinate about its mean [SI].
     pub rms: Vec<f64>,
-    /// Largest absolute value of each elastic coordinate [SI].
+    /// Largest deviation of each elastic coordinate from its mean [SI]. The mean itself is no measure: it holds the place of a flank, half
+    /// the backlash, which causes no force.
     pub peak: Vec<f64>,
+    /// Largest absolute value of each elastic coordinate [SI]: the scale of its rounding errors.
+    pub size: Vec<f64>,
     /// Power of each elastic coordinate in each band [SI²].
     pub bands: Vec<Vec<f64>>,
     /// Mean speed of each continuously rotating coordinate, over the last tenth of the samples; in an expected result its ratio to the
@@ -107,7 +110,8 @@ impl Measures {
         let counts = &outcome.counts;
         Measures {
             rms: elastic.iter().map(|&i| deviation(&column(&run.q[i]))).collect(),
-            peak: elastic.iter().map(|&i| run.q[i].iter().fold(0.0f64, |m, x| m.max(x.abs()))).collect(),
+            peak: elastic.iter().map(|&i| largest(&run.q[i], mean(&column(&run.q[i])))).collect(),
+            size: elastic.iter().map(|&i| largest(&run.q[i], 0.0)).collect(),
             bands: elastic.iter().map(powers).collect(),
             speed: rolling.iter().map(|&i| mean(&column(&run.q_dot[i])[late..])).collect(),
             energy: run.energy(last),
@@ -122,7 +126,7 @@ impl Measures {
         let worst = |mine: &[f64], theirs: &[f64]| {
             let each = (0..mine.len()).map(|i| {
                 let largest = (0..mine.len()).filter(|&j| units[j] == units[i]);
-                let largest = largest.fold(0.0f64, |m, j| m.max(mine[j]).max(theirs[j]));
+                let largest = largest.fold(0.0f64, |m, j| m.max(self.size[j]).max(other.size[j]));
                 let rounding = mine[i].max(theirs[i]) <= NO_MOTION * largest;
                 if rounding { 0.0 } else { relative(theirs[i], mine[i]) }
             });
@@ -131,7 +135,7 @@ impl Measures {
         let total = |powers: &[f64]| powers.iter().sum::<f64>();
         let decibels = (0..self.bands.len()).flat_map(|i| {
             let (mine, theirs) = (&self.bands[i], &other.bands[i]);
-            let sounds = self.rms[i].max(other.rms[i]) > NO_MOTION * self.peak[i].max(other.peak[i]);
+            let sounds = self.rms[i].max(other.rms[i]) > NO_MOTION * self.size[i].max(other.size[i]);
             let faint = FAINT_BAND * total(mine).max(total(theirs));
             mine.iter().zip(theirs).map(move |(a, b)| match a.max(*b) > faint && sounds {
                 true => (10.0 * (b / a).log10()).abs().min(SILENT),
@@ -183,6 +187,11 @@ fn relative(b: f64, a: f64) -> f64 {
 
 fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len() as f64
+}
+
+/// Largest distance of a number from `middle`.
+fn largest(x: &[f64], middle: f64) -> f64 {
+    x.iter().fold(0.0f64, |m, x| m.max((x - middle).abs()))
 }
 
 /// Root mean square about the mean.

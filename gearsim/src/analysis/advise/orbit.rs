@@ -91,8 +91,10 @@ pub struct Orbit {
     pub mean: Vec<f64>,
     /// Mean square of each coordinate about its mean (n) [SI²].
     pub square: Vec<f64>,
-    /// Largest absolute value of each coordinate (n) [SI].
+    /// Largest deviation of each coordinate from its mean (n) [SI].
     pub peak: Vec<f64>,
+    /// Largest absolute value of each coordinate (n) [SI].
+    pub size: Vec<f64>,
     /// Power of each coordinate in each spectral line, at multiples of 1/period from 1 on (n x number of lines) [SI²].
     pub lines: Vec<Vec<f64>>,
     /// Energy dissipated by damping per period [J].

@@ -180,7 +180,7 @@ fn conclusions(advice: &Advice) -> Vec<(&'static str, String)> {
         lines.push(("stopped early", why.clone()));
     }
     let says = format!(
-        "the scene takes {}; rms, peak and bands are those of the worst elastic coordinate, in {} bands of {} Hz; speed, \
+        "the scene takes {}; rms, peak and bands are those of the worst elastic coordinate about its mean, in {} bands of {} Hz; speed, \
          energy and events are those at the end, t = {} s",
         number::time(advice.seconds),
         advice.bands.count,

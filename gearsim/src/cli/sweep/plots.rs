@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::cli::failure::Failure;
 use crate::cli::terminal;
-use crate::output::{OutputError, OutputFolder};
+use crate::output::{OutputError, WholeFiles};
 use crate::plot::{self, SweepResults};
 use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
@@ -63,7 +63,7 @@ impl PlotOptions {
         layout: &Layout,
         rows: &Rows,
     ) -> Result<Vec<String>, OutputError> {
-        let mut folder = OutputFolder::create(path)?;
+        let mut folder = WholeFiles::create(path)?;
         let mut jobs: Vec<(&plot::SweepPlot, String)> = vec![];
         if drawable(&layout.plan) {
             let maps = if self.map.is_empty() { default(layout).into_iter().collect() } else { self.map.clone() };
@@ -87,8 +87,7 @@ impl PlotOptions {
                     folder.write_bytes(&format!("{name}.png"), &png)?;
                 }
                 Err(error) => {
-                    let warning = format!("warning: no plot `{name}`: {error}");
-                    terminal::print_err(&terminal::wrap(&warning, terminal::width()));
+                    terminal::warn(&format!("no plot `{name}`: {error}"));
                 }
             }
         }

@@ -48,3 +48,12 @@ fn scenes_without_a_settled_motion_are_estimated_by_short_runs() {
         assert!(advice.negligible().iter().all(|(_, estimate, truth)| estimate.is_some() && truth.is_some()), "{name}");
     }
 }
+
+/// Where contact is never lost, backlash only shifts the deflection by half its size, which causes no force.
+#[test]
+fn backlash_is_negligible_where_contact_is_never_lost() {
+    let settled = ["start.speed=300 rpm", "parameters.T0=20 N*m", "run.t_end=50 ms", "parameters.zeta=0.1"];
+    let advice = advice("backlash", &settled);
+    let backlash: Vec<_> = advice.negligible().into_iter().filter(|(without, ..)| *without == "backlash").collect();
+    assert!(matches!(backlash[..], [(_, Some(true), Some(true))]), "{backlash:?}");
+}

@@ -223,3 +223,42 @@ fn a_refused_sweep_writes_nothing() {
     }
     assert!(content(root.path()).is_empty());
 }
+
+/// Three bytes changed anywhere in a part never give other numbers: the merge is refused, or nothing that is read has changed.
+#[test]
+fn a_damaged_part_is_not_merged() {
+    let root = tempfile::tempdir().unwrap();
+    let at = |name: &str| root.path().join(name);
+    for shard in ["1/2", "2/2"] {
+        sweep(&at(&format!("s{}", &shard[..1])), &["--shard", shard]).unwrap();
+    }
+    merge(&[&at("s1"), &at("s2")], &at("whole")).unwrap();
+    let part = at("s2").join("sweep.parquet");
+    let bytes = std::fs::read(&part).unwrap();
+    let (mut refused, places) = (0, 61);
+    for i in 0..places {
+        let mut damaged = bytes.clone();
+        let at_byte = i * (bytes.len() - 3) / places;
+        damaged[at_byte..at_byte + 3].iter_mut().for_each(|byte| *byte ^= 0x5a);
+        std::fs::write(&part, damaged).unwrap();
+        let out = at(&format!("merged{i}"));
+        match merge(&[&at("s1"), &at("s2")], &out) {
+            Ok(()) => assert_same(&at("whole"), &out),
+            Err(_) => refused += 1,
+        }
+    }
+    assert!(refused > places / 2, "{refused} of {places}");
+}
+
+#[test]
+fn a_merge_does_not_overwrite_its_input() {
+    let root = tempfile::tempdir().unwrap();
+    let at = |name: &str| root.path().join(name);
+    for shard in ["1/2", "2/2"] {
+        sweep(&at(&format!("s{}", &shard[..1])), &["--shard", shard]).unwrap();
+    }
+    let before = content(&at("s1"));
+    let failure = merge(&[&at("s1"), &at("s2")], &at("s2").join("../s1")).unwrap_err();
+    assert!(failure.code() == 2 && failure.to_string().contains("one of the folders to merge"), "{failure}");
+    assert!(content(&at("s1")) == before);
+}

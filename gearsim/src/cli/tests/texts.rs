@@ -85,3 +85,10 @@ fn a_comparison_needs_the_effects_that_drop_terms() {
 fn long_lines_are_broken_at_blanks() {
     assert_eq!(terminal::wrap("  help: a bc def\nx", 10), "  help: a\n  bc def\nx\n");
 }
+
+/// A torque of 10 N m a tooth is one of 240 N m on the gear with 24 teeth.
+#[test]
+fn the_report_names_the_torques_on_the_gears() {
+    let text = report::scene(&load(), WIDTH).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("240 N*m on the driving gear (T0 N1), -960 N*m on the driven gear (-T0 N2)"), "{text}");
+}

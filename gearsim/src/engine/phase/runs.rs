@@ -121,6 +121,7 @@ fn planets_in_phase_do_not_move_the_centres() {
         let mut set = vec![
             format!("parameters.Z_s={z_s}"),
             format!("parameters.Z_r={z_r}"),
+            format!("parameters.r_s={:?} m", f64::from(z_s) * 1.5e-3 * 20f64.to_radians().cos()),
             format!("parameters.T_load={:?} N*m", 300.0 * (1.0 + f64::from(z_r) / f64::from(z_s))),
             "run.t_end=0.02 s".to_string(),
             "effects=[\"stiffness_step\", \"torques\"]".to_string(),

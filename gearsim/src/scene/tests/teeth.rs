@@ -71,7 +71,7 @@ fn messages_name_the_mistake() {
         ("laws.k.teeth=[24.5, 96]", "must be a whole number"),
         ("laws.k.teeth=[6, 96]", "below its base circle"),
         ("laws.k.module=6.35", "give a unit"),
-        ("laws.k.module=0 mm", "must be positive"),
+        ("laws.k.module=0 mm", "must lie between 0.01 and 100 mm"),
         ("laws.k.pressure_angle=60 deg", "between 5 and 45 deg"),
         ("laws.k.profile_shift=[0, 0.2]", "smaller profile shift"),
         ("laws.k.addendum=[1, 2, 3]", "not two gears"),

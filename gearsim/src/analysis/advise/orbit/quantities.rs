@@ -56,7 +56,8 @@ impl Steady<'_> {
         Ok(Orbit {
             period,
             square: (0..n).map(square).collect(),
-            peak: (0..n).map(|i| points.iter().fold(0.0f64, |m, p| m.max(p.2[i].abs()))).collect(),
+            peak: (0..n).map(|i| points.iter().fold(0.0f64, |m, p| m.max((p.2[i] - means[i]).abs()))).collect(),
+            size: (0..n).map(|i| points.iter().fold(0.0f64, |m, p| m.max(p.2[i].abs()))).collect(),
             lines,
             mean: means,
             lost,

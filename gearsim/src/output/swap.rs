@@ -1,0 +1,105 @@
+//! Puts the staged files of a result in the place of an earlier one.
+//!
+//! A result is a set of files and its index, a JSON file that names the others: `summary.json` of a run. Of every earlier result with
+//! the same index, or with a file of the same name, all files are removed, its index first. Then the new files are renamed, their
+//! index last. While this lasts, the folder has the file [`MARKER`]. It says that the folder is incomplete, and lists the files.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::whole::{create_folder, is_inside};
+use super::{OutputError, WholeFiles, fault};
+
+/// The file that says that a folder is incomplete.
+pub const MARKER: &str = "INCOMPLETE";
+/// First lines of the marker; the names of files follow, one a line.
+const SAYS: &str = "\
+gearsim was interrupted while it replaced the results in this folder.
+Every file is whole, but some may be missing. The same command run again replaces them:
+";
+/// The index files of all commands.
+const INDEXES: [&str; 4] = ["summary.json", "compare.json", "modes.json", "floquet.json"];
+
+/// Replaces earlier results in `folder` by the files `new` in the folder `staging`; `index` is one of them.
+///
+/// Errors: [`OutputError::Write`]. Before the marker is written, nothing has changed.
+pub(super) fn swap(folder: &Path, staging: &Path, new: &[String], index: &str) -> Result<(), OutputError> {
+    for name in new {
+        let path = folder.join(name);
+        if path.is_dir() {
+            let source = io::Error::other("a folder has this name; remove it, or choose another with --out");
+            return Err(OutputError::Write { path, source });
+        }
+    }
+    let old = earlier(folder, new, index);
+    // The index is first here, so that it is removed first.
+    let listed: BTreeSet<&str> = old.iter().chain(new).map(String::as_str).collect();
+    let list: String = listed.iter().map(|name| format!("{name}\n")).collect();
+    // What this writer leaves when it is interrupted is cleared with other leftovers.
+    WholeFiles::create(folder)?.write(MARKER, |sink| Ok(write!(sink, "{SAYS}{list}")?))?;
+    old.iter().try_for_each(|name| remove(&folder.join(name)))?;
+    let (last, others): (Vec<&String>, Vec<_>) = new.iter().partition(|name| *name == index);
+    for name in others.into_iter().chain(last) {
+        let to = folder.join(name);
+        to.parent().map_or(Ok(()), create_folder)?;
+        let renamed = fault::point().and_then(|()| fs::rename(staging.join(name), &to));
+        renamed.map_err(|source| OutputError::Write { path: to, source })?;
+    }
+    remove(&folder.join(MARKER))
+}
+
+/// Removes a file, if it is there.
+fn remove(path: &Path) -> Result<(), OutputError> {
+    match fault::point().and_then(|()| fs::remove_file(path)) {
+        Err(source) if source.kind() != io::ErrorKind::NotFound => {
+            Err(OutputError::Write { path: path.to_owned(), source })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The files of earlier results that the result with the files `new` replaces: index files first.
+fn earlier(folder: &Path, new: &[String], index: &str) -> Vec<String> {
+    let (mut indexes, mut files) = (vec![], vec![]);
+    for known in INDEXES {
+        let Some(owned) = fs::read(folder.join(known)).ok().and_then(|bytes| owned(&bytes)) else { continue };
+        if known == index || owned.iter().any(|name| new.contains(name)) {
+            indexes.push(known.to_owned());
+            files.extend(owned);
+        }
+    }
+    let marked = fs::read_to_string(folder.join(MARKER)).unwrap_or_default();
+    files.extend(marked.strip_prefix(SAYS).into_iter().flat_map(str::lines).map(str::to_owned));
+    files.retain(|name| is_inside(name) && folder.join(name).is_file());
+    indexes.extend(files);
+    indexes
+}
+
+/// The files that an index names: those in its lists `files` and `plots`. `None` if it was not written by gearsim.
+fn owned(index: &[u8]) -> Option<Vec<String>> {
+    let (mut files, mut ours) = (vec![], false);
+    visit(&serde_json::from_slice(index).ok()?, &mut files, &mut ours);
+    ours.then_some(files)
+}
+
+fn visit(value: &Value, files: &mut Vec<String>, ours: &mut bool) {
+    match value {
+        Value::Object(map) => {
+            for (key, value) in map {
+                match (key.as_str(), value) {
+                    ("files" | "plots", Value::Array(names)) => {
+                        files.extend(names.iter().filter_map(Value::as_str).map(str::to_owned));
+                    }
+                    ("program", Value::String(name)) => *ours |= name == "gearsim",
+                    _ => visit(value, files, ours),
+                }
+            }
+        }
+        Value::Array(items) => items.iter().for_each(|item| visit(item, files, ours)),
+        _ => {}
+    }
+}
