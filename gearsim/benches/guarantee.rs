@@ -4,7 +4,7 @@
 //! `cargo bench -p gearsim --bench guarantee`. Both rows of a scene search the same flights, and must find the same crossings.
 
 use divan::Bencher;
-use gearsim::engine::crossing::{Cost, Lateness, Search, Side};
+use gearsim::engine::crossing::{Cost, Delay, Search, Side};
 use gearsim::engine::equations::Derived;
 use gearsim::engine::signal::Signal;
 use gearsim::engine::simulate::Simulation;
@@ -37,7 +37,7 @@ struct Start {
 /// Searches all flights; returns the boundaries reached and the sum of the times [s].
 fn search(simulation: &Simulation<'_>, starts: &[Start], guaranteed: bool) -> (Vec<Option<Side>>, f64) {
     let cells = simulation.cells().and_then(|cells| cells.all()).expect("the gear pair has two cells");
-    let mut lateness = vec![Lateness::default(); cells.len()];
+    let mut lateness = vec![Delay::default(); cells.len()];
     let (mut met, mut sum, mut cost) = (Vec::with_capacity(starts.len()), 0.0, Cost::default());
     for Start { cell, q, q_dot, bounds: (lower, upper) } in starts {
         let prepared = &cells[*cell];

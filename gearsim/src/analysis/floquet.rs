@@ -7,7 +7,7 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::analysis::steady::{self, Course};
+use crate::analysis::steady::{self, SteadyLaw};
 use crate::engine::Refusal;
 use crate::engine::modal::Modal;
 use crate::engine::system::System;
@@ -83,7 +83,7 @@ impl Floquet {
     pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
         let courses = steady::courses(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
-        let means: Vec<f64> = courses.iter().map(Course::mean).collect();
+        let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
         let lowest = Modal::of(&system.matrices(&means)?)?.modes.iter().map(|m| m.omega2).find(|w| *w > 0.0);
         let omega = lowest.ok_or(FloquetError::Rigid)?.sqrt();
 
@@ -111,7 +111,7 @@ impl Floquet {
         }
         multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
         let verdict = if size == 2 { of_one(monodromy.trace(), monodromy.determinant()) } else { of_all(&multipliers) };
-        let mesh = courses.iter().find(|c| c.steps).map_or(0.0, Course::frequency);
+        let mesh = courses.iter().find(|c| c.steps).map_or(0.0, SteadyLaw::frequency);
         let natural = omega / std::f64::consts::TAU;
         Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh })
     }

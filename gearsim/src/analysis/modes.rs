@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::analysis::steady::Course;
+use crate::analysis::steady::SteadyLaw;
 use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
@@ -57,13 +57,13 @@ pub struct Vibration {
 pub const MOST_CELLS: usize = 64;
 
 /// Every combination of levels, in which the first law varies fastest; empty if there are more than [`MOST_CELLS`].
-pub fn combinations(courses: &[Course]) -> Vec<Vec<f64>> {
+pub fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
     let count = courses.iter().map(|c| c.levels.len()).fold(1, usize::saturating_mul);
     if count > MOST_CELLS {
         return vec![];
     }
     let levels = |mut index: usize| {
-        let level = |course: &Course| {
+        let level = |course: &SteadyLaw| {
             let at = index % course.levels.len();
             index /= course.levels.len();
             course.levels[at].0
@@ -168,12 +168,12 @@ pub struct Meeting {
 pub const HARMONICS: usize = 8;
 
 /// The harmonics of the mesh frequencies within `NEAR_RESONANCE` of a damped natural frequency, the nearest first.
-pub fn meetings(courses: &[Course], cell: &CellModes) -> Vec<Meeting> {
+pub fn meetings(courses: &[SteadyLaw], cell: &CellModes) -> Vec<Meeting> {
     let mut meetings = vec![];
     for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {
         for (mode, vibration) in cell.modes.iter().enumerate().filter(|(_, v)| v.damped > 0.0) {
             for harmonic in 1..=HARMONICS {
-                let ratio = harmonic as f64 * course.frequency() / vibration.damped;
+                let ratio = harmonic as f64 * course.mesh_frequency() / vibration.damped;
                 if (ratio - 1.0).abs() <= NEAR_RESONANCE {
                     meetings.push(Meeting { law, harmonic, mode, ratio });
                 }

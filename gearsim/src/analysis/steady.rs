@@ -10,13 +10,15 @@ use crate::scene::Scene;
 
 /// A law in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Course {
+pub struct SteadyLaw {
     /// Name of the law.
     pub name: &'static str,
     /// Its levels [SI unit of the law], each with the phase at which it ends; the last ends at `period`.
     pub levels: Vec<(f64, f64)>,
     /// Period of the law [unit of the phase]: one pitch, or several for a transmission error.
     pub period: f64,
+    /// Pitches in a period: more than one for a transmission error, or with damaged teeth.
+    pub pitches: u32,
     /// Phase at t = 0, counted from the beginning of the first level [unit of the phase].
     pub start: f64,
     /// Speed of the phase [unit of the phase/s].
@@ -25,7 +27,12 @@ pub struct Course {
     pub steps: bool,
 }
 
-impl Course {
+impl SteadyLaw {
+    /// Pitches per second [Hz].
+    pub fn mesh_frequency(&self) -> f64 {
+        self.frequency() * f64::from(self.pitches)
+    }
+
     /// Periods per second [Hz].
     pub fn frequency(&self) -> f64 {
         self.speed.abs() / self.period
@@ -64,7 +71,7 @@ pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
 ///
 /// # Errors
 /// [`Refusal`] if the start of the scene cannot be determined.
-pub fn courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
+pub fn courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal> {
     let mut all = all_courses(scene, system)?;
     all.truncate(scene.stiffnesses().count());
     Ok(all)
@@ -74,7 +81,7 @@ pub fn courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
 ///
 /// # Errors
 /// [`Refusal`] if the start of the scene cannot be determined.
-pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusal> {
+pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal> {
     let (begin, speeds) = (system.start(scene)?, speeds(scene, system));
     let course = |(i, (law, given)): (usize, (&'static Law, &Profile))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
@@ -95,7 +102,7 @@ pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<Course>, Refusa
             last.1 = period;
         }
         let start = (begin[phase] - given.origin).rem_euclid(period);
-        Course { name: law.name, levels, period, start, speed: speeds[phase], steps }
+        SteadyLaw { name: law.name, levels, period, pitches: given.pitches, start, speed: speeds[phase], steps }
     };
     Ok(scene.present().enumerate().map(course).collect())
 }

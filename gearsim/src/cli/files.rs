@@ -107,6 +107,7 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
             grazes: counts.cost.grazes,
             holds: counts.holds,
             impacts: counts.impacts,
+            sticks: counts.sticks,
             ignored: Number(outcome.ignored),
             ambiguous: counts.ambiguous,
         },

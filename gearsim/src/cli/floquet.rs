@@ -62,6 +62,8 @@ struct Report<'a> {
     multipliers: Vec<[f64; 2]>,
     /// Number of rigid motions.
     rigid_motions: usize,
+    /// What the analysis leaves out because it is linear.
+    left_out: Vec<&'static str>,
     verdict: &'static str,
     /// Natural logarithm of the largest absolute value of a multiplier.
     growth_per_period: f64,
@@ -91,6 +93,7 @@ impl Verb for FloquetCommand {
             natural_frequency: floquet.natural,
             multipliers: floquet.multipliers.iter().map(|z| [z.re, z.im]).collect(),
             rigid_motions: floquet.rigid,
+            left_out: scene.left_out_if_linear(),
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
@@ -102,7 +105,8 @@ impl Verb for FloquetCommand {
         let width = terminal::width();
         let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
         let written = report::files(folder.path(), folder.files(), width);
-        terminal::print_out(&format!("{}\n{}\n{written}", report::scene(&scene, width), terminal::wrap(&text, width)));
+        let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+        terminal::print_out(&format!("{head}{}\n{written}", terminal::wrap(&text, width)));
         Ok(())
     }
 }

@@ -10,7 +10,7 @@ use super::simulate::{Source, entry};
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
-use crate::analysis::steady::{self, Course};
+use crate::analysis::steady::{self, SteadyLaw};
 use crate::output::summary::Provenance;
 use crate::output::{OutputError, OutputFolder};
 use crate::plot;
@@ -59,6 +59,8 @@ struct Report<'a> {
     mesh_frequencies: Vec<Option<f64>>,
     /// Harmonics of a mesh frequency near a damped natural frequency of the chosen cell.
     meetings: Vec<Meeting<'a>>,
+    /// What the analysis leaves out because it is linear.
+    left_out: Vec<&'static str>,
     /// Names of the other files in the same folder.
     files: &'a [String],
     provenance: Provenance,
@@ -117,7 +119,7 @@ impl Verb for Modes {
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
         files::figure(&mut folder, "shapes", plot::modes::draw(&scene, &chosen), terminal::warn)?;
-        if courses.iter().any(Course::turns) {
+        if courses.iter().any(SteadyLaw::turns) {
             files::figure(&mut folder, "campbell", plot::campbell::draw(&scene, &courses, &chosen), terminal::warn)?;
         }
         let json = self.json(&scene, &courses, &springs, &chosen, &cells, folder.files())?;
@@ -126,14 +128,15 @@ impl Verb for Modes {
         let width = terminal::width();
         let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
         let written = report::files(folder.path(), folder.files(), width);
-        terminal::print_out(&format!("{}\n{text}\n{written}", report::scene(&scene, width)));
+        let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+        terminal::print_out(&format!("{head}{text}\n{written}"));
         Ok(())
     }
 }
 
 impl Modes {
     /// The value of each law in the chosen cell.
-    fn levels(&self, scene: &Scene, courses: &[Course]) -> Result<Vec<f64>, Failure> {
+    fn levels(&self, scene: &Scene, courses: &[SteadyLaw]) -> Result<Vec<f64>, Failure> {
         let Some(cell) = &self.cell else { return Ok(scene.stiffnesses().map(|(_, law)| law.mid()).collect()) };
         let wrong = |what: String| Failure::Impossible {
             what,
@@ -143,7 +146,7 @@ impl Modes {
             let what = format!("--cell has {} numbers, but the model has {} laws", cell.len(), courses.len());
             return Err(wrong(what));
         }
-        let level = |(&level, course): (&usize, &Course)| {
+        let level = |(&level, course): (&usize, &SteadyLaw)| {
             let found = course.levels.get(level).map(|l| l.0);
             found.ok_or_else(|| {
                 let last = course.levels.len() - 1;
@@ -156,7 +159,7 @@ impl Modes {
     fn json(
         &self,
         scene: &Scene,
-        courses: &[Course],
+        courses: &[SteadyLaw],
         springs: &[Spring],
         chosen: &CellModes,
         cells: &[CellModes],
@@ -176,8 +179,9 @@ impl Modes {
             springs: springs.iter().map(|spring| spring.name).collect(),
             chosen: cell(chosen),
             cells: cells.iter().map(cell).collect(),
-            mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.frequency())).collect(),
+            mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.mesh_frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
+            left_out: scene.left_out_if_linear(),
             files,
             provenance: provenance::of(scene, &self.source.overrides, "modes of linear cells".into()),
         };

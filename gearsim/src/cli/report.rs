@@ -69,6 +69,18 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
     text + &rare_lines(scene, summary, width)
 }
 
+/// What a linear analysis leaves out of a scene; empty if it leaves out nothing.
+pub(super) fn left_out(scene: &Scene, width: usize) -> String {
+    match &scene.left_out_if_linear()[..] {
+        [] => String::new(),
+        what => {
+            let what = what.join(", ");
+            let says = format!("linear: without {what}. Play is closed here, a clutch open, dry friction absent");
+            line("note", &says, width) + "\n"
+        }
+    }
+}
+
 /// Lines that most runs do not have.
 fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
@@ -84,6 +96,9 @@ fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
     }
     if counts.impacts > 0 {
         text += &line("flanks met", &format!("{} times after crossing the play", counts.impacts), width);
+    }
+    if counts.sticks > 0 {
+        text += &line("came to rest", &format!("{} times by dry friction or a clutch", counts.sticks), width);
     }
     if counts.grazes > 0 {
         let says = format!("{} times a phase touched a step without passing it, within rounding errors", counts.grazes);

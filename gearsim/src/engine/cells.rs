@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 use crate::engine::cell::Cell;
 use crate::engine::equations::{Equations, Exit};
 use crate::engine::error::Refusal;
-use crate::engine::law::Law;
+use crate::engine::law::LawState;
 use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
@@ -43,7 +43,7 @@ pub struct Prepared {
 }
 
 /// What cells are combinations of.
-pub type Stand<'a> = (&'a [Law], &'a [Switch], &'a [f64]);
+pub type Stand<'a> = (&'a [LawState], &'a [Switch], &'a [f64]);
 
 impl Cells {
     /// The cells of laws and switches, whose values are `k`, of equations with so many rigid `motions`.
@@ -115,13 +115,13 @@ impl Prepared {
 
 /// The number of the cell in which laws and switches are: the first law's counts fastest.
 #[inline]
-pub fn index(laws: &[Law], switches: &[Switch]) -> usize {
+pub fn index(laws: &[LawState], switches: &[Switch]) -> usize {
     let of_switches = switches.iter().rev().fold(0, |index, switch| index * switch.modes() + switch.mode);
     laws.iter().rev().fold(of_switches, |index, law| index * law.pitch.cells() + law.cell)
 }
 
 /// Puts laws and switches into the cell of a number.
-fn stand(laws: &mut [Law], switches: &mut [Switch], mut index: usize) {
+fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
     let mut digit = |base: usize| {
         let digit = index % base;
         index /= base;
@@ -133,19 +133,19 @@ fn stand(laws: &mut [Law], switches: &mut [Switch], mut index: usize) {
 
 /// Writes the law values at the coordinates `q` and the time `t` \[s\], and those of the switches, to where they belong in `k`.
 #[inline]
-pub fn write((laws, switches): (&[Law], &[Switch]), (q, t): (&[f64], f64), k: &mut [f64]) {
+pub fn write((laws, switches): (&[LawState], &[Switch]), (q, t): (&[f64], f64), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
     switches.iter().for_each(|switch| switch.write(k));
 }
 
 /// The same of laws that are constant within their cells.
-fn write_levels((laws, switches): (&[Law], &[Switch]), k: &mut [f64]) {
+fn write_levels((laws, switches): (&[LawState], &[Switch]), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
     switches.iter().for_each(|switch| switch.write(k));
 }
 
 /// The law values in a cell without switches, by its number; `rest` stand behind those of the laws.
-pub fn levels(laws: &[Law], index: usize, rest: &[f64]) -> Vec<f64> {
+pub fn levels(laws: &[LawState], index: usize, rest: &[f64]) -> Vec<f64> {
     let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
     stand(&mut laws, &mut [], index);
     write_levels((&laws, &[]), &mut k);

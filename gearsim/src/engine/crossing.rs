@@ -24,7 +24,7 @@ use crate::engine::signal::Signal;
 use crate::tolerance::events;
 use crate::tolerance::modes::SHIFT_SPAN;
 
-pub use lateness::Lateness;
+pub use lateness::Delay;
 
 /// One of the two boundaries of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -61,7 +61,7 @@ pub struct Cost {
 
 /// Why a search found no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum Lost {
+pub enum SearchError {
     /// It reached the maximum number of steps.
     #[error("the search did not end in {0} steps")]
     Stuck(u64),
@@ -95,8 +95,8 @@ impl Search<'_> {
     /// # Errors
     /// If the search does not end, or a number overflows.
     #[inline]
-    pub fn first(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
-        self.first_near(&mut Lateness::default(), point, cost)
+    pub fn first(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, SearchError> {
+        self.first_near(&mut Delay::default(), point, cost)
     }
 
     /// The same search, started at the time at which the last passage suggests the crossing. Stores the delay of this passage in
@@ -107,10 +107,10 @@ impl Search<'_> {
     #[inline]
     pub fn first_near(
         &self,
-        lateness: &mut Lateness,
+        lateness: &mut Delay,
         point: &mut Point,
         cost: &mut Cost,
-    ) -> Result<Option<Side>, Lost> {
+    ) -> Result<Option<Side>, SearchError> {
         let (drift, oscillation) = self.signal.drift_and_oscillation();
         if drift.abs() > oscillation * (1.0 + events::BOUND_MARGIN) {
             return Ok(self.monotone(drift, oscillation, lateness, point, cost));
@@ -120,7 +120,7 @@ impl Search<'_> {
 
     /// The crossing that Newton's method finds from the same guess, without a bound, without a proof that it is the first, and
     /// without a bracket. It serves to measure the cost of the guarantee.
-    pub fn newton_alone(&self, lateness: &mut Lateness, point: &mut Point, cost: &mut Cost) -> Option<Side> {
+    pub fn newton_alone(&self, lateness: &mut Delay, point: &mut Point, cost: &mut Cost) -> Option<Side> {
         let drift = self.signal.drift_and_oscillation().0;
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let steady = gap / drift.abs();
@@ -142,7 +142,7 @@ impl Search<'_> {
         &self,
         drift: f64,
         oscillation: f64,
-        lateness: &mut Lateness,
+        lateness: &mut Delay,
         point: &mut Point,
         cost: &mut Cost,
     ) -> Option<Side> {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::engine::cell::Cell;
 use crate::engine::cells::{Cells, Prepared};
 use crate::engine::contact::{Contact, Form};
-use crate::engine::crossing::{Lateness, Side};
+use crate::engine::crossing::{Delay, Side};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::linear::Linear;
 use crate::engine::hybrid::Hybrid;
@@ -35,7 +35,7 @@ pub struct Exact {
     /// The cells met so far in which something was held, by their numbers and the phases held.
     met: HashMap<(usize, Vec<(usize, Side)>), Arc<Held>>,
     /// How late the phase was in each cell of a pitch, when it was last there; of a single law, whose motion repeats itself.
-    lateness: Vec<Lateness>,
+    lateness: Vec<Delay>,
 }
 
 /// A cell in which phases or deflections are held.
@@ -61,7 +61,7 @@ impl Exact {
             return Err(Refusal::Nonlinear { terms });
         }
         let cells = Cells::new(now.equations, scene.model.motions.len(), (&now.laws, &now.switches, &now.k))?;
-        let lateness = vec![Lateness::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
+        let lateness = vec![Delay::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
         Ok(Exact { cells, linear: HashMap::new(), held: None, met: HashMap::new(), lateness })
     }
 }

@@ -9,15 +9,15 @@ use xprec::Df64;
 use crate::engine::cells;
 use crate::engine::clock::Clock;
 use crate::engine::contact::Contact;
-use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::equations::{Affine, Equations, Exit, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::jump::Passage;
-use crate::engine::law::{self, Law};
+use crate::engine::law::{self, LawState};
 use crate::engine::motion::Reached;
 use crate::engine::record::State;
-use crate::engine::start::Begun;
+use crate::engine::start::Initial;
 use crate::engine::switch::{self, Guards, Switch};
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
@@ -61,7 +61,7 @@ pub struct Hybrid<'a> {
     /// Coordinates and speeds.
     pub state: State,
     /// The laws, each in its cell.
-    pub laws: Vec<Law>,
+    pub laws: Vec<LawState>,
     /// The switches, each in its mode.
     pub switches: Vec<Switch>,
     /// The guards of their modes.
@@ -87,14 +87,14 @@ pub struct Hybrid<'a> {
 
 impl<'a> Hybrid<'a> {
     /// The state at the start of a run of `scene`.
-    pub fn new(equations: &'a dyn Equations, scene: &Scene, begun: Begun, forcing: Option<Forcing>) -> Self {
-        let Begun { state, laws, switches, .. } = begun;
+    pub fn new(equations: &'a dyn Equations, scene: &Scene, begun: Initial, forcing: Option<Forcing>) -> Self {
+        let Initial { state, laws, switches, .. } = begun;
         let varying = forcing.is_some() || equations.has_powers();
         let mut now = Hybrid {
             equations,
             clock: Clock::default(),
             t_end: scene.t_end,
-            k: scene.model.in_contact(laws.iter().map(Law::level)),
+            k: scene.model.in_contact(laws.iter().map(LawState::level)),
             state,
             laws,
             switches,
@@ -142,7 +142,7 @@ impl Hybrid<'_> {
     /// Whether the phase of a law can meet a boundary of its cell by its motion.
     #[inline]
     pub fn watches(&self, law: usize) -> bool {
-        let Law { switching, pitch, .. } = &self.laws[law];
+        let LawState { switching, pitch, .. } = &self.laws[law];
         let changes = *switching != Switching::Never || !pitch.steps_only();
         changes && self.laws[law].next_switch().is_none() && !self.holds(law)
     }
@@ -279,11 +279,11 @@ impl Hybrid<'_> {
 
     /// Why a search without an answer ends the run.
     #[cold]
-    pub fn lost(&self, lost: Lost) -> Stop {
+    pub fn lost(&self, lost: SearchError) -> Stop {
         let (t, state, cell) = (self.clock.now(), self.state.describe(), self.cell());
         match lost {
-            Lost::Stuck(steps) => Stop::Search { t, steps: steps as usize, state, cell },
-            Lost::Overflow => Stop::NotFinite { t, state, cell },
+            SearchError::Stuck(steps) => Stop::Search { t, steps: steps as usize, state, cell },
+            SearchError::Overflow => Stop::NotFinite { t, state, cell },
         }
     }
 }

@@ -74,7 +74,7 @@ pub struct Lanes<const N: usize, const L: usize> {
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub struct Expected<const N: usize, const L: usize> {
-    /// Delay: duration of the last passage, minus the duration at the steady part of the speed [s].
+    /// Duration of the last passage, minus the duration at the steady part of the speed [s].
     lateness: Pack<L>,
     /// Duration of the last passage [s]; 0 if there was none.
     last: Pack<L>,

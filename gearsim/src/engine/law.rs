@@ -18,7 +18,7 @@ use crate::tolerance::phases;
 
 /// A law: its levels, and its present cell.
 #[derive(Debug, Clone)]
-pub struct Law {
+pub struct LawState {
     /// How it switches with the effects of the scene.
     pub switching: Switching,
     /// Its levels and the boundaries between them.
@@ -50,16 +50,16 @@ struct Frozen {
     origin: f64,
 }
 
-impl Law {
+impl LawState {
     /// The laws at the start of a scene. The rolling coordinates of `state` keep only their remainders; their whole turns go to
     /// `State::turns`.
     ///
     /// # Errors
     /// If a phase is too large for its place in the pitch to be known, or an inertia overflows.
-    pub fn begin(equations: &dyn Equations, scene: &Scene, state: &mut State) -> Result<Vec<Law>, Refusal> {
+    pub fn begin(equations: &dyn Equations, scene: &Scene, state: &mut State) -> Result<Vec<LawState>, Refusal> {
         let model = scene.model;
         let absolute = state.q.clone();
-        let mut laws: Vec<Law> = vec![];
+        let mut laws: Vec<LawState> = vec![];
         for (i, (law, given)) in scene.present().enumerate() {
             let switching = equations.switching(i);
             let phase = model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
@@ -101,7 +101,7 @@ impl Law {
                 (None, false) => pitches,
             };
             let is_error = law.role == Role::Error;
-            laws.push(Law { switching, pitch, surface, phase, is_error, turns, turn, frozen, cell, ahead });
+            laws.push(LawState { switching, pitch, surface, phase, is_error, turns, turn, frozen, cell, ahead });
         }
         Ok(laws)
     }
@@ -154,7 +154,7 @@ impl Law {
 
     /// Whether this law's phase is at the same side of its cell when `other` reaches that side. The two steps are then one.
     #[inline]
-    pub fn joins(&self, other: &Law, side: Side, state: &State) -> bool {
+    pub fn joins(&self, other: &LawState, side: Side, state: &State) -> bool {
         self.phase == other.phase && self.is_at(side, state, phases::SAME_BOUNDARY * self.pitch.width(self.cell))
     }
 
@@ -223,19 +223,19 @@ impl Law {
 }
 
 /// Length of one turn of each coordinate (N); 0 if turns are not counted.
-pub fn turn_lengths(n: usize, laws: &[Law]) -> Vector {
-    Vector::from_fn(n, |i| laws.iter().find(|law| law.phase == i).map_or(0.0, Law::turn))
+pub fn turn_lengths(n: usize, laws: &[LawState]) -> Vector {
+    Vector::from_fn(n, |i| laws.iter().find(|law| law.phase == i).map_or(0.0, LawState::turn))
 }
 
 /// The laws that step when `law` reaches a boundary: this law, and those that join it.
 #[inline]
-pub fn met<'a>(laws: &'a [Law], law: usize, side: Side, state: &'a State) -> impl Iterator<Item = usize> + 'a {
+pub fn met<'a>(laws: &'a [LawState], law: usize, side: Side, state: &'a State) -> impl Iterator<Item = usize> + 'a {
     (0..laws.len()).filter(move |&i| i == law || laws[i].joins(&laws[law], side, state))
 }
 
 /// Moves `law`, and the laws that join it, into the cells beyond its boundary.
 #[inline(never)]
-pub fn enter(laws: &mut [Law], law: usize, side: Side, state: &mut State) {
+pub fn enter(laws: &mut [LawState], law: usize, side: Side, state: &mut State) {
     let entering: Vec<usize> = met(laws, law, side, state).collect();
     let phase = laws[law].phase;
     let turns: i64 = entering.into_iter().map(|i| laws[i].enter(side, state)).sum();
@@ -275,7 +275,7 @@ pub fn barrier(
 
 /// Whether the step of a law may change the mode of a switch.
 #[inline]
-fn moves(law: &Law, switches: &[Switch]) -> bool {
+fn moves(law: &LawState, switches: &[Switch]) -> bool {
     law.is_error && switches.iter().any(Switch::is_shifted)
 }
 
@@ -296,7 +296,7 @@ pub fn beyond(
 }
 
 /// The laws that are not constant within their cells, in words; `None` if all are constant.
-pub fn curved(model: &Model, laws: &[Law]) -> Option<String> {
+pub fn curved(model: &Model, laws: &[LawState]) -> Option<String> {
     let curved: Vec<_> = model.laws.iter().zip(laws).filter(|(_, law)| !law.pitch.steps_only()).collect();
     let names: Vec<_> = curved.iter().map(|(law, _)| format!("{}({})", law.name, law.phase)).collect();
     (!names.is_empty()).then(|| format!("{} varies within a cell, in V and its forces", names.join(", ")))

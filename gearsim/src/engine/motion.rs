@@ -8,7 +8,7 @@ use xprec::Df64;
 
 use crate::engine::cells::Cells;
 use crate::engine::contact::Ending;
-use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::jump::Passage;
@@ -61,7 +61,7 @@ pub trait Motion {
     ///
     /// # Errors
     /// Where the search does not end, or leaves the range of numbers.
-    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost>;
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError>;
 
     /// The state after the time `t` \[s\], which is at most its length.
     fn at(&mut self, t: f64) -> Reached;

@@ -12,10 +12,10 @@ use crate::engine::exact::Exact;
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::lanes::alone::Alone;
-use crate::engine::law::{self, Law};
+use crate::engine::law::{self, LawState};
 use crate::engine::motion::{Effort, End, Solver};
 use crate::engine::record::{Recorder, State};
-use crate::engine::start::{self, Begun};
+use crate::engine::start::{self, Initial};
 use crate::engine::switch::Switch;
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
@@ -62,7 +62,7 @@ impl<'a> Simulation<'a> {
     pub fn exact(
         equations: &'a dyn Equations,
         scene: &Scene,
-        begun: Begun,
+        begun: Initial,
         forcing: Option<Forcing>,
     ) -> Result<Self, Refusal> {
         let now = Hybrid::new(equations, scene, begun, forcing);
@@ -188,7 +188,7 @@ impl<'a> Simulation<'a> {
     ///
     /// # Errors
     /// Where the cell has no modes.
-    pub fn go_on_from(&mut self, state: State, laws: Vec<Law>, switches: Vec<Switch>) -> Result<(), Stop> {
+    pub fn go_on_from(&mut self, state: State, laws: Vec<LawState>, switches: Vec<Switch>) -> Result<(), Stop> {
         (self.now.state, self.now.laws, self.now.switches) = (state, laws, switches);
         self.now.set_levels();
         if self.now.is_stuck() { self.hold(vec![]) } else { self.change_mode() }
@@ -226,7 +226,8 @@ impl<'a> Simulation<'a> {
     /// Whether the next event may be plain: there is one law, its phase rolls with the motion, and there are no switches, no
     /// held phases and no torques that vary. The kernel decides whether it is.
     pub fn is_plain(&self) -> bool {
-        let rolls = |law: &Law| law.turn() > 0.0 && law.switching != Switching::Never && law.next_switch().is_none();
+        let rolls =
+            |law: &LawState| law.turn() > 0.0 && law.switching != Switching::Never && law.next_switch().is_none();
         let Hybrid { laws, switches, contact, forcing, .. } = &self.now;
         matches!(&laws[..], [law] if rolls(law)) && switches.is_empty() && contact.is_none() && forcing.is_none()
     }

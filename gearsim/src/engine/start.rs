@@ -4,7 +4,7 @@ mod equilibrium;
 
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
-use crate::engine::law::{self, Law};
+use crate::engine::law::{self, LawState};
 use crate::engine::record::State;
 use crate::engine::switch::{self, Switch};
 use crate::engine::vector::Vector;
@@ -14,15 +14,15 @@ use equilibrium::{Equilibrium, Settled, courses};
 
 /// A start: the state, the laws in their cells, and the switches in their modes.
 #[derive(Clone)]
-pub struct Begun {
+pub struct Initial {
     pub state: State,
-    pub laws: Vec<Law>,
+    pub laws: Vec<LawState>,
     pub switches: Vec<Switch>,
     /// Other static equilibria that were found, in words; `None` if there are none, or no static start is asked for.
     pub others: Option<String>,
 }
 
-impl Begun {
+impl Initial {
     /// The coordinates, with their whole turns (N).
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
@@ -38,7 +38,7 @@ impl Begun {
 ///
 /// # Errors
 /// If the forces do not determine the equilibrium, or a phase is too large.
-pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal> {
+pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusal> {
     let n = equations.coordinates();
     let mut q_dot = Vector::zeros(n);
     for (i, size) in scene.start.motions.iter().enumerate() {
@@ -54,7 +54,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
     let mut switches = Switch::all(equations, scene.model, &scene.model.in_contact([]));
     let (mut state, mut others) = (State::new(guess.clone(), q_dot.clone()), None);
     let laws = if free.is_empty() {
-        Law::begin(equations, scene, &mut state)?
+        LawState::begin(equations, scene, &mut state)?
     } else {
         let balance = Equilibrium { equations, scene, free: &free, q_dot };
         let settle = |switches: &[Switch]| balance.from(&guess, switches);
@@ -82,7 +82,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Begun, Refusal>
         switch.write(&mut k);
         switch::settle(switch, equations, place, &mut k, None);
     }
-    Ok(Begun { state, laws, switches, others })
+    Ok(Initial { state, laws, switches, others })
 }
 
 /// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose guards are violated

@@ -1,7 +1,7 @@
 //! A linear function of the state whose first zero ends a motion, as the modes of a cell take part in it.
 
 use crate::engine::cell::{Cell, Flight, Point};
-use crate::engine::crossing::{Cost, Lost, Search, Side};
+use crate::engine::crossing::{Cost, Search, SearchError, Side};
 use crate::engine::forcing::window::{TERMS, Window};
 use crate::engine::root;
 use crate::engine::signal::Signal;
@@ -47,7 +47,7 @@ impl Watch {
         horizon: f64,
         point: &mut Point,
         cost: &mut Cost,
-    ) -> Result<Option<Side>, Lost> {
+    ) -> Result<Option<Side>, SearchError> {
         let (down, up) = if value >= 0.0 { (value, f64::INFINITY) } else { (f64::INFINITY, -value) };
         let signal = Signal { flight, on_moved: &self.modal.0, on_speed: self.modal.1.as_deref() };
         let search = Search { signal, rate: signal.derivatives(point)[1], down, up, horizon };

@@ -1,7 +1,7 @@
 //! The choice of the method that runs a scene, with its reason.
 
 use crate::engine::error::Refusal;
-use crate::engine::law::{Law, curved};
+use crate::engine::law::{LawState, curved};
 use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
 use crate::tolerance::methods::HIGH_ORDER;
@@ -30,7 +30,7 @@ pub struct Choice {
 ///
 /// # Errors
 /// If the scene asks for the exact method, and its cells are not linear.
-pub fn of(scene: &Scene, laws: &[Law]) -> Result<Choice, Refusal> {
+pub fn of(scene: &Scene, laws: &[LawState]) -> Result<Choice, Refusal> {
     let terms = match scene.effects.nonlinear(scene.model) {
         terms if terms.is_empty() => curved(scene.model, laws),
         terms => Some(terms),

@@ -10,7 +10,7 @@ use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
-use crate::engine::law::Law;
+use crate::engine::law::LawState;
 use crate::engine::motion::Guard;
 use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
@@ -20,7 +20,7 @@ use crate::methods::flow::Flow;
 pub struct Field<'a> {
     /// The equations.
     pub equations: &'a (dyn Equations + 'a),
-    laws: Vec<Law>,
+    laws: Vec<LawState>,
     switches: Vec<Switch>,
     guards: Arc<Guards>,
     forcing: Option<Box<Forcing>>,

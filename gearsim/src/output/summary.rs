@@ -127,6 +127,8 @@ pub struct Counts {
     pub holds: u64,
     /// Number of times that flanks met after crossing their play.
     pub impacts: u64,
+    /// Number of times that dry friction brought a motion to rest, or a clutch locked.
+    pub sticks: u64,
     /// Energy of the bounces that were ignored when phases were held [J]; the residual counts it as lost.
     pub ignored: Number,
     /// Number of times that two phases met steps at the same instant and the order changed the result, which is then one of several.

@@ -2,7 +2,7 @@
 
 use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
 use crate::analysis::modes::CellModes;
-use crate::analysis::steady::Course;
+use crate::analysis::steady::SteadyLaw;
 use crate::scene::Scene;
 
 /// Number of harmonics drawn of each mesh frequency.
@@ -12,9 +12,9 @@ const HARMONICS: usize = 5;
 ///
 /// # Errors
 /// [`PlotError::Nothing`] if no mode vibrates, or if no mesh both turns and has a stiffness that steps.
-pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figure, PlotError> {
+pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Figure, PlotError> {
     let nothing = |why: &str| PlotError::Nothing { plot: "campbell", why: why.into() };
-    let moving: Vec<&Course> = courses.iter().filter(|c| c.turns()).collect();
+    let moving: Vec<&SteadyLaw> = courses.iter().filter(|c| c.turns()).collect();
     let first = moving.first().ok_or_else(|| nothing("no mesh of the scene turns and steps"))?;
     let frequencies: Vec<f64> = cell.modes.iter().map(|m| m.damped).filter(|f| *f > 0.0).collect();
     let (Some(lowest), Some(highest)) = (frequencies.first(), frequencies.last()) else {
@@ -23,7 +23,7 @@ pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figur
     // The abscissa is the mesh frequency of the first law. Both axes end above the highest natural frequency, or above ten times
     // the lowest if that is less; the abscissa at least includes the mesh frequency of the scene.
     let top = 1.2 * highest.min(10.0 * lowest);
-    let longest = top.max(1.1 * first.frequency());
+    let longest = top.max(1.1 * first.mesh_frequency());
     let mut series = vec![];
     for (i, f) in frequencies.iter().filter(|f| **f <= top).enumerate() {
         let label = if i == 0 { "damped natural frequencies" } else { "" };
@@ -31,7 +31,7 @@ pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figur
         series.push(Series { style, ..Series::new(0, label, vec![0.0, longest], vec![*f, *f]) });
     }
     for (l, course) in moving.iter().enumerate() {
-        let ratio = course.frequency() / first.frequency();
+        let ratio = course.mesh_frequency() / first.mesh_frequency();
         for harmonic in 1..=HARMONICS {
             let label = if harmonic == 1 {
                 format!("harmonics 1 to {HARMONICS} of the mesh {}", course.name)
@@ -44,7 +44,7 @@ pub fn draw(scene: &Scene, courses: &[Course], cell: &CellModes) -> Result<Figur
             series.push(line);
         }
     }
-    let now = first.frequency();
+    let now = first.mesh_frequency();
     let style = Style { colour: "#d55e00", dashes: &[7.0, 3.0], width: 1.3, marker: Marker::None };
     series.push(Series { style, ..Series::new(0, "speed of the scene", vec![now, now], vec![0.0, top]) });
     Ok(Figure {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::engine::equations::Switching;
-use crate::engine::law::Law;
+use crate::engine::law::LawState;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
@@ -55,6 +55,6 @@ impl fmt::Display for Account {
 
 /// Whether the account must close: not where the scene leaves out the jump terms or lets time move a phase, for then energy comes
 /// from nowhere by the scene's own choice.
-pub fn closes(laws: &[Law]) -> bool {
+pub fn closes(laws: &[LawState]) -> bool {
     laws.iter().all(|law| matches!(law.switching, Switching::WithJump | Switching::Never))
 }

@@ -156,6 +156,13 @@ impl Scene {
         self.model.laws.iter().zip(&self.laws).take(last.map_or(0, |last| last + 1))
     }
 
+    /// What linear analyses leave out: the switches of the scene's effects, each in words. There every play is closed, every clutch is
+    /// open, and dry friction is absent.
+    pub fn left_out_if_linear(&self) -> Vec<&'static str> {
+        let active = self.model.switches.iter().filter(|switch| self.effects.has(switch.with, self.model));
+        active.map(|switch| switch.doc).collect()
+    }
+
     /// The stiffnesses among the laws of [`Scene::present`].
     pub fn stiffnesses(&self) -> impl Iterator<Item = (&'static Law, &Profile)> {
         self.present().filter(|(law, _)| law.with.is_none())

@@ -5,7 +5,7 @@
 use gearsim::engine::Stop;
 use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::hybrid::Counts;
-use gearsim::engine::law::Law;
+use gearsim::engine::law::LawState;
 use gearsim::engine::record::{Recorder, State};
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair::GearPair;
@@ -43,7 +43,7 @@ pub struct Pair {
 pub struct Ran {
     pub state: State,
     pub cell: usize,
-    pub laws: Vec<Law>,
+    pub laws: Vec<LawState>,
     /// Times of the events since the start of the run [s].
     pub times: Vec<f64>,
     pub counts: Counts,

@@ -1,7 +1,7 @@
 //! Any linear cell M q'' + C q' + K q = f with the phase n.q, as equations for the engine. For cases that need no scene.
 
 use gearsim::engine::cell::{Cell, Flight, Point};
-use gearsim::engine::crossing::{Cost, Lost, Search, Side};
+use gearsim::engine::crossing::{Cost, Search, SearchError, Side};
 use gearsim::engine::equations::{Equations, Switching, matrix};
 use gearsim::engine::signal::Signal;
 use gearsim::engine::vector::{Matrix, Vector, dot};
@@ -104,7 +104,12 @@ pub struct Met {
 }
 
 /// Searches for the first boundary that n.q meets before `horizon` [s]. The boundaries are at the distances `down` and `up`.
-pub fn first(flight: &Flight<'_>, participation: &Vector, [down, up]: [f64; 2], horizon: f64) -> Result<Met, Lost> {
+pub fn first(
+    flight: &Flight<'_>,
+    participation: &Vector,
+    [down, up]: [f64; 2],
+    horizon: f64,
+) -> Result<Met, SearchError> {
     let (mut point, mut cost): (Point, Cost) = (flight.begin(), Cost::default());
     let signal = Signal { flight, on_moved: participation, on_speed: None };
     let search = Search { signal, rate: signal.derivatives(&point)[1], down, up, horizon };

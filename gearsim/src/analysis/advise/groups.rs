@@ -1,7 +1,7 @@
 //! The dimensionless groups of a scene that indicate which effects matter.
 
 use crate::analysis::modes::{self, Meeting};
-use crate::analysis::steady::{self, Course};
+use crate::analysis::steady::{self, SteadyLaw};
 use crate::engine::Refusal;
 use crate::engine::system::System;
 use crate::scene::Scene;
@@ -91,7 +91,7 @@ fn strength(
     mids: &[f64],
     (law, low, high): (usize, f64, f64),
     phase: usize,
-    course: &Course,
+    course: &SteadyLaw,
 ) -> Result<f64, Refusal> {
     let mut k = mids.to_vec();
     k[law] = low;

@@ -22,7 +22,7 @@ use leg::Leg;
 use nalgebra::{DMatrix, DVector};
 
 use crate::analysis::floquet::{Aperiodic, Stretch, stretches};
-use crate::analysis::steady::{self, Course};
+use crate::analysis::steady::{self, SteadyLaw};
 use crate::engine::Refusal;
 use crate::engine::equations::Switching;
 use crate::engine::modal::Modal;
@@ -64,7 +64,7 @@ const ROUNDS: usize = 12;
 pub struct Steady<'a> {
     system: &'a System,
     /// The laws.
-    pub courses: Vec<Course>,
+    pub courses: Vec<SteadyLaw>,
     /// Index of the coordinate that is the phase of each law.
     phases: Vec<usize>,
     /// Common period at the scene's speed [s].
@@ -121,7 +121,7 @@ impl<'a> Steady<'a> {
         }
         let model = scene.model;
         let phase = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
-        let means: Vec<f64> = courses.iter().map(Course::mean).collect();
+        let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
         let at_mean = system.matrices(&means)?;
         let modal = Modal::of(&at_mean)?;
         let elastic: Vec<usize> = (0..modal.modes.len()).filter(|&i| modal.modes[i].omega2 > 0.0).collect();

@@ -1,6 +1,6 @@
 //! The common period of all stiffnesses, divided into stretches in which none of them steps.
 
-use crate::analysis::steady::Course;
+use crate::analysis::steady::SteadyLaw;
 use crate::tolerance::analysis;
 
 /// Why the laws have no common period.
@@ -34,8 +34,8 @@ pub struct Stretch {
 ///
 /// # Errors
 /// [`Aperiodic`] if there is none.
-pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
-    let stepping: Vec<&Course> = courses.iter().filter(|c| c.steps).collect();
+pub fn stretches(courses: &[SteadyLaw]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
+    let stepping: Vec<&SteadyLaw> = courses.iter().filter(|c| c.steps).collect();
     let first = *stepping.first().ok_or(Aperiodic::Constant)?;
     if let Some(still) = stepping.iter().find(|c| c.speed == 0.0 || !c.frequency().is_normal()) {
         return Err(Aperiodic::Still { law: still.name });
@@ -74,7 +74,7 @@ pub fn stretches(courses: &[Course]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
 }
 
 /// The times within the period at which a law steps [s].
-fn steps(course: &Course, period: f64) -> Vec<f64> {
+fn steps(course: &SteadyLaw, period: f64) -> Vec<f64> {
     let pitches = (course.frequency() * period).round() as u64;
     let one = course.period / course.speed.abs();
     // Time until the phase first reaches the end of a level.
@@ -86,7 +86,7 @@ fn steps(course: &Course, period: f64) -> Vec<f64> {
 }
 
 /// The value of a law at the time `t` [s].
-fn level(course: &Course, t: f64) -> f64 {
+fn level(course: &SteadyLaw, t: f64) -> f64 {
     let phase = (course.start + course.speed * t).rem_euclid(course.period);
     let here = course.levels.iter().find(|(_, end)| phase < *end);
     here.or(course.levels.last()).map_or(0.0, |(value, _)| *value)
@@ -100,8 +100,8 @@ fn gcd(a: u64, b: u64) -> u64 {
 mod tests {
     use super::*;
 
-    fn course(name: &'static str, speed: f64, start: f64) -> Course {
-        Course { name, levels: vec![(1.0, 0.25), (2.0, 1.0)], period: 1.0, start, speed, steps: true }
+    fn course(name: &'static str, speed: f64, start: f64) -> SteadyLaw {
+        SteadyLaw { name, levels: vec![(1.0, 0.25), (2.0, 1.0)], period: 1.0, pitches: 1, start, speed, steps: true }
     }
 
     #[test]

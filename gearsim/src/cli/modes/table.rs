@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::analysis::modes::springs::Spring;
 use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, Vibration, meetings};
-use crate::analysis::steady::Course;
+use crate::analysis::steady::SteadyLaw;
 use crate::cli::number::short;
 use crate::cli::terminal;
 use crate::scene::Scene;
@@ -18,7 +18,7 @@ const PARTS: usize = 6;
 /// The whole text.
 pub(super) fn render(
     scene: &Scene,
-    courses: &[Course],
+    courses: &[SteadyLaw],
     springs: &[Spring],
     chosen: &CellModes,
     cells: &[CellModes],
@@ -107,14 +107,14 @@ fn all(scene: &Scene, cells: &[CellModes]) -> String {
 }
 
 /// The mesh frequencies, and their harmonics near natural frequencies.
-fn harmonics(courses: &[Course], chosen: &CellModes) -> String {
-    let moving: Vec<&Course> = courses.iter().filter(|c| c.turns()).collect();
+fn harmonics(courses: &[SteadyLaw], chosen: &CellModes) -> String {
+    let moving: Vec<&SteadyLaw> = courses.iter().filter(|c| c.turns()).collect();
     if moving.is_empty() {
         return "There are no mesh frequencies: the scene has no speed, or no stiffness steps.\n".into();
     }
     let mut text = String::new();
     for course in moving {
-        let _ = writeln!(text, "mesh frequency of {}: {} Hz", course.name, short(course.frequency()));
+        let _ = writeln!(text, "mesh frequency of {}: {} Hz", course.name, short(course.mesh_frequency()));
     }
     let near = meetings(courses, chosen);
     if near.is_empty() {

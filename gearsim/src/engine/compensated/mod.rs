@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
 use crate::engine::cells::{self, levels};
-use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::equations::Matrices;
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::hybrid::Hybrid;
@@ -155,7 +155,7 @@ impl Motion for Refined<'_> {
         self.plain.length()
     }
 
-    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError> {
         self.plain.first(guard, until, cost)
     }
 

@@ -8,9 +8,9 @@ use super::Side;
 /// A periodic motion has the same delay in the same cell. The initial guess is then so close that one full evaluation of the
 /// motion is enough. It is only a guess: the root that is found is the same, to rounding.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Lateness([f64; 2]);
+pub struct Delay([f64; 2]);
 
-impl Lateness {
+impl Delay {
     /// The expected time of a passage that would take the time `steady` at the steady part of its speed [s].
     #[inline]
     pub(super) fn guess(&self, side: Side, steady: f64) -> f64 {

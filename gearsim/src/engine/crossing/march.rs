@@ -3,13 +3,13 @@
 
 use super::departure::Departure;
 use super::step::Approach;
-use super::{Cost, Lost, Search, Side};
+use super::{Cost, Search, SearchError, Side};
 use crate::engine::cell::Point;
 use crate::tolerance::events::SEARCH_STEPS;
 
 impl Search<'_> {
     /// Advances by steps that contain no crossing.
-    pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, Lost> {
+    pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, SearchError> {
         match self.depart(point) {
             Some(Departure::Returns { side, t }) => {
                 self.go(point, t, cost);
@@ -26,7 +26,7 @@ impl Search<'_> {
             let [moved, rates @ ..] = self.signal.derivatives(point);
             let bounds = self.signal.bounds(point);
             if bounds.iter().chain(&rates).any(|x| !x.is_finite()) {
-                return Err(Lost::Overflow);
+                return Err(SearchError::Overflow);
             }
             let rounding = self.signal.rounding(point);
             let reach = self.signal.reach(point);
@@ -75,7 +75,7 @@ impl Search<'_> {
             }
             self.go(point, if next > t { next } else { t.next_up() }, cost);
         }
-        Err(Lost::Stuck(SEARCH_STEPS))
+        Err(SearchError::Stuck(SEARCH_STEPS))
     }
 
     fn sides(&self) -> [(Side, f64); 2] {

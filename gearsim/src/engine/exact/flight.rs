@@ -4,7 +4,7 @@ use xprec::Df64;
 
 use crate::engine::cell::{Flight, Point};
 use crate::engine::cells::Prepared;
-use crate::engine::crossing::{Cost, Lateness, Lost, Search, Side};
+use crate::engine::crossing::{Cost, Delay, Search, SearchError, Side};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{End, Guard, Motion, Reached};
 use crate::engine::record::State;
@@ -20,7 +20,7 @@ pub struct InFlight<'s> {
     held: &'s [Watch],
     flight: Flight<'s>,
     /// How late the phase was in this cell before, where there is a single law.
-    lateness: Option<&'s mut Lateness>,
+    lateness: Option<&'s mut Delay>,
     /// The event that was found last.
     found: Option<Point>,
 }
@@ -32,7 +32,7 @@ impl<'s> InFlight<'s> {
         here: &'s Prepared,
         held: &'s [Watch],
         flight: Flight<'s>,
-        lateness: Option<&'s mut Lateness>,
+        lateness: Option<&'s mut Delay>,
     ) -> Self {
         InFlight { now, here, held, flight, lateness, found: None }
     }
@@ -51,7 +51,7 @@ impl Motion for InFlight<'_> {
     }
 
     #[inline]
-    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError> {
         let InFlight { now, here, flight, .. } = self;
         let mut point = flight.begin();
         let side = match guard {

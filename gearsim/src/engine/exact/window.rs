@@ -3,7 +3,7 @@
 use smallvec::SmallVec;
 use xprec::Df64;
 
-use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::forcing::Forcing;
 use crate::engine::forcing::linear::Linear;
 use crate::engine::forcing::window::{TERMS, Window};
@@ -79,7 +79,7 @@ impl Motion for InWindow<'_> {
         self.window.width
     }
 
-    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError> {
         let (window, now) = (&self.window, self.now);
         let first = match guard {
             Guard::Phase(law) => self.first_boundary(law, cost),

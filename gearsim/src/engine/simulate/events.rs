@@ -6,7 +6,7 @@ use crate::engine::crossing::Side;
 use crate::engine::equations::Switching;
 use crate::engine::error::Stop;
 use crate::engine::jump::Passage;
-use crate::engine::law::{self, Law};
+use crate::engine::law::{self, LawState};
 use crate::engine::motion::End;
 use crate::engine::order;
 use crate::tolerance::events::END_OF_RUN;
@@ -190,6 +190,6 @@ impl Simulation<'_> {
 }
 
 /// Whether a boundary of a cell is a kink of a curve: its value does not step there.
-fn is_kink(law: &Law, side: Side) -> bool {
+fn is_kink(law: &LawState, side: Side) -> bool {
     !law.pitch.steps_only() && law.step(side) == 0.0
 }

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
-use crate::engine::law::{self, Law};
+use crate::engine::law::{self, LawState};
 use crate::engine::record::State;
 use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector};
@@ -34,7 +34,7 @@ pub struct Equilibrium<'a> {
 #[derive(Clone)]
 pub struct Settled {
     pub state: State,
-    pub laws: Vec<Law>,
+    pub laws: Vec<LawState>,
     /// Whether the strain energy has a minimum there, with respect to the coordinates that are not on a boundary.
     pub stable: bool,
 }
@@ -52,10 +52,10 @@ impl Equilibrium<'_> {
     /// The equilibrium found from the coordinates `guess` (N), with the switches in their present modes.
     ///
     /// # Errors
-    /// [`Refusal::NoEquilibrium`] if the iteration finds none; those of [`Law::begin`].
+    /// [`Refusal::NoEquilibrium`] if the iteration finds none; those of [`LawState::begin`].
     pub fn from(&self, guess: &Vector, switches: &[Switch]) -> Result<Settled, Refusal> {
         let mut state = State::new(guess.clone(), self.q_dot.clone());
-        let mut laws = Law::begin(self.equations, self.scene, &mut state)?;
+        let mut laws = LawState::begin(self.equations, self.scene, &mut state)?;
         // The coordinates held on a boundary to which both cells push them.
         let mut held: Vec<usize> = vec![];
         let mut entered: Option<(usize, Side)> = None;
@@ -68,7 +68,7 @@ impl Equilibrium<'_> {
                 // The step is longer than a pitch: restart at its end instead of passing every boundary on the way.
                 let here = Settled { state, laws, stable };
                 state = State::new(here.absolute() + &step, self.q_dot.clone());
-                laws = Law::begin(self.equations, self.scene, &mut state)?;
+                laws = LawState::begin(self.equations, self.scene, &mut state)?;
                 (held, entered, last) = (vec![], None, f64::INFINITY);
                 continue;
             }
@@ -99,7 +99,7 @@ impl Equilibrium<'_> {
     }
 
     /// The laws at the start of the motion: a phase on a boundary is in the cell into which it moves.
-    fn settled(&self, mut state: State, mut laws: Vec<Law>, stable: bool) -> Result<Settled, Refusal> {
+    fn settled(&self, mut state: State, mut laws: Vec<LawState>, stable: bool) -> Result<Settled, Refusal> {
         for i in 0..laws.len() {
             let speed = self.q_dot[laws[i].phase];
             for (side, onwards) in [(Side::Upper, speed >= 0.0), (Side::Lower, speed < 0.0)] {
@@ -113,7 +113,7 @@ impl Equilibrium<'_> {
 
     /// Newton's step. Where V is not convex, negative curvatures count as positive, so that the step reduces V and leads to the
     /// minimum nearest to the guess. `None` if the forces do not determine the step.
-    fn newton(&self, moving: &[usize], state: &State, laws: &[Law], switches: &[Switch]) -> Option<Step> {
+    fn newton(&self, moving: &[usize], state: &State, laws: &[LawState], switches: &[Switch]) -> Option<Step> {
         let (mut step, mut diagonal) = (Vector::zeros(self.q_dot.len()), Vector::zeros(self.q_dot.len()));
         if moving.is_empty() {
             return Some(Step { step, stiffness: diagonal, stable: true });
@@ -143,7 +143,7 @@ impl Equilibrium<'_> {
     }
 
     /// The generalised forces (N), and minus their derivatives by the coordinates (N x N).
-    fn balance(&self, state: &State, laws: &[Law], switches: &[Switch]) -> (Vector, Matrix) {
+    fn balance(&self, state: &State, laws: &[LawState], switches: &[Switch]) -> (Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
         switches.iter().for_each(|switch| switch.write(&mut k));
         let (q, v) = (&state.q, &self.q_dot);
@@ -240,7 +240,7 @@ impl Settled {
 
 /// The values of the laws and their first and second derivatives by their phases, in the present cells. The neutral values of
 /// the switches follow those of the laws.
-pub fn courses(scene: &Scene, state: &State, laws: &[Law]) -> [Vec<f64>; 3] {
+pub fn courses(scene: &Scene, state: &State, laws: &[LawState]) -> [Vec<f64>; 3] {
     let courses: Vec<[f64; 3]> = laws.iter().map(|law| law.course(state.q[law.phase], 0.0)).collect();
     let padded = |i: usize| {
         let values = courses.iter().map(move |course| course[i]);
@@ -250,8 +250,8 @@ pub fn courses(scene: &Scene, state: &State, laws: &[Law]) -> [Vec<f64>; 3] {
 }
 
 /// The first boundary on the way from `state` along `step`: the fraction of the step up to it, its law and its side.
-fn first_boundary(laws: &[Law], state: &State, step: &Vector) -> Option<(f64, usize, Side)> {
-    let moved = |law: &Law| law.switching != Switching::Never && law.next_switch().is_none();
+fn first_boundary(laws: &[LawState], state: &State, step: &Vector) -> Option<(f64, usize, Side)> {
+    let moved = |law: &LawState| law.switching != Switching::Never && law.next_switch().is_none();
     let ways = laws.iter().enumerate().filter(|(_, law)| moved(law) && step[law.phase] != 0.0);
     let ways = ways.map(|(i, law)| {
         let side = if step[law.phase] > 0.0 { Side::Upper } else { Side::Lower };

@@ -2,7 +2,7 @@
 
 use xprec::Df64;
 
-use crate::engine::crossing::{Cost, Lost, Side};
+use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::mode::GAUSS_16;
 use crate::engine::motion::{End, Guard, Motion, Reached};
@@ -71,7 +71,7 @@ impl Motion for Step<'_, '_> {
         self.h
     }
 
-    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, Lost> {
+    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError> {
         if self.solver.settings.events == Events::AfterStep {
             return Ok(None);
         }

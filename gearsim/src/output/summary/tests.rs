@@ -25,6 +25,7 @@ fn summary() -> Summary {
             grazes: 3,
             holds: 4,
             impacts: 5,
+            sticks: 7,
             ignored: Number(5e-12),
             ambiguous: 6,
         },
