@@ -3,8 +3,8 @@
 use gearsim_derive::{Model, Start};
 
 use crate::components::{
-    Pair, Sliding, damping, dc_motor, drive, dry_friction, induction_motor, load, mesh_with_play, overrunning_clutch,
-    pair, pressure_tangent, rotor, shaft, sliding_friction, transmission_error, viscous,
+    damping, dc_motor, drive, dry_friction, induction_motor, load, overrunning_clutch, pair, pressure_tangent, rotor,
+    shaft, viscous,
 };
 
 /// Coordinates: the rotation of the motor, the mean rotation and the deflection of each mesh, and the twist of the half shaft.
@@ -28,15 +28,8 @@ pub fn electric_axle(m: &mut Model) {
     shaft(m, "h", "half shaft", psi);
 
     let tangent = pressure_tangent(m);
-    let mut geared = |part: &str, gears: Pair| {
-        let what = format!("mesh {part}");
-        let e = transmission_error(m, part, &what, gears.theta);
-        let mesh = mesh_with_play(m, part, &what, gears.theta, gears.s - e.value);
-        let sliding = Sliding { phase: gears.theta, tau: tangent * gears.s, psi: gears.theta1 + gears.theta2 };
-        sliding_friction(m, part, &what, "m", mesh, sliding);
-    };
-    geared("12", first);
-    geared("34", second);
+    first.mesh(m, "12", "mesh of gears 1 and 2", tangent);
+    second.mesh(m, "34", "mesh of gears 3 and 4", tangent);
 
     drive(m, "motor", "motor", theta_m);
     dc_motor(m, "", "motor", theta_m, theta_m.dot());

@@ -3,7 +3,7 @@
 use gearsim_derive::{Model, Start};
 
 use crate::components::{
-    damping, dc_motor, drive, fan, governor, induction_motor, load, mesh_with_play, pair, rotor, shaft,
+    damping, dc_motor, drive, fan, governor, induction_motor, load, pair, pressure_tangent, rotor, shaft,
 };
 
 /// Coordinates: the mean rotation and the mesh deflection of the pair, and the twists of the two shafts.
@@ -22,7 +22,8 @@ pub fn gear_pair_shafts(m: &mut Model) {
     rotor(m, "l", "load", theta_l);
     shaft(m, "m", "motor's shaft", psi_m);
     shaft(m, "l", "load's shaft", psi_l);
-    mesh_with_play(m, "12", "mesh", gears.theta, gears.s);
+    let tangent = pressure_tangent(m);
+    gears.mesh(m, "12", "mesh", tangent);
     drive(m, "motor", "motor", theta_m);
     load(m, "load", "load", theta_l);
     // The speeds on which motors and fan depend: named, so that the equations are written in them.

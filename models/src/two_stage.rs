@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, load, mesh_with_play, pair, rotor, shaft};
+use crate::components::{damping, drive, load, pair, pressure_tangent, rotor, shaft};
 
 /// Coordinates: the mean rotation and the deflection of each mesh, and the twists of the shafts of motor and load.
 pub fn two_stage(m: &mut Model) {
@@ -23,8 +23,9 @@ pub fn two_stage(m: &mut Model) {
     shaft(m, "m", "motor's shaft", psi_m);
     shaft(m, "c", "countershaft", first.theta2 - second.theta1);
     shaft(m, "l", "load's shaft", psi_l);
-    mesh_with_play(m, "12", "mesh of gears 1 and 2", first.theta, first.s);
-    mesh_with_play(m, "34", "mesh of gears 3 and 4", second.theta, second.s);
+    let tangent = pressure_tangent(m);
+    first.mesh(m, "12", "mesh of gears 1 and 2", tangent);
+    second.mesh(m, "34", "mesh of gears 3 and 4", tangent);
     drive(m, "motor", "motor", theta_m);
     load(m, "load", "load", theta_l);
     damping(m);

@@ -36,14 +36,14 @@ equations! {
         k_c "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the intermediate shaft";
         k_h "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the half shaft";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
-        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh 12: no contact within b/2 to either side";
-        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh 12";
+        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
+        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
-            "rolling speed omega1 + omega2 of the mesh 12 below which friction decreases to zero (mixed film)";
-        b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh 34: no contact within b/2 to either side";
-        mu34 "1" required with sliding_friction_34, from 0.0 to inf, "coefficient of friction of the mesh 34";
+            "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
+        b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
+        mu34 "1" required with sliding_friction_34, from 0.0 to inf, "coefficient of friction of the mesh of gears 3 and 4";
         w_mix34 "rad/s" default 0.1, open 0.0 to inf,
-            "rolling speed omega1 + omega2 of the mesh 34 below which friction decreases to zero (mixed film)";
+            "rolling speed omega1 + omega2 of the mesh of gears 3 and 4 below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
         Ts "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
         n0 "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
@@ -59,20 +59,20 @@ equations! {
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
-        k12 "N/m" phase theta1 period 6.283185307179586, "stiffness of the mesh 12 along the line of action";
-        k34 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh 34 along the line of action";
+        k12 "N/m" phase theta1 period 6.283185307179586, "stiffness of the mesh of gears 1 and 2 along the line of action";
+        k34 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh of gears 3 and 4 along the line of action";
         e12 "m" phase theta1 period 6.283185307179586 with transmission_error_12,
-            "transmission error of the mesh 12 along the line of action";
+            "transmission error of the mesh of gears 1 and 2 along the line of action";
         e34 "m" phase theta2 period 6.283185307179586 with transmission_error_34,
-            "transmission error of the mesh 34 along the line of action";
+            "transmission error of the mesh of gears 3 and 4 along the line of action";
         side12 "1" phase theta1 period 6.283185307179586 with sliding_friction_12 as side,
-            "share of the force of the mesh 12 on tooth pairs beyond the pitch point, minus that on pairs before it";
+            "share of the force of the mesh of gears 1 and 2 on tooth pairs beyond the pitch point, minus that on pairs before it";
         arm12 "m" phase theta1 period 6.283185307179586 with sliding_friction_12 as arm,
-            "mean distance of the force of the mesh 12 from the pitch point along the line of action";
+            "mean distance of the force of the mesh of gears 1 and 2 from the pitch point along the line of action";
         side34 "1" phase theta2 period 6.283185307179586 with sliding_friction_34 as side,
-            "share of the force of the mesh 34 on tooth pairs beyond the pitch point, minus that on pairs before it";
+            "share of the force of the mesh of gears 3 and 4 on tooth pairs beyond the pitch point, minus that on pairs before it";
         arm34 "m" phase theta2 period 6.283185307179586 with sliding_friction_34 as arm,
-            "mean distance of the force of the mesh 34 from the pitch point along the line of action";
+            "mean distance of the force of the mesh of gears 3 and 4 from the pitch point along the line of action";
     }
     motions { speed "rad/s" { theta_m_dot = 1.0; theta1_dot = N1; theta2_dot = N1*N3/N2; }, "rotational speed of the motor"; }
     effects {
@@ -193,7 +193,7 @@ equations! {
             slips (1.0, 0.0) { until locked { lead_dot { _ => 1.0; } } }
             loss { one { _ => Tdrag*drags + Tmax*slips; } }
         }
-        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh 12" {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh of gears 1 and 2" {
             upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { over12 { _ => 1.0; } }
                 until upper_loose {
@@ -256,7 +256,7 @@ equations! {
             }
             loss { over12 { _ => k12*clip12*touch12; } }
         }
-        over34 "m" (touch34 1.0, edge34 0.0, damp34 1.0, clip34 0.0) with backlash_34, "play of the mesh 34" {
+        over34 "m" (touch34 1.0, edge34 0.0, damp34 1.0, clip34 0.0) with backlash_34, "play of the mesh of gears 3 and 4" {
             upper (1.0, b34/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { over34 { _ => 1.0; } }
                 until upper_loose {
@@ -353,13 +353,13 @@ equations! {
         }
     }
     torques {
-        slide12 "friction of the mesh 12, through the sliding of the flanks at the pitch point" {}
+        slide12 "friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point" {}
         power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
-        roll12 "friction of the mesh 12, through the rolling of the gears" {}
+        roll12 "friction of the mesh of gears 1 and 2, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
-        slide34 "friction of the mesh 34, through the sliding of the flanks at the pitch point" {}
+        slide34 "friction of the mesh of gears 3 and 4, through the sliding of the flanks at the pitch point" {}
         power { sliding_friction_34 => -side34*F_mu34*tau34_dot; }
-        roll34 "friction of the mesh 34, through the rolling of the gears" {}
+        roll34 "friction of the mesh of gears 3 and 4, through the rolling of the gears" {}
         power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
         motor "driving torque of the motor" { torques => T_motor*theta_m; }
         dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts*theta_m; }

@@ -25,7 +25,11 @@ equations! {
         I_l "kg*m^2" required, open 0.0 to inf, "moment of inertia of the load";
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
+        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
+        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
+        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -42,7 +46,15 @@ equations! {
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
-    laws { k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh along the line of action"; }
+    laws {
+        k12 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh along the line of action";
+        e12 "m" phase theta period 6.283185307179586 rolling with transmission_error_12,
+            "transmission error of the mesh along the line of action";
+        side12 "1" phase theta period 6.283185307179586 rolling with sliding_friction_12 as side,
+            "share of the force of the mesh on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm12 "m" phase theta period 6.283185307179586 rolling with sliding_friction_12 as arm,
+            "mean distance of the force of the mesh from the pitch point along the line of action";
+    }
     motions { speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear"; }
     effects {
         stiffness_step
@@ -51,7 +63,11 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error_12 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         speed_governor excludes(dc_motor, induction_motor, rigid_kinematics, frozen_phase)
             "a speed governor: motor torque proportional to the set point minus the speed";
@@ -65,14 +81,47 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
+            !frozen_phase;
+        sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
         backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
     }
 
-    constants { h = r1/N1; }
+    constants {
+        h = r1/N1;
+        tan_a = alpha.sin()/alpha.cos();
+        tiny12 = 1.0/1000000000000.0;
+    }
     deflections {
-        over12 = s - edge12;
+        over12 = s - edge12 - e12;
+        tau12 = tan_a*s;
+        psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
         theta_m = psi_m + s/(2.0*h*N1) + theta/N1;
         theta_l = theta/N2 - psi_l - s/(2.0*h*N2);
+    }
+    forces {
+        F_mu12 {
+            sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+    }
+    partials {
+        F_mu12_by_over12 {
+            sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
+                /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        F_mu12_by_psi12_dot {
+            sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu12_by_k12 {
+            sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
     }
     switches {
         over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh" {
@@ -156,6 +205,10 @@ equations! {
         }
     }
     torques {
+        slide12 "friction of the mesh, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        roll12 "friction of the mesh, through the rolling of the gears" {}
+        power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the motor" { torques => T_motor*(psi_m + s/(2.0*h*N1) + theta/N1); }
         load "load torque of the load, against its rotation" { torques => T_load*(psi_l + s/(2.0*h*N2) - theta/N2); }
         governor "torque c n of the governor; its part -c omega is in D" {
@@ -205,6 +258,8 @@ equations! {
     }
     force {
         theta {
+            transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
+            sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load/N2;
             speed_governor => c_motor*n_motor/N1 - c_motor*theta_m_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_m_dot/(N1*n0_motor);
@@ -222,6 +277,7 @@ equations! {
         s {
             _ => -k12*touch12*over12;
             backlash_12 => -k12*clip12*touch12*over12;
+            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2.0;
             dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2.0;
@@ -255,9 +311,22 @@ equations! {
         }
     }
     jacobian {
-        theta theta { jump_terms => -ddk12*touch12*over12.powi(2)/2.0; }
-        theta s { jump_terms => -dk12*touch12*over12; }
+        theta theta {
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
+                + de12*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
+                - dk12*arm12*F_mu12_by_k12/N2;
+            jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
+        }
+        theta s {
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
+            jump_terms => -dk12*touch12*over12;
+        }
         theta theta_dot {
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
+                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
             speed_governor => -c_motor/N1.powi(2);
             dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
             induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
@@ -279,6 +348,7 @@ equations! {
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_l*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2);
         }
         theta s_dot {
+            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
             speed_governor => -c_motor/(2.0*h*N1.powi(2));
             dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
             induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
@@ -327,14 +397,23 @@ equations! {
             damping => I_l*alpha_M/N2;
         }
         s theta {
+            transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
+                + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
+            transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
+                - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
         s s {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s theta_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
+                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
             speed_governor => -c_motor/(2.0*h*N1.powi(2));
             dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
             induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
@@ -359,6 +438,9 @@ equations! {
                 /2.0;
         }
         s s_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
+                - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
+                + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
             speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
             dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
             induction_motor => Tb_motor*sb_motor*theta_m_dot.powi(2)
@@ -534,8 +616,8 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             s {
-                _ => k12*touch12*edge12;
-                backlash_12 => k12*clip12*touch12*edge12;
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
                 speed_governor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
@@ -549,11 +631,16 @@ equations! {
         }
     }
     nonlinear_with {
+        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
         induction_motor
             "2*Tb_motor*sb_motor*(1 - theta_m_dot/ns_motor)/(sb_motor^2 + (1 - theta_m_dot/ns_motor)^2) in the torque `induction`";
         fan_load "-cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) in the torque `fan`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
+    jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
+    jump side12 { step {} }
+    jump arm12 { step {} }
 
     text "text/gear_pair_shafts.txt";
     latex "latex/gear_pair_shafts.tex";
@@ -566,20 +653,26 @@ equations! {
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: every leading minor is a sum of products of positive quantities
-// - at a step of k12: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
+// - at a step of k12, e12: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
 //   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - V is the same on both sides of a step of side12, arm12: no impulse there
 // - V is the same on both sides of the exits of over12: no impulse there
 // - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
 //   dD/dover12_dot >= F over12
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - the friction `roll12` takes energy or none: its power is never positive
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
+//   flanks slide as rolling makes them
 // - every deflection equals the linear form by which the equations differentiate it
-// - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2
+// - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 -
+//   k12*de12*touch12*over12*theta_dot
 //
 // Operations, all effects present:
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 1 | 0 |
-// | force | 57 | 262 | 3 |
-// | energy steps, all laws | 0 | 4 | 0 |
+// | constants (once a scene) | 0 | 2 | 2 |
+// | named forces | 2 | 9 | 2 |
+// | force | 60 | 279 | 3 |
+// | energy steps, all laws | 1 | 11 | 0 |

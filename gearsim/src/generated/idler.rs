@@ -22,6 +22,8 @@ equations! {
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the idler";
         I3 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
+        b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
+        b23 "m" required with backlash_23, open 0.0 to inf, "backlash of the mesh of gears 2 and 3: no contact within b/2 to either side";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
@@ -62,6 +64,8 @@ equations! {
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         transmission_error_23 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        backlash_23 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         sliding_friction_23 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
@@ -80,8 +84,12 @@ equations! {
             !frozen_phase;
         sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
         sliding_friction_23_and_moving_phase = sliding_friction_23, stiffness_step, !frozen_phase;
+        transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
         transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
+        backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_23_and_backlash_23_and_moving_phase = transmission_error_23, backlash_23, stiffness_step, !frozen_phase;
         transmission_error_23_and_moving_phase = transmission_error_23, stiffness_step, !frozen_phase;
+        backlash_23_and_moving_phase = backlash_23, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -91,8 +99,8 @@ equations! {
         tiny23 = 1.0/1000000000000.0;
     }
     deflections {
-        delta12 = delta1 - e12;
-        delta23 = delta2 - e23;
+        over12 = delta1 - edge12 - e12;
+        over23 = delta2 - edge23 - e23;
         tau12 = tan_a*delta1;
         psi12 = delta1/(h*N1) + theta/N1 + theta/N2;
         tau23 = tan_a*delta2;
@@ -100,36 +108,168 @@ equations! {
     }
     forces {
         F_mu12 {
-            sliding_friction_12 => mu12*k12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()
+            sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu23 {
-            sliding_friction_23 => mu23*k23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()
+            sliding_friction_23 => mu23*k23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
     }
     partials {
-        F_mu12_by_delta12 {
-            sliding_friction_12 => mu12*k12*delta12*psi12_dot
-                /((tiny12.powi(2) + delta12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        F_mu12_by_over12 {
+            sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
+                /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         F_mu12_by_psi12_dot {
-            sliding_friction_12 => mu12*k12*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
-                - mu12*k12*psi12_dot.powi(2)*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+            sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
         }
         F_mu12_by_k12 {
-            sliding_friction_12 => mu12*psi12_dot*(tiny12.powi(2) + delta12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
-        F_mu23_by_delta23 {
-            sliding_friction_23 => mu23*k23*delta23*psi23_dot
-                /((tiny23.powi(2) + delta23.powi(2)).sqrt()*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
+        F_mu23_by_over23 {
+            sliding_friction_23 => mu23*k23*touch23*over23*psi23_dot
+                /((tiny23.powi(2) + over23.powi(2)).sqrt()*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
         }
         F_mu23_by_psi23_dot {
-            sliding_friction_23 => mu23*k23*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()
-                - mu23*k23*psi23_dot.powi(2)*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).powf(3.0/2.0);
+            sliding_friction_23 => mu23*k23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()
+                - mu23*k23*touch23*psi23_dot.powi(2)*(tiny23.powi(2) + over23.powi(2)).sqrt()
+                /(w_mix23.powi(2) + psi23_dot.powi(2)).powf(3.0/2.0);
         }
         F_mu23_by_k23 {
-            sliding_friction_23 => mu23*psi23_dot*(tiny23.powi(2) + delta23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            sliding_friction_23 => mu23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
+                /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+        }
+    }
+    switches {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh of gears 1 and 2" {
+            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper_loose {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper_hit {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower_loose {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until lower_hit {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
+                }
+                until lower {
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
+            }
+            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            loss { over12 { _ => k12*clip12*touch12; } }
+        }
+        over23 "m" (touch23 1.0, edge23 0.0, damp23 1.0, clip23 0.0) with backlash_23, "play of the mesh of gears 2 and 3" {
+            upper (1.0, b23/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over23 { _ => 1.0; } }
+                until upper_loose {
+                    over23 { _ => k23; }
+                    over23_dot { damping => beta_K*k23_mid; }
+                }
+                until upper_hit {
+                    over23 { _ => k23; }
+                    over23_dot { damping => -beta_K*k23_mid; }
+                }
+            }
+            lower (1.0, -b23/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over23 { _ => -1.0; } }
+                until lower_loose {
+                    over23 { _ => -k23; }
+                    over23_dot { damping => -beta_K*k23_mid; }
+                }
+                until lower_hit {
+                    over23 { _ => -k23; }
+                    over23_dot { damping => beta_K*k23_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over23 { _ => -1.0; }
+                    one { _ => b23/2.0; }
+                }
+                until lower {
+                    over23 { _ => 1.0; }
+                    one { _ => b23/2.0; }
+                }
+            }
+            upper_hit (1.0, b23/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over23 { _ => 1.0; } }
+                until upper {
+                    over23 { _ => -k23; }
+                    over23_dot { damping => beta_K*k23_mid; }
+                }
+            }
+            lower_hit (1.0, -b23/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over23 { _ => -1.0; } }
+                until lower {
+                    over23 { _ => k23; }
+                    over23_dot { damping => -beta_K*k23_mid; }
+                }
+            }
+            upper_loose (1.0, b23/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over23 { _ => 1.0; } }
+                until upper {
+                    over23 { _ => -k23; }
+                    over23_dot { damping => -beta_K*k23_mid; }
+                }
+            }
+            lower_loose (1.0, -b23/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over23 { _ => -1.0; } }
+                until lower {
+                    over23 { _ => k23; }
+                    over23_dot { damping => beta_K*k23_mid; }
+                }
+            }
+            loss { over23 { _ => k23*clip23*touch23; } }
         }
     }
     energies {
@@ -137,11 +277,11 @@ equations! {
             _ => (I1*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*theta_dot.powi(2)/N2.powi(2)
                 + I3*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2))/2.0;
         }
-        potential { _ => (k12*delta12.powi(2) + k23*delta23.powi(2))/2.0; }
+        potential { _ => (k12*touch12*over12.powi(2) + k23*touch23*over23.powi(2))/2.0; }
         dissipation {
             damping => (I1*alpha_M*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*theta_dot.powi(2)/N2.powi(2)
-                + I3*alpha_M*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2) + beta_K*k12_mid*delta12_dot.powi(2)
-                + beta_K*k23_mid*delta23_dot.powi(2))/2.0;
+                + I3*alpha_M*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
+                + beta_K*k23_mid*damp23*over23_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -170,51 +310,55 @@ equations! {
     }
     force {
         theta {
-            transmission_error_12_and_jump_terms => k12*de12*delta12;
-            transmission_error_23_and_jump_terms => k23*de23*delta23;
+            transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
+            transmission_error_23_and_jump_terms => k23*de23*touch23*over23;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             sliding_friction_23 => -arm23*F_mu23/N2 - arm23*F_mu23/N3;
             torques => T_motor/N1 - T_load/N3;
             damping => I3*alpha_M*delta2_dot/(h*N3.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I3*alpha_M*theta_dot/N3.powi(2) - I1*alpha_M*delta1_dot/(h*N1.powi(2));
-            jump_terms => (-dk12*delta12.powi(2) - dk23*delta23.powi(2))/2.0;
+            jump_terms => (-dk12*touch12*over12.powi(2) - dk23*touch23*over23.powi(2))/2.0;
         }
         delta1 {
-            _ => -k12*delta12;
+            _ => -k12*touch12*over12;
+            backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1);
             torques => T_motor/(h*N1);
-            damping => -beta_K*k12_mid*delta12_dot - I1*alpha_M*delta1_dot/(h.powi(2)*N1.powi(2)) - I1*alpha_M*theta_dot/(h*N1.powi(2));
+            damping => -beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*delta1_dot/(h.powi(2)*N1.powi(2))
+                - I1*alpha_M*theta_dot/(h*N1.powi(2));
         }
         delta2 {
-            _ => -k23*delta23;
+            _ => -k23*touch23*over23;
+            backlash_23 => -k23*clip23*touch23*over23;
             sliding_friction_23 => arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23;
             torques => T_load/(h*N3);
-            damping => I3*alpha_M*theta_dot/(h*N3.powi(2)) - beta_K*k23_mid*delta23_dot - I3*alpha_M*delta2_dot/(h.powi(2)*N3.powi(2));
+            damping => I3*alpha_M*theta_dot/(h*N3.powi(2)) - beta_K*k23_mid*damp23*over23_dot
+                - I3*alpha_M*delta2_dot/(h.powi(2)*N3.powi(2));
         }
     }
     jacobian {
         theta theta {
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_delta12/N1
-                + de12*arm12*F_mu12_by_delta12/N2;
-            transmission_error_12_and_jump_terms => k12*dde12*delta12 - k12*de12.powi(2) + 2.0*de12*dk12*delta12;
-            transmission_error_23_and_sliding_friction_23_and_moving_phase => de23*arm23*F_mu23_by_delta23/N2
-                + de23*arm23*F_mu23_by_delta23/N3;
-            transmission_error_23_and_jump_terms => k23*dde23*delta23 - k23*de23.powi(2) + 2.0*de23*dk23*delta23;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
+                + de12*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            transmission_error_23_and_sliding_friction_23_and_moving_phase => de23*arm23*F_mu23_by_over23/N2
+                + de23*arm23*F_mu23_by_over23/N3;
+            transmission_error_23_and_jump_terms => k23*dde23*touch23*over23 - k23*de23.powi(2)*touch23 + 2.0*de23*dk23*touch23*over23;
             sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
                 - dk12*arm12*F_mu12_by_k12/N2;
             sliding_friction_23_and_moving_phase => -darm23*F_mu23/N2 - dk23*arm23*F_mu23_by_k23/N2 - darm23*F_mu23/N3
                 - dk23*arm23*F_mu23_by_k23/N3;
-            jump_terms => (-ddk12*delta12.powi(2) - ddk23*delta23.powi(2))/2.0;
+            jump_terms => (-ddk12*touch12*over12.powi(2) - ddk23*touch23*over23.powi(2))/2.0;
         }
         theta delta1 {
-            transmission_error_12_and_jump_terms => k12*de12;
-            sliding_friction_12 => -arm12*F_mu12_by_delta12/N1 - arm12*F_mu12_by_delta12/N2;
-            jump_terms => -dk12*delta12;
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
+            jump_terms => -dk12*touch12*over12;
         }
         theta delta2 {
-            transmission_error_23_and_jump_terms => k23*de23;
-            sliding_friction_23 => -arm23*F_mu23_by_delta23/N2 - arm23*F_mu23_by_delta23/N3;
-            jump_terms => -dk23*delta23;
+            transmission_error_23_and_jump_terms => k23*de23*touch23;
+            sliding_friction_23 => -arm23*F_mu23_by_over23/N2 - arm23*F_mu23_by_over23/N3;
+            jump_terms => -dk23*touch23*over23;
         }
         theta theta_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
@@ -232,16 +376,19 @@ equations! {
             damping => I3*alpha_M/(h*N3.powi(2));
         }
         delta1 theta {
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_delta12
-                + de12*arm12*F_mu12_by_delta12/(h*N1);
-            transmission_error_12_and_moving_phase => k12*de12;
+            transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
+                + de12*arm12*F_mu12_by_over12/(h*N1);
+            transmission_error_12_and_moving_phase => k12*de12*touch12;
+            backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
             sliding_friction_12_and_moving_phase => -tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12 - darm12*F_mu12/(h*N1)
                 - dk12*arm12*F_mu12_by_k12/(h*N1);
-            moving_phase => -dk12*delta12;
+            moving_phase => -dk12*touch12*over12;
         }
         delta1 delta1 {
-            _ => -k12;
-            sliding_friction_12 => -tan_a*side12*F_mu12_by_delta12 - arm12*F_mu12_by_delta12/(h*N1);
+            _ => -k12*touch12;
+            backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => -tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(h*N1);
         }
         delta1 theta_dot {
             sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot/N1 - tan_a*side12*F_mu12_by_psi12_dot/N2
@@ -250,19 +397,22 @@ equations! {
         }
         delta1 delta1_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h.powi(2)*N1.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(h*N1);
-            damping => -beta_K*k12_mid - I1*alpha_M/(h.powi(2)*N1.powi(2));
+            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(h.powi(2)*N1.powi(2));
         }
         delta2 theta {
-            transmission_error_23_and_sliding_friction_23_and_moving_phase => tan_a*de23*side23*F_mu23_by_delta23
-                - de23*arm23*F_mu23_by_delta23/(h*N3);
-            transmission_error_23_and_moving_phase => k23*de23;
+            transmission_error_23_and_backlash_23_and_moving_phase => k23*de23*clip23*touch23;
+            transmission_error_23_and_sliding_friction_23_and_moving_phase => tan_a*de23*side23*F_mu23_by_over23
+                - de23*arm23*F_mu23_by_over23/(h*N3);
+            transmission_error_23_and_moving_phase => k23*de23*touch23;
+            backlash_23_and_moving_phase => -dk23*clip23*touch23*over23;
             sliding_friction_23_and_moving_phase => darm23*F_mu23/(h*N3) - tan_a*dk23*side23*F_mu23_by_k23 - tan_a*dside23*F_mu23
                 + dk23*arm23*F_mu23_by_k23/(h*N3);
-            moving_phase => -dk23*delta23;
+            moving_phase => -dk23*touch23*over23;
         }
         delta2 delta2 {
-            _ => -k23;
-            sliding_friction_23 => arm23*F_mu23_by_delta23/(h*N3) - tan_a*side23*F_mu23_by_delta23;
+            _ => -k23*touch23;
+            backlash_23 => -k23*clip23*touch23;
+            sliding_friction_23 => arm23*F_mu23_by_over23/(h*N3) - tan_a*side23*F_mu23_by_over23;
         }
         delta2 theta_dot {
             sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) - tan_a*side23*F_mu23_by_psi23_dot/N2
@@ -271,29 +421,37 @@ equations! {
         }
         delta2 delta2_dot {
             sliding_friction_23 => tan_a*side23*F_mu23_by_psi23_dot/(h*N3) - arm23*F_mu23_by_psi23_dot/(h.powi(2)*N3.powi(2));
-            damping => -beta_K*k23_mid - I3*alpha_M/(h.powi(2)*N3.powi(2));
+            damping => -beta_K*k23_mid*damp23 - I3*alpha_M/(h.powi(2)*N3.powi(2));
         }
     }
     cell {
         stiffness {
-            delta1 delta1 { _ => k12; }
-            delta2 delta2 { _ => k23; }
+            delta1 delta1 {
+                _ => k12*touch12;
+                backlash_12 => k12*clip12*touch12;
+            }
+            delta2 delta2 {
+                _ => k23*touch23;
+                backlash_23 => k23*clip23*touch23;
+            }
         }
         damping {
             theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I3*alpha_M/N3.powi(2); }
             theta delta1 { damping => I1*alpha_M/(h*N1.powi(2)); }
             theta delta2 { damping => -I3*alpha_M/(h*N3.powi(2)); }
-            delta1 delta1 { damping => beta_K*k12_mid + I1*alpha_M/(h.powi(2)*N1.powi(2)); }
-            delta2 delta2 { damping => beta_K*k23_mid + I3*alpha_M/(h.powi(2)*N3.powi(2)); }
+            delta1 delta1 { damping => beta_K*k12_mid*damp12 + I1*alpha_M/(h.powi(2)*N1.powi(2)); }
+            delta2 delta2 { damping => beta_K*k23_mid*damp23 + I3*alpha_M/(h.powi(2)*N3.powi(2)); }
         }
         load {
             theta { torques => T_motor/N1 - T_load/N3; }
             delta1 {
-                _ => k12*e12;
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(h*N1);
             }
             delta2 {
-                _ => k23*e23;
+                _ => k23*touch23*edge23 + k23*touch23*e23;
+                backlash_23 => k23*clip23*touch23*edge23 + k23*clip23*touch23*e23;
                 torques => T_load/(h*N3);
             }
         }
@@ -304,10 +462,10 @@ equations! {
         sliding_friction_23 "-side23*F_mu23 in the torque `slide23`";
         sliding_friction_23 "-arm23*F_mu23 in the torque `roll23`";
     }
-    jump k12 { step { _ => dk12*delta12.powi(2)/2.0; } }
-    jump k23 { step { _ => dk23*delta23.powi(2)/2.0; } }
-    jump e12 { step { _ => k12*de12.powi(2)/2.0 - k12*de12*delta12; } }
-    jump e23 { step { _ => k23*de23.powi(2)/2.0 - k23*de23*delta23; } }
+    jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
+    jump k23 { step { _ => dk23*touch23*over23.powi(2)/2.0; } }
+    jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
+    jump e23 { step { _ => k23*de23.powi(2)*touch23/2.0 - k23*de23*touch23*over23; } }
     jump side12 { step {} }
     jump arm12 { step {} }
     jump side23 { step {} }
@@ -320,13 +478,21 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: every leading minor is a sum of products of positive quantities
 // - at a step of k12, k23, e12, e23: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged
 //   in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
 // - V is the same on both sides of a step of side12, arm12, side23, arm23: no impulse there
+// - V is the same on both sides of the exits of over12: no impulse there
+// - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
+//   dD/dover12_dot >= F over12
+// - V is the same on both sides of the exits of over23: no impulse there
+// - the force of the switch over23 takes energy or none: f over23_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover23 and c = 1 or -1, since F over23 >= 0, over23_dot dD/dover23_dot >= 0 and c over23
+//   dD/dover23_dot >= F over23
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `roll23` takes energy or none: its power is never positive
@@ -335,14 +501,14 @@ equations! {
 // - the friction `slide23` takes with `roll23` energy or none where psi23_dot and arm23 psi23_dot + side23 tau23_dot have one sign: where
 //   flanks slide as rolling makes them
 // - every deflection equals the linear form by which the equations differentiate it
-// - without the jump terms the balance fails: energy is created at the rate dk12*delta12^2*theta_dot/2 - k12*de12*delta12*theta_dot -
-//   k23*de23*delta23*theta_dot + dk23*delta23^2*theta_dot/2
+// - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 -
+//   k12*de12*touch12*over12*theta_dot - k23*de23*touch23*over23*theta_dot + dk23*touch23*over23^2*theta_dot/2
 //
 // Operations, all effects present:
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 2 | 2 |
-// | named forces | 4 | 16 | 4 |
-// | force | 14 | 84 | 0 |
-// | energy steps, all laws | 2 | 16 | 0 |
+// | named forces | 4 | 18 | 4 |
+// | force | 14 | 98 | 0 |
+// | energy steps, all laws | 2 | 22 | 0 |

@@ -33,8 +33,15 @@ equations! {
         k_m "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the motor's shaft";
         k_c "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the countershaft";
         k_l "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the load's shaft";
+        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
+        mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
+        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
         b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
+        mu34 "1" required with sliding_friction_34, from 0.0 to inf, "coefficient of friction of the mesh of gears 3 and 4";
+        w_mix34 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of gears 3 and 4 below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -43,6 +50,18 @@ equations! {
     laws {
         k12 "N/m" phase theta1 period 6.283185307179586, "stiffness of the mesh of gears 1 and 2 along the line of action";
         k34 "N/m" phase theta2 period 6.283185307179586, "stiffness of the mesh of gears 3 and 4 along the line of action";
+        e12 "m" phase theta1 period 6.283185307179586 with transmission_error_12,
+            "transmission error of the mesh of gears 1 and 2 along the line of action";
+        e34 "m" phase theta2 period 6.283185307179586 with transmission_error_34,
+            "transmission error of the mesh of gears 3 and 4 along the line of action";
+        side12 "1" phase theta1 period 6.283185307179586 with sliding_friction_12 as side,
+            "share of the force of the mesh of gears 1 and 2 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm12 "m" phase theta1 period 6.283185307179586 with sliding_friction_12 as arm,
+            "mean distance of the force of the mesh of gears 1 and 2 from the pitch point along the line of action";
+        side34 "1" phase theta2 period 6.283185307179586 with sliding_friction_34 as side,
+            "share of the force of the mesh of gears 3 and 4 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm34 "m" phase theta2 period 6.283185307179586 with sliding_friction_34 as arm,
+            "mean distance of the force of the mesh of gears 3 and 4 from the pitch point along the line of action";
     }
     motions { speed "rad/s" { theta1_dot = N1; theta2_dot = N1*N3/N2; }, "rotational speed of the first gear"; }
     effects {
@@ -52,26 +71,91 @@ equations! {
             "drops the jump terms: speeds pass a step unchanged, and energy is not conserved";
         frozen_phase requires(stiffness_step) excludes(rigid_kinematics)
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
+        transmission_error_12 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        transmission_error_34 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_34 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_34 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_34_and_jump_terms = transmission_error_34, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
+            !frozen_phase;
+        sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
         backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_34_and_sliding_friction_34_and_moving_phase = transmission_error_34, sliding_friction_34, stiffness_step,
+            !frozen_phase;
+        sliding_friction_34_and_moving_phase = sliding_friction_34, stiffness_step, !frozen_phase;
+        transmission_error_34_and_backlash_34_and_moving_phase = transmission_error_34, backlash_34, stiffness_step, !frozen_phase;
+        transmission_error_34_and_moving_phase = transmission_error_34, stiffness_step, !frozen_phase;
         backlash_34_and_moving_phase = backlash_34, stiffness_step, !frozen_phase;
     }
 
     constants {
         h1 = r1/N1;
         h2 = r3/N3;
+        tan_a = alpha.sin()/alpha.cos();
+        tiny12 = 1.0/1000000000000.0;
+        tiny34 = 1.0/1000000000000.0;
     }
     deflections {
         twist_c = theta1/N2 - s1/(2.0*h1*N2) - s2/(2.0*h2*N3) - theta2/N3;
-        over12 = s1 - edge12;
-        over34 = s2 - edge34;
+        over12 = s1 - edge12 - e12;
+        tau12 = tan_a*s1;
+        psi12 = s1/(2.0*h1*N1) - s1/(2.0*h1*N2) + theta1/N1 + theta1/N2;
+        over34 = s2 - edge34 - e34;
+        tau34 = tan_a*s2;
+        psi34 = s2/(2.0*h2*N3) - s2/(2.0*h2*N4) + theta2/N3 + theta2/N4;
+    }
+    forces {
+        F_mu12 {
+            sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        F_mu34 {
+            sliding_friction_34 => mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+        }
+    }
+    partials {
+        F_mu12_by_over12 {
+            sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
+                /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+        }
+        F_mu12_by_psi12_dot {
+            sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu12_by_k12 {
+            sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        F_mu34_by_over34 {
+            sliding_friction_34 => mu34*k34*touch34*over34*psi34_dot
+                /((tiny34.powi(2) + over34.powi(2)).sqrt()*(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt());
+        }
+        F_mu34_by_psi34_dot {
+            sliding_friction_34 => mu34*k34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt()
+                - mu34*k34*touch34*psi34_dot.powi(2)*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu34_by_k34 {
+            sliding_friction_34 => mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+        }
     }
     switches {
         over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh of gears 1 and 2" {
@@ -222,6 +306,14 @@ equations! {
         }
     }
     torques {
+        slide12 "friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        roll12 "friction of the mesh of gears 1 and 2, through the rolling of the gears" {}
+        power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
+        slide34 "friction of the mesh of gears 3 and 4, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_34 => -side34*F_mu34*tau34_dot; }
+        roll34 "friction of the mesh of gears 3 and 4, through the rolling of the gears" {}
+        power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
         motor "driving torque of the motor" { torques => T_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1); }
         load "load torque of the load, against its rotation" { torques => T_load*(psi_l + s2/(2.0*h2*N4) - theta2/N4); }
     }
@@ -250,6 +342,8 @@ equations! {
     force {
         theta1 {
             _ => -k_c*twist_c/N2;
+            transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
+            sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1;
             damping => I2*alpha_M*s1_dot/(2.0*h1*N2.powi(2)) - I1*alpha_M*theta1_dot/N1.powi(2) - I2*alpha_M*theta1_dot/N2.powi(2)
                 - I_m*alpha_M*theta1_dot/N1.powi(2) - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s1_dot/(2.0*h1*N1.powi(2))
@@ -259,6 +353,7 @@ equations! {
         s1 {
             _ => k_c*twist_c/(2.0*h1*N2) - k12*touch12*over12;
             backlash_12 => -k12*clip12*touch12*over12;
+            sliding_friction_12 => arm12*F_mu12/(2.0*h1*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h1*N1);
             torques => T_motor/(2.0*h1*N1);
             damping => I2*alpha_M*theta1_dot/(2.0*h1*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M*s1_dot/(4.0*h1.powi(2)*N2.powi(2))
@@ -267,6 +362,8 @@ equations! {
         }
         theta2 {
             _ => k_c*twist_c/N3;
+            transmission_error_34_and_jump_terms => k34*de34*touch34*over34;
+            sliding_friction_34 => -arm34*F_mu34/N3 - arm34*F_mu34/N4;
             torques => -T_load/N4;
             damping => I_l*alpha_M*psi_l_dot/N4 - I3*alpha_M*theta2_dot/N3.powi(2) - I4*alpha_M*theta2_dot/N4.powi(2)
                 - I_l*alpha_M*theta2_dot/N4.powi(2) - I3*alpha_M*s2_dot/(2.0*h2*N3.powi(2)) + I4*alpha_M*s2_dot/(2.0*h2*N4.powi(2))
@@ -276,6 +373,7 @@ equations! {
         s2 {
             _ => k_c*twist_c/(2.0*h2*N3) - k34*touch34*over34;
             backlash_34 => -k34*clip34*touch34*over34;
+            sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_mu34 - arm34*F_mu34/(2.0*h2*N3);
             torques => T_load/(2.0*h2*N4);
             damping => I4*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - beta_K*k34_mid*damp34*over34_dot
                 - I3*alpha_M*s2_dot/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2))
@@ -296,16 +394,28 @@ equations! {
     jacobian {
         theta1 theta1 {
             _ => -k_c/N2.powi(2);
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
+                + de12*arm12*F_mu12_by_over12/N2;
+            transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
+                - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta1 s1 {
             _ => k_c/(2.0*h1*N2.powi(2));
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
         theta1 theta2 { _ => k_c/(N2*N3); }
         theta1 s2 { _ => k_c/(2.0*h2*N2*N3); }
-        theta1 theta1_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2) - beta_K*k_c/N2.powi(2); }
+        theta1 theta1_dot {
+            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
+                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2) - beta_K*k_c/N2.powi(2);
+        }
         theta1 s1_dot {
+            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h1*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h1*N1.powi(2)))/2.0;
             damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2))
                 + beta_K*k_c/(h1*N2.powi(2)))/2.0;
         }
@@ -314,20 +424,32 @@ equations! {
         theta1 psi_m_dot { damping => -I_m*alpha_M/N1; }
         s1 theta1 {
             _ => k_c/(2.0*h1*N2.powi(2));
+            transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
+                + de12*arm12*F_mu12_by_over12/(2.0*h1*N1) - de12*arm12*F_mu12_by_over12/(2.0*h1*N2);
+            transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h1*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
+                - darm12*F_mu12/(2.0*h1*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h1*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h1*N2);
             moving_phase => -dk12*touch12*over12;
         }
         s1 s1 {
             _ => -k12*touch12 - k_c/(4.0*h1.powi(2)*N2.powi(2));
             backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h1*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h1*N1);
         }
         s1 theta2 { _ => -k_c/(2.0*h1*N2*N3); }
         s1 s2 { _ => -k_c/(4.0*h1*h2*N2*N3); }
         s1 theta1_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
+                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1.powi(2));
             damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2))
                 + beta_K*k_c/(h1*N2.powi(2)))/2.0;
         }
         s1 s1_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1.powi(2)*N1*N2)
+                - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N2.powi(2))
+                - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N1) + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N2);
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
                 - I_m*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
         }
@@ -338,16 +460,28 @@ equations! {
         theta2 s1 { _ => -k_c/(2.0*h1*N2*N3); }
         theta2 theta2 {
             _ => -k_c/N3.powi(2);
+            transmission_error_34_and_sliding_friction_34_and_moving_phase => de34*arm34*F_mu34_by_over34/N3
+                + de34*arm34*F_mu34_by_over34/N4;
+            transmission_error_34_and_jump_terms => k34*dde34*touch34*over34 - k34*de34.powi(2)*touch34 + 2.0*de34*dk34*touch34*over34;
+            sliding_friction_34_and_moving_phase => -darm34*F_mu34/N3 - dk34*arm34*F_mu34_by_k34/N3 - darm34*F_mu34/N4
+                - dk34*arm34*F_mu34_by_k34/N4;
             jump_terms => -ddk34*touch34*over34.powi(2)/2.0;
         }
         theta2 s2 {
             _ => -k_c/(2.0*h2*N3.powi(2));
+            transmission_error_34_and_jump_terms => k34*de34*touch34;
+            sliding_friction_34 => -arm34*F_mu34_by_over34/N3 - arm34*F_mu34_by_over34/N4;
             jump_terms => -dk34*touch34*over34;
         }
         theta2 theta1_dot { damping => beta_K*k_c/(N2*N3); }
         theta2 s1_dot { damping => -beta_K*k_c/(2.0*h1*N2*N3); }
-        theta2 theta2_dot { damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_l*alpha_M/N4.powi(2) - beta_K*k_c/N3.powi(2); }
+        theta2 theta2_dot {
+            sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3.powi(2) - 2.0*arm34*F_mu34_by_psi34_dot/(N3*N4)
+                - arm34*F_mu34_by_psi34_dot/N4.powi(2);
+            damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_l*alpha_M/N4.powi(2) - beta_K*k_c/N3.powi(2);
+        }
         theta2 s2_dot {
+            sliding_friction_34 => (arm34*F_mu34_by_psi34_dot/(h2*N4.powi(2)) - arm34*F_mu34_by_psi34_dot/(h2*N3.powi(2)))/2.0;
             damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2))
                 - beta_K*k_c/(h2*N3.powi(2)))/2.0;
         }
@@ -356,20 +490,32 @@ equations! {
         s2 s1 { _ => -k_c/(4.0*h1*h2*N2*N3); }
         s2 theta2 {
             _ => -k_c/(2.0*h2*N3.powi(2));
+            transmission_error_34_and_backlash_34_and_moving_phase => k34*de34*clip34*touch34;
+            transmission_error_34_and_sliding_friction_34_and_moving_phase => tan_a*de34*side34*F_mu34_by_over34
+                + de34*arm34*F_mu34_by_over34/(2.0*h2*N3) - de34*arm34*F_mu34_by_over34/(2.0*h2*N4);
+            transmission_error_34_and_moving_phase => k34*de34*touch34;
             backlash_34_and_moving_phase => -dk34*clip34*touch34*over34;
+            sliding_friction_34_and_moving_phase => darm34*F_mu34/(2.0*h2*N4) - tan_a*dk34*side34*F_mu34_by_k34 - tan_a*dside34*F_mu34
+                - darm34*F_mu34/(2.0*h2*N3) - dk34*arm34*F_mu34_by_k34/(2.0*h2*N3) + dk34*arm34*F_mu34_by_k34/(2.0*h2*N4);
             moving_phase => -dk34*touch34*over34;
         }
         s2 s2 {
             _ => -k34*touch34 - k_c/(4.0*h2.powi(2)*N3.powi(2));
             backlash_34 => -k34*clip34*touch34;
+            sliding_friction_34 => arm34*F_mu34_by_over34/(2.0*h2*N4) - tan_a*side34*F_mu34_by_over34 - arm34*F_mu34_by_over34/(2.0*h2*N3);
         }
         s2 theta1_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
         s2 s1_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
         s2 theta2_dot {
+            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4.powi(2)) - tan_a*side34*F_mu34_by_psi34_dot/N3
+                - tan_a*side34*F_mu34_by_psi34_dot/N4 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3.powi(2));
             damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2))
                 - beta_K*k_c/(h2*N3.powi(2)))/2.0;
         }
         s2 s2_dot {
+            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2.powi(2)*N3*N4)
+                - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N3.powi(2)) - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N4.powi(2))
+                - tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N3) + tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N4);
             damping => -beta_K*k34_mid*damp34 - I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
                 - I_l*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) - beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
         }
@@ -437,22 +583,34 @@ equations! {
         load {
             theta1 { torques => T_motor/N1; }
             s1 {
-                _ => k12*touch12*edge12;
-                backlash_12 => k12*clip12*touch12*edge12;
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(2.0*h1*N1);
             }
             theta2 { torques => -T_load/N4; }
             s2 {
-                _ => k34*touch34*edge34;
-                backlash_34 => k34*clip34*touch34*edge34;
+                _ => k34*touch34*edge34 + k34*touch34*e34;
+                backlash_34 => k34*clip34*touch34*edge34 + k34*clip34*touch34*e34;
                 torques => T_load/(2.0*h2*N4);
             }
             psi_m { torques => T_motor; }
             psi_l { torques => T_load; }
         }
     }
+    nonlinear_with {
+        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        sliding_friction_34 "-side34*F_mu34 in the torque `slide34`";
+        sliding_friction_34 "-arm34*F_mu34 in the torque `roll34`";
+    }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump k34 { step { _ => dk34*touch34*over34.powi(2)/2.0; } }
+    jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
+    jump e34 { step { _ => k34*de34.powi(2)*touch34/2.0 - k34*de34*touch34*over34; } }
+    jump side12 { step {} }
+    jump arm12 { step {} }
+    jump side34 { step {} }
+    jump arm34 { step {} }
 
     text "text/two_stage.txt";
     latex "latex/two_stage.tex";
@@ -465,8 +623,9 @@ equations! {
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: T is a sum of squares that vanish together only at rest
-// - at a step of k12, k34: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in
-//   transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - at a step of k12, k34, e12, e34: T+ - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged
+//   in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - V is the same on both sides of a step of side12, arm12, side34, arm34: no impulse there
 // - V is the same on both sides of the exits of over12: no impulse there
 // - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
@@ -476,14 +635,21 @@ equations! {
 //   is clipped to f = c F, where F = dV/dover34 and c = 1 or -1, since F over34 >= 0, over34_dot dD/dover34_dot >= 0 and c over34
 //   dD/dover34_dot >= F over34
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - the friction `roll12` takes energy or none: its power is never positive
+// - the friction `roll34` takes energy or none: its power is never positive
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
+//   flanks slide as rolling makes them
+// - the friction `slide34` takes with `roll34` energy or none where psi34_dot and arm34 psi34_dot + side34 tau34_dot have one sign: where
+//   flanks slide as rolling makes them
 // - every deflection equals the linear form by which the equations differentiate it
-// - without the jump terms the balance fails: energy is created at the rate (dk12*touch12*over12^2*theta1_dot +
-//   dk34*touch34*over34^2*theta2_dot)/2
+// - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta1_dot/2 -
+//   k12*de12*touch12*over12*theta1_dot - k34*de34*touch34*over34*theta2_dot + dk34*touch34*over34^2*theta2_dot/2
 //
 // Operations, all effects present:
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 2 | 0 |
-// | force | 38 | 240 | 0 |
-// | energy steps, all laws | 0 | 8 | 0 |
+// | constants (once a scene) | 0 | 3 | 2 |
+// | named forces | 4 | 18 | 4 |
+// | force | 44 | 274 | 0 |
+// | energy steps, all laws | 2 | 22 | 0 |

@@ -39,6 +39,8 @@ equations! {
         k_h "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the high-speed shaft";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
+        b12 "m" required with backlash_12, open 0.0 to inf,
+            "backlash of the mesh of the parallel stage: no contact within b/2 to either side";
         T_wind "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
         T_generator "N*m" required with torques, open -inf to inf, "load torque of the generator, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -64,6 +66,8 @@ equations! {
             "transmission error of the mesh of sun and planet 3 along the line of action";
         e_r3 "m" phase theta period 6.283185307179586 with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
+        e12 "m" phase theta2 period 6.283185307179586 with transmission_error_12,
+            "transmission error of the mesh of the parallel stage along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); theta2_dot = N1; }, "rotational speed of the sun"; }
     effects {
@@ -85,6 +89,9 @@ equations! {
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         transmission_error_r3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        transmission_error_12 of transmission_error requires(stiffness_step)
+            "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -97,9 +104,13 @@ equations! {
         transmission_error_r2_and_jump_terms = transmission_error_r2, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_s3_and_jump_terms = transmission_error_s3, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_r3_and_jump_terms = transmission_error_r3, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_r1_and_moving_phase = transmission_error_r1, stiffness_step, !frozen_phase;
         transmission_error_r2_and_moving_phase = transmission_error_r2, stiffness_step, !frozen_phase;
         transmission_error_r3_and_moving_phase = transmission_error_r3, stiffness_step, !frozen_phase;
+        transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
+        transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
+        backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
         transmission_error_s1_and_moving_phase = transmission_error_s1, stiffness_step, !frozen_phase;
         transmission_error_s2_and_moving_phase = transmission_error_s2, stiffness_step, !frozen_phase;
         transmission_error_s3_and_moving_phase = transmission_error_s3, stiffness_step, !frozen_phase;
@@ -121,6 +132,72 @@ equations! {
         delta_r2 = -u2 - e_r2 - h*Z_r*theta_c;
         delta_s3 = u3 - e_s3;
         delta_r3 = -u3 - e_r3 - h*Z_r*theta_c;
+        over12 = s2 - edge12 - e12;
+    }
+    switches {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh of the parallel stage" {
+            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper_loose {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper_hit {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower_loose {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until lower_hit {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
+                }
+                until lower {
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
+            }
+            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => 1.0; } }
+                until upper {
+                    over12 { _ => -k12; }
+                    over12_dot { damping => -beta_K*k12_mid; }
+                }
+            }
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { over12 { _ => -1.0; } }
+                until lower {
+                    over12 { _ => k12; }
+                    over12_dot { damping => beta_K*k12_mid; }
+                }
+            }
+            loss { over12 { _ => k12*clip12*touch12; } }
+        }
     }
     energies {
         kinetic {
@@ -134,7 +211,7 @@ equations! {
                 + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
         }
         potential {
-            _ => (k_h*psi_h.powi(2) + k_i*twist_i.powi(2) + k_l*psi_l.powi(2) + k12*s2.powi(2) + k_r1*delta_r1.powi(2)
+            _ => (k_h*psi_h.powi(2) + k_i*twist_i.powi(2) + k_l*psi_l.powi(2) + k12*touch12*over12.powi(2) + k_r1*delta_r1.powi(2)
                 + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2)
                 + k_s3*delta_s3.powi(2))/2.0;
         }
@@ -148,7 +225,7 @@ equations! {
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_h*psi_h_dot.powi(2)/2.0
-                + beta_K*k_i*twist_i_dot.powi(2)/2.0 + beta_K*k_l*psi_l_dot.powi(2)/2.0 + beta_K*k12_mid*s2_dot.powi(2)/2.0
+                + beta_K*k_i*twist_i_dot.powi(2)/2.0 + beta_K*k_l*psi_l_dot.powi(2)/2.0 + beta_K*k12_mid*damp12*over12_dot.powi(2)/2.0
                 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0
                 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_s1_mid*delta_s1_dot.powi(2)/2.0
                 + beta_K*k_s2_mid*delta_s2_dot.powi(2)/2.0 + beta_K*k_s3_mid*delta_s3_dot.powi(2)/2.0
@@ -227,19 +304,21 @@ equations! {
         }
         theta2 {
             _ => k_i*twist_i/N1;
+            transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             torques => -T_generator/N2;
             damping => I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1.powi(2) - I2*alpha_M*theta2_dot/N2.powi(2)
                 - I_g*alpha_M*theta2_dot/N2.powi(2) - I1*alpha_M*s2_dot/(2.0*h2*N1.powi(2)) + I2*alpha_M*s2_dot/(2.0*h2*N2.powi(2))
                 + I_g*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + beta_K*k_i*twist_i_dot/N1;
-            jump_terms => -dk12*s2.powi(2)/2.0;
+            jump_terms => -dk12*touch12*over12.powi(2)/2.0;
         }
         s2 {
-            _ => k_i*twist_i/(2.0*h2*N1) - k12*s2;
+            _ => k_i*twist_i/(2.0*h2*N1) - k12*touch12*over12;
+            backlash_12 => -k12*clip12*touch12*over12;
             torques => T_generator/(2.0*h2*N2);
-            damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*s2_dot - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2))
-                - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2))
-                - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2)) + I_g*alpha_M*theta2_dot/(2.0*h2*N2.powi(2))
-                - I_g*alpha_M*psi_h_dot/(2.0*h2*N2) + beta_K*k_i*twist_i_dot/(2.0*h2*N1);
+            damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
+                - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2))
+                - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2))
+                + I_g*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - I_g*alpha_M*psi_h_dot/(2.0*h2*N2) + beta_K*k_i*twist_i_dot/(2.0*h2*N1);
         }
         psi_l {
             _ => -k_l*psi_l;
@@ -349,11 +428,13 @@ equations! {
         theta2 theta_c { _ => k_i/N1; }
         theta2 theta2 {
             _ => -k_i/N1.powi(2);
-            jump_terms => -ddk12*s2.powi(2)/2.0;
+            transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
+            jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta2 s2 {
             _ => -k_i/(2.0*h2*N1.powi(2));
-            jump_terms => -dk12*s2;
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            jump_terms => -dk12*touch12*over12;
         }
         theta2 theta_dot { damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s); }
         theta2 theta_c_dot { damping => beta_K*k_i/N1; }
@@ -367,9 +448,15 @@ equations! {
         s2 theta_c { _ => k_i/(2.0*h2*N1); }
         s2 theta2 {
             _ => -k_i/(2.0*h2*N1.powi(2));
-            moving_phase => -dk12*s2;
+            transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
+            transmission_error_12_and_moving_phase => k12*de12*touch12;
+            backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
+            moving_phase => -dk12*touch12*over12;
         }
-        s2 s2 { _ => -k12 - k_i/(4.0*h2.powi(2)*N1.powi(2)); }
+        s2 s2 {
+            _ => -k12*touch12 - k_i/(4.0*h2.powi(2)*N1.powi(2));
+            backlash_12 => -k12*clip12*touch12;
+        }
         s2 theta_dot { damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0; }
         s2 theta_c_dot { damping => beta_K*k_i/(2.0*h2*N1); }
         s2 theta2_dot {
@@ -377,7 +464,7 @@ equations! {
                 - beta_K*k_i/(h2*N1.powi(2)))/2.0;
         }
         s2 s2_dot {
-            damping => -beta_K*k12_mid - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
+            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
                 - I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
         }
         s2 psi_h_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
@@ -434,7 +521,10 @@ equations! {
             theta_c u3 { _ => h*Z_r*k_r3; }
             theta2 theta2 { _ => k_i/N1.powi(2); }
             theta2 s2 { _ => k_i/(2.0*h2*N1.powi(2)); }
-            s2 s2 { _ => k12 + k_i/(4.0*h2.powi(2)*N1.powi(2)); }
+            s2 s2 {
+                _ => k12*touch12 + k_i/(4.0*h2.powi(2)*N1.powi(2));
+                backlash_12 => k12*clip12*touch12;
+            }
             psi_l psi_l { _ => k_l; }
             psi_h psi_h { _ => k_h; }
             u1 u1 { _ => k_r1 + k_s1; }
@@ -475,7 +565,7 @@ equations! {
             }
             theta2 psi_h { damping => -I_g*alpha_M/N2; }
             s2 s2 {
-                damping => beta_K*k12_mid + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
                     + I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
             }
             s2 psi_h { damping => I_g*alpha_M/(2.0*h2*N2); }
@@ -492,7 +582,11 @@ equations! {
                 torques => T_wind;
             }
             theta2 { torques => -T_generator/N2; }
-            s2 { torques => T_generator/(2.0*h2*N2); }
+            s2 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+                torques => T_generator/(2.0*h2*N2);
+            }
             psi_l { torques => T_wind; }
             psi_h { torques => T_generator; }
             u1 { _ => k_s1*e_s1 - k_r1*e_r1; }
@@ -506,13 +600,14 @@ equations! {
     jump k_r2 { step { _ => dk_r2*delta_r2.powi(2)/2.0; } }
     jump k_s3 { step { _ => dk_s3*delta_s3.powi(2)/2.0; } }
     jump k_r3 { step { _ => dk_r3*delta_r3.powi(2)/2.0; } }
-    jump k12 { step { _ => dk12*s2.powi(2)/2.0; } }
+    jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump e_s1 { step { _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1; } }
     jump e_r1 { step { _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1; } }
     jump e_s2 { step { _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2; } }
     jump e_r2 { step { _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2; } }
     jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
     jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
+    jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
 
     text "text/wind_turbine.txt";
     latex "latex/wind_turbine.tex";
@@ -521,23 +616,28 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: T is a sum of squares that vanish together only at rest
-// - at a step of k_s1, k_r1, k_s2, k_r2, k_s3, k_r3, k12, e_s1, e_r1, e_s2, e_r2, e_s3, e_r3: T+ - T- = (v+² - v²)/(2 G) for any v+, where
-//   M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - at a step of k_s1, k_r1, k_s2, k_r2, k_s3, k_r3, k12, e_s1, e_r1, e_s2, e_r2, e_s3, e_r3, e12: T+ - T- = (v+² - v²)/(2 G) for any v+,
+//   where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV) and in reflection (v+ = -v, dV = 0)
+// - V is the same on both sides of the exits of over12: no impulse there
+// - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
+//   dD/dover12_dot >= F over12
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - every deflection equals the linear form by which the equations differentiate it
-// - without the jump terms the balance fails: energy is created at the rate dk12*s2^2*theta2_dot/2 - k_r1*de_r1*delta_r1*theta_dot -
-//   k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot -
-//   k_s3*de_s3*delta_s3*theta_dot + dk_r1*delta_r1^2*theta_dot/2 + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 +
-//   dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2
+// - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta2_dot/2 -
+//   k12*de12*touch12*over12*theta2_dot - k_r1*de_r1*delta_r1*theta_dot - k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot -
+//   k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot + dk_r1*delta_r1^2*theta_dot/2 +
+//   dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 +
+//   dk_s3*delta_s3^2*theta_dot/2
 //
 // Operations, all effects present:
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 12 | 2 |
-// | force | 92 | 410 | 0 |
-// | energy steps, all laws | 6 | 51 | 0 |
+// | force | 92 | 419 | 0 |
+// | energy steps, all laws | 7 | 59 | 0 |
