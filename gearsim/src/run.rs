@@ -241,7 +241,9 @@ impl<'a> Plan<'a> {
             counts: simulation.now.counts,
         };
         let closes = account::closes(&simulation.now.laws);
-        outcome.refuted = Account::of(&outcome, scene).filter(|account| closes && account.refutes());
+        let contact = scene.model.in_contact(simulation.now.laws.iter().map(|law| law.level()));
+        let rounding = account::rounding(simulation.now.equations, &simulation.now.state.q, &contact);
+        outcome.refuted = Account::of(&outcome, scene, rounding).filter(|account| closes && account.refutes());
         outcome
     }
 }

@@ -438,11 +438,13 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 continue;
             }
             self.changes[lane] += 1;
-            (self.at[lane], self.turns[lane]) = match (up.is_set(lane), self.at[lane]) {
-                (true, at) if at == last => (0, self.turns[lane] + 1),
-                (true, at) => (at + 1, self.turns[lane]),
-                (false, 0) => (last, self.turns[lane] - 1),
-                (false, at) => (at - 1, self.turns[lane]),
+            let (up, at) = (up.is_set(lane), self.at[lane]);
+            self.turns[lane] += self.tables[at].turns[usize::from(up)][lane];
+            self.at[lane] = match (up, at) {
+                (true, at) if at == last => 0,
+                (true, at) => at + 1,
+                (false, 0) => last,
+                (false, at) => at - 1,
             };
         }
     }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::engine::equations::Switching;
+use crate::engine::equations::{Equations, Switching};
 use crate::engine::law::LawState;
 use crate::run::Outcome;
 use crate::scene::Scene;
@@ -18,11 +18,13 @@ pub struct Account {
     pub largest: f64,
     /// What the residual may be of it.
     pub allowed: f64,
+    /// Energy that the rounding errors of the coordinates amount to \[J\]: a train at rest has no more.
+    pub rounding: f64,
 }
 
 impl Account {
     /// The account of `run`, a run of `scene`; `None` where nothing was recorded.
-    pub fn of(run: &Outcome, scene: &Scene) -> Option<Account> {
+    pub fn of(run: &Outcome, scene: &Scene, rounding: f64) -> Option<Account> {
         let trajectory = &run.trajectory;
         let residual =
             trajectory.residual.iter().copied().reduce(|m, x| if x.abs() > m.abs() || x.is_nan() { x } else { m })?;
@@ -32,18 +34,18 @@ impl Account {
             Some(method) if method.has_fixed_steps() => methods::FIXED_STEP_RESIDUAL,
             Some(_) => methods::STEP_RESIDUAL * scene.solver.tolerance,
         };
-        Some(Account { residual, largest: trajectory.largest_energy(), allowed })
+        Some(Account { residual, largest: trajectory.largest_energy(), allowed, rounding })
     }
 
     /// Whether more is unaccounted for than the method allows.
     pub fn refutes(&self) -> bool {
-        self.residual.is_nan() || self.residual.abs() > self.allowed * self.largest
+        self.residual.is_nan() || self.residual.abs() > self.allowed * self.largest + self.rounding
     }
 }
 
 impl fmt::Display for Account {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Account { residual, largest, allowed } = self;
+        let Account { residual, largest, allowed, .. } = self;
         write!(
             f,
             "{residual:.2e} J are unaccounted for, {:.1e} of the largest part of its energy account ({largest:.3e} J), where its \
@@ -51,6 +53,15 @@ impl fmt::Display for Account {
             residual.abs() / largest
         )
     }
+}
+
+/// The strain energy of the rounding errors of the coordinates `q`, each off by some units of its last place, at the law values `k`
+/// \[J\].
+pub fn rounding(equations: &dyn Equations, q: &[f64], k: &[f64]) -> f64 {
+    let off: Vec<f64> = q.iter().map(|q| methods::COORDINATE_ROUNDING * q.abs()).collect();
+    let stiffness = equations.stiffness(k);
+    let row = |i: usize| (0..q.len()).map(|j| stiffness[(i, j)].abs() * off[j]).sum::<f64>();
+    (0..q.len()).map(|i| 0.5 * off[i] * row(i)).sum()
 }
 
 /// Whether the account must close: not where the scene leaves out the jump terms or lets time move a phase, for then energy comes

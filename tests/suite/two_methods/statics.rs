@@ -20,7 +20,6 @@ const LEFT: f64 = 1e-9;
 /// A text with the largest residual, if the forces do not balance.
 pub fn balance(name: &str) -> Result<String, String> {
     let scene = common::scene(name, &[]);
-    let names = scene.effects.names(scene.model);
     let is_static: Vec<bool> = scene.start.q.iter().map(|start| start.is_static()).collect();
     if !is_static.contains(&true) {
         return Ok(format!("{name}: no coordinate starts static"));
@@ -28,7 +27,7 @@ pub fn balance(name: &str) -> Result<String, String> {
     if !scene.effects.nonlinear(scene.model).is_empty() || scene.laws.iter().any(|law| !law.steps_only()) {
         return Ok(format!("{name}: not checked, its cells are not linear"));
     }
-    if scene.model.switches.iter().any(|switch| names.contains(&switch.with)) {
+    if scene.model.switches.iter().any(|switch| scene.effects.has(switch.with, scene.model)) {
         return Ok(format!("{name}: not checked, the modes of its switches are not known beforehand"));
     }
     let (mut worst, mut boundaries) = (0.0f64, 0);

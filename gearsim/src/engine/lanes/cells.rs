@@ -49,6 +49,8 @@ pub struct Cells<const N: usize, const L: usize> {
     pub bounds: [Pack<L>; 2],
     /// Phase after entering the cell beyond the lower and the upper boundary.
     pub entered: [Pack<L>; 2],
+    /// Turns counted on entering the cell beyond the lower and the upper boundary.
+    pub turns: [[i64; L]; 2],
     /// Half the difference of the stiffness matrices of the cell beyond each boundary and of this cell (N x N): dV = q.D q.
     pub step: [[[Pack<L>; N]; N]; 2],
 }
@@ -77,6 +79,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
             rate: zero,
             bounds: [zero; 2],
             entered: [zero; 2],
+            turns: [[0; L]; 2],
             step: [[[zero; N]; N]; 2],
         }
     }
@@ -102,7 +105,8 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         self.rate.0[lane] = cell.rate;
         let (lower, upper) = law.pitch.bounds(place);
         for (i, (side, bound)) in [(Side::Lower, lower), (Side::Upper, upper)].into_iter().enumerate() {
-            let (beyond, entered, _) = law.pitch.beyond(place, side);
+            let (beyond, entered, turns) = law.pitch.beyond(place, side);
+            self.turns[i][lane] = turns;
             self.bounds[i].0[lane] = bound;
             self.entered[i].0[lane] = entered;
             let stiffness = |place| {
