@@ -63,6 +63,8 @@ pub struct Lanes<const N: usize, const L: usize> {
     pub at: [usize; L],
     /// Whole pitches since the lane was loaded.
     pub turns: [i64; L],
+    /// Whether a law has a period of several turns.
+    pub long: bool,
     /// Number of cell changes since the lane was loaded.
     pub changes: [u64; L],
     /// Prediction for the next passage of each cell.
@@ -439,12 +441,16 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             }
             self.changes[lane] += 1;
             let (up, at) = (up.is_set(lane), self.at[lane]);
-            self.turns[lane] += self.tables[at].turns[usize::from(up)][lane];
-            self.at[lane] = match (up, at) {
-                (true, at) if at == last => 0,
-                (true, at) => at + 1,
-                (false, 0) => last,
-                (false, at) => at - 1,
+            if self.long {
+                self.turns[lane] += self.tables[at].turns[usize::from(up)][lane];
+            }
+            // A law of one pitch counts a turn where its cells begin again.
+            let turn = i64::from(!self.long);
+            (self.at[lane], self.turns[lane]) = match (up, at) {
+                (true, at) if at == last => (0, self.turns[lane] + turn),
+                (true, at) => (at + 1, self.turns[lane]),
+                (false, 0) => (last, self.turns[lane] - turn),
+                (false, at) => (at - 1, self.turns[lane]),
             };
         }
     }

@@ -85,6 +85,11 @@ impl Pitch {
         self.period
     }
 
+    /// Number of pitches in one period of the law.
+    pub fn pitches(&self) -> i64 {
+        self.pitches
+    }
+
     /// Period of the law [unit of the phase].
     fn length(&self) -> f64 {
         self.period * self.pitches as f64

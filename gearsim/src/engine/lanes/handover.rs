@@ -30,6 +30,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             dissipated: zero,
             at: [0; L],
             turns: [0; L],
+            long: false,
             changes: [0; L],
             expected: vec![Expected::NOTHING; places],
         }
@@ -41,6 +42,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         if new {
             self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
             self.expected.iter_mut().for_each(|expected| expected.forget(lane));
+            self.long |= law.pitch.pitches() > 1;
             let impulse = law.switching == Switching::WithJump;
             self.compliance.0[lane] = if impulse { law.surface.compliance } else { 0.0 };
             (0..simulation.now.state.q.len()).for_each(|i| self.direction[i].0[lane] = law.surface.direction[i]);
