@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 18] = [
+const SCENES: [(&str, &str); 22] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "motion"),
@@ -26,6 +26,10 @@ const SCENES: [(&str, &str); 18] = [
     ("two_stage", "motion"),
     ("belt_drive", "motion"),
     ("chain_5", "motion"),
+    ("friction_oscillator", "motion"),
+    ("freewheel", "motion"),
+    ("damaged_tooth", "spectrum"),
+    ("electric_axle", "motion"),
 ];
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.

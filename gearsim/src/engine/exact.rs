@@ -33,10 +33,13 @@ pub struct Exact {
     /// The present cell with what is held in it.
     held: Option<Arc<Held>>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
-    met: HashMap<(usize, Vec<(usize, Side)>), Arc<Held>>,
+    met: HashMap<Place, Arc<Held>>,
     /// How late the phase was in each cell of a pitch, when it was last there; of a single law, whose motion repeats itself.
     lateness: Vec<Delay>,
 }
+
+/// The number of a cell, and the phases held in it.
+type Place = (usize, Vec<(usize, Side)>);
 
 /// A cell in which phases or deflections are held.
 #[derive(Debug, Clone)]
