@@ -170,7 +170,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     }
 }
 
-/// A switch has a deflection, its modes a value for each symbol, and its exits lead to its modes.
+/// A switch names a known deflection. Each of its modes gives one value for each symbol. Each exit leads to a mode of the same switch.
 fn switch(s: &Switch, deflections: &[String], linear: &[String], errors: &mut Vec<Error>) {
     known("a deflection", &s.over, deflections, errors);
     let modes: Vec<String> = s.modes.iter().map(|mode| mode.name.to_string()).collect();

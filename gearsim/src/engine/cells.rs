@@ -131,7 +131,7 @@ fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
     switches.iter_mut().for_each(|switch| switch.mode = digit(switch.modes()));
 }
 
-/// Writes the law values at the coordinates `q` and the time `t` \[s\], and those of the switches, to where they belong in `k`.
+/// Writes the law values at the coordinates `q` and the time `t` \[s\] into `k`, then the values of the switches.
 #[inline]
 pub fn write((laws, switches): (&[LawState], &[Switch]), (q, t): (&[f64], f64), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);

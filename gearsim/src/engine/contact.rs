@@ -142,7 +142,7 @@ impl Contact {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Held {
     /// The phase of a law, at a side of its cell.
-    LawState(usize, Side),
+    Law(usize, Side),
     /// The deflection of a switch.
     Switch(usize),
 }
@@ -166,9 +166,9 @@ impl Holds {
         let stuck = (0..now.switches.len()).filter(|&i| now.switches[i].here().held).map(Held::Switch);
         let mass = now.equations.mass().cholesky().ok_or(Refusal::Mass)?;
         let (n, mut held, mut columns) = (now.state.q.len(), vec![], vec![]);
-        for one in laws.iter().map(|&(law, side)| Held::LawState(law, side)).chain(stuck) {
+        for one in laws.iter().map(|&(law, side)| Held::Law(law, side)).chain(stuck) {
             let normal = match one {
-                Held::LawState(law, side) => &now.laws[law].surface.normal * side.sign(),
+                Held::Law(law, side) => &now.laws[law].surface.normal * side.sign(),
                 Held::Switch(switch) => now.switches[switch].normal.clone(),
             };
             columns.push(DVector::from(&normal));
@@ -200,7 +200,7 @@ impl Holds {
             let forces = (w * &load)[0].abs() + on_q.abs().dot(&q.abs()) + on_speed.abs().dot(&q_dot.abs());
             let row = Vector::from_fn(n, |i| w[(0, i)]);
             match *held {
-                Held::LawState(law, side) => {
+                Held::Law(law, side) => {
                     let form = Form::reaction(row, RELEASE * forces);
                     reactions.push(Watch { end: End::Hold(law, Ending::Release), form });
                     let stand = (&now.laws[..], &now.switches[..], &k[..]);
@@ -232,7 +232,7 @@ impl Holds {
         now.state.lost = Vector::zeros(now.state.q.len());
         let neglected = 0.5 * speeds.dot(&impulses);
         let laws = held.iter().filter_map(|held| match held {
-            Held::LawState(law, side) => Some((*law, *side)),
+            Held::Law(law, side) => Some((*law, *side)),
             Held::Switch(_) => None,
         });
         let laws = laws.collect();

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::cells;
@@ -198,10 +197,9 @@ impl Hybrid<'_> {
 
     /// Puts a switch into a mode, then into the one in which the state violates no guard; `crossed` is the guard that became zero.
     pub fn put(&mut self, switch: usize, mode: usize, crossed: Option<&Affine>) {
+        let before = self.switches[switch].here();
+        self.set_mode(switch, mode);
         let place = &mut self.switches[switch];
-        let before = place.here();
-        place.mode = mode;
-        place.write(&mut self.k);
         let state = (&self.state.q[..], &self.state.q_dot[..]);
         switch::settle(place, self.equations, state, &mut self.k, crossed);
         let after = place.here();
@@ -210,11 +208,9 @@ impl Hybrid<'_> {
         }
     }
 
-    /// Puts every switch into the mode that the state admits, after a sudden change. Returns whether one has changed.
-    pub fn settle(&mut self) -> bool {
-        let before: SmallVec<[usize; 4]> = self.switches.iter().map(|switch| switch.mode).collect();
-        (0..before.len()).for_each(|i| self.put(i, before[i], None));
-        self.switches.iter().zip(before).any(|(switch, before)| switch.mode != before)
+    /// Puts every switch into the mode that the state admits, after a sudden change.
+    pub fn settle(&mut self) {
+        (0..self.switches.len()).for_each(|i| self.put(i, self.switches[i].mode, None));
     }
 
     /// Puts a switch into a mode, whatever the state is.

@@ -124,9 +124,7 @@ fn is_at(
     k: &[f64],
     resting: bool,
 ) -> bool {
-    let (mut switch, mut k) = (switch.clone(), k.to_vec());
-    switch.mode = mode;
-    switch.write(&mut k);
+    let (switch, k) = switch.in_mode(mode, k);
     let exits = switch.exits(equations, &k);
     let guards =
         exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0 && guard.on_speed.amax() == 0.0);

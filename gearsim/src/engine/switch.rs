@@ -67,6 +67,13 @@ impl Switch {
         self.shifted
     }
 
+    /// The same switch in another mode, and the law values `k` there.
+    pub fn in_mode(&self, mode: usize, k: &[f64]) -> (Switch, Vec<f64>) {
+        let (other, mut k) = (Switch { mode, ..self.clone() }, k.to_vec());
+        other.write(&mut k);
+        (other, k)
+    }
+
     /// Writes the values of its symbols to where they belong among the law values `k`.
     pub fn write(&self, k: &mut [f64]) {
         let values = &self.modes.1[self.mode];
@@ -96,8 +103,16 @@ impl Switch {
 pub struct Guards {
     /// The exits of each switch that a motion can take.
     pub exits: Vec<SmallVec<[Exit; 2]>>,
-    /// The deflection of each switch, and the force against it whose work is lost: its constant, and its slope.
-    lost: Vec<(Deflection, [f64; 2])>,
+    /// The forces of switches that take energy, those that are not zero.
+    lost: Vec<Loss>,
+}
+
+/// The force of a switch against its deflection x, whose work is lost: constant + slope x.
+#[derive(Debug, Clone)]
+struct Loss {
+    over: Deflection,
+    constant: f64,
+    slope: f64,
 }
 
 impl Guards {
@@ -105,18 +120,17 @@ impl Guards {
     pub fn of(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Self {
         let exits = |switch: &Switch| watched(switch.exits(equations, k));
         let lost = |switch: &Switch| {
-            (equations.deflection(equations.switched(switch.index), k), equations.lost(switch.index, k))
+            let [constant, slope] = equations.lost(switch.index, k);
+            let over = || equations.deflection(equations.switched(switch.index), k);
+            ((constant, slope) != (0.0, 0.0)).then(|| Loss { over: over(), constant, slope })
         };
-        Guards { exits: switches.iter().map(exits).collect(), lost: switches.iter().map(lost).collect() }
+        Guards { exits: switches.iter().map(exits).collect(), lost: switches.iter().filter_map(lost).collect() }
     }
 
     /// What the forces of switches take where the coordinates move on from `q` by `dq`, at the law values `k` \[J\].
     #[inline]
     pub fn lost(&self, q: &[f64], dq: &Vector, k: &[f64]) -> f64 {
-        let of = |(over, [constant, slope]): &(Deflection, [f64; 2])| {
-            if (*constant, *slope) == (0.0, 0.0) {
-                return 0.0;
-            }
+        let of = |Loss { over, constant, slope }: &Loss| {
             let (x, dx) = (over.value(q, k), over.normal.dot(dq));
             (constant + slope * (x + 0.5 * dx)) * dx
         };
@@ -125,10 +139,7 @@ impl Guards {
 
     /// The power that the forces of switches take \[W\].
     pub fn power(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        let of = |(over, [constant, slope]): &(Deflection, [f64; 2])| match (*constant, *slope) {
-            (0.0, 0.0) => 0.0,
-            _ => (constant + slope * over.value(q, k)) * over.normal.dot(q_dot),
-        };
+        let of = |Loss { over, constant, slope }: &Loss| (constant + slope * over.value(q, k)) * over.normal.dot(q_dot);
         self.lost.iter().map(of).sum()
     }
 }
@@ -160,8 +171,8 @@ fn ratio(guard: &Affine, of: &Affine) -> Option<f64> {
 }
 
 /// Goes on to the mode in which the state `q`, `q_dot` violates no guard. `crossed` is the guard that has just become zero: its
-/// multiples have the sign that this means, whatever their rounded values are. The law values `k` follow. Returns whether the mode
-/// has changed.
+/// multiples have the sign that this means, whatever their rounded values are. The values of its symbols in `k` follow. Returns whether
+/// the mode has changed.
 pub fn settle(
     switch: &mut Switch,
     equations: &dyn Equations,
@@ -190,16 +201,8 @@ pub fn settle(
 }
 
 /// Whether another mode of a switch admits a state: its guards are positive there, or about to be.
-pub fn admits(
-    switch: &Switch,
-    equations: &dyn Equations,
-    mode: usize,
-    (q, q_dot): (&[f64], &[f64]),
-    k: &[f64],
-) -> bool {
-    let (mut other, mut k) = (switch.clone(), k.to_vec());
-    other.mode = mode;
-    other.write(&mut k);
+fn admits(switch: &Switch, equations: &dyn Equations, mode: usize, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> bool {
+    let (other, k) = switch.in_mode(mode, k);
     other.exits(equations, &k).iter().filter(|exit| exit.guard.on_reaction == 0.0).all(|exit| {
         let value = exit.guard.value(q, q_dot, &k);
         value > 0.0 || (value == 0.0 && exit.guard.on_q.dot(q_dot) > 0.0)

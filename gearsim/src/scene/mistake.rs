@@ -212,7 +212,7 @@ fn brief(text: &str) -> String {
     }
 }
 
-/// Whether a terminal would obey a character; not a line end or a tab.
+/// Whether a character is a control character that a terminal would act on. Line ends and tabs are allowed.
 fn is_control(c: char) -> bool {
     c.is_control() && c != '\n' && c != '\t'
 }
