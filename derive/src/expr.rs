@@ -60,6 +60,8 @@ pub enum Kind {
     Speed,
     /// The force that the hold of a deflection resists.
     Reaction,
+    /// What a run can record.
+    Output,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
     Spring,
     /// The force of its dampers, likewise.
@@ -68,7 +70,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 22] = [
+const KINDS: [(Kind, &str); 23] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -88,6 +90,7 @@ const KINDS: [(Kind, &str); 22] = [
     (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
     (Kind::Reaction, "reaction"),
+    (Kind::Output, "output"),
     (Kind::Spring, "spring"),
     (Kind::Damper, "damper"),
     (Kind::Free, "free"),

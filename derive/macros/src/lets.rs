@@ -1,4 +1,5 @@
-//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces and their partial derivatives.
+//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces, their
+//! partial derivatives, and outputs.
 //! A piece of code defines those that it names, and no others.
 
 use std::collections::BTreeSet;
@@ -50,14 +51,15 @@ enum Variable<'a> {
     Gated(Gated<'a>),
     /// A deflection or a rate.
     Linear(&'a Assignment),
-    /// A named force, or a partial derivative of one.
+    /// A named force, a partial derivative of one, or an output.
     Force(&'a Row),
 }
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
-    let forces = m.forces.iter().chain(&m.partials).map(Variable::Force);
+    let outputs = m.outputs.iter().map(|output| &output.value);
+    let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
     let all = gated(m).map(Variable::Gated).chain(linear).chain(forces);
     let mut used: Vec<_> = all.collect();
     let mut names = names(code);

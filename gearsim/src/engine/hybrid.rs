@@ -215,6 +215,7 @@ impl Hybrid<'_> {
 
     /// Puts a switch into a mode, whatever the state is.
     pub fn set_mode(&mut self, switch: usize, mode: usize) {
+        self.switches[switch].spend(self.clock.now());
         self.switches[switch].mode = mode;
         self.switches[switch].write(&mut self.k);
     }

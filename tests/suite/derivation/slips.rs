@@ -212,6 +212,29 @@ const SLIPS: &[Row] = &[
         gap.mode("free", &[]).until("stuck", over);
         gap.mode("stuck", &[]).holds();
     }),
+    ("an output in a symbol that nobody declared", "`rate`", |m, _| {
+        m.output("loss", "W", Expr::symbol("rate").sq(), "");
+    }),
+    ("an output called like a parameter", "`s`", |m, o| {
+        m.output("s", "m", o.x, "");
+    }),
+    ("an output before one in which it is written", "`second`", |m, o| {
+        let mut second = o.x;
+        Model::new("other", |other| second = other.output("second", "m", 1.into(), ""));
+        m.output("first", "m", second, "");
+        m.output("second", "m", o.x, "");
+    }),
+    ("the spring of what is no named deflection", "not a named deflection", |m, o| {
+        let spring = m.spring(o.x);
+        m.output("force", "N", spring, "");
+    }),
+    ("terms of an effect inside a root", "`damping`", |m, o| {
+        let x = m.deflection("y", o.x);
+        m.potential(half(o.s * x.sq()));
+        m.effect("damping", "", |m| m.dissipation(half(o.s * x.dot().sq())));
+        let force = m.spring(x) + m.damper(x);
+        m.output("size", "N", (force.sq() + o.s.sq()).sqrt(), "");
+    }),
     ("a division by zero", "the potential energy", |m, o| m.potential(o.s * o.x / 0)),
 ];
 
