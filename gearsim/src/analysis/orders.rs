@@ -11,8 +11,10 @@
 //! the peak amplitude of a line at that order. Sources: K. R. Fyfe, E. D. S. Munck, Mech. Syst. Signal Process. 11 (1997) 187-205
 //! (computed order tracking); G. Heinzel, A. Rüdiger, R. Schilling (2002), Eq. (24) (window correction).
 
+mod cuts;
 mod lines;
 
+pub use cuts::{Cut, cuts};
 pub use lines::{Line, lines, mesh_orders};
 
 use realfft::RealFftPlanner;

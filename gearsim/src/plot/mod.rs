@@ -10,6 +10,7 @@ mod heat;
 pub mod map;
 pub mod modes;
 mod motion;
+mod order_cuts;
 mod orders;
 pub mod outputs;
 mod picture;
@@ -29,7 +30,7 @@ use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
 
 /// All plots, in the order in which they are listed.
-pub const PLOTS: &[Plot] = &[outputs::PLOT, orders::PLOT, energy::PLOT, spectrum::PLOT, motion::PLOT];
+pub const PLOTS: &[Plot] = &[outputs::PLOT, orders::PLOT, energy::PLOT, spectrum::PLOT, motion::PLOT, order_cuts::PLOT];
 
 /// All plots of sweeps.
 pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];

@@ -114,7 +114,7 @@ use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
 
 /// Plots that a scene may ask for.
-pub const PLOTS: &[&str] = &["outputs", "orders", "energy", "spectrum", "motion"];
+pub const PLOTS: &[&str] = &["outputs", "orders", "energy", "spectrum", "motion", "order_cuts"];
 
 /// A scene, checked and ready to run.
 #[derive(Debug, Clone)]

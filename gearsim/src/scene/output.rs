@@ -93,6 +93,7 @@ fn default_plots(model: Option<&Model>, record: Option<&[usize]>) -> Vec<usize> 
         "outputs" => recorded,
         "orders" => recorded && meshes,
         "motion" => !recorded,
+        "order_cuts" => false,
         _ => true,
     };
     (0..PLOTS.len()).filter(|&i| drawn(PLOTS[i])).collect()

@@ -59,3 +59,19 @@ fn a_shaft_that_stands_or_turns_back_has_no_orders() {
     let run = run(1001, 1e3, |_| -3.0);
     assert_eq!(Turning::of(&run, "rotor_speed", 0.0).unwrap().revolutions(), 3);
 }
+
+#[test]
+fn an_order_cut_follows_the_amplitude_over_speed() {
+    // A run-up whose 17th order grows in proportion to the speed.
+    let run = run(200_001, 50e3, |t| 5.0 + 10.0 * t);
+    let x: Vec<f64> = run.t.iter().map(|t| (5.0 + 10.0 * t) * (TAU * 17.0 * (5.0 * t + 5.0 * t * t)).sin()).collect();
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let cuts = cuts(&turning, &x, &[17.0, 11.0], 8).unwrap();
+    assert!(cuts.len() > 10 && cuts[cuts.len() - 1].speed > 4.0 * cuts[0].speed);
+    for cut in &cuts {
+        let expected = cut.speed / TAU;
+        // Within a window of 8 revolutions the speed changes by up to a third at its beginning.
+        assert!((cut.amplitude[0] / expected - 1.0).abs() < 0.03, "{} of {expected}", cut.amplitude[0]);
+        assert!(cut.amplitude[1] < 1e-3 * expected);
+    }
+}
