@@ -58,6 +58,8 @@ pub enum Kind {
     Rate,
     /// Generalised speed.
     Speed,
+    /// Generalised acceleration; only where M depends on the coordinates.
+    Acceleration,
     /// The force that the hold of a deflection resists.
     Reaction,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
@@ -68,7 +70,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 22] = [
+const KINDS: [(Kind, &str); 23] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -87,6 +89,7 @@ const KINDS: [(Kind, &str); 22] = [
     (Kind::Error, "error"),
     (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
+    (Kind::Acceleration, "acceleration"),
     (Kind::Reaction, "reaction"),
     (Kind::Spring, "spring"),
     (Kind::Damper, "damper"),
@@ -266,6 +269,11 @@ pub(crate) fn partial_name(force: &str, by: &str) -> String {
 /// The name of the speed of a coordinate.
 pub(crate) fn speed_name(coordinate: &str) -> String {
     format!("{coordinate}_dot")
+}
+
+/// The name of the acceleration of a coordinate.
+pub(crate) fn acceleration_name(coordinate: &str) -> String {
+    format!("{coordinate}_ddot")
 }
 
 impl std::fmt::Display for Expr {

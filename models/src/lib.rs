@@ -50,8 +50,10 @@
 
 pub mod backlash_oscillator;
 pub mod belt_drive;
+pub mod cardan_drive;
 pub mod chain;
 pub mod components;
+pub mod crank_drive;
 pub mod electric_axle;
 pub mod freewheel;
 pub mod friction_oscillator;
@@ -83,6 +85,8 @@ pub const MODELS: &[Entry] = &[
     ("two_stage", two_stage::two_stage),
     ("idler", idler::idler),
     ("belt_drive", belt_drive::belt_drive),
+    ("crank_drive", crank_drive::crank_drive),
+    ("cardan_drive", cardan_drive::cardan_drive),
     ("planetary_3", |m| planetary::planetary(m, 3)),
     ("planetary_4", |m| planetary::planetary(m, 4)),
     ("planetary_5", |m| planetary::planetary(m, 5)),

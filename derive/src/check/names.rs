@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Kind, MOVING, is_word, partial_name, speed_name, symbols};
+use crate::expr::{Kind, MOVING, acceleration_name, is_word, partial_name, speed_name, symbols};
 use crate::model::{CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
@@ -18,6 +18,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Coordinate => "a coordinate",
         Kind::Speed => "a speed",
         Kind::Deflection => "a deflection",
+        Kind::Acceleration => "an acceleration",
         Kind::Rate => "the rate of a deflection",
         Kind::Parameter => "a parameter",
         Kind::Constant => "a constant",
@@ -58,6 +59,9 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     declare(&model.name, "the model", false)?;
     model.coordinates.iter().try_for_each(|c| declare(&c.name, known(Coordinate), false))?;
     model.speeds().iter().try_for_each(|s| declare(s, known(Speed), true))?;
+    if model.inertia_moves() {
+        model.coordinates.iter().try_for_each(|c| declare(&acceleration_name(&c.name), known(Acceleration), true))?;
+    }
     model.parameters.iter().try_for_each(|p| declare(&p.name, known(Parameter), false))?;
     model.constants.iter().try_for_each(|(name, _)| declare(name, known(Constant), false))?;
     for d in &model.deflections {

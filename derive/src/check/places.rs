@@ -108,10 +108,9 @@ impl Places<'_> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
         };
-        // Inertia and damping that depend on positions could be derived, but the engine has no equations for them.
-        let moving = [Constant, Parameter, Mid, Speed];
-        let why =
-            "T may depend on speeds, not on positions or the mesh: the engine has no inertia that depends on them";
+        // Damping that depends on positions could be derived, but the engine has no equations for it.
+        let moving = [Constant, Parameter, Mid, Coordinate, Speed];
+        let why = "T may depend on speeds and coordinates, not on the mesh or on named deflections: write those in the coordinates";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
         let positions = [Constant, Parameter, Mid, Law, Switched, Deflection, Coordinate];
         let why = "V may depend on positions, not on speeds, and on transmission errors only through deflections, \
@@ -145,6 +144,11 @@ impl Places<'_> {
             let place = format!("the displacement of {place}");
             let why = "a displacement may depend on coordinates and deflections only";
             self.check(torque.through, &place, &[Constant, Parameter, Deflection, Coordinate], why)?;
+            if let Some(along) = torque.along {
+                let why = "the speed along which a torque works may depend on coordinates and speeds only";
+                let place = format!("the speed of the torque `{}`", torque.name);
+                self.check(along, &place, &[Constant, Parameter, Coordinate, Speed], why)?;
+            }
         }
         Ok(())
     }

@@ -1,8 +1,8 @@
 //! The parts of a model, as its author declares them.
 
-use symbolica::atom::Atom;
+use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind};
+use crate::expr::{Expr, Kind, symbol, symbols};
 
 /// The initial value of a coordinate, unless a scene gives another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,12 +124,22 @@ pub(crate) struct Torque {
     pub name: String,
     pub value: Expr,
     pub through: Expr,
+    /// The speed along which it works, if that is not the rate of `through`.
+    pub along: Option<Expr>,
     pub doc: String,
 }
 
 impl Torque {
-    /// Its power [W]: the value times the rate of the displacement.
+    /// Its power [W]: the value times the speed along which it works.
     pub fn power(&self) -> Atom {
-        (self.value * self.through.dot()).atom()
+        (self.value * self.along.unwrap_or_else(|| self.through.dot())).atom()
+    }
+
+    /// Whether it works through a displacement that is linear in the coordinates and deflections.
+    pub fn is_linear(&self) -> bool {
+        let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
+        let through = self.through.atom();
+        let by = |(kind, name): (Kind, String)| through.derivative(symbol(kind, &name)).expand();
+        self.along.is_none() && !symbols(&through).into_iter().map(by).any(|slope| moves(&slope))
     }
 }

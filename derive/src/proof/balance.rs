@@ -7,7 +7,7 @@ use super::Proof;
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
 use crate::lagrange::gradient;
 use crate::markers::all_present;
-use crate::model::{JUMP_TERMS, Model};
+use crate::model::{JUMP_TERMS, Model, Torque};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::symbols::Symbols;
@@ -21,12 +21,14 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
         "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of \
          the additive effects{clipped}"
     );
-    // Along the motion d/dt (q'.dT/dq' - T) = q'.(M q'') = q'.F, since T is quadratic in the speeds and in nothing else.
+    // T is quadratic in the speeds, so that d/dt (q'.dT/dq' - T) = dT/dt = q'.(M q'') + dT/dq.q', and M q'' = F along the motion.
     let m = p.model;
     let inertia = p.motion.force.iter().zip(&p.s.v).map(|(force, v)| Atom::var(*v) * with_jump_terms(force));
+    let inertia = inertia.chain(m.kinetic.iter().map(|t| rate(m, &t.atom())));
     let stored = m.potential.iter().map(|v| rate(m, &v.atom()));
     let damped = m.dissipation.iter().map(|d| damper_power(m, d));
-    let fed = m.torques.iter().map(|t| -(t.value.atom() * displacement_rate(m, &t.through.atom())));
+    let speed = |t: &Torque| t.along.map_or_else(|| displacement_rate(m, &t.through.atom()), |along| along.atom());
+    let fed = m.torques.iter().map(|t| -(t.value.atom() * speed(t)));
     let rest = total(inertia.chain(stored).chain(damped).chain(switched_powers(m)).chain(fed).collect());
     p.claim(&what, [rest])
 }
