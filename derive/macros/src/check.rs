@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use syn::{Error, Ident};
 
 use crate::effects;
+use crate::lets;
 use crate::model::*;
 use crate::resolve::resolve;
 use crate::scope::speed;
@@ -163,6 +164,11 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     }
     for matrix in [&m.mass, &m.stiffness, &m.damping].into_iter().chain(&m.mobility) {
         entries(matrix, &q, &q, true, errors);
+    }
+    entries(&m.inertia, &q, &q, false, errors);
+    let mentioned = |e: &&Entry| e.sum.iter().any(|t| q.iter().any(|q| lets::names(&t.value).contains(q)));
+    if let Some(e) = m.mass.iter().find(mentioned).filter(|_| m.inertia.is_empty()) {
+        errors.push(Error::new(e.row.span(), "mass: depends on the coordinates, but there is no block `inertia`"));
     }
     match &m.jacobian {
         Some(jacobian) => entries(jacobian, &q, &both, false, errors),

@@ -30,6 +30,8 @@ pub struct Model {
     pub work: Vec<Row>,
     pub mass: Vec<Entry>,
     pub mobility: Option<Vec<Entry>>,
+    /// Derivatives of M q'' (rows) by the coordinates (columns), if M depends on them.
+    pub inertia: Vec<Entry>,
     pub force: Option<Vec<Row>>,
     pub jacobian: Option<Vec<Entry>>,
     pub stiffness: Vec<Entry>,
@@ -254,6 +256,7 @@ impl Model {
             work: vec![],
             mass: vec![],
             mobility: None,
+            inertia: vec![],
             force: None,
             jacobian: None,
             stiffness: vec![],

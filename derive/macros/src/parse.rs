@@ -58,6 +58,7 @@ impl Model {
             "work" => self.work = list(input)?,
             "mass" => self.mass = list(input)?,
             "mobility" => self.mobility = Some(list(input)?),
+            "inertia" => self.inertia = list(input)?,
             "force" => self.force = Some(list(input)?),
             "jacobian" => self.jacobian = Some(list(input)?),
             "cell" => parts(input, &["stiffness", "damping", "load"], |part, input| {

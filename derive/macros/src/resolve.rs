@@ -32,7 +32,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         rows(guards.chain(&mut switch.loss), &moving, errors);
     }
 
-    let kinetic = Scope::of(m, "kinetic").speeds(m);
+    let kinetic = Scope::of(m, "kinetic").coordinates(m, "q").speeds(m);
     kinetic.sum(&mut m.kinetic, errors);
     let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0).gated(m);
     potential.sum(&mut m.potential, errors);
@@ -56,9 +56,11 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     let motions = Scope::of(m, "motions");
     m.motions.iter_mut().flat_map(|x| &mut x.speeds).for_each(|s| motions.expression(&mut s.value, errors));
 
-    let mass = Scope::of(m, "mass");
+    let mass = Scope::of(m, "mass").coordinates(m, "q");
     entries(&mut m.mass, &mass, errors);
-    let mobility = Scope::of(m, "mobility");
+    let inertia = Scope::of(m, "inertia").coordinates(m, "q").accelerations(m);
+    entries(&mut m.inertia, &inertia, errors);
+    let mobility = Scope::of(m, "mobility").coordinates(m, "q");
     entries(m.mobility.iter_mut().flatten(), &mobility, errors);
     let moving = |block: &str, order| {
         let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m);

@@ -69,6 +69,12 @@ impl Scope {
         self
     }
 
+    /// Adds the accelerations, as entries of `q_ddot`.
+    pub fn accelerations(mut self, model: &Model) -> Self {
+        self.add(model.coordinates.iter().map(|c| format!("{}_ddot", c.name)), "q_ddot");
+        self
+    }
+
     /// Adds the deflections, as plain variables that [`crate::lets`] defines.
     pub fn deflections(mut self, model: &Model) -> Self {
         model.deflections.iter().for_each(|d| self.declare(&d.name));
