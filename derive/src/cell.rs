@@ -25,7 +25,7 @@ pub(crate) struct Cell {
 
 /// The matrices of a cell.
 pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
-    let mut culprits = inertias(model, motion);
+    let mut culprits = inertias(model, s, motion);
     for (energy, pieces) in [("potential energy", &model.potential), ("dissipation function", &model.dissipation)] {
         culprits.extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
     }
@@ -56,11 +56,11 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
 }
 
 /// The inertias that depend on the coordinates, as text, each with the effects that it needs.
-fn inertias(model: &Model, motion: &Motion) -> Vec<(Vec<String>, String)> {
+fn inertias(model: &Model, s: &Symbols, motion: &Motion) -> Vec<(Vec<String>, String)> {
     let mut found: Vec<(Vec<String>, String)> = vec![];
     for term in motion.inertia.iter().flatten().flatten().flat_map(terms) {
         let coordinates = model.coordinates.iter().map(|c| c.name.as_str());
-        let moving: Vec<&str> = coordinates.filter(|name| depends(&motion.mass, name)).collect();
+        let moving: Vec<&str> = coordinates.filter(|name| depends(s, &motion.mass, name)).collect();
         let (marks, text) = (markers(&term), format!("M({}) in the kinetic energy", moving.join(", ")));
         if !found.iter().any(|(known, _)| *known == marks) {
             found.push((marks, text));
@@ -70,9 +70,10 @@ fn inertias(model: &Model, motion: &Motion) -> Vec<(Vec<String>, String)> {
 }
 
 /// Whether M depends on a coordinate.
-fn depends(mass: &[Vec<Atom>], coordinate: &str) -> bool {
+fn depends(s: &Symbols, mass: &[Vec<Atom>], coordinate: &str) -> bool {
     let q = symbol(Kind::Coordinate, coordinate);
-    mass.iter().flatten().any(|entry| !entry.derivative(q).expand().is_zero())
+    let by = mass.iter().flatten().flat_map(|entry| s.by_coordinates(entry));
+    by.into_iter().any(|(i, by)| s.q[i] == q && !by.expand().is_zero())
 }
 
 /// The value at q = 0.
@@ -92,11 +93,17 @@ fn at_rest(s: &Symbols, e: &Atom) -> Atom {
 fn not_quadratic(pieces: &[Expr]) -> Vec<(Vec<String>, String)> {
     let moving = |e: &Atom| -> Vec<Symbol> {
         let moves = |symbol: &Symbol| {
-            matches!(kind_and_name(*symbol).0, Kind::Coordinate | Kind::Speed | Kind::Deflection | Kind::Rate)
+            matches!(
+                kind_and_name(*symbol).0,
+                Kind::Coordinate | Kind::Speed | Kind::Deflection | Kind::Rate | Kind::Function
+            )
         };
         e.get_all_symbols(false).into_iter().filter(moves).collect()
     };
     let varying = |term: &Atom| {
+        if moving(term).iter().any(|symbol| kind_and_name(*symbol).0 == Kind::Function) {
+            return true;
+        }
         moving(term).into_iter().any(|a| {
             let slope = term.derivative(a);
             moving(&slope).into_iter().any(|b| !moving(&slope.derivative(b).expand()).is_empty())

@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, speed_name, symbol, symbols, varies};
 
-pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
+pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Function, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
 pub use switch::{Describing, Switching};
 pub(crate) use switch::{Exit, Mode, REACTION, Switch};
@@ -28,6 +28,7 @@ pub struct Model {
     pub(crate) effects: Vec<Effect>,
     pub(crate) constants: Vec<(String, Expr)>,
     pub(crate) deflections: Vec<Deflection>,
+    pub(crate) functions: Vec<Function>,
     pub(crate) switches: Vec<Switch>,
     pub(crate) forces: Vec<Force>,
     pub(crate) torques: Vec<Torque>,
@@ -42,6 +43,7 @@ impl Model {
     /// The model called `name`, described by `describe`.
     pub fn new(name: &str, describe: impl FnOnce(&mut Model)) -> Model {
         let mut model = Model { name: name.into(), ..Model::default() };
+        Expr::forget_rates();
         describe(&mut model);
         switch::complete(&mut model);
         model
@@ -88,6 +90,24 @@ impl Model {
         }
         self.deflections.push(Deflection { name: name.into(), value });
         Expr::var(Kind::Deflection, name)
+    }
+
+    /// Names a smooth function of one position: the place of a piston as a function of the angle of its crank. `of` is a coordinate or
+    /// a named deflection without transmission errors, and `value` gives the function of it. T, V and the displacements of torques may
+    /// be written in the function and its `.dot()`. The equations are then written in the function and its derivatives, `name`, `dname`,
+    /// `ddname` and `dddname`, instead of being multiplied out. This is how a holonomic constraint is stated: solved for one quantity.
+    pub fn function(&mut self, name: &str, of: Expr, value: impl FnOnce(Expr) -> Expr) -> Expr {
+        let function = Function { name: name.into(), of, value: value(of) };
+        let rate = Expr::var(Kind::Function, &function.derivative(1)) * self.position(of).dot();
+        Expr::set_rate(name, rate);
+        self.functions.push(function);
+        Expr::var(Kind::Function, name)
+    }
+
+    /// A coordinate, or a named deflection written in the coordinates.
+    pub(crate) fn position(&self, of: Expr) -> Expr {
+        let named = self.deflections.iter().find(|d| of.atom() == Expr::var(Kind::Deflection, &d.name).atom());
+        named.map_or(of, |d| d.value)
     }
 
     /// The entry of the inverse mass matrix for the coordinates `a` and `b`; the derivation fills in its value. Only for models
@@ -243,7 +263,7 @@ impl Model {
     /// terms of V that are not quadratic, as those of gravity, are left out: they are not the inertia of a rotor or a spring.
     pub fn rayleigh(&mut self, alpha: Expr, beta: Expr) {
         let (mut kinetic, mut potential) = (self.kinetic.clone(), self.potential.clone());
-        kinetic.retain(|t| !symbols(&t.atom()).iter().any(|s| s.0 == Kind::Coordinate));
+        kinetic.retain(|t| !depends_on_positions(t));
         potential.retain(is_spring);
         for t in kinetic {
             self.dissipation(alpha * t);
@@ -328,7 +348,7 @@ impl Model {
 
     /// Whether T depends on coordinates.
     pub(crate) fn inertia_moves(&self) -> bool {
-        self.kinetic.iter().any(|t| symbols(&t.atom()).iter().any(|s| s.0 == Kind::Coordinate))
+        self.kinetic.iter().any(depends_on_positions)
     }
 
     /// Names of the speeds, in the order of the coordinates.
@@ -337,9 +357,17 @@ impl Model {
     }
 }
 
+/// Whether a term of T depends on coordinates.
+fn depends_on_positions(t: &Expr) -> bool {
+    symbols(&t.atom()).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Function))
+}
+
 /// Whether a term of V is homogeneous of degree two in coordinates and deflections.
 fn is_spring(v: &Expr) -> bool {
     let v = v.atom();
+    if symbols(&v).iter().any(|s| s.0 == Kind::Function) {
+        return false;
+    }
     let moving = symbols(&v).into_iter().filter(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
     let doubled = moving.fold(v.clone(), |e, (kind, name)| {
         let x = Atom::var(symbol(kind, &name));

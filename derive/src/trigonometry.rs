@@ -12,6 +12,13 @@ pub(crate) fn simplified(e: &Atom) -> Atom {
     if terms(&replaced).len() < terms(&plain).len() { replaced } else { plain }
 }
 
+/// The expression as it is, or expanded and simplified if that takes fewer operations.
+pub(crate) fn shorter(e: &Atom) -> Atom {
+    let operations = |e: &Atom| Tree::new(e).operations().iter().sum::<usize>();
+    let simplified = simplified(e);
+    if operations(&simplified) < operations(e) { simplified } else { e.clone() }
+}
+
 /// The expression with cos(x)^n, n >= 2, in powers of 1 - sin(x)^2.
 pub(crate) fn without_squared_cosines(e: AtomView) -> Atom {
     match e {

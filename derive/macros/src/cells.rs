@@ -6,7 +6,7 @@ use syn::{Expr, Index, Lit};
 
 use crate::cold::{Cold, Returns, Takes};
 use crate::effects::is_met;
-use crate::lets::with_lets;
+use crate::lets::{positions, with_lets};
 use crate::model::*;
 use crate::sums::position;
 
@@ -14,7 +14,10 @@ use crate::sums::position;
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
-    let at = |cold: Cold| Cold { takes: &[Takes::Coordinates("q")], ..cold };
+    let at = |cold: Cold| {
+        let (positions, body) = (positions(m, &cold.body), cold.body);
+        Cold { takes: &[Takes::Coordinates("q")], body: quote!(#positions #body), ..cold }
+    };
     // What depends on the values of laws and switches.
     let of_values = |cold: Cold| {
         let body = with_lets(m, cold.body);

@@ -104,7 +104,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
     let number = || Returns::Plain(quote!(f64));
 
-    let kinetic = body(&m.kinetic);
+    let kinetic = with_lets(m, body(&m.kinetic));
     let potential = body(&m.potential);
     let torques = m.torques.iter().map(|t| block(&t.work));
     let work = body(&work(m));
@@ -177,7 +177,7 @@ fn moving_inertia(m: &Model) -> Vec<Cold> {
             name: "inertia",
             takes: &[Coordinates("q"), Coordinates("q_ddot")],
             returns: Returns::Matrix,
-            body: quote!(let mut v = [[0.0; #n]; #n]; #(#entries)* v),
+            body: with_lets(m, quote!(let mut v = [[0.0; #n]; #n]; #(#entries)* v)),
         },
         Cold {
             name: "is_inertia_constant",

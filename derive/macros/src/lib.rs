@@ -46,6 +46,7 @@
 //! deflections {                       // linear in the coordinates; each also declares its rate, here `over_dot`
 //!     over = x - edge;                // may be used in potential, force, jacobian, step; the rate in dissipation, force, jacobian
 //! }
+//! // functions { x = r*phi.cos(); dx = -r*phi.sin(); }   // smooth functions of a coordinate or deflection, and their derivatives
 //! switches {                          // modes of a deflection; the symbols in parentheses are constant in each, here without `backlash`
 //!     over "m" (edge 0.0, touch 1.0) with backlash, "play" {
 //!         upper (b/2.0, 1.0) rests counts "flanks met" {     // `rests`: a static start may be in it; `counts`: what is counted

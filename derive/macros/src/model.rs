@@ -18,6 +18,8 @@ pub struct Model {
     pub deflections: Vec<Assignment>,
     /// Rates of the deflections. Not in the file: `resolve` writes the deflections in the speeds.
     pub rates: Vec<Assignment>,
+    /// Functions of one position, and their derivatives.
+    pub functions: Vec<Assignment>,
     pub switches: Vec<Switch>,
     pub kinetic: Sum,
     pub potential: Sum,
@@ -246,6 +248,7 @@ impl Model {
             constants: vec![],
             deflections: vec![],
             rates: vec![],
+            functions: vec![],
             switches: vec![],
             kinetic: vec![],
             potential: vec![],

@@ -81,6 +81,12 @@ impl Scope {
         self
     }
 
+    /// Adds the functions of positions, as plain variables too.
+    pub fn functions(mut self, model: &Model) -> Self {
+        model.functions.iter().for_each(|f| self.declare(&f.name));
+        self
+    }
+
     /// Adds the rates of deflections, as plain variables that [`crate::lets`] defines.
     pub fn rates(mut self, model: &Model) -> Self {
         model.rates.iter().for_each(|d| self.declare(&d.name));

@@ -7,7 +7,7 @@ use super::Proof;
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
 use crate::lagrange::gradient;
 use crate::markers::all_present;
-use crate::model::{JUMP_TERMS, Model, Torque};
+use crate::model::{Function, JUMP_TERMS, Model, Torque};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::symbols::Symbols;
@@ -58,7 +58,17 @@ fn displacement_rate(model: &Model, through: &Atom) -> Atom {
     along(through, |kind, name| match kind {
         Kind::Coordinate => Some(Expr::var(kind, name).dot().atom()),
         Kind::Deflection => Some(deflection_rate(model, name)),
+        Kind::Function => function_rate(model, name),
         _ => None,
+    })
+}
+
+/// The rate of a named function or of a derivative of it: the next derivative times the rate of its position.
+fn function_rate(model: &Model, name: &str) -> Option<Atom> {
+    model.functions.iter().find_map(|function| {
+        let order = (0..Function::ORDERS - 1).find(|order| function.derivative(*order) == name)?;
+        let next = symbol(Kind::Function, &function.derivative(order + 1));
+        Some(Atom::var(next) * model.position(function.of).dot().atom())
     })
 }
 
@@ -67,6 +77,7 @@ fn rate(model: &Model, e: &Atom) -> Atom {
     along(e, |kind, name| match kind {
         Kind::Coordinate => Some(Expr::var(kind, name).dot().atom()),
         Kind::Deflection => model.deflections.iter().find(|d| d.name == name).map(|d| rate(model, &d.value.atom())),
+        Kind::Function => function_rate(model, name),
         Kind::Law | Kind::Error => {
             let law = model.laws.iter().find(|law| law.name == name)?;
             let slope = Atom::var(symbol(Kind::Slope, &format!("d{name}")));

@@ -1,6 +1,6 @@
 //! M: T is its quadratic form, it is symmetric and positive definite, and M⁻¹ is its inverse where it is written.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::Atom;
 
 use super::{Proof, exact};
 use crate::check::positive;
@@ -56,7 +56,10 @@ fn centrifugal(p: &mut Proof) -> Result<(), Slip> {
         return Ok(());
     }
     let (mass, s, n) = (&p.motion.mass, p.s, p.s.q.len());
-    let by = |i: usize, j: usize, k: usize| mass[i][j].derivative(s.q[k]);
+    let by = |i: usize, j: usize, k: usize| {
+        let gradient = s.by_coordinates(&mass[i][j]);
+        gradient.into_iter().find(|(at, _)| *at == k).map_or_else(|| number(0), |(_, by)| by)
+    };
     let symbol = |i, j, k| (by(i, j, k) + by(i, k, j) - by(j, k, i)) / number(2) * Atom::var(s.v[j]) * Atom::var(s.v[k]);
     let rest = |i: usize| {
         let symbols = (0..n).flat_map(|j| (0..n).map(move |k| (j, k))).map(|(j, k)| symbol(i, j, k));

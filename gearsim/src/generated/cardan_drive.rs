@@ -19,7 +19,7 @@ equations! {
         r1 "m" required, open 0.0 to inf, "base radius of gear 1";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
-        beta "rad" required, from 0.0 to inf, "angle between the shafts of the universal joint, below a quarter turn";
+        beta "rad" required, from 0.0 to inf, "angle between the shafts of the universal joint, less than a quarter turn";
         I_o "kg*m^2" required, open 0.0 to inf, "moment of inertia behind the joint";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
@@ -69,15 +69,27 @@ equations! {
 
     constants {
         h = r1/N1;
-        cb = beta.cos();
-        sb = beta.sin();
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
     }
     deflections {
+        fork = theta/N2 - s/(2.0*h*N2);
         over12 = s - edge12 - e12;
         tau12 = tan_a*s;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
+    }
+    functions {
+        ratio = beta.cos()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2));
+        dratio = -2.0*beta.sin().powi(2)*beta.cos()*fork.cos()*fork.sin()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(2);
+        ddratio = 8.0*fork.cos().powi(2)*beta.sin().powi(4)*fork.sin().powi(2)*beta.cos()
+            /(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(3)
+            - 2.0*fork.cos().powi(2)*beta.sin().powi(2)*beta.cos()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(2)
+            + 2.0*beta.sin().powi(2)*fork.sin().powi(2)*beta.cos()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(2);
+        dddratio = 24.0*fork.cos().powi(3)*beta.sin().powi(4)*beta.cos()*fork.sin()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(3)
+            - 48.0*fork.cos().powi(3)*beta.sin().powi(6)*fork.sin().powi(3)*beta.cos()
+            /(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(4)
+            + 8.0*beta.sin().powi(2)*beta.cos()*fork.cos()*fork.sin()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(2)
+            - 24.0*beta.sin().powi(4)*fork.sin().powi(3)*beta.cos()*fork.cos()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2)).powi(3);
     }
     forces {
         F_mu12 {
@@ -168,8 +180,7 @@ equations! {
     energies {
         kinetic {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
-                + cb.powi(2)*I_o*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
-                /(1.0 - sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)).powi(2))/2.0;
+                + I_o*ratio.powi(2)*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2))/2.0;
         }
         potential { _ => k12*touch12*over12.powi(2)/2.0; }
         dissipation {
@@ -182,163 +193,56 @@ equations! {
         power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
-        motor "driving torque of the driving gear" {}
-        power { torques => T_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
+        motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
         load "load torque behind the joint, against its rotation" {}
-        power { torques => -cb*T_load*(theta_dot/N2 - s_dot/(2.0*h*N2))/(1.0 - sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)); }
+        power { torques => -T_load*ratio*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
     }
     work {
+        theta { torques => T_motor/N1; }
+        s { torques => T_motor/(2.0*h*N1); }
     }
     mass {
-        theta theta {
-            _ => I1/N1.powi(2) + I2/N2.powi(2)
-                + cb.powi(2)*I_o/(N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)));
-        }
-        theta s {
-            _ => (I1/(h*N1.powi(2)) - cb.powi(2)*I_o
-                /(h*N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4))) - I2/(h*N2.powi(2)))/2.0;
-        }
-        s s {
-            _ => (cb.powi(2)*I_o/(h.powi(2)*N2.powi(2)
-                *(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2) + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)))
-                + I1/(h.powi(2)*N1.powi(2)) + I2/(h.powi(2)*N2.powi(2)))/4.0;
-        }
+        theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2) + I_o*ratio.powi(2)/N2.powi(2); }
+        theta s { _ => (I1/(h*N1.powi(2)) - I2/(h*N2.powi(2)) - I_o*ratio.powi(2)/(h*N2.powi(2)))/2.0; }
+        s s { _ => (I1/(h.powi(2)*N1.powi(2)) + I2/(h.powi(2)*N2.powi(2)) + I_o*ratio.powi(2)/(h.powi(2)*N2.powi(2)))/4.0; }
     }
     mobility {
         theta theta {
-            _ => ((cb.powi(2)*I_o/(h.powi(2)*N2.powi(2)
-                *(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2) + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)))
-                + I1/(h.powi(2)*N1.powi(2)) + I2/(h.powi(2)*N2.powi(2)))/4.0)
-                /(cb.powi(2)*I1*I_o/(h.powi(2)*N1.powi(2)*N2.powi(2)
-                *(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2) + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)))
-                + I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)));
+            _ => ((I1/(h.powi(2)*N1.powi(2)) + I2/(h.powi(2)*N2.powi(2)) + I_o*ratio.powi(2)/(h.powi(2)*N2.powi(2)))/4.0)
+                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)) + I1*I_o*ratio.powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2)));
         }
         theta s {
-            _ => -((I1/(h*N1.powi(2)) - cb.powi(2)*I_o
-                /(h*N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)))
-                - I2/(h*N2.powi(2)))/2.0)/(cb.powi(2)*I1*I_o
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)
-                *(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2) + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)))
-                + I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)));
+            _ => -((I1/(h*N1.powi(2)) - I2/(h*N2.powi(2)) - I_o*ratio.powi(2)/(h*N2.powi(2)))/2.0)
+                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)) + I1*I_o*ratio.powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2)));
         }
         s s {
-            _ => (I1/N1.powi(2) + I2/N2.powi(2)
-                + cb.powi(2)*I_o/(N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4))))
-                /(cb.powi(2)*I1*I_o/(h.powi(2)*N1.powi(2)*N2.powi(2)
-                *(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2) + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)))
-                + I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)));
+            _ => (I1/N1.powi(2) + I2/N2.powi(2) + I_o*ratio.powi(2)/N2.powi(2))
+                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)) + I1*I_o*ratio.powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2)));
         }
     }
     inertia {
-        theta theta {
-            _ => 2.0*cb.powi(2)*sb.powi(2)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - 2.0*cb.powi(2)*sb.powi(4)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - 4.0*cb.powi(2)*sb.powi(2)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                + 4.0*cb.powi(2)*sb.powi(4)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)));
-        }
-        theta s {
-            _ => cb.powi(2)*sb.powi(4)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                + 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - 2.0*cb.powi(2)*sb.powi(4)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)));
-        }
-        s theta {
-            _ => cb.powi(2)*sb.powi(4)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                + 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - 2.0*cb.powi(2)*sb.powi(4)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)));
-        }
-        s s {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(3)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - cb.powi(2)*sb.powi(4)*I_o*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(3)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                - cb.powi(2)*sb.powi(2)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)))
-                + cb.powi(2)*sb.powi(4)*I_o*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 4.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 6.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 4.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8)));
-        }
+        theta theta { _ => 2.0*I_o*dratio*ratio*theta_ddot/N2.powi(3) - I_o*dratio*ratio*s_ddot/(h*N2.powi(3)); }
+        theta s { _ => I_o*dratio*ratio*s_ddot/(2.0*h.powi(2)*N2.powi(3)) - I_o*dratio*ratio*theta_ddot/(h*N2.powi(3)); }
+        s theta { _ => I_o*dratio*ratio*s_ddot/(2.0*h.powi(2)*N2.powi(3)) - I_o*dratio*ratio*theta_ddot/(h*N2.powi(3)); }
+        s s { _ => I_o*dratio*ratio*theta_ddot/(2.0*h.powi(2)*N2.powi(3)) - I_o*dratio*ratio*s_ddot/(4.0*h.powi(3)*N2.powi(3)); }
     }
     force {
         theta {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 2.0*cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)));
+            _ => I_o*dratio*ratio*s_dot*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*theta_dot.powi(2)/N2.powi(3)
+                - I_o*dratio*ratio*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(3));
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
-            torques => T_motor/N1 - cb*T_load/(N2*(1.0 - sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)));
+            torques => T_motor/N1 - T_load*ratio/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
         }
         s {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - k12*touch12*over12 - cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()
-                *((theta - s/(2.0*h))/N2).sin()
-                /(4.0*h.powi(3)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)));
+            _ => I_o*dratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(3)) - k12*touch12*over12
+                - I_o*dratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(3)) + I_o*dratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(3));
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
-            torques => (cb*T_load/(h*N2*(1.0 - sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2))) + T_motor/(h*N1))/2.0;
+            torques => (T_motor/(h*N1) + T_load*ratio/(h*N2))/2.0;
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
@@ -346,262 +250,43 @@ equations! {
     }
     jacobian {
         theta theta {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 3.0*cb.powi(2)*sb.powi(4)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 6.0*cb.powi(2)*sb.powi(6)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 3.0*cb.powi(2)*sb.powi(8)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 2.0*cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 2.0*cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 12.0*cb.powi(2)*sb.powi(4)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 24.0*cb.powi(2)*sb.powi(6)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 12.0*cb.powi(2)*sb.powi(8)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 12.0*cb.powi(2)*sb.powi(4)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 24.0*cb.powi(2)*sb.powi(6)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 12.0*cb.powi(2)*sb.powi(8)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)));
+            _ => I_o*ddratio*ratio*s_dot*theta_dot/(h*N2.powi(4)) - I_o*ddratio*ratio*theta_dot.powi(2)/N2.powi(4)
+                - I_o*dratio.powi(2)*theta_dot.powi(2)/N2.powi(4) - I_o*ddratio*ratio*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4))
+                - I_o*dratio.powi(2)*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4)) + I_o*dratio.powi(2)*s_dot*theta_dot/(h*N2.powi(4));
             transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
                 + de12*arm12*F_mu12_by_over12/N2;
             transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
             sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
                 - dk12*arm12*F_mu12_by_k12/N2;
-            torques => 2.0*cb*sb.powi(2)*T_load*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)));
+            torques => -T_load*dratio/N2.powi(2);
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 3.0*cb.powi(2)*sb.powi(4)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 3.0*cb.powi(2)*sb.powi(6)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 3.0*cb.powi(2)*sb.powi(8)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 6.0*cb.powi(2)*sb.powi(4)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 12.0*cb.powi(2)*sb.powi(6)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 6.0*cb.powi(2)*sb.powi(8)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 6.0*cb.powi(2)*sb.powi(4)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 12.0*cb.powi(2)*sb.powi(6)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 6.0*cb.powi(2)*sb.powi(8)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)));
+            _ => I_o*ddratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4)) + I_o*dratio.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4))
+                - I_o*ddratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4))
+                - I_o*dratio.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4)) + I_o*ddratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(4))
+                + I_o*dratio.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(4));
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
-            torques => -cb*sb.powi(2)*T_load*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)));
+            torques => T_load*dratio/(2.0*h*N2.powi(2));
             jump_terms => -dk12*touch12*over12;
         }
         theta theta_dot {
-            _ => 4.0*cb.powi(2)*sb.powi(2)*I_o*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 2.0*cb.powi(2)*sb.powi(2)*I_o*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)));
+            _ => I_o*dratio*ratio*s_dot/(h*N2.powi(3)) - 2.0*I_o*dratio*ratio*theta_dot/N2.powi(3);
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)));
+            _ => I_o*dratio*ratio*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*s_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 3.0*cb.powi(2)*sb.powi(4)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 3.0*cb.powi(2)*sb.powi(6)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 3.0*cb.powi(2)*sb.powi(8)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 6.0*cb.powi(2)*sb.powi(4)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 12.0*cb.powi(2)*sb.powi(6)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 6.0*cb.powi(2)*sb.powi(8)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 6.0*cb.powi(2)*sb.powi(4)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 12.0*cb.powi(2)*sb.powi(6)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 6.0*cb.powi(2)*sb.powi(8)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)));
+            _ => I_o*ddratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4)) + I_o*dratio.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4))
+                - I_o*ddratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4))
+                - I_o*dratio.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4)) + I_o*ddratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(4))
+                + I_o*dratio.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(4));
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
                 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
@@ -609,108 +294,28 @@ equations! {
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
             sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
                 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
-            torques => -cb*sb.powi(2)*T_load*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)));
+            torques => T_load*dratio/(2.0*h*N2.powi(2));
             moving_phase => -dk12*touch12*over12;
         }
         s s {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(8.0*h.powi(4)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - k12*touch12 - cb.powi(2)*sb.powi(2)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(8.0*h.powi(4)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 3.0*cb.powi(2)*sb.powi(4)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(4)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 3.0*cb.powi(2)*sb.powi(6)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(4)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 3.0*cb.powi(2)*sb.powi(8)*I_o*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(4)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + cb.powi(2)*sb.powi(2)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                + 3.0*cb.powi(2)*sb.powi(4)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 6.0*cb.powi(2)*sb.powi(6)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 3.0*cb.powi(2)*sb.powi(8)*I_o*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(3)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 3.0*cb.powi(2)*sb.powi(4)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                + 6.0*cb.powi(2)*sb.powi(6)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)))
-                - 3.0*cb.powi(2)*sb.powi(8)*I_o*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                *((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(1.0 - 6.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 15.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - 20.0*sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)
-                + 15.0*sb.powi(8)*((theta - s/(2.0*h))/N2).cos().powi(8) - 6.0*sb.powi(10)*((theta - s/(2.0*h))/N2).cos().powi(10)
-                + sb.powi(12)*((theta - s/(2.0*h))/N2).cos().powi(12)));
+            _ => I_o*ddratio*ratio*s_dot*theta_dot/(4.0*h.powi(3)*N2.powi(4)) - k12*touch12
+                - I_o*ddratio*ratio*s_dot.powi(2)/(16.0*h.powi(4)*N2.powi(4))
+                - I_o*dratio.powi(2)*s_dot.powi(2)/(16.0*h.powi(4)*N2.powi(4))
+                + I_o*dratio.powi(2)*s_dot*theta_dot/(4.0*h.powi(3)*N2.powi(4))
+                - I_o*ddratio*ratio*theta_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4))
+                - I_o*dratio.powi(2)*theta_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4));
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
-            torques => cb*sb.powi(2)*T_load*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(2)*(1.0 - 2.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4)));
+            torques => -T_load*dratio/(4.0*h.powi(2)*N2.powi(2));
         }
         s theta_dot {
-            _ => cb.powi(2)*sb.powi(2)*I_o*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - 2.0*cb.powi(2)*sb.powi(2)*I_o*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)));
+            _ => I_o*dratio*ratio*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*s_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
                 - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
-            _ => cb.powi(2)*sb.powi(2)*I_o*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)))
-                - cb.powi(2)*sb.powi(2)*I_o*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(3)*N2.powi(3)*(1.0 - 3.0*sb.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                + 3.0*sb.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(4) - sb.powi(6)*((theta - s/(2.0*h))/N2).cos().powi(6)));
+            _ => I_o*dratio*ratio*s_dot/(4.0*h.powi(3)*N2.powi(3)) - I_o*dratio*ratio*theta_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
                 + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
@@ -730,9 +335,11 @@ equations! {
             s s { damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)); }
         }
         load {
+            theta { torques => T_motor/N1; }
             s {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+                torques => T_motor/(2.0*h*N1);
             }
         }
     }
@@ -740,7 +347,6 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        torques "T_motor in the torque `motor`, whose displacement is not linear";
         torques "T_load in the torque `load`, whose displacement is not linear";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
@@ -780,7 +386,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 2 | 4 |
+// | constants (once a scene) | 0 | 2 | 2 |
 // | named forces | 2 | 9 | 2 |
-// | force | 69 | 412 | 32 |
+// | force | 17 | 140 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

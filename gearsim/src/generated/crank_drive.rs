@@ -23,7 +23,7 @@ equations! {
         l_p "m" required, open 0.0 to inf, "length of the connecting rod of the piston, longer than the radius of the crank";
         m_p "kg" required, open 0.0 to inf, "moving mass of the piston, with a part of its rod";
         g_p "m/s^2" default 9.81, open -inf to inf,
-            "gravity along the path of the piston, towards the crank; negative if the piston is below the crank";
+            "gravity along the path of the piston, towards the crank; negative if the piston is below it";
         alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
@@ -45,7 +45,7 @@ equations! {
     }
     motions { speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear"; }
     effects {
-        gravity "weight of the piston along its path";
+        gravity "weight of bodies whose height varies";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -78,9 +78,21 @@ equations! {
         tiny12 = 1.0/1000000000000.0;
     }
     deflections {
+        crank_p = theta/N2 - s/(2.0*h*N2);
         over12 = s - edge12 - e12;
         tau12 = tan_a*s;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
+    }
+    functions {
+        x_p = (l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).sqrt() + r_p*crank_p.cos();
+        dx_p = -r_p*crank_p.sin() - r_p.powi(2)*crank_p.cos()*crank_p.sin()/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).sqrt();
+        ddx_p = r_p.powi(2)*crank_p.sin().powi(2)/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).sqrt() - r_p*crank_p.cos()
+            - r_p.powi(2)*crank_p.cos().powi(2)/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).sqrt()
+            - r_p.powi(4)*crank_p.cos().powi(2)*crank_p.sin().powi(2)/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).powf(3.0/2.0);
+        dddx_p = r_p*crank_p.sin() + 4.0*r_p.powi(2)*crank_p.cos()*crank_p.sin()/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).sqrt()
+            - 3.0*r_p.powi(4)*crank_p.cos().powi(3)*crank_p.sin()/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).powf(3.0/2.0)
+            + 3.0*r_p.powi(4)*crank_p.sin().powi(3)*crank_p.cos()/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).powf(3.0/2.0)
+            - 3.0*r_p.powi(6)*crank_p.cos().powi(3)*crank_p.sin().powi(3)/(l_p.powi(2) - r_p.powi(2)*crank_p.sin().powi(2)).powf(5.0/2.0);
     }
     forces {
         F_mu12 {
@@ -171,17 +183,11 @@ equations! {
     energies {
         kinetic {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
-                + m_p*(s_dot*((r_p*((theta - s/(2.0*h))/N2).sin()/(h*N2)
-                + r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()))/2.0)
-                + theta_dot*(-r_p*((theta - s/(2.0*h))/N2).sin()/N2
-                - r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()))).powi(2))/2.0;
+                + m_p*dx_p.powi(2)*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2))/2.0;
         }
         potential {
             _ => k12*touch12*over12.powi(2)/2.0;
-            gravity => g_p*m_p*((l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()
-                + r_p*((theta - s/(2.0*h))/N2).cos());
+            gravity => g_p*m_p*x_p;
         }
         dissipation {
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
@@ -193,318 +199,59 @@ equations! {
         power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
-        motor "driving torque of the driving gear" {}
-        power { torques => T_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
-        load "load torque of the driven gear, against its rotation" {}
-        power { torques => T_load*(s_dot/(2.0*h*N2) - theta_dot/N2); }
+        motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
+        load "load torque of the driven gear, against its rotation" { torques => T_load*(s/(2.0*h*N2) - theta/N2); }
         piston "force on the piston, towards the crank" {}
-        power {
-            torques => F_p*(-s_dot*((r_p*((theta - s/(2.0*h))/N2).sin()/(h*N2)
-                + r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()))/2.0)
-                - theta_dot*(-r_p*((theta - s/(2.0*h))/N2).sin()/N2
-                - r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())));
-        }
+        power { torques => -F_p*dx_p*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
     }
     work {
+        theta { torques => T_motor/N1 - T_load/N2; }
+        s { torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0; }
     }
     mass {
-        theta theta {
-            _ => I1/N1.powi(2) + I2/N2.powi(2) + m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/N2.powi(2)
-                + 2.0*m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)));
-        }
-        theta s {
-            _ => I1/(2.0*h*N1.powi(2)) - I2/(2.0*h*N2.powi(2)) - m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(2.0*h*N2.powi(2))
-                - m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)));
-        }
-        s s {
-            _ => I1/(4.0*h.powi(2)*N1.powi(2)) + I2/(4.0*h.powi(2)*N2.powi(2))
-                + m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(4.0*h.powi(2)*N2.powi(2))
-                + m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)));
-        }
+        theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2) + m_p*dx_p.powi(2)/N2.powi(2); }
+        theta s { _ => (I1/(h*N1.powi(2)) - I2/(h*N2.powi(2)) - m_p*dx_p.powi(2)/(h*N2.powi(2)))/2.0; }
+        s s { _ => (I1/(h.powi(2)*N1.powi(2)) + I2/(h.powi(2)*N2.powi(2)) + m_p*dx_p.powi(2)/(h.powi(2)*N2.powi(2)))/4.0; }
     }
     mobility {
         theta theta {
-            _ => (I1/(4.0*h.powi(2)*N1.powi(2)) + I2/(4.0*h.powi(2)*N2.powi(2))
-                + m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(4.0*h.powi(2)*N2.powi(2))
-                + m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2))))
-                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2))
-                + I1*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2))
-                + 2.0*I1*m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + I1*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2))));
+            _ => ((I1/(h.powi(2)*N1.powi(2)) + I2/(h.powi(2)*N2.powi(2)) + m_p*dx_p.powi(2)/(h.powi(2)*N2.powi(2)))/4.0)
+                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)) + I1*m_p*dx_p.powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2)));
         }
         theta s {
-            _ => -(I1/(2.0*h*N1.powi(2)) - I2/(2.0*h*N2.powi(2))
-                - m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(2.0*h*N2.powi(2))
-                - m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2))))
-                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2))
-                + I1*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2))
-                + 2.0*I1*m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + I1*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2))));
+            _ => -((I1/(h*N1.powi(2)) - I2/(h*N2.powi(2)) - m_p*dx_p.powi(2)/(h*N2.powi(2)))/2.0)
+                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)) + I1*m_p*dx_p.powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2)));
         }
         s s {
-            _ => (I1/N1.powi(2) + I2/N2.powi(2) + m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/N2.powi(2)
-                + 2.0*m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2))))
-                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2))
-                + I1*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2))
-                + 2.0*I1*m_p*r_p.powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + I1*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N1.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2))));
+            _ => (I1/N1.powi(2) + I2/N2.powi(2) + m_p*dx_p.powi(2)/N2.powi(2))
+                /(I1*I2/(h.powi(2)*N1.powi(2)*N2.powi(2)) + I1*m_p*dx_p.powi(2)/(h.powi(2)*N1.powi(2)*N2.powi(2)));
         }
     }
     inertia {
-        theta theta {
-            _ => m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(2)*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                - 2.0*m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 2.0*m_p*r_p.powi(2)*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/N2.powi(3)
-                + 4.0*m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 2.0*m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 2.0*m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 2.0*m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 2.0*m_p*r_p.powi(5)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 2.0*m_p*r_p.powi(6)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
-        }
-        theta s {
-            _ => m_p*r_p.powi(2)*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                + m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - m_p*r_p.powi(2)*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                - 2.0*m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
-        }
-        s theta {
-            _ => m_p*r_p.powi(2)*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                + m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - m_p*r_p.powi(2)*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                - 2.0*m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
-        }
-        s s {
-            _ => m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(2)*s_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(4.0*h.powi(3)*N2.powi(3))
-                - m_p*r_p.powi(3)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*s_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + m_p*r_p.powi(2)*theta_ddot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                + m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_ddot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*theta_ddot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
-        }
+        theta theta { _ => 2.0*m_p*ddx_p*dx_p*theta_ddot/N2.powi(3) - m_p*ddx_p*dx_p*s_ddot/(h*N2.powi(3)); }
+        theta s { _ => m_p*ddx_p*dx_p*s_ddot/(2.0*h.powi(2)*N2.powi(3)) - m_p*ddx_p*dx_p*theta_ddot/(h*N2.powi(3)); }
+        s theta { _ => m_p*ddx_p*dx_p*s_ddot/(2.0*h.powi(2)*N2.powi(3)) - m_p*ddx_p*dx_p*theta_ddot/(h*N2.powi(3)); }
+        s s { _ => m_p*ddx_p*dx_p*theta_ddot/(2.0*h.powi(2)*N2.powi(3)) - m_p*ddx_p*dx_p*s_ddot/(4.0*h.powi(3)*N2.powi(3)); }
     }
     force {
         theta {
-            _ => m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(4.0*h.powi(2)*N2.powi(3))
-                - m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(4.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                + 2.0*m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/N2.powi(3)
-                - 2.0*m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
-            gravity => g_p*m_p*r_p*((theta - s/(2.0*h))/N2).sin()/N2
-                + g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt());
+            _ => m_p*ddx_p*dx_p*s_dot*theta_dot/(h*N2.powi(3)) - m_p*ddx_p*dx_p*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(3))
+                - m_p*ddx_p*dx_p*theta_dot.powi(2)/N2.powi(3);
+            gravity => -g_p*m_p*dx_p/N2;
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
-            torques => F_p*r_p*((theta - s/(2.0*h))/N2).sin()/N2
-                + F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()) + T_motor/N1 - T_load/N2;
+            torques => T_motor/N1 - F_p*dx_p/N2 - T_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
         }
         s {
-            _ => m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(8.0*h.powi(3)*N2.powi(3))
-                - k12*touch12*over12 + m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(8.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(8.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(8.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(8.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(8.0*h.powi(3)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                - m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h*N2.powi(3))
-                + m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
-            gravity => (-g_p*m_p*r_p*((theta - s/(2.0*h))/N2).sin()/(h*N2)
-                - g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()))/2.0;
+            _ => m_p*ddx_p*dx_p*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(3)) - k12*touch12*over12
+                - m_p*ddx_p*dx_p*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(3)) + m_p*ddx_p*dx_p*theta_dot.powi(2)/(2.0*h*N2.powi(3));
+            gravity => g_p*m_p*dx_p/(2.0*h*N2);
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
-            torques => (T_motor/(h*N1) - F_p*r_p*((theta - s/(2.0*h))/N2).sin()/(h*N2)
-                - F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt()) + T_load/(h*N2))/2.0;
+            torques => (F_p*dx_p/(h*N2) + T_motor/(h*N1) + T_load/(h*N2))/2.0;
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
@@ -512,428 +259,46 @@ equations! {
     }
     jacobian {
         theta theta {
-            _ => m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(4.0*h.powi(2)*N2.powi(4))
-                - m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(4.0*h.powi(2)*N2.powi(4))
-                - m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 7.0*m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 3.0*m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 5.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 3.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 3.0*m_p*r_p.powi(7)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                + m_p*r_p.powi(10)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - l_p.powi(2)*m_p*r_p.powi(8)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)/(h*N2.powi(4))
-                - m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)/(h*N2.powi(4))
-                + 2.0*m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 7.0*m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 6.0*m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 5.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 3.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 3.0*m_p*r_p.powi(7)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                - 4.0*m_p*r_p.powi(10)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + 4.0*l_p.powi(2)*m_p*r_p.powi(8)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/N2.powi(4)
-                + m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/N2.powi(4)
-                - 2.0*m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 7.0*m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 6.0*m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 5.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 3.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 3.0*m_p*r_p.powi(7)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                + 4.0*m_p*r_p.powi(10)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - 4.0*l_p.powi(2)*m_p*r_p.powi(8)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2) + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)));
-            gravity => g_p*m_p*r_p*((theta - s/(2.0*h))/N2).cos()/N2.powi(2)
-                + g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + g_p*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0));
+            _ => m_p*dddx_p*dx_p*s_dot*theta_dot/(h*N2.powi(4)) - m_p*dddx_p*dx_p*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4))
+                - m_p*ddx_p.powi(2)*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4)) + m_p*ddx_p.powi(2)*s_dot*theta_dot/(h*N2.powi(4))
+                - m_p*dddx_p*dx_p*theta_dot.powi(2)/N2.powi(4) - m_p*ddx_p.powi(2)*theta_dot.powi(2)/N2.powi(4);
+            gravity => -g_p*m_p*ddx_p/N2.powi(2);
             transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
                 + de12*arm12*F_mu12_by_over12/N2;
             transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
             sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
                 - dk12*arm12*F_mu12_by_k12/N2;
-            torques => F_p*r_p*((theta - s/(2.0*h))/N2).cos()/N2.powi(2)
-                + F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + F_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0));
+            torques => -F_p*ddx_p/N2.powi(2);
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
         theta s {
-            _ => m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(8.0*h.powi(3)*N2.powi(4))
-                - m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(8.0*h.powi(3)*N2.powi(4))
-                + m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 7.0*m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 3.0*m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 5.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 3.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 3.0*m_p*r_p.powi(7)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                - m_p*r_p.powi(10)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(2.0*h.powi(3)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + l_p.powi(2)*m_p*r_p.powi(8)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(3)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)/(2.0*h.powi(2)*N2.powi(4))
-                + m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)/(2.0*h.powi(2)*N2.powi(4))
-                - m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 7.0*m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 3.0*m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 5.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 3.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 3.0*m_p*r_p.powi(7)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                + 2.0*m_p*r_p.powi(10)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - 2.0*l_p.powi(2)*m_p*r_p.powi(8)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(2.0*h*N2.powi(4))
-                - m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(2.0*h*N2.powi(4))
-                + m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 7.0*m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 3.0*m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 5.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 3.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 3.0*m_p*r_p.powi(7)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                - 2.0*m_p*r_p.powi(10)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + 2.0*l_p.powi(2)*m_p*r_p.powi(8)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2) + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)));
-            gravity => (g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - g_p*m_p*r_p*((theta - s/(2.0*h))/N2).cos()/(h*N2.powi(2))
-                - g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - g_p*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0)))/2.0;
+            _ => m_p*dddx_p*dx_p*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4)) + m_p*ddx_p.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4))
+                - m_p*dddx_p*dx_p*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4))
+                - m_p*ddx_p.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4)) + m_p*dddx_p*dx_p*theta_dot.powi(2)/(2.0*h*N2.powi(4))
+                + m_p*ddx_p.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(4));
+            gravity => g_p*m_p*ddx_p/(2.0*h*N2.powi(2));
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
-            torques => (F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - F_p*r_p*((theta - s/(2.0*h))/N2).cos()/(h*N2.powi(2))
-                - F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - F_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0)))/2.0;
+            torques => F_p*ddx_p/(2.0*h*N2.powi(2));
             jump_terms => -dk12*touch12*over12;
         }
         theta theta_dot {
-            _ => m_p*r_p.powi(2)*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                + 2.0*m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 2.0*m_p*r_p.powi(2)*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/N2.powi(3)
-                - 4.0*m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 2.0*m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 2.0*m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 2.0*m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 2.0*m_p*r_p.powi(5)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 2.0*m_p*r_p.powi(6)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
+            _ => m_p*ddx_p*dx_p*s_dot/(h*N2.powi(3)) - 2.0*m_p*ddx_p*dx_p*theta_dot/N2.powi(3);
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
-            _ => m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(2)*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                - m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + m_p*r_p.powi(2)*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                + 2.0*m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
+            _ => m_p*ddx_p*dx_p*theta_dot/(h*N2.powi(3)) - m_p*ddx_p*dx_p*s_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
-            _ => m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(8.0*h.powi(3)*N2.powi(4))
-                - m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(8.0*h.powi(3)*N2.powi(4))
-                + m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 7.0*m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 3.0*m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 5.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 3.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 3.0*m_p*r_p.powi(7)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(8.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                - m_p*r_p.powi(10)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(2.0*h.powi(3)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + l_p.powi(2)*m_p*r_p.powi(8)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(3)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)/(2.0*h.powi(2)*N2.powi(4))
-                + m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)/(2.0*h.powi(2)*N2.powi(4))
-                - m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 7.0*m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 3.0*m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 5.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 3.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 3.0*m_p*r_p.powi(7)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                + 2.0*m_p*r_p.powi(10)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - 2.0*l_p.powi(2)*m_p*r_p.powi(8)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(2.0*h*N2.powi(4))
-                - m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(2.0*h*N2.powi(4))
-                + m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 7.0*m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 3.0*m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 5.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 3.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 3.0*m_p*r_p.powi(7)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(2.0*h*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                - 2.0*m_p*r_p.powi(10)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + 2.0*l_p.powi(2)*m_p*r_p.powi(8)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2) + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)));
-            gravity => (g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - g_p*m_p*r_p*((theta - s/(2.0*h))/N2).cos()/(h*N2.powi(2))
-                - g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - g_p*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0)))/2.0;
+            _ => m_p*dddx_p*dx_p*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4)) + m_p*ddx_p.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4))
+                - m_p*dddx_p*dx_p*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4))
+                - m_p*ddx_p.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4)) + m_p*dddx_p*dx_p*theta_dot.powi(2)/(2.0*h*N2.powi(4))
+                + m_p*ddx_p.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(4));
+            gravity => g_p*m_p*ddx_p/(2.0*h*N2.powi(2));
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
                 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
@@ -941,198 +306,28 @@ equations! {
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
             sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
                 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
-            torques => (F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - F_p*r_p*((theta - s/(2.0*h))/N2).cos()/(h*N2.powi(2))
-                - F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - F_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0)))/2.0;
+            torques => F_p*ddx_p/(2.0*h*N2.powi(2));
             moving_phase => -dk12*touch12*over12;
         }
         s s {
-            _ => m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(16.0*h.powi(4)*N2.powi(4)) - k12*touch12
-                - m_p*r_p.powi(2)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(16.0*h.powi(4)*N2.powi(4))
-                - m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(8.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 7.0*m_p*r_p.powi(3)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 3.0*m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(8.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 5.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 3.0*m_p*r_p.powi(5)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 5.0*m_p*r_p.powi(6)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 3.0*m_p*r_p.powi(7)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(16.0*h.powi(4)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                + m_p*r_p.powi(10)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(4.0*h.powi(4)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - l_p.powi(2)*m_p*r_p.powi(8)*s_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(4)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)/(4.0*h.powi(3)*N2.powi(4))
-                - m_p*r_p.powi(2)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)/(4.0*h.powi(3)*N2.powi(4))
-                + m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(2.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 7.0*m_p*r_p.powi(3)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - 3.0*m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + 5.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 3.0*m_p*r_p.powi(5)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 5.0*m_p*r_p.powi(6)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + 3.0*m_p*r_p.powi(7)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(3)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                - m_p*r_p.powi(10)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h.powi(3)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                + l_p.powi(2)*m_p*r_p.powi(8)*s_dot*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h.powi(3)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)/(4.0*h.powi(2)*N2.powi(4))
-                + m_p*r_p.powi(2)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)/(4.0*h.powi(2)*N2.powi(4))
-                - m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 7.0*m_p*r_p.powi(3)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + 3.0*m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(2.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - 5.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 3.0*m_p*r_p.powi(5)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 5.0*m_p*r_p.powi(6)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - 3.0*m_p*r_p.powi(7)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(4.0*h.powi(2)*N2.powi(4)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(5.0/2.0))
-                + m_p*r_p.powi(10)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)))
-                - l_p.powi(2)*m_p*r_p.powi(8)*theta_dot.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(4)
-                *((theta - s/(2.0*h))/N2).sin().powi(4)
-                /(h.powi(2)*N2.powi(4)*(l_p.powi(8) - 4.0*l_p.powi(2)*r_p.powi(6)*((theta - s/(2.0*h))/N2).sin().powi(6)
-                + 6.0*l_p.powi(4)*r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)
-                - 4.0*l_p.powi(6)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2) + r_p.powi(8)*((theta - s/(2.0*h))/N2).sin().powi(8)));
-            gravity => (g_p*m_p*r_p*((theta - s/(2.0*h))/N2).cos()/(h.powi(2)*N2.powi(2))
-                + g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - g_p*m_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + g_p*m_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0)))/4.0;
+            _ => m_p*dddx_p*dx_p*s_dot*theta_dot/(4.0*h.powi(3)*N2.powi(4)) - k12*touch12
+                - m_p*dddx_p*dx_p*s_dot.powi(2)/(16.0*h.powi(4)*N2.powi(4)) - m_p*ddx_p.powi(2)*s_dot.powi(2)/(16.0*h.powi(4)*N2.powi(4))
+                + m_p*ddx_p.powi(2)*s_dot*theta_dot/(4.0*h.powi(3)*N2.powi(4))
+                - m_p*dddx_p*dx_p*theta_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4))
+                - m_p*ddx_p.powi(2)*theta_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4));
+            gravity => -g_p*m_p*ddx_p/(4.0*h.powi(2)*N2.powi(2));
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
-            torques => (F_p*r_p*((theta - s/(2.0*h))/N2).cos()/(h.powi(2)*N2.powi(2))
-                + F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).cos().powi(2)
-                /(h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - F_p*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + F_p*r_p.powi(4)*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                /(h.powi(2)*N2.powi(2)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0)))/4.0;
+            torques => -F_p*ddx_p/(4.0*h.powi(2)*N2.powi(2));
         }
         s theta_dot {
-            _ => m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(2)*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                - m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                + m_p*r_p.powi(2)*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(h*N2.powi(3))
-                + 2.0*m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(h*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
+            _ => m_p*ddx_p*dx_p*theta_dot/(h*N2.powi(3)) - m_p*ddx_p*dx_p*s_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
                 - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
-            _ => m_p*r_p.powi(2)*s_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(4.0*h.powi(3)*N2.powi(3))
-                + m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(3)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(4)*s_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(5)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                + m_p*r_p.powi(6)*s_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(4.0*h.powi(3)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)))
-                - m_p*r_p.powi(2)*theta_dot*((theta - s/(2.0*h))/N2).cos()*((theta - s/(2.0*h))/N2).sin()/(2.0*h.powi(2)*N2.powi(3))
-                - m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin()
-                /(h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                + m_p*r_p.powi(3)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).sqrt())
-                - m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                + m_p*r_p.powi(4)*theta_dot*((theta - s/(2.0*h))/N2).sin().powi(3)*((theta - s/(2.0*h))/N2).cos()
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)))
-                - m_p*r_p.powi(5)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(2)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(2) - r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)).powf(3.0/2.0))
-                - m_p*r_p.powi(6)*theta_dot*((theta - s/(2.0*h))/N2).cos().powi(3)*((theta - s/(2.0*h))/N2).sin().powi(3)
-                /(2.0*h.powi(2)*N2.powi(3)*(l_p.powi(4) - 2.0*l_p.powi(2)*r_p.powi(2)*((theta - s/(2.0*h))/N2).sin().powi(2)
-                + r_p.powi(4)*((theta - s/(2.0*h))/N2).sin().powi(4)));
+            _ => m_p*ddx_p*dx_p*s_dot/(4.0*h.powi(3)*N2.powi(3)) - m_p*ddx_p*dx_p*theta_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
                 + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
@@ -1152,20 +347,19 @@ equations! {
             s s { damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)); }
         }
         load {
+            theta { torques => T_motor/N1 - T_load/N2; }
             s {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+                torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             }
         }
     }
     nonlinear "M(theta, s) in the kinetic energy";
     nonlinear_with {
-        gravity "g_p*m_p*r_p*cos((theta - s/(2*h))/N2) in the potential energy";
-        gravity "g_p*m_p*sqrt(l_p^2 - r_p^2*sin((theta - s/(2*h))/N2)^2) in the potential energy";
+        gravity "g_p*m_p*x_p in the potential energy";
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        torques "T_motor in the torque `motor`, whose displacement is not linear";
-        torques "T_load in the torque `load`, whose displacement is not linear";
         torques "F_p in the torque `piston`, whose displacement is not linear";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
@@ -1207,5 +401,5 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 2 | 2 |
 // | named forces | 2 | 9 | 2 |
-// | force | 241 | 1444 | 158 |
+// | force | 19 | 152 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |
