@@ -27,7 +27,8 @@ pub(crate) struct Cell {
 pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
     let mut culprits = inertias(model, s, motion);
     for (energy, pieces) in [("potential energy", &model.potential), ("dissipation function", &model.dissipation)] {
-        culprits.extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
+        culprits
+            .extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
     }
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
         let value = model.written_out(&torque.value.atom());

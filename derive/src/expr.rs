@@ -66,6 +66,8 @@ pub enum Kind {
     Acceleration,
     /// The force that the hold of a deflection resists.
     Reaction,
+    /// What a run can record.
+    Output,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
     Spring,
     /// The force of its dampers, likewise.
@@ -74,7 +76,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 24] = [
+const KINDS: [(Kind, &str); 25] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -96,6 +98,7 @@ const KINDS: [(Kind, &str); 24] = [
     (Kind::Speed, "speed"),
     (Kind::Acceleration, "acceleration"),
     (Kind::Reaction, "reaction"),
+    (Kind::Output, "output"),
     (Kind::Spring, "spring"),
     (Kind::Damper, "damper"),
     (Kind::Free, "free"),

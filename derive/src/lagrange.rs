@@ -107,15 +107,13 @@ fn inertial(s: &Symbols, t: &Atom) -> Sparse {
 
 /// The derivatives of M q'' by the coordinates; `None` if M is constant.
 fn inertia(model: &Model, s: &Symbols, mass: &[Vec<Atom>]) -> Option<Vec<Vec<Atom>>> {
-    let accelerations: Vec<Atom> = model
-        .coordinates
-        .iter()
-        .map(|c| Atom::var(symbol(Kind::Acceleration, &acceleration_name(&c.name))))
-        .collect();
+    let accelerations: Vec<Atom> =
+        model.coordinates.iter().map(|c| Atom::var(symbol(Kind::Acceleration, &acceleration_name(&c.name)))).collect();
     let row = |row: &Vec<Atom>| {
-        let parts = row.iter().zip(&accelerations).flat_map(|(entry, a)| {
-            s.by_coordinates(entry).into_iter().map(move |(j, by)| (j, by * a))
-        });
+        let parts = row
+            .iter()
+            .zip(&accelerations)
+            .flat_map(|(entry, a)| s.by_coordinates(entry).into_iter().map(move |(j, by)| (j, by * a)));
         rows(s.q.len(), parts).iter().map(simplified).collect::<Vec<_>>()
     };
     let inertia: Vec<Vec<Atom>> = mass.iter().map(row).collect();

@@ -1,5 +1,6 @@
 //! The builder of a model: coordinates, parameters, laws, effects, the energies T and V, the dissipation function D, torques.
 
+mod output;
 mod parts;
 mod switch;
 
@@ -7,6 +8,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, speed_name, symbol, symbols, varies};
 
+pub(crate) use output::Output;
 pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Function, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
 pub use switch::{Describing, Switching};
@@ -32,6 +34,7 @@ pub struct Model {
     pub(crate) switches: Vec<Switch>,
     pub(crate) forces: Vec<Force>,
     pub(crate) torques: Vec<Torque>,
+    pub(crate) outputs: Vec<Output>,
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
     pub(crate) dissipation: Vec<Expr>,
@@ -46,6 +49,7 @@ impl Model {
         Expr::forget_rates();
         describe(&mut model);
         switch::complete(&mut model);
+        output::complete(&mut model);
         model
     }
 
@@ -81,14 +85,9 @@ impl Model {
 
     /// Names a deflection, for example of a spring: a linear form of the coordinates without a constant term, from which
     /// transmission errors may be subtracted. V may be written in the deflection, D in its `.dot()`, which does not contain the
-    /// rate of an error. The equations are then written in the deflection instead of being multiplied out. If `value` is a
-    /// coordinate, that coordinate is returned and no name is declared.
+    /// rate of an error. The equations are then written in the deflection instead of being multiplied out.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
-        let value = value.expand();
-        if self.coordinates.iter().any(|c| value.atom() == Expr::var(Kind::Coordinate, &c.name).atom()) {
-            return value;
-        }
-        self.deflections.push(Deflection { name: name.into(), value });
+        self.deflections.push(Deflection { name: name.into(), value: value.expand() });
         Expr::var(Kind::Deflection, name)
     }
 

@@ -19,6 +19,7 @@ use crate::engine::motion::Effort;
 use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Simulation;
 use crate::engine::start;
+use crate::engine::switch::Switch;
 use crate::engine::system::System;
 use crate::methods::choice::{self, Choice};
 use crate::methods::steps::BySteps;
@@ -37,6 +38,8 @@ pub struct Outcome {
     pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
+    /// For each switch of the scene, by its name: the time spent in each of its modes \[s\].
+    pub modes: Vec<(&'static str, Vec<(&'static str, f64)>)>,
     /// How it was solved.
     pub solver: Solver,
     /// Why the run ended before its time, if it did.
@@ -210,7 +213,7 @@ impl<'a> Plan<'a> {
     /// A recorder of a run from the present state of its simulation.
     fn recorder(&self, simulation: &Simulation<'a>) -> Recorder<'a> {
         let (now, lengths) = (&simulation.now, simulation.turn_lengths());
-        let mut recorder = Recorder::new(self.scene.model, now.equations, lengths, now.state.clone(), &now.k);
+        let mut recorder = Recorder::new(self.scene, now.equations, lengths, now.state.clone(), &now.k);
         recorder.most_rows = self.scene.output.most_rows;
         recorder
     }
@@ -218,7 +221,7 @@ impl<'a> Plan<'a> {
     /// What the simulation came to.
     fn outcome(
         self,
-        simulation: Simulation<'_>,
+        mut simulation: Simulation<'_>,
         recorder: Recorder<'_>,
         stopped_by: Option<Stop>,
         cpu_seconds: f64,
@@ -232,6 +235,8 @@ impl<'a> Plan<'a> {
             }
             None => (first, choice.why),
         };
+        let now = simulation.now.clock.now();
+        simulation.now.switches.iter_mut().for_each(|switch| switch.spend(now));
         let mut outcome = Outcome {
             energy_at_start: recorder.energy_at_start,
             trajectory: recorder.trajectory,
@@ -244,6 +249,7 @@ impl<'a> Plan<'a> {
             digits: None,
             remarks: others.into_iter().collect(),
             counts: simulation.now.counts,
+            modes: simulation.now.switches.iter().map(|switch| times(scene, switch)).collect(),
         };
         let closes = account::closes(&simulation.now.laws);
         let contact = scene.model.in_contact(simulation.now.laws.iter().map(|law| law.level()));
@@ -251,6 +257,12 @@ impl<'a> Plan<'a> {
         outcome.refuted = Account::of(&outcome, scene, rounding).filter(|account| closes && account.refutes());
         outcome
     }
+}
+
+/// The name of a switch, and the time that it spent in each of its modes \[s\].
+fn times(scene: &Scene, switch: &Switch) -> (&'static str, Vec<(&'static str, f64)>) {
+    let spent = switch.spent().map(|(mode, time)| (mode.name, time));
+    (scene.model.switches[switch.index].name, spent.collect())
 }
 
 /// Processor time of this thread since `begin` [s], never 0.

@@ -9,8 +9,8 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`,
-//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared`
-//!      (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
+//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with transmission errors; with backlash too:
+//!      `mesh_with_play`), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
 //!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
 //!      ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.
@@ -21,8 +21,8 @@
 //!      tooth data for a stiffness in N/m with delta along the line of action, V = k delta^2/2 (or in N*m, as in `gear_pair`). Laws
 //!      like this one and switches are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
 //!      `max` on symbols is refused: its derivative would lose energy without any message.
-//!    - `m.transmission_error([name, part], unit, phase, pitch, doc)`, or the component of that name: the deviation of the flanks from their
-//!      ideal position, given by the scene. Subtract it from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
+//!    - `m.transmission_error([name, part], unit, phase, pitch, doc)`: the deviation of the flanks from their ideal position, given by
+//!      the scene. Subtract it from a deflection, as the component `mesh` does.
 //!    - `m.sliding_friction(part, |m| ...)`: the effect of that name; inside it `m.friction_law(...)`. Only with such a law as a factor may
 //!      a torque depend on deflections and stiffnesses. The component of that name does both, for any kind of mesh.
 //!    - `m.switch(over, unit, delta, effect, doc)`: modes between which a deflection changes the equations, each until a linear guard
@@ -34,6 +34,8 @@
 //!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: names for a recurring constant, for the
 //!      deflection of a spring (a linear form of the coordinates), or for a factor that torques share. The equations are written in
 //!      these names.
+//!    - `m.output(name, unit, value, doc)`: what a run can record besides the coordinates, for example `m.spring(x) + m.damper(x)`, the
+//!      force along a named deflection. Components declare their own: forces, torques, transmission errors, speeds, losses.
 //!    - `m.motion(name, unit, speeds, doc)`: a rigid motion by which a scene may state all speeds in one number.
 //! 2. Declare the file below, `pub mod my_train;`, and add one line to [`MODELS`]. For a model with n equal parts write one function
 //!    of n, and one line for each n: `("my_train_3", |m| my_train::my_train(m, 3))`.

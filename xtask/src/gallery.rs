@@ -7,29 +7,30 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 22] = [
+const SCENES: [(&str, &str); 23] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
-    ("drives/fan_run_up", "motion"),
-    ("drives/governor", "motion"),
+    ("drives/fan_run_up", "outputs"),
+    ("drives/governor", "outputs"),
     ("drives/start_up", "motion"),
-    ("drives/torque_ripple", "motion"),
-    ("gear_pair_bearings", "motion"),
+    ("drives/torque_ripple", "outputs"),
+    ("gear_pair_bearings", "outputs"),
     ("gear_pair_shafts", "spectrum"),
     ("geared_branches", "motion"),
-    ("idler", "motion"),
-    ("pitch_errors", "motion"),
+    ("idler", "outputs"),
+    ("pitch_errors", "outputs"),
     ("rattle", "motion"),
-    ("sliding_friction", "motion"),
-    ("transmission_error", "motion"),
+    ("response", "orders"),
+    ("sliding_friction", "outputs"),
+    ("transmission_error", "outputs"),
     ("planetary_errors", "spectrum"),
-    ("two_stage", "motion"),
-    ("belt_drive", "motion"),
+    ("two_stage", "outputs"),
+    ("belt_drive", "outputs"),
     ("chain_5", "motion"),
     ("friction_oscillator", "motion"),
     ("freewheel", "motion"),
-    ("damaged_tooth", "spectrum"),
-    ("electric_axle", "motion"),
+    ("damaged_tooth", "orders"),
+    ("electric_axle", "outputs"),
 ];
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.

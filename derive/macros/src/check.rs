@@ -59,6 +59,7 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     for switch in &m.switches {
         switch.symbols.iter().for_each(|(s, _)| claim("symbol of a switch", s, vec![]));
     }
+    m.outputs.iter().for_each(|output| claim("output", &output.value.name, vec![]));
     unique("motion", m.motions.iter().map(|x| &x.name), errors);
     unique("torque", m.torques.iter().map(|x| &x.name), errors);
     unique("jump", m.jumps.iter().map(|x| &x.law), errors);

@@ -129,8 +129,21 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all.extend(jumps(m));
     all.extend(powers(m));
     all.extend(moving_inertia(m));
+    all.extend(output(m));
     all.extend(switches::cold(m));
     all
+}
+
+/// Each output; nothing if the model has none. A sum without terms is -0.0, which is written as 0.
+fn output(m: &Model) -> Option<Cold> {
+    let outputs = m.outputs.iter().map(|output| with_lets(m, block(&output.value.sum))).map(|value| quote!({ #value }));
+    let output = by_index("output", format_ident!("i"), outputs);
+    (!m.outputs.is_empty()).then(|| Cold {
+        name: "output",
+        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
+        returns: Returns::Plain(quote!(f64)),
+        body: quote!(let output: f64 = #output; output + 0.0),
+    })
 }
 
 /// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.

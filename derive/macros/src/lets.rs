@@ -1,5 +1,5 @@
 //! The variables in which equations are written: values that exist only with an effect, deflections, their rates, functions of
-//! positions, named forces and their partial derivatives.
+//! positions, named forces, their partial derivatives, and outputs.
 //! A piece of code defines those that it names, and no others.
 
 use std::collections::BTreeSet;
@@ -68,15 +68,16 @@ enum Variable<'a> {
     Linear(&'a Assignment),
     /// A function of a position, or a derivative of it.
     Function(&'a Assignment),
-    /// A named force, or a partial derivative of one.
+    /// A named force, a partial derivative of one, or an output.
     Force(&'a Row),
 }
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
-    let forces = m.forces.iter().chain(&m.partials).map(Variable::Force);
     let functions = m.functions.iter().map(Variable::Function);
+    let outputs = m.outputs.iter().map(|output| &output.value);
+    let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
     let all = gated(m).map(Variable::Gated).chain(linear).chain(functions).chain(forces);
     let mut used: Vec<_> = all.collect();
     let mut names = names(code);

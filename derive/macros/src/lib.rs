@@ -89,6 +89,9 @@
 //!     direction { x { _ => 1.0; } }
 //!     step { _ => dk*x.powi(2)/2.0; }
 //! }
+//! outputs {                           // what a run can record; `with EFFECT`: only scenes with the effect have it
+//!     force "N", "force of the spring" { _ => k*over; damping => C*x_dot; }     // may be used in the outputs after it
+//! }
 //! text "text/oscillator.txt";         // files with the equations for reading, beside this one
 //! latex "latex/oscillator.tex";
 //! ```

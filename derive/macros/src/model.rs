@@ -30,6 +30,7 @@ pub struct Model {
     pub partials: Vec<Row>,
     pub torques: Vec<Torque>,
     pub work: Vec<Row>,
+    pub outputs: Vec<Output>,
     pub mass: Vec<Entry>,
     pub mobility: Option<Vec<Entry>>,
     /// Derivatives of M q'' (rows) by the coordinates (columns), if M depends on them.
@@ -175,6 +176,16 @@ pub struct Torque {
     pub power: Sum,
 }
 
+/// `force_12 "N" with backlash, "doc" { TERMS }`: what a run can record.
+pub struct Output {
+    pub unit: LitStr,
+    /// `with EFFECT`: only scenes with this effect have it.
+    pub with: Option<Ident>,
+    pub doc: LitStr,
+    /// Its name and its value.
+    pub value: Row,
+}
+
 /// `fan_load "c*omega^2 in the torque `fan`";`
 pub struct NonlinearWith {
     pub effect: Ident,
@@ -257,6 +268,7 @@ impl Model {
             partials: vec![],
             torques: vec![],
             work: vec![],
+            outputs: vec![],
             mass: vec![],
             mobility: None,
             inertia: vec![],

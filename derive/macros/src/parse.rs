@@ -57,6 +57,7 @@ impl Model {
             "partials" => self.partials = list(input)?,
             "torques" => self.torques = list(input)?,
             "work" => self.work = list(input)?,
+            "outputs" => self.outputs = list(input)?,
             "mass" => self.mass = list(input)?,
             "mobility" => self.mobility = Some(list(input)?),
             "inertia" => self.inertia = list(input)?,

@@ -51,12 +51,17 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     }
     let powers = forces.within("power").functions(m);
     m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
-    let partials = powers.within("partials");
-    rows(&mut m.partials, &partials, errors);
+    rows(&mut m.partials, &powers.within("partials"), errors);
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);
     let motions = Scope::of(m, "motions");
     m.motions.iter_mut().flat_map(|x| &mut x.speeds).for_each(|s| motions.expression(&mut s.value, errors));
+
+    let mut outputs = powers.within("outputs");
+    for output in &mut m.outputs {
+        outputs.sum(&mut output.value.sum, errors);
+        outputs.declare(&output.value.name);
+    }
 
     let mass = Scope::of(m, "mass").coordinates(m, "q").functions(m);
     entries(&mut m.mass, &mass, errors);

@@ -121,8 +121,8 @@ impl Scope {
     }
 
     /// The same names for another block.
-    pub fn within(self, block: &str) -> Self {
-        Self { block: block.to_string(), ..self }
+    pub fn within(&self, block: &str) -> Self {
+        Self { block: block.to_string(), names: self.names.clone(), conditions: self.conditions.clone() }
     }
 
     /// Adds the symbols of switches and the transmission errors, all with the same `value`.

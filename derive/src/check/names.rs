@@ -34,6 +34,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Switched => "a factor of a switch",
         Kind::Edge => "an offset of a switch",
         Kind::Reaction => "the reaction of a hold",
+        Kind::Output => "an output",
         Kind::Spring => "the force of springs",
         Kind::Damper => "the force of dampers",
         Kind::Marker | Kind::Mobility | Kind::Free => "not declared",
@@ -71,7 +72,8 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     }
     for function in &model.functions {
         declare(&function.name, known(Function), false)?;
-        (1..model::Function::ORDERS).try_for_each(|order| declare(&function.derivative(order), known(Function), true))?;
+        (1..model::Function::ORDERS)
+            .try_for_each(|order| declare(&function.derivative(order), known(Function), true))?;
     }
     for switch in &model.switches {
         switch.symbols.iter().try_for_each(|s| declare(&s.name, known(s.kind), false))?;
@@ -94,5 +96,6 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;
     model.torques.iter().try_for_each(|t| declare(&t.name, "a torque", false))?;
+    model.outputs.iter().try_for_each(|o| declare(&o.name, known(Output), false))?;
     Ok(all)
 }

@@ -7,6 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 use super::functions::functions;
 use super::names::what_it_is;
 use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols};
+use crate::markers::markers;
 use crate::model::{Model, REACTION, Switch, Torque};
 use crate::slip::Slip;
 
@@ -19,6 +20,11 @@ const USABLE: [Kind; 12] =
 const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
 /// What a torque with a friction law as a factor may depend on besides.
 const FRICTION: [Kind; 4] = [Law, Friction, Switched, Deflection];
+/// What an output may depend on.
+const OUTPUT: [Kind; 15] = [
+    Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Edge, Deflection, Coordinate, Rate, Speed,
+    Force, Output,
+];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -35,7 +41,8 @@ pub(super) fn places(model: &Model, declared: BTreeMap<String, &'static str>) ->
     places.deflections()?;
     places.functions()?;
     places.energies()?;
-    places.torques()
+    places.torques()?;
+    places.outputs()
 }
 
 impl Places<'_> {
@@ -176,6 +183,35 @@ impl Places<'_> {
                 let why = "the speed along which a torque works may depend on coordinates and speeds only";
                 let place = format!("the speed of the torque `{}`", torque.name);
                 self.check(along, &place, &[Constant, Parameter, Function, Coordinate, Speed], why)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// An output may depend on the state and on the outputs before it.
+    fn outputs(&self) -> Result<(), Slip> {
+        for (i, output) in self.model.outputs.iter().enumerate() {
+            let place = format!("the output `{}`", output.name);
+            let why =
+                "an output may depend on the state, laws, symbols of switches, forces and outputs declared before it";
+            self.check(output.value, &place, &OUTPUT, why)?;
+            let later = |(kind, name): &(Kind, String)| {
+                *kind == Output && !self.model.outputs[..i].iter().any(|before| before.name == *name)
+            };
+            // A term is in the equations with its effects or not at all: they are factors.
+            let inside = output.terms().into_iter().find_map(|term| {
+                let stays = |effect: &String| {
+                    let marker = Atom::var(symbol(Marker, effect)).to_pattern();
+                    !term.replace(marker).with(number(0).to_pattern()).expand().is_zero()
+                };
+                markers(&term).into_iter().find(stays)
+            });
+            if let Some(symbol) = inside {
+                let why = "the terms of an effect may not be inside a root or a function: name them as an output of their own";
+                return Err(Slip::Misplaced { model: self.model.name.clone(), symbol, place, why });
+            }
+            if let Some((_, symbol)) = symbols(&output.value.atom()).into_iter().find(later) {
+                return Err(Slip::Misplaced { model: self.model.name.clone(), symbol, place, why });
             }
         }
         Ok(())

@@ -60,13 +60,15 @@ fn centrifugal(p: &mut Proof) -> Result<(), Slip> {
         let gradient = s.by_coordinates(&mass[i][j]);
         gradient.into_iter().find(|(at, _)| *at == k).map_or_else(|| number(0), |(_, by)| by)
     };
-    let symbol = |i, j, k| (by(i, j, k) + by(i, k, j) - by(j, k, i)) / number(2) * Atom::var(s.v[j]) * Atom::var(s.v[k]);
+    let symbol =
+        |i, j, k| (by(i, j, k) + by(i, k, j) - by(j, k, i)) / number(2) * Atom::var(s.v[j]) * Atom::var(s.v[k]);
     let rest = |i: usize| {
         let symbols = (0..n).flat_map(|j| (0..n).map(move |k| (j, k))).map(|(j, k)| symbol(i, j, k));
         total(symbols.collect()) + &p.motion.force[i] - &p.motion.applied[i]
     };
     let rests: Vec<Atom> = (0..n).map(rest).collect();
-    let what = "d/dt dT/dq' - dT/dq = M q'' + c, where F has -c_i = -sum (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)/2 q'_j q'_k";
+    let what =
+        "d/dt dT/dq' - dT/dq = M q'' + c, where F has -c_i = -sum (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)/2 q'_j q'_k";
     p.claim(what, rests)
 }
 

@@ -12,6 +12,7 @@ mod number;
 mod progress;
 mod provenance;
 mod report;
+mod response;
 mod run;
 mod simulate;
 mod sweep;
@@ -33,6 +34,7 @@ const COMMANDS: &[Command] = &[
     Command::of::<advise::Advise>(),
     Command::of::<sweep::SweepCommand>(),
     Command::of::<merge::Merge>(),
+    Command::of::<response::ResponseCommand>(),
     Command::of::<modes::Modes>(),
     Command::of::<floquet::FloquetCommand>(),
     Command::of::<work_precision::WorkPrecision>(),

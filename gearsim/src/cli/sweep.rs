@@ -78,7 +78,7 @@ be simulated has a row with the reason. The same command continues an interrupte
 of the result depend neither on the number of threads nor on interruptions and shards.
 
 Groups that can be recorded:
-{groups}extremes and peak need samples at output.rate, which take longer than the motion itself: a sweep
+{groups}extremes, peak and outputs need samples at output.rate, which take longer than the motion itself: a sweep
 without them is faster. Each thread then has the rows of one run in memory, by default at most 1 GB.
 
 Examples:

@@ -87,9 +87,8 @@ impl Form {
 
     /// The same function where the factors of the reactions are `to_reactions` (one a row).
     pub fn at(&self, to_reactions: &DMatrix<f64>) -> Self {
-        let row = |(which, factor): (usize, f64)| {
-            Vector::from_fn(self.on_force.len(), |i| factor * to_reactions[(which, i)])
-        };
+        let row =
+            |(which, factor): (usize, f64)| Vector::from_fn(self.on_force.len(), |i| factor * to_reactions[(which, i)]);
         Form { on_force: self.reaction.map_or_else(|| self.on_force.clone(), row), ..self.clone() }
     }
 
@@ -225,7 +224,13 @@ impl Holds {
                         let Affine { on_reaction, .. } = exit.guard;
                         let constant = exit.guard.constant_at(k) + RELEASE * on_reaction.abs() * forces;
                         let (on_q, on_speed) = (exit.guard.on_q.clone(), exit.guard.on_speed.clone());
-                        let form = Form { on_q, on_speed, on_force: &row * on_reaction, reaction: Some((c, on_reaction)), constant };
+                        let form = Form {
+                            on_q,
+                            on_speed,
+                            on_force: &row * on_reaction,
+                            reaction: Some((c, on_reaction)),
+                            constant,
+                        };
                         reactions.push(Watch { end: End::Loose(i, exit.beyond), form });
                     }
                 }

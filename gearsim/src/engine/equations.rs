@@ -42,6 +42,10 @@ pub trait Equations: Send + Sync {
     fn has_powers(&self) -> bool {
         false
     }
+    /// Output `i` at a state [unit of the output]; `q` are the unwrapped coordinates.
+    fn output(&self, i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
+        no_such("output", i)
+    }
     /// Net work of all external torques over the displacement `dq` [J]; only the parts that do not depend on the state. Torques
     /// in balance cancel.
     fn work(&self, dq: &[f64]) -> f64;

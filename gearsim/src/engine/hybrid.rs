@@ -189,7 +189,9 @@ impl Hybrid<'_> {
     /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.
     pub fn left_of_hold(&self, which: usize) -> f64 {
         let Some(contact) = &self.contact else { return f64::INFINITY };
-        let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else { return f64::INFINITY };
+        let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
+            return f64::INFINITY;
+        };
         if self.equations.is_inertia_constant() {
             return watch.form.value(q, q_dot, || self.force());
         }
@@ -241,6 +243,7 @@ impl Hybrid<'_> {
 
     /// Puts a switch into a mode, whatever the state is.
     pub fn set_mode(&mut self, switch: usize, mode: usize) {
+        self.switches[switch].spend(self.clock.now());
         self.switches[switch].mode = mode;
         self.switches[switch].write(&mut self.k);
     }

@@ -33,6 +33,10 @@ pub struct Switch {
     pub mode: usize,
     /// The modes, and the values of its symbols in each.
     modes: Arc<(&'static [Mode], Vec<Vec<f64>>)>,
+    /// Time spent in each mode until it was last left [s].
+    spent: Vec<f64>,
+    /// When the present mode began [s].
+    since: f64,
 }
 
 impl Switch {
@@ -45,7 +49,9 @@ impl Switch {
             if let Some(values) = values {
                 let Deflection { normal, errors, .. } = equations.deflection(equations.switched(index), k);
                 let modes = Arc::new((switch.modes, values));
-                all.push(Switch { index, at, normal, shifted: !errors.is_empty(), mode: 0, modes });
+                let spent = vec![0.0; switch.modes.len()];
+                let shifted = !errors.is_empty();
+                all.push(Switch { index, at, normal, shifted, mode: 0, modes, spent, since: 0.0 });
             }
             at += switch.neutral.len();
         }
@@ -60,6 +66,17 @@ impl Switch {
     /// Its present mode.
     pub fn here(&self) -> &'static Mode {
         &self.modes.0[self.mode]
+    }
+
+    /// Adds the time until `now` \[s\] to that of the present mode, which may end now.
+    pub fn spend(&mut self, now: f64) {
+        self.spent[self.mode] += now - self.since;
+        self.since = now;
+    }
+
+    /// The time spent in each mode until the last [`Switch::spend`] \[s\].
+    pub fn spent(&self) -> impl Iterator<Item = (&'static Mode, f64)> {
+        self.modes.0.iter().zip(self.spent.iter().copied())
     }
 
     /// Whether transmission errors shift its deflection.

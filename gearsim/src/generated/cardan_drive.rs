@@ -353,6 +353,24 @@ equations! {
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
     jump side12 { step {} }
     jump arm12 { step {} }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => s_dot/(2.0*h*N1) + theta_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N2 - s_dot/(2.0*h*N2); }
+        joint_speed "rad/s", "rotational speed behind the universal joint" { _ => ratio*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" { _ => s; }
+        mesh_loss_12 "W", "power that the damper of the mesh takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2))/2.0);
+        }
+    }
 
     text "text/cardan_drive.txt";
     latex "latex/cardan_drive.tex";

@@ -6,6 +6,7 @@
 use gearsim_derive::{Expr, Model, Range, half};
 
 use super::named;
+use super::observed::of_part;
 
 /// A piston that a crank moves by a rigid connecting rod. `theta` [rad] is the angle of the crank from the line of the piston.
 /// Declares the radius of the crank `r`, the length of the rod `l`, which must be longer, and the mass of the piston `m`. The mass of
@@ -20,8 +21,16 @@ pub fn slider_crank(m: &mut Model, part: &str, what: &str, theta: Expr) -> Expr 
     let crank = m.deflection(&named("crank", part), theta);
     let x = m.function(&named("x", part), crank, |theta| r * theta.cos() + (l.sq() - (r * theta.sin()).sq()).sqrt());
     m.kinetic(half(mass * x.dot().sq()));
+    m.output(&of_part("slider_place", part), "m", x, &format!("distance of the {what} from the crank's axis"));
+    m.output(
+        &of_part("slider_speed", part),
+        "m/s",
+        x.dot(),
+        &format!("speed of the {what}, away from the crank's axis"),
+    );
     m.effect("gravity", "weight of bodies whose height varies", |m| {
-        let doc = format!("gravity along the path of the {what}, towards the crank; negative if the {what} is below it");
+        let doc =
+            format!("gravity along the path of the {what}, towards the crank; negative if the {what} is below it");
         let g = m.parameter(&named("g", part), "m/s^2", Some(9.81), Range::Any, &doc);
         m.potential(mass * g * x);
     });

@@ -7,6 +7,7 @@
 use gearsim_derive::{Expr, Model, Range};
 
 use super::named;
+use super::observed::of_part;
 
 /// The speed [rad/s] of the shaft behind a universal joint whose driving shaft has the rotation `theta` [rad]. Declares the angle
 /// between the shafts `beta`. The joint itself has no mass. Give the shaft behind it an inertia with [`Model::kinetic`] and torques
@@ -16,5 +17,7 @@ pub fn universal_joint(m: &mut Model, part: &str, theta: Expr) -> Expr {
     let beta = m.parameter(&named("beta", part), "rad", None, Range::NotNegative, doc);
     let fork = m.deflection(&named("fork", part), theta);
     let ratio = m.function(&named("ratio", part), fork, |theta| beta.cos() / (1 - (beta.sin() * theta.cos()).sq()));
-    ratio * theta.dot()
+    let speed = ratio * theta.dot();
+    m.output(&of_part("joint_speed", part), "rad/s", speed, "rotational speed behind the universal joint");
+    speed
 }
