@@ -6,14 +6,14 @@ use gearsim::trajectory::Moment;
 use super::common;
 use super::largest;
 
-/// M of the scene `crank_drive` in theta and s, by hand.
+/// M of the scene `crank_drive` in theta and s with a light driven gear, by hand.
 fn mass(q: [f64; 2]) -> [[f64; 2]; 2] {
     let (n1, n2, r1, r, l) = (24.0, 96.0, 0.0716, 0.06, 0.2f64);
     let h = r1 / n1;
     let theta = (q[0] - q[1] / (2.0 * h)) / n2;
     let b = (r / l * theta.sin()).asin();
     let ratio = r * (theta + b).sin() / b.cos();
-    let (i1, i2) = (2890e-6, 740200e-6 + 12.0 * ratio * ratio);
+    let (i1, i2) = (2890e-6, 20000e-6 + 40.0 * ratio * ratio);
     let [a, c] = [[1.0 / n1, 1.0 / (2.0 * h * n1)], [1.0 / n2, -1.0 / (2.0 * h * n2)]];
     std::array::from_fn(|i| std::array::from_fn(|j| i1 * a[i] * a[j] + i2 * c[i] * c[j]))
 }
@@ -30,7 +30,7 @@ fn row(outcome: &Outcome, i: usize) -> ([f64; 2], [f64; 2]) {
 /// At every step the speeds change by a multiple of M(q)⁻¹n, so that the momentum of s is the same, and T + V is unchanged.
 #[test]
 fn a_step_changes_the_speeds_by_the_inertia_at_its_place() {
-    let outcome = common::run(&common::scene("crank_drive", &[]));
+    let outcome = common::run(&common::scene("crank_drive", &["parameters.I2=20000 kg*mm^2".to_string()]));
     let t = &outcome.trajectory;
     let start = outcome.energy_at_start;
     let (mut steps, mut varied) = (0, [f64::INFINITY, 0.0f64]);
@@ -60,7 +60,7 @@ fn a_step_changes_the_speeds_by_the_inertia_at_its_place() {
         varied[1],
         largest(&t.residual) / start
     );
-    assert!(steps > 100 && varied[1] > 1.01 * varied[0], "{steps} steps, G from {} to {}", varied[0], varied[1]);
+    assert!(steps > 100 && varied[1] > 1.3 * varied[0], "{steps} steps, G from {} to {}", varied[0], varied[1]);
     assert!(largest(&t.residual) < 1e-12 * start, "energy is not conserved: {:e} J", largest(&t.residual));
 }
 
@@ -68,10 +68,12 @@ fn a_step_changes_the_speeds_by_the_inertia_at_its_place() {
 #[test]
 fn a_pair_pressed_against_a_step_is_held() {
     let overrides = [
+        "start.theta=1.7 rad",
         "start.speed=2 rpm",
-        "run.t_end=0.3 s",
-        "parameters.T_motor=40 N*m",
-        "parameters.T_load=160 N*m",
+        "run.t_end=0.6 s",
+        "parameters.T_motor=400 N*m",
+        "parameters.T_load=1599 N*m",
+        "parameters.alpha_M=20 1/s",
         "parameters.beta_K=40 us",
     ];
     let outcome = common::run(&common::scene("crank_drive", &overrides.map(String::from)));
