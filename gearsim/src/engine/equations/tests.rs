@@ -123,7 +123,7 @@ fn jacobian_of_a_larger_model() {
         e.acceleration(&q, &v, &law(0, s), &law(1, s))
     };
     let found = e.jacobian(&q, &v, &law(0, 0.0), &law(1, 0.0), &courses.map(|c| c[2]));
-    let found = accelerated(&e.mobility(&Q), found);
+    let found = accelerated(&e.mobility(&q), found);
     let h = 1e-5;
     for j in 0..3 {
         let moved = |x: [f64; 3], by: f64| std::array::from_fn(|i| if i == j { x[i] + by } else { x[i] });
