@@ -33,8 +33,7 @@ const SCENES: [(&str, &str); 22] = [
 ];
 
 /// The response curve of the README.
-const RESPONSE: [&str; 6] =
-    ["--over", "start.speed=2200 rpm:4200 rpm:51", "--settle", "0.1 s", "--output", "dte_12"];
+const RESPONSE: [&str; 6] = ["--over", "start.speed=2200 rpm:4200 rpm:51", "--settle", "0.1 s", "--output", "dte_12"];
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.
 #[derive(clap::Args)]

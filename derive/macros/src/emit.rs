@@ -31,8 +31,8 @@ pub fn emit(mut m: Model) -> TokenStream {
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let met = effects::met(m);
     quote! {
-        use crate::engine::{equations, real, vector::{Matrix, Vector}};
-        use crate::model;
+        use ::gearsim::engine::{equations, real, vector::{Matrix, Vector}};
+        use ::gearsim::model;
 
         #[doc = #doc]
         #[derive(Debug, Clone, Copy)]

@@ -6,8 +6,7 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::progress::PointsBar;
-use super::{Verb, files, number, report, terminal};
-use crate::generated::MODELS;
+use super::{Verb, files, known, number, report, terminal};
 use crate::output::{OutputFolder, csv, parquet};
 use crate::plot;
 use crate::sweep::response::{MEASURES, Response};
@@ -72,7 +71,7 @@ impl Verb for ResponseCommand {
         }
         let vary = vec![self.over.clone()];
         let request = Request { vary, overrides, samples: None, seed: 0, from: settle, record: vec![], spectra: false };
-        let sweep = Sweep::load(&self.scene, MODELS, &request)?;
+        let sweep = Sweep::load(&self.scene, known::models(), &request)?;
         let path = self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_response", sweep.scene())));
         OutputFolder::probe(&path)?;
 
