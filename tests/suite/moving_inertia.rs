@@ -1,9 +1,5 @@
 //! Inertia that depends on the coordinates, against closed forms and equations written by hand: a pendulum, a double pendulum, a
 //! slider-crank and a universal joint; and the jump rule, held contact and derivatives with M(q).
-
-// The expansion of the models refers to these two as `crate::engine` and `crate::model`, as it does within gearsim.
-use gearsim::{engine, model};
-
 mod common;
 #[path = "moving_inertia/derivatives.rs"]
 mod derivatives;
