@@ -16,7 +16,7 @@ use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::{Counts, Hybrid};
 use crate::engine::motion::Effort;
-use crate::engine::record::Recorder;
+use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Simulation;
 use crate::engine::start;
 use crate::engine::switch::Switch;
@@ -167,8 +167,13 @@ struct Plan<'a> {
 impl<'a> Prepared<'a> {
     fn new(derived: &DerivedModel, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Self, Refusal> {
         let begun = start::begin(equations, scene)?;
-        if !equations.kinetic(&begun.state.q_dot).is_finite() {
+        let State { q, q_dot, .. } = &begun.state;
+        if !equations.kinetic(q, q_dot).is_finite() {
             return Err(Refusal::StartOverflow);
+        }
+        // Of a constant M the first cell shows it.
+        if !equations.is_inertia_constant() && equations.mass(q).cholesky().is_none() {
+            return Err(Refusal::Mass);
         }
         let choice = choice::of(scene, &begun.laws)?;
         let (others, forcing) = (begun.others.clone(), Forcing::of(derived, scene));
@@ -267,8 +272,10 @@ fn since(begin: ThreadTime) -> f64 {
 
 /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s], where the cells are linear.
 fn reference_frequency(scene: &Scene, equations: &dyn Equations) -> Option<f64> {
+    if !scene.effects.nonlinear(scene.model).is_empty() {
+        return None;
+    }
     let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    let cell = Cell::new(equations, &scene.model.in_contact(mids));
-    let cell = cell.ok().filter(|_| scene.effects.nonlinear(scene.model).is_empty())?;
+    let cell = Cell::new(equations, &scene.model.in_contact(mids)).ok()?;
     cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0)
 }

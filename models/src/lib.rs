@@ -36,6 +36,11 @@
 //!      these names.
 //!    - `m.output(name, unit, value, doc)`: what a run can record besides the coordinates, for example `m.spring(x) + m.damper(x)`, the
 //!      force along a named deflection. Components declare their own: forces, torques, transmission errors, speeds, losses.
+//!    - `m.function(name, position, |u| ...)`: a name for a smooth function of one coordinate or deflection. This is how a constraint is
+//!      stated, solved for one quantity: the place of a piston as a function of its crank's angle. T, V and the displacements of
+//!      torques may contain it and its `.dot()`. T may depend on coordinates in any other way too; the equations are then integrated
+//!      by a stepping method. The components `slider_crank` and `universal_joint` are of this kind.
+//!    - `m.torque_along(name, value, speed, doc)`: a torque whose displacement has no closed form, but whose speed has.
 //!    - `m.motion(name, unit, speeds, doc)`: a rigid motion by which a scene may state all speeds in one number.
 //! 2. Declare the file below, `pub mod my_train;`, and add one line to [`MODELS`]. For a model with n equal parts write one function
 //!    of n, and one line for each n: `("my_train_3", |m| my_train::my_train(m, 3))`.
@@ -52,8 +57,10 @@
 
 pub mod backlash_oscillator;
 pub mod belt_drive;
+pub mod cardan_drive;
 pub mod chain;
 pub mod components;
+pub mod crank_drive;
 pub mod electric_axle;
 pub mod freewheel;
 pub mod friction_oscillator;
@@ -85,6 +92,8 @@ pub const MODELS: &[Entry] = &[
     ("two_stage", two_stage::two_stage),
     ("idler", idler::idler),
     ("belt_drive", belt_drive::belt_drive),
+    ("crank_drive", crank_drive::crank_drive),
+    ("cardan_drive", cardan_drive::cardan_drive),
     ("planetary_3", |m| planetary::planetary(m, 3)),
     ("planetary_4", |m| planetary::planetary(m, 4)),
     ("planetary_5", |m| planetary::planetary(m, 5)),

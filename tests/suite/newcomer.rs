@@ -192,7 +192,7 @@ fn the_energy_of_a_newcomers_model_is_constant() {
 fn the_mobility_of_a_newcomers_model_is_in_closed_form() {
     let equations =
         spring_rotor::SpringRotor::equations(0, &[J1, J2, 0.0], &[26.0]).expect("no effects, so none contradict");
-    assert_eq!(equations.mobility(), Matrix::from_row_slice(2, 2, &[1.0 / J1, 0.0, 0.0, 1.0 / J2]));
+    assert_eq!(equations.mobility(&[0.0; 2]), Matrix::from_row_slice(2, 2, &[1.0 / J1, 0.0, 0.0, 1.0 / J2]));
 }
 
 /// Without steps the spring has its mid stiffness and the rotors are independent, so each has a closed form.

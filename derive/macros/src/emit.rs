@@ -20,7 +20,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let describe = describe(&m);
     let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
     let terms = force.values().chain(dissipation.values());
-    let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value);
+    let variables = m.deflections.iter_mut().chain(&mut m.rates).chain(&mut m.functions).map(|d| &mut d.value);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
     let m = &m;

@@ -18,6 +18,8 @@ pub struct Model {
     pub deflections: Vec<Assignment>,
     /// Rates of the deflections. Not in the file: `resolve` writes the deflections in the speeds.
     pub rates: Vec<Assignment>,
+    /// Functions of one position, and their derivatives.
+    pub functions: Vec<Assignment>,
     pub switches: Vec<Switch>,
     pub kinetic: Sum,
     pub potential: Sum,
@@ -31,6 +33,8 @@ pub struct Model {
     pub outputs: Vec<Output>,
     pub mass: Vec<Entry>,
     pub mobility: Option<Vec<Entry>>,
+    /// Derivatives of M q'' (rows) by the coordinates (columns), if M depends on them.
+    pub inertia: Vec<Entry>,
     pub force: Option<Vec<Row>>,
     pub jacobian: Option<Vec<Entry>>,
     pub stiffness: Vec<Entry>,
@@ -255,6 +259,7 @@ impl Model {
             constants: vec![],
             deflections: vec![],
             rates: vec![],
+            functions: vec![],
             switches: vec![],
             kinetic: vec![],
             potential: vec![],
@@ -266,6 +271,7 @@ impl Model {
             outputs: vec![],
             mass: vec![],
             mobility: None,
+            inertia: vec![],
             force: None,
             jacobian: None,
             stiffness: vec![],

@@ -14,15 +14,16 @@ use crate::slip::Slip;
 use Kind::*;
 
 /// What energies may depend on; listed in messages.
-const USABLE: [Kind; 11] =
-    [Constant, Parameter, Mid, Law, Error, Friction, Switched, Deflection, Coordinate, Rate, Speed];
+const USABLE: [Kind; 12] =
+    [Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Deflection, Coordinate, Rate, Speed];
 /// What a torque may depend on.
 const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
 /// What a torque with a friction law as a factor may depend on besides.
 const FRICTION: [Kind; 4] = [Law, Friction, Switched, Deflection];
 /// What an output may depend on.
-const OUTPUT: [Kind; 14] = [
-    Constant, Parameter, Mid, Law, Error, Friction, Switched, Edge, Deflection, Coordinate, Rate, Speed, Force, Output,
+const OUTPUT: [Kind; 15] = [
+    Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Edge, Deflection, Coordinate, Rate, Speed,
+    Force, Output,
 ];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
@@ -38,6 +39,7 @@ pub(super) fn places(model: &Model, declared: BTreeMap<String, &'static str>) ->
     let places = Places { model, declared };
     places.constants()?;
     places.deflections()?;
+    places.functions()?;
     places.energies()?;
     places.torques()?;
     places.outputs()
@@ -64,6 +66,32 @@ impl Places<'_> {
             self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
         })?;
         self.model.switches.iter().try_for_each(|switch| self.switch(switch))
+    }
+
+    /// A named function is one of a coordinate or of a named deflection that transmission errors do not shift.
+    fn functions(&self) -> Result<(), Slip> {
+        self.model.functions.iter().try_for_each(|function| {
+            let place = format!("the function `{}`", function.name);
+            let why = "a function is one of a coordinate, or of a named deflection";
+            self.check(function.of, &place, &[Coordinate, Deflection], why)?;
+            let why = "the position of a function depends on coordinates only, without transmission errors";
+            self.check(self.model.position(function.of), &place, &[Constant, Parameter, Coordinate], why)?;
+            let why = "a function may depend on its position, parameters and constants only";
+            let of = symbols(&function.of.atom());
+            if let Some((_, other)) = symbols(&function.value.atom())
+                .into_iter()
+                .find(|s| matches!(s.0, Coordinate | Deflection | Function) && !of.contains(s))
+            {
+                let (model, symbol) = (self.model.name.clone(), other);
+                return Err(Slip::Misplaced { model, symbol, place, why });
+            }
+            if of.len() != 1 || function.of.atom() != Atom::var(symbol(of[0].0, &of[0].1)) {
+                let (model, symbol) = (self.model.name.clone(), function.of.to_string());
+                let why = "its position must be a coordinate or a named deflection; name it with m.deflection(...)";
+                return Err(Slip::Misplaced { model, symbol, place, why });
+            }
+            self.check(function.value, &place, &[Constant, Parameter, of[0].0], why)
+        })
     }
 
     /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the lost force are linear.
@@ -114,12 +142,12 @@ impl Places<'_> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
         };
-        // Inertia and damping that depend on positions could be derived, but the engine has no equations for them.
-        let moving = [Constant, Parameter, Mid, Speed];
-        let why =
-            "T may depend on speeds, not on positions or the mesh: the engine has no inertia that depends on them";
+        // Damping that depends on positions could be derived, but the engine has no equations for it.
+        let moving = [Constant, Parameter, Mid, Function, Coordinate, Speed];
+        let why = "T may depend on speeds, coordinates and functions of them, not on the mesh or on named deflections: write those in the \
+                   coordinates";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
-        let positions = [Constant, Parameter, Mid, Law, Switched, Deflection, Coordinate];
+        let positions = [Constant, Parameter, Mid, Law, Switched, Function, Deflection, Coordinate];
         let why = "V may depend on positions, not on speeds, and on transmission errors only through deflections, \
                    m.deflection(...)";
         each(&self.model.potential, "the potential energy", &positions, why)?;
@@ -149,8 +177,13 @@ impl Places<'_> {
             };
             self.check(Expr::new(self.model.written_out(&torque.value.atom())), &place, &allowed, why)?;
             let place = format!("the displacement of {place}");
-            let why = "a displacement may depend on coordinates and deflections only";
-            self.check(torque.through, &place, &[Constant, Parameter, Deflection, Coordinate], why)?;
+            let why = "a displacement may depend on coordinates, deflections and functions of them only";
+            self.check(torque.through, &place, &[Constant, Parameter, Function, Deflection, Coordinate], why)?;
+            if let Some(along) = torque.along {
+                let why = "the speed along which a torque works may depend on coordinates and speeds only";
+                let place = format!("the speed of the torque `{}`", torque.name);
+                self.check(along, &place, &[Constant, Parameter, Function, Coordinate, Speed], why)?;
+            }
         }
         Ok(())
     }

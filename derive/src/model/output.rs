@@ -44,9 +44,10 @@ impl Model {
         output
     }
 
-    /// The kinetic energy of all that was declared so far.
+    /// The kinetic energy of all that was declared so far, as far as its inertia is constant: that of [`Model::rayleigh`].
     pub fn kinetic_energy(&self) -> Expr {
-        Expr::new(total(self.kinetic.iter().map(|piece| piece.atom()).collect()))
+        let constant = self.kinetic.iter().filter(|piece| !super::depends_on_positions(piece));
+        Expr::new(total(constant.map(|piece| piece.atom()).collect()))
     }
 
     /// For outputs: the force of the springs along the named deflection `x`, dV/dx. It has all terms of the complete model.

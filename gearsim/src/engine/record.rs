@@ -107,7 +107,7 @@ pub struct Recorder<'a> {
 impl<'a> Recorder<'a> {
     /// A recorder of a run of `scene` that starts at `start` with law values `k`.
     pub fn new(scene: &Scene, equations: &'a dyn Equations, pitch: Vector, start: State, k: &[f64]) -> Self {
-        let energy_at_start = equations.kinetic(&start.q_dot) + equations.potential(&start.q, k);
+        let energy_at_start = equations.kinetic(&start.q, &start.q_dot) + equations.potential(&start.q, k);
         let outputs = scene.output.record.clone();
         let trajectory = Trajectory::new(scene.model, &outputs);
         Recorder { equations, outputs, pitch, start, energy_at_start, beyond: vec![], trajectory, most_rows: u64::MAX }
@@ -130,7 +130,7 @@ impl<'a> Recorder<'a> {
     /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].
     pub fn row(&mut self, t: f64, moment: Moment, state: &State, k: &[f64], lost: (f64, f64)) {
         let (dissipated, ignored) = lost;
-        let (kinetic, strain) = (self.equations.kinetic(&state.q_dot), self.equations.potential(&state.q, k));
+        let (kinetic, strain) = (self.equations.kinetic(&state.q, &state.q_dot), self.equations.potential(&state.q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
         let moved = Vector::from_fn(state.q.len(), |i| {
             (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (state.q[i] - self.start.q[i])

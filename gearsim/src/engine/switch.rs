@@ -109,9 +109,9 @@ impl Switch {
     }
 
     /// Whether its deflection is at rest, up to the rounding errors of the speeds.
-    fn is_at_rest(&self, equations: &dyn Equations, q_dot: &[f64]) -> bool {
-        let (rate, compliance) = (self.normal.dot(q_dot), self.normal.dot(&(&equations.mobility() * &self.normal)));
-        rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q_dot) * compliance
+    fn is_at_rest(&self, equations: &dyn Equations, q: &[f64], q_dot: &[f64]) -> bool {
+        let (rate, compliance) = (self.normal.dot(q_dot), self.normal.dot(&(&equations.mobility(q) * &self.normal)));
+        rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q, q_dot) * compliance
     }
 }
 
@@ -206,7 +206,7 @@ pub fn settle(
         };
         let exit = match switch.here().held {
             // The reaction is known once the hold is begun. A motion along the deflection ends the hold.
-            true if crossed.is_some() || switch.is_at_rest(equations, q_dot) => None,
+            true if crossed.is_some() || switch.is_at_rest(equations, q, q_dot) => None,
             true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),
             false => exits.iter().find(|exit| violated(exit)),
         };

@@ -22,6 +22,8 @@ pub mod planets;
 pub mod play;
 pub mod rotor;
 pub mod shaft;
+pub mod slider_crank;
+pub mod universal_joint;
 pub mod viscous;
 
 pub use bearing::bearing;
@@ -41,6 +43,8 @@ pub use planets::{Stage, stage};
 pub use play::{Play, dead_band, play};
 pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft};
+pub use slider_crank::slider_crank;
+pub use universal_joint::universal_joint;
 pub use viscous::viscous;
 
 /// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.
