@@ -8,7 +8,7 @@ mod floquet;
 mod merge;
 mod models;
 mod modes;
-mod number;
+mod page;
 mod progress;
 mod provenance;
 mod report;
@@ -24,6 +24,7 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, Parser};
 
+use crate::output::number;
 use failure::Failure;
 
 /// All commands, in the order in which they are listed.
