@@ -3,8 +3,8 @@
 use crate::output::Table;
 use crate::output::table::Values;
 
-/// Most numbers that a page embeds of a table: 55 MB as base64.
-const MOST: usize = 20_000_000;
+/// Most numbers that a page embeds of a table: 80 MB as base64.
+const MOST: usize = 30_000_000;
 
 /// How many rows of the table one step of the page covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
