@@ -1,58 +1,80 @@
-//! The equations between two steps of the laws: M q'' + C q' + K q = f with constant M, C, K and f if the cell is linear,
-//! otherwise the terms that make it nonlinear.
+//! The equations between two steps of the laws: M q'' + C q' + K q = f with constant M, C, K and f if the cell is linear, and the terms
+//! that make it nonlinear.
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Expr, Kind, kind_and_name, number, total};
-use crate::lagrange::{self, external, hessian, rows};
+use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
+use crate::lagrange::{self, Motion, external, hessian, rows};
 use crate::markers::{all_present, markers, terms};
 use crate::model::Model;
 use crate::print::{Style, print};
 use crate::symbols::{Place, Symbols};
 use crate::tree::Tree;
 
-/// The matrices of a linear cell.
+/// The matrices of a cell, of its terms that are linear.
 pub(crate) struct Cell {
     pub stiffness: Vec<Vec<Atom>>,
     pub damping: Vec<Vec<Atom>>,
     pub load: Vec<Atom>,
-    /// Torques that make the cell nonlinear in scenes with an effect: the effect, and the term as text. The matrices are
+    /// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from. The matrices are
     /// without them.
+    pub nonlinear: Vec<String>,
+    /// Terms that make the cell nonlinear in scenes with an effect: the effect, and the term as text. The matrices are without them.
     pub nonlinear_with: Vec<(String, String)>,
 }
 
-/// The matrices of a linear cell.
-///
-/// # Errors
-/// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from.
-pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Cell, Vec<String>> {
-    let mut culprits: Vec<String> = [
-        ("kinetic energy", &model.kinetic),
-        ("potential energy", &model.potential),
-        ("dissipation function", &model.dissipation),
-    ]
-    .into_iter()
-    .flat_map(|(energy, pieces)| not_quadratic(pieces).into_iter().map(move |term| format!("{term} in the {energy}")))
-    .collect();
-    let mut nonlinear_with = vec![];
+/// The matrices of a cell.
+pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
+    let mut culprits = inertias(model, s, motion);
+    for (energy, pieces) in [("potential energy", &model.potential), ("dissipation function", &model.dissipation)] {
+        culprits
+            .extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
+    }
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
         let value = model.written_out(&torque.value.atom());
         let value_text = print(&Tree::new(&all_present(&torque.value.atom())), Style::Plain);
-        let text = format!("{value_text} in the torque `{}`", torque.name);
-        match &markers(&value)[..] {
-            [effect] => nonlinear_with.push((effect.clone(), text)),
-            _ => culprits.push(text),
-        }
+        let how = if torque.is_linear() { "" } else { ", whose displacement is not linear" };
+        culprits.push((markers(&value), format!("{value_text} in the torque `{}`{how}", torque.name)));
     }
-    if !culprits.is_empty() {
-        return Err(culprits);
+    let (mut nonlinear, mut nonlinear_with) = (vec![], vec![]);
+    for (marks, text) in culprits {
+        match &marks[..] {
+            [effect] => nonlinear_with.push((effect.clone(), text)),
+            _ => nonlinear.push(text),
+        }
     }
     let n = s.q.len();
     let constant = external(model, s, |torque| !model.varies(torque));
-    let restoring = rows(n, lagrange::restoring(model, s, |v| s.by_coordinates(v)));
+    let linear = |pieces: &[Expr]| -> Vec<Expr> {
+        let of_one = |piece: &Expr| not_quadratic(std::slice::from_ref(piece)).is_empty();
+        pieces.iter().copied().filter(of_one).collect()
+    };
+    let (potential, dissipation) = (linear(&model.potential), linear(&model.dissipation));
+    let restoring = rows(n, lagrange::restoring(model, s, &potential, |v| s.by_coordinates(v)));
     let stiffness = restoring.iter().map(|row| rows(n, s.by_coordinates(row).into_iter())).collect();
     let load = constant.iter().zip(&restoring).map(|(constant, row)| (constant - at_rest(s, row)).expand()).collect();
-    Ok(Cell { stiffness, damping: hessian(n, &model.dissipation, |d| s.by_speeds(d)), load, nonlinear_with })
+    Cell { stiffness, damping: hessian(n, &dissipation, |d| s.by_speeds(d)), load, nonlinear, nonlinear_with }
+}
+
+/// The inertias that depend on the coordinates, as text, each with the effects that it needs.
+fn inertias(model: &Model, s: &Symbols, motion: &Motion) -> Vec<(Vec<String>, String)> {
+    let mut found: Vec<(Vec<String>, String)> = vec![];
+    for term in motion.inertia.iter().flatten().flatten().flat_map(terms) {
+        let coordinates = model.coordinates.iter().map(|c| c.name.as_str());
+        let moving: Vec<&str> = coordinates.filter(|name| depends(s, &motion.mass, name)).collect();
+        let (marks, text) = (markers(&term), format!("M({}) in the kinetic energy", moving.join(", ")));
+        if !found.iter().any(|(known, _)| *known == marks) {
+            found.push((marks, text));
+        }
+    }
+    found
+}
+
+/// Whether M depends on a coordinate.
+fn depends(s: &Symbols, mass: &[Vec<Atom>], coordinate: &str) -> bool {
+    let q = symbol(Kind::Coordinate, coordinate);
+    let by = mass.iter().flatten().flat_map(|entry| s.by_coordinates(entry));
+    by.into_iter().any(|(i, by)| s.q[i] == q && !by.expand().is_zero())
 }
 
 /// The value at q = 0.
@@ -67,21 +89,28 @@ fn at_rest(s: &Symbols, e: &Atom) -> Atom {
     })
 }
 
-/// The terms of an energy, as text, that are not quadratic in positions and speeds: their second derivatives depend on the state.
-fn not_quadratic(pieces: &[Expr]) -> Vec<String> {
+/// The terms of an energy that are not quadratic in positions and speeds, as text, each with the effects that it needs: their second
+/// derivatives depend on the state.
+fn not_quadratic(pieces: &[Expr]) -> Vec<(Vec<String>, String)> {
     let moving = |e: &Atom| -> Vec<Symbol> {
         let moves = |symbol: &Symbol| {
-            matches!(kind_and_name(*symbol).0, Kind::Coordinate | Kind::Speed | Kind::Deflection | Kind::Rate)
+            matches!(
+                kind_and_name(*symbol).0,
+                Kind::Coordinate | Kind::Speed | Kind::Deflection | Kind::Rate | Kind::Function
+            )
         };
         e.get_all_symbols(false).into_iter().filter(moves).collect()
     };
     let varying = |term: &Atom| {
+        if moving(term).iter().any(|symbol| kind_and_name(*symbol).0 == Kind::Function) {
+            return true;
+        }
         moving(term).into_iter().any(|a| {
             let slope = term.derivative(a);
             moving(&slope).into_iter().any(|b| !moving(&slope.derivative(b).expand()).is_empty())
         })
     };
-    let text = |term: &Atom| print(&Tree::new(&all_present(term)), Style::Plain);
+    let text = |term: &Atom| (markers(term), print(&Tree::new(&all_present(term)), Style::Plain));
     let terms = terms(&total(pieces.iter().map(|piece| piece.atom().expand()).collect()));
     terms.iter().filter(|term| varying(term)).map(text).collect()
 }

@@ -24,8 +24,8 @@ pub struct Derivation<'a> {
     pub(crate) jacobian: Vec<Vec<Atom>>,
     /// The partial derivatives of forces in which the Jacobian is written: name, effect, value.
     pub(crate) partials: Vec<(String, Option<String>, Atom)>,
-    /// The matrices of a cell, or the terms that make it nonlinear.
-    pub(crate) cell: Result<Cell, Vec<String>>,
+    /// The matrices of a cell, and the terms that make it nonlinear.
+    pub(crate) cell: Cell,
     /// One jump rule for each law of the model.
     pub(crate) jumps: Vec<Jump>,
     /// One line for each statement proved.
@@ -59,7 +59,7 @@ impl Derivation<'_> {
         &self.proofs
     }
 
-    /// The acceleration of coordinate `i`, or its generalised force if M was not inverted, in the model's parameters and without
+    /// The acceleration of coordinate `i`, or its generalised force if M was not inverted or depends on coordinates, in the model's parameters and without
     /// the terms of the effects and conditions in `absent`.
     pub fn equation(&self, i: usize, absent: &[&str]) -> Expr {
         let all = self.motion.acceleration.as_ref().unwrap_or(&self.motion.force);
@@ -108,12 +108,12 @@ impl Derivation<'_> {
 
     /// The nonlinear terms of a cell, each with the energy it comes from. Empty if the cell is linear.
     pub fn nonlinear_terms(&self) -> &[String] {
-        self.cell.as_ref().err().map_or(&[], |terms| terms)
+        &self.cell.nonlinear
     }
 
-    /// The terms that make a cell nonlinear only in scenes with an effect: the effect, and the term.
+    /// The terms that make a cell nonlinear in scenes with an effect: the effect, and the term.
     pub fn nonlinear_with(&self) -> &[(String, String)] {
-        self.cell.as_ref().map_or(&[], |cell| &cell.nonlinear_with)
+        &self.cell.nonlinear_with
     }
 
     /// Whether the phase of a law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it

@@ -11,6 +11,8 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 
 thread_local! {
     static ARENA: RefCell<Vec<Atom>> = const { RefCell::new(Vec::new()) };
+    /// The rates of the named functions of the model that is being described.
+    static RATES: RefCell<HashMap<String, Expr>> = RefCell::new(HashMap::new());
     /// The symbols of each kind asked for so far: Symbolica parses a name each time.
     static SYMBOLS: RefCell<BTreeMap<Kind, HashMap<String, Symbol>>> = const { RefCell::new(BTreeMap::new()) };
 }
@@ -46,6 +48,8 @@ pub enum Kind {
     Partial,
     /// Factor that is constant in each mode of a switch.
     Switched,
+    /// Named function of one position, or one of its derivatives: `x_p`, `dx_p`, `ddx_p`, `dddx_p`.
+    Function,
     /// Named deflection, linear in the coordinates.
     Deflection,
     /// Generalised coordinate.
@@ -58,8 +62,12 @@ pub enum Kind {
     Rate,
     /// Generalised speed.
     Speed,
+    /// Generalised acceleration; only where M depends on the coordinates.
+    Acceleration,
     /// The force that the hold of a deflection resists.
     Reaction,
+    /// What a run can record.
+    Output,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
     Spring,
     /// The force of its dampers, likewise.
@@ -68,7 +76,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 22] = [
+const KINDS: [(Kind, &str); 25] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -81,13 +89,16 @@ const KINDS: [(Kind, &str); 22] = [
     (Kind::Force, "force"),
     (Kind::Partial, "partial"),
     (Kind::Switched, "switched"),
+    (Kind::Function, "function"),
     (Kind::Deflection, "deflection"),
     (Kind::Coordinate, "coordinate"),
     (Kind::Edge, "edge"),
     (Kind::Error, "error"),
     (Kind::Rate, "rate"),
     (Kind::Speed, "speed"),
+    (Kind::Acceleration, "acceleration"),
     (Kind::Reaction, "reaction"),
+    (Kind::Output, "output"),
     (Kind::Spring, "spring"),
     (Kind::Damper, "damper"),
     (Kind::Free, "free"),
@@ -222,6 +233,16 @@ impl Expr {
         Expr::function("cos", self)
     }
 
+    /// Declares the rate of the named function `name` for [`Expr::dot`].
+    pub(crate) fn set_rate(name: &str, rate: Expr) {
+        RATES.with_borrow_mut(|rates| rates.insert(name.into(), rate));
+    }
+
+    /// Forgets the named functions of the model described before.
+    pub(crate) fn forget_rates() {
+        RATES.with_borrow_mut(HashMap::clear);
+    }
+
     /// The expression multiplied out.
     pub(crate) fn expand(self) -> Expr {
         Expr::new(self.atom().expand())
@@ -233,11 +254,16 @@ impl Expr {
         Expr::new(self.atom().replace(Atom::var(symbol(kind, name)).to_pattern()).with(new.to_pattern()))
     }
 
-    /// The time derivative, by the chain rule over coordinates and deflections; all other symbols are constant.
+    /// The time derivative, by the chain rule over coordinates, deflections and named functions; all other symbols are constant.
     pub fn dot(self) -> Expr {
         let e = self.atom();
         let mut rate = number(0);
         for (kind, name) in symbols(&e) {
+            if kind == Kind::Function {
+                let of_function = RATES.with_borrow(|rates| rates.get(&name).copied());
+                let of_function = of_function.unwrap_or_else(|| Expr::symbol(&speed_name(&name)));
+                rate += e.derivative(symbol(kind, &name)) * of_function.atom();
+            }
             let rate_of = match kind {
                 Kind::Coordinate => Kind::Speed,
                 Kind::Deflection => Kind::Rate,
@@ -266,6 +292,11 @@ pub(crate) fn partial_name(force: &str, by: &str) -> String {
 /// The name of the speed of a coordinate.
 pub(crate) fn speed_name(coordinate: &str) -> String {
     format!("{coordinate}_dot")
+}
+
+/// The name of the acceleration of a coordinate.
+pub(crate) fn acceleration_name(coordinate: &str) -> String {
+    format!("{coordinate}_ddot")
 }
 
 impl std::fmt::Display for Expr {

@@ -12,6 +12,7 @@ mod jumps;
 mod motion;
 mod names;
 mod operations;
+mod outputs;
 pub(crate) mod wrap;
 
 use crate::derivation::Derivation;
@@ -25,6 +26,7 @@ pub(crate) fn write(d: &Derivation) -> String {
     motion::write(&mut equations, d);
     cell::write(&mut equations, d);
     jumps::write(&mut equations, d);
+    outputs::write(&mut equations, d);
 
     let mut block = Block::new(d.order());
     // After the equations: only they show which combinations of effects need a condition.

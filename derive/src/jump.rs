@@ -33,7 +33,8 @@ pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
             let normal = rows(s.q.len(), s.phase[l].iter().cloned());
             let energies = model.potential.iter().map(|v| v.atom());
             let steps = energies.filter_map(|v| Some((s.stepped(&v, l)? - v).expand()));
-            let (compliance, direction) = match &motion.mobility {
+            // Where M depends on the coordinates, so do G and M⁻¹n: they are computed at the event.
+            let (compliance, direction) = match motion.mobility.as_ref().filter(|_| motion.inertia.is_none()) {
                 Some(w) => {
                     let (g, d) = response(w, &normal);
                     (Some(g), Some(d))

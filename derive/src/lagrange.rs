@@ -1,27 +1,32 @@
 //! Euler-Lagrange: mass matrix, generalised forces, accelerations, Jacobian.
 //!
-//! d/dt dT/dq' + dV/dq + dD/dq' = Q becomes M q'' = F(q, q', k), with F_i = Q_i - dV/dq_i - dD/dq'_i. T depends on speeds only
-//! (`check` refuses other models). dV/dq_i includes the derivative through the mesh stiffness, (dV/dk) (dk/ds) (ds/dq_i): the
+//! d/dt dT/dq' - dT/dq + dV/dq + dD/dq' = Q becomes M q'' = F(q, q', k), with F_i = Q_i - dV/dq_i - dD/dq'_i - c_i. Where M depends on
+//! the coordinates, c_i = sum_j d(dT/dq'_i)/dq_j q'_j - dT/dq_i are the centrifugal and gyroscopic forces; else they are zero. dV/dq_i includes the derivative through the mesh stiffness, (dV/dk) (dk/ds) (ds/dq_i): the
 //! jump terms.
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, number, symbol, total};
+use crate::expr::{Expr, Kind, acceleration_name, number, symbol, total};
 use crate::model::{JUMP_TERMS, Model, Torque, mobility_name};
 use crate::slip::Slip;
 use crate::symbols::{Sparse, Symbols};
+use crate::trigonometry::simplified;
 
 /// The equations of motion M q'' = F, and q'' itself where M was inverted.
 pub(crate) struct Motion {
     /// Generalised external forces Q.
     pub external: Vec<Atom>,
     pub mass: Vec<Vec<Atom>>,
+    /// Derivatives of M q'' (rows) by the coordinates (columns), linear in the accelerations; `None` if M is constant.
+    pub inertia: Option<Vec<Vec<Atom>>>,
+    /// F + c: the forces without the centrifugal and gyroscopic ones.
+    pub applied: Vec<Atom>,
     pub force: Vec<Atom>,
     /// The constants of the model and their definitions, each in parameters, mid values and the constants before it.
     pub constants: Vec<(String, Atom)>,
     /// The inverse mass matrix of a model with one or two coordinates, written in the names of the constants.
     pub mobility: Option<Vec<Vec<Atom>>>,
-    /// q'', if M was inverted.
+    /// q'', if M is constant and was inverted.
     pub acceleration: Option<Vec<Atom>>,
 }
 
@@ -52,7 +57,11 @@ pub(crate) fn external(model: &Model, s: &Symbols, which: impl Fn(&Torque) -> bo
         s.q.len(),
         torques.flat_map(|t| {
             let value = t.value.atom();
-            s.by_coordinates(&t.through.atom()).into_iter().map(move |(i, slope)| (i, &value * slope.expand()))
+            let slopes = match t.along {
+                Some(speed) => s.by_speeds(&speed.atom()),
+                None => s.by_coordinates(&t.through.atom()),
+            };
+            slopes.into_iter().map(move |(i, slope)| (i, &value * slope.expand()))
         }),
     )
 }
@@ -64,10 +73,11 @@ pub(crate) fn rows(n: usize, parts: impl Iterator<Item = (usize, Atom)>) -> Vec<
     rows.into_iter().map(|parts| total(parts).expand()).collect()
 }
 
-/// The restoring forces dV/dq of the potential energies, and the forces of switches whose work is lost.
+/// The restoring forces dV/dq of the terms `potential` of V, and the forces of switches whose work is lost.
 pub(crate) fn restoring<'a>(
     model: &'a Model,
     s: &'a Symbols,
+    potential: &'a [Expr],
     gradient: impl Fn(&Atom) -> Sparse + 'a,
 ) -> impl Iterator<Item = (usize, Atom)> + 'a {
     let lost = model.switches.iter().filter(|switch| !switch.loss.atom().is_zero()).flat_map(|switch| {
@@ -75,7 +85,7 @@ pub(crate) fn restoring<'a>(
         let force = switch.lost();
         x.into_iter().flat_map(|x| &x.slopes).map(|(i, slope)| (*i, &force * slope)).collect::<Sparse>()
     });
-    model.potential.iter().flat_map(move |v| gradient(&v.atom())).chain(lost)
+    potential.iter().flat_map(move |v| gradient(&v.atom())).chain(lost)
 }
 
 /// Second derivatives of a sum of energies: the sum of the Hessians of `pieces`, where `by` gives a gradient.
@@ -87,10 +97,37 @@ pub(crate) fn hessian(n: usize, pieces: &[Expr], by: impl Fn(&Atom) -> Sparse) -
     parts.into_iter().map(|row| rows(n, row.into_iter())).collect()
 }
 
+/// The centrifugal and gyroscopic forces c of a term of T: c_i = sum_j d(dT/dq'_i)/dq_j q'_j - dT/dq_i.
+fn inertial(s: &Symbols, t: &Atom) -> Sparse {
+    let momenta = s.by_speeds(t).into_iter().flat_map(|(i, momentum)| {
+        s.by_coordinates(&momentum).into_iter().map(move |(j, by)| (i, by * Atom::var(s.v[j])))
+    });
+    momenta.chain(s.by_coordinates(t).into_iter().map(|(i, by)| (i, -by))).collect()
+}
+
+/// The derivatives of M q'' by the coordinates; `None` if M is constant.
+fn inertia(model: &Model, s: &Symbols, mass: &[Vec<Atom>]) -> Option<Vec<Vec<Atom>>> {
+    let accelerations: Vec<Atom> =
+        model.coordinates.iter().map(|c| Atom::var(symbol(Kind::Acceleration, &acceleration_name(&c.name)))).collect();
+    let row = |row: &Vec<Atom>| {
+        let parts = row
+            .iter()
+            .zip(&accelerations)
+            .flat_map(|(entry, a)| s.by_coordinates(entry).into_iter().map(move |(j, by)| (j, by * a)));
+        rows(s.q.len(), parts).iter().map(simplified).collect::<Vec<_>>()
+    };
+    let inertia: Vec<Vec<Atom>> = mass.iter().map(row).collect();
+    inertia.iter().flatten().any(|entry| !entry.is_zero()).then_some(inertia)
+}
+
 /// Derives the equations of motion.
 pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
     let n = model.coordinates.len();
-    let mass = hessian(n, &model.kinetic, |e| s.by_speeds(e));
+    let mut mass = hessian(n, &model.kinetic, |e| s.by_speeds(e));
+    if model.inertia_moves() {
+        mass.iter_mut().flatten().for_each(|m| *m = simplified(m));
+    }
+    let inertia = inertia(model, s, &mass);
     for (row, coordinate) in mass.iter().zip(&model.coordinates) {
         if row.iter().all(|m| m.is_zero()) {
             let coordinate = coordinate.name.clone();
@@ -98,15 +135,26 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
         }
     }
     let external = external(model, s, |_| true);
-    let elastic = restoring(model, s, |v| gradient(s, v, JUMP_TERMS));
+    let elastic = restoring(model, s, &model.potential, |v| gradient(s, v, JUMP_TERMS));
     let damping = model.dissipation.iter().flat_map(|d| s.by_speeds(&d.atom()));
     let against = elastic.chain(damping).map(|(i, part)| (i, -part));
-    let force = rows(n, external.iter().cloned().enumerate().chain(against));
-    let mut motion = Motion { external, mass, force, constants: vec![], mobility: None, acceleration: None };
+    let applied = rows(n, external.iter().cloned().enumerate().chain(against));
+    let force = match inertia {
+        Some(_) => {
+            let inertial = model.kinetic.iter().flat_map(|t| inertial(s, &t.atom())).map(|(i, c)| (i, -c));
+            let force = rows(n, applied.iter().cloned().enumerate().chain(inertial));
+            force.iter().map(simplified).collect()
+        }
+        None => applied.clone(),
+    };
+    let (constants, mobility, acceleration) = (vec![], None, None);
+    let mut motion = Motion { external, mass, inertia, applied, force, constants, mobility, acceleration };
     crate::mobility::name(model, &mut motion)?;
+    let constant = motion.inertia.is_none();
     motion.acceleration = motion
         .mobility
         .as_ref()
+        .filter(|_| constant)
         .map(|w| (0..n).map(|i| (0..n).fold(number(0), |a, j| a + &w[i][j] * &motion.force[j]).expand()).collect());
     Ok(motion)
 }

@@ -5,7 +5,7 @@
 //!
 //! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`
 //! (derivatives), `lagrange` and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and
-//! `squares` (identities, definiteness of M), `tree` and `print` (sorted expressions as text), `text` and `file` (the generated
+//! `squares` (identities, definiteness of M; `trigonometry`), `tree` and `print` (sorted expressions as text), `text` and `file` (the generated
 //! file). `wrong` makes mistakes for the tests of the proofs.
 
 mod cell;
@@ -25,6 +25,7 @@ mod squares;
 mod symbols;
 mod text;
 mod tree;
+mod trigonometry;
 mod wrong;
 
 pub use derivation::{Derivation, derive};

@@ -1,4 +1,4 @@
-//! The inverse mass matrix of small models, and the constants that a model defines by its entries.
+//! The inverse mass matrix of small models, which may depend on the coordinates, and the constants that a model defines by its entries.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
@@ -8,29 +8,31 @@ use crate::markers::{all_present, terms};
 use crate::model::Model;
 use crate::slip::Slip;
 use crate::tree::Tree;
+use crate::trigonometry::{simplified, without_squared_cosines};
 
 /// Largest number of coordinates for which M is inverted symbolically.
 const LARGEST: usize = 2;
 /// Largest number of coordinates for which the determinant of M is expanded.
 pub(crate) const LARGEST_DETERMINANT: usize = 4;
 
-/// Inverts M if it is small and constant, and evaluates the constants of the model.
+/// Inverts M if it is small and the same in every scene, and evaluates the constants of the model.
 ///
 /// If a constant is a multiple of one entry W_ij of the inverse, as in `m.constant("M2", 2 * m.inverse_mass(phi, phi))`, that
 /// entry and all equal ones are written in this constant in the equations.
 pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
     let n = model.coordinates.len();
     // If an effect adds inertia, M contains its marker and differs between sets of effects: the engine inverts it numerically.
-    let fixed = |m: &Atom| symbols(m).iter().all(|s| !matches!(s.0, Kind::Coordinate | Kind::Marker));
-    let constant = motion.mass.iter().flatten().all(fixed);
+    let of_effect = motion.mass.iter().flatten().any(|m| symbols(m).iter().any(|s| s.0 == Kind::Marker));
     if n <= LARGEST_DETERMINANT {
         refuse_singular(model, &motion.mass)?;
     }
-    let exact = if n <= LARGEST && constant { Some(inverse(&motion.mass)) } else { None };
+    let exact = if n <= LARGEST && !of_effect { Some(inverse(&motion.mass)) } else { None };
+    // Constants do not depend on coordinates.
+    let constant = motion.inertia.is_none();
     let mut named = exact.clone();
     for (name, value) in &model.constants {
         let mut value = value.atom();
-        if let (Some(exact), Some(named)) = (&exact, &mut named) {
+        if let (Some(exact), Some(named), true) = (&exact, &mut named, constant) {
             for i in 0..n {
                 for j in i..n {
                     let w = mobility_symbol(i, j);
@@ -75,7 +77,7 @@ fn refuse_singular(model: &Model, mass: &[Vec<Atom>]) -> Result<(), Slip> {
 
 /// The inverse of a regular matrix with one or two rows.
 fn inverse(m: &[Vec<Atom>]) -> Vec<Vec<Atom>> {
-    let determinant = determinant(m);
+    let determinant = simplified(&determinant(m));
     let entry = |cofactor: Atom| match terms(&determinant).len() {
         1 => (cofactor / &determinant).expand(),
         _ => cofactor / &determinant,
@@ -103,11 +105,13 @@ pub(crate) fn determinant(m: &[Vec<Atom>]) -> Atom {
     sum.expand()
 }
 
-/// Whether an expression is identically zero, decided for rational functions of symbols and of roots of rational functions.
+/// Whether an expression is identically zero, decided for rational functions of symbols, of roots of rational functions, and of sines
+/// and cosines.
 pub(crate) fn is_zero(e: &Atom) -> bool {
     e.expand().is_zero() || e.together().expand().is_zero() || {
-        let e = roots_of_fractions(e.as_view());
-        e.together().expand().is_zero()
+        let e = without_squared_cosines(roots_of_fractions(e.as_view()).as_view());
+        let numerator = e.together().expand();
+        numerator.is_zero() || without_squared_cosines(numerator.as_view()).expand().is_zero()
     }
 }
 

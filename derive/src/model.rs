@@ -1,5 +1,6 @@
 //! The builder of a model: coordinates, parameters, laws, effects, the energies T and V, the dissipation function D, torques.
 
+mod output;
 mod parts;
 mod switch;
 
@@ -7,7 +8,8 @@ use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, speed_name, symbol, symbols, varies};
 
-pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
+pub(crate) use output::Output;
+pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Function, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
 pub use switch::{Describing, Switching};
 pub(crate) use switch::{Exit, Mode, REACTION, Switch};
@@ -28,9 +30,11 @@ pub struct Model {
     pub(crate) effects: Vec<Effect>,
     pub(crate) constants: Vec<(String, Expr)>,
     pub(crate) deflections: Vec<Deflection>,
+    pub(crate) functions: Vec<Function>,
     pub(crate) switches: Vec<Switch>,
     pub(crate) forces: Vec<Force>,
     pub(crate) torques: Vec<Torque>,
+    pub(crate) outputs: Vec<Output>,
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
     pub(crate) dissipation: Vec<Expr>,
@@ -42,8 +46,10 @@ impl Model {
     /// The model called `name`, described by `describe`.
     pub fn new(name: &str, describe: impl FnOnce(&mut Model)) -> Model {
         let mut model = Model { name: name.into(), ..Model::default() };
+        Expr::forget_rates();
         describe(&mut model);
         switch::complete(&mut model);
+        output::complete(&mut model);
         model
     }
 
@@ -79,15 +85,28 @@ impl Model {
 
     /// Names a deflection, for example of a spring: a linear form of the coordinates without a constant term, from which
     /// transmission errors may be subtracted. V may be written in the deflection, D in its `.dot()`, which does not contain the
-    /// rate of an error. The equations are then written in the deflection instead of being multiplied out. If `value` is a
-    /// coordinate, that coordinate is returned and no name is declared.
+    /// rate of an error. The equations are then written in the deflection instead of being multiplied out.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
-        let value = value.expand();
-        if self.coordinates.iter().any(|c| value.atom() == Expr::var(Kind::Coordinate, &c.name).atom()) {
-            return value;
-        }
-        self.deflections.push(Deflection { name: name.into(), value });
+        self.deflections.push(Deflection { name: name.into(), value: value.expand() });
         Expr::var(Kind::Deflection, name)
+    }
+
+    /// Names a smooth function of one position: the place of a piston as a function of the angle of its crank. `of` is a coordinate or
+    /// a named deflection without transmission errors, and `value` gives the function of it. T, V and the displacements of torques may
+    /// be written in the function and its `.dot()`. The equations are then written in the function and its derivatives, `name`, `dname`,
+    /// `ddname` and `dddname`, instead of being multiplied out. This is how a holonomic constraint is stated: solved for one quantity.
+    pub fn function(&mut self, name: &str, of: Expr, value: impl FnOnce(Expr) -> Expr) -> Expr {
+        let function = Function { name: name.into(), of, value: value(of) };
+        let rate = Expr::var(Kind::Function, &function.derivative(1)) * self.position(of).dot();
+        Expr::set_rate(name, rate);
+        self.functions.push(function);
+        Expr::var(Kind::Function, name)
+    }
+
+    /// A coordinate, or a named deflection written in the coordinates.
+    pub(crate) fn position(&self, of: Expr) -> Expr {
+        let named = self.deflections.iter().find(|d| of.atom() == Expr::var(Kind::Deflection, &d.name).atom());
+        named.map_or(of, |d| d.value)
     }
 
     /// The entry of the inverse mass matrix for the coordinates `a` and `b`; the derivation fills in its value. Only for models
@@ -239,9 +258,12 @@ impl Model {
     }
 
     /// Adds Rayleigh damping, C = alpha M + beta K: D = alpha T + beta V, where V has the speeds instead of the coordinates and
-    /// every law at its mid value. `alpha` [1/s], `beta` [s]. Call it after all of T and V, which must be sums of squares.
+    /// every law at its mid value. `alpha` [1/s], `beta` [s]. Call it after all of T and V. Terms of T that depend on coordinates and
+    /// terms of V that are not quadratic, as those of gravity, are left out: they are not the inertia of a rotor or a spring.
     pub fn rayleigh(&mut self, alpha: Expr, beta: Expr) {
-        let (kinetic, potential) = (self.kinetic.clone(), self.potential.clone());
+        let (mut kinetic, mut potential) = (self.kinetic.clone(), self.potential.clone());
+        kinetic.retain(|t| !depends_on_positions(t));
+        potential.retain(is_spring);
         for t in kinetic {
             self.dissipation(alpha * t);
         }
@@ -266,13 +288,21 @@ impl Model {
         }
     }
 
-    /// Adds an external torque (or force) of size `value` that works through the displacement `through`, which is linear in the
-    /// coordinates. The torque is constant or depends on speeds; only with a friction law as a factor may it depend on deflections
-    /// and stiffnesses too. A torque that is not constant makes the cells nonlinear. If it is linear in the speed of `through`,
+    /// Adds an external torque (or force) of size `value` that works through the displacement `through`. The torque is constant or
+    /// depends on speeds; only with a friction law as a factor may it depend on deflections and stiffnesses too. A torque that is not
+    /// constant, or whose displacement is not linear in the coordinates, makes the cells nonlinear. If it is linear in the speed of `through`,
     /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2.
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
-        self.torques.push(Torque { name: name.into(), value, through, doc: doc.into() });
+        self.torques.push(Torque { name: name.into(), value, through, along: None, doc: doc.into() });
+    }
+
+    /// Adds an external torque (or force) of size `value` that works along `speed`, a linear form of the speeds with factors that may
+    /// depend on the coordinates, where the displacement has no closed form: the speed of a shaft behind a universal joint. Otherwise
+    /// as [`Model::torque`].
+    pub fn torque_along(&mut self, name: &str, value: Expr, speed: Expr, doc: &str) {
+        let (value, through) = (self.marked(value), Expr::from(0));
+        self.torques.push(Torque { name: name.into(), value, through, along: Some(speed), doc: doc.into() });
     }
 
     /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may
@@ -309,15 +339,40 @@ impl Model {
         })
     }
 
-    /// Whether a torque is not constant: it depends on speeds, or has a friction law in it.
+    /// Whether a torque acts with generalised forces that are not constant: it depends on speeds, has a friction law in it, or its
+    /// displacement is not linear.
     pub(crate) fn varies(&self, torque: &Torque) -> bool {
-        varies(&self.written_out(&torque.value.atom()))
+        varies(&self.written_out(&torque.value.atom())) || !torque.is_linear()
+    }
+
+    /// Whether T depends on coordinates.
+    pub(crate) fn inertia_moves(&self) -> bool {
+        self.kinetic.iter().any(depends_on_positions)
     }
 
     /// Names of the speeds, in the order of the coordinates.
     pub(crate) fn speeds(&self) -> Vec<String> {
         self.coordinates.iter().map(|c| speed_name(&c.name)).collect()
     }
+}
+
+/// Whether a term of T depends on coordinates.
+fn depends_on_positions(t: &Expr) -> bool {
+    symbols(&t.atom()).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Function))
+}
+
+/// Whether a term of V is homogeneous of degree two in coordinates and deflections.
+fn is_spring(v: &Expr) -> bool {
+    let v = v.atom();
+    if symbols(&v).iter().any(|s| s.0 == Kind::Function) {
+        return false;
+    }
+    let moving = symbols(&v).into_iter().filter(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
+    let doubled = moving.fold(v.clone(), |e, (kind, name)| {
+        let x = Atom::var(symbol(kind, &name));
+        e.replace(x.to_pattern()).with((&x * Atom::num(2)).to_pattern())
+    });
+    (doubled - v * Atom::num(4)).expand().is_zero()
 }
 
 /// The symbols of a mesh stiffness.

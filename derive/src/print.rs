@@ -165,6 +165,7 @@ pub(crate) fn symbol_text(kind: Kind, name: &str, style: Style) -> String {
     }
     match kind {
         Kind::Speed | Kind::Rate => format!("\\dot{{{}}}", latex_name(name.trim_end_matches("_dot"))),
+        Kind::Acceleration => format!("\\ddot{{{}}}", latex_name(name.trim_end_matches("_ddot"))),
         Kind::Slope => format!("{}'", latex_name(&name[1..])),
         Kind::Curvature => format!("{}''", latex_name(&name[2..])),
         Kind::Mid => format!("\\bar{{{}}}", latex_name(name.trim_end_matches("_mid"))),

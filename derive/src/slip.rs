@@ -39,9 +39,9 @@ pub enum Slip {
     )]
     NegativeDissipation { model: String, term: String },
     #[error(
-        "{model}: the displacement of the torque `{torque}` must be linear in the coordinates, or its work over a turn would depend on the initial angle; {displacement} is not linear"
+        "{model}: the speed along which the torque `{torque}` works must be a linear form of the speeds, without a constant term; {speed} is not"
     )]
-    NotLinear { model: String, torque: String, displacement: String },
+    NotLinear { model: String, torque: String, speed: String },
     #[error(
         "{model}: the deflection `{deflection}` must be a linear form of the coordinates without a constant term, minus transmission errors with constant factors; {value} is not"
     )]

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Kind, number, symbol};
-use crate::model::Model;
+use crate::model::{Function, Model};
 pub(crate) use named::{Force, Linear};
 
 /// Nonzero entries of a vector: index and entry, by rising index.
@@ -27,6 +27,8 @@ pub(crate) struct Symbols {
     pub phase: Vec<Sparse>,
     pub deflections: Vec<Linear>,
     pub forces: Vec<Force>,
+    /// The gradients of the named functions by the coordinates, and those of their derivatives up to the second.
+    functions: Vec<Vec<Sparse>>,
     /// What each symbol is.
     places: HashMap<Symbol, Place>,
 }
@@ -41,6 +43,8 @@ pub(crate) enum Place {
     Law(usize),
     Slope(usize),
     Force(usize),
+    /// Index of a named function, and the order of a derivative of it.
+    Function(usize, usize),
 }
 
 /// The symbols of an expression that have a place, by their places.
@@ -82,8 +86,19 @@ impl Symbols {
             phase: vec![],
             deflections,
             forces: vec![],
+            functions: vec![],
             places,
         };
+        for (f, function) in model.functions.iter().enumerate() {
+            let name = |order: usize| symbol(Kind::Function, &function.derivative(order));
+            symbols.places.extend((0..Function::ORDERS).map(|order| (name(order), Place::Function(f, order))));
+            let slopes = symbols.by_coordinates(&function.of.atom());
+            let gradient = |order: usize| {
+                let next = Atom::var(name(order + 1));
+                slopes.iter().map(|(i, slope)| (*i, &next * slope)).collect()
+            };
+            symbols.functions.push((0..Function::ORDERS - 1).map(gradient).collect());
+        }
         for (f, force) in model.forces.iter().enumerate() {
             symbols.forces.push(Force::new(force, &symbols));
             symbols.places.insert(symbol(Kind::Force, &force.name), Place::Force(f));

@@ -115,11 +115,9 @@ fn motion(d: &Derivation, w: &Writer) -> Vec<String> {
 }
 
 fn cells(d: &Derivation, w: &Writer) -> Vec<String> {
-    match &d.cell {
+    match &d.cell.nonlinear[..] {
         _ if !w.plain() => vec![],
-        Ok(_) => {
-            vec!["between two steps M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into()]
-        }
-        Err(culprits) => culprits.iter().map(|c| format!("nonlinear: {c}")).collect(),
+        [] => vec!["between two steps M q'' + C q' + K q = f with constant M, C, K, f: linear, solved exactly".into()],
+        culprits => culprits.iter().map(|c| format!("nonlinear: {c}")).collect(),
     }
 }

@@ -18,6 +18,10 @@ pub enum Wrong {
     Inverse,
     /// The last row of F.
     Force,
+    /// The last row of F: without its centrifugal and gyroscopic forces.
+    Centrifugal,
+    /// F: with gyroscopic forces that do no work.
+    Gyroscopic,
     /// The force of clipped dampers: of the opposite sign.
     Clip,
     /// The gradient of the phase of the first law.
@@ -49,6 +53,14 @@ impl Formulas {
             Wrong::Mirror => motion.mass[0][1] = &motion.mass[0][1] + number(1),
             Wrong::Inverse => motion.mobility.iter_mut().flatten().flatten().for_each(double),
             Wrong::Force => motion.force.last_mut().into_iter().for_each(double),
+            Wrong::Centrifugal => {
+                motion.force.last_mut().zip(motion.applied.last()).into_iter().for_each(|(f, a)| *f = a.clone());
+            }
+            Wrong::Gyroscopic => {
+                let [v, w] = [symbols.v[0], symbols.v[1]].map(Atom::var);
+                motion.force[0] = &motion.force[0] + &v * &w;
+                motion.force[1] = &motion.force[1] - &v * &v;
+            }
             Wrong::Clip => motion.force.iter_mut().for_each(|force| *force = with_clips_turned(force)),
             Wrong::Normal => jumps[0].normal.iter_mut().for_each(double),
             Wrong::Direction => jumps[0].direction.iter_mut().flatten().for_each(double),

@@ -127,7 +127,7 @@ fn recordable(simulation: &mut Simulation<'_>) {
 fn without_rows(scene: &Scene, simulation: &mut Simulation<'_>) {
     let (lengths, start, levels) =
         (simulation.turn_lengths(), simulation.now.state.clone(), simulation.now.k[..].to_vec());
-    let mut recorder = Recorder::new(scene.model, simulation.equations(), lengths, start, &levels);
+    let mut recorder = Recorder::new(scene, simulation.equations(), lengths, start, &levels);
     let rate = 1e-3 / scene.t_end;
     simulation.run(Some((&mut recorder, rate, false)), &mut |_| {}).expect("the run ends");
 }

@@ -10,6 +10,9 @@
 // Units in square brackets are not links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
+// The code of `equations!` names this crate `::gearsim`, here as in every other crate.
+extern crate self as gearsim;
+
 pub mod analysis;
 pub mod cli;
 pub mod engine;
@@ -28,3 +31,5 @@ pub mod scene;
 pub mod sweep;
 mod tolerance;
 pub mod trajectory;
+
+pub use gearsim_macros::equations;

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    gearsim::cli::main()
+    gearsim::cli::run(&[])
 }

@@ -24,6 +24,8 @@ pub struct Model {
     pub effects: &'static [Effect],
     /// External torques, in the order of their columns of work.
     pub torques: &'static [Torque],
+    /// What a run can record besides the coordinates, in the order of their columns.
+    pub outputs: &'static [Output],
     /// Switches. Vectors of law values have the values of their symbols, in this order, after the entries of the laws.
     pub switches: &'static [Switch],
     /// The terms that make cells nonlinear without any effect, with the energies they come from; empty if there are none.
@@ -245,6 +247,19 @@ pub struct Effect {
     pub requires: &'static [&'static str],
     /// Effects that must not be active.
     pub excludes: &'static [&'static str],
+}
+
+/// A quantity that a run can record: a force, a loss, a speed.
+#[derive(Debug, Clone, Copy)]
+pub struct Output {
+    /// Name, e.g. `mesh_force_12`: that of its column.
+    pub name: &'static str,
+    /// SI unit, e.g. `N`.
+    pub unit: &'static str,
+    /// The effect without which it does not exist.
+    pub with: Option<&'static str>,
+    /// What it is.
+    pub doc: &'static str,
 }
 
 /// An external torque whose work is recorded.

@@ -16,9 +16,10 @@ use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::{Counts, Hybrid};
 use crate::engine::motion::Effort;
-use crate::engine::record::Recorder;
+use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Simulation;
 use crate::engine::start;
+use crate::engine::switch::Switch;
 use crate::engine::system::System;
 use crate::methods::choice::{self, Choice};
 use crate::methods::steps::BySteps;
@@ -37,6 +38,8 @@ pub struct Outcome {
     pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
+    /// For each switch of the scene, by its name: the time spent in each of its modes \[s\].
+    pub modes: Vec<(&'static str, Vec<(&'static str, f64)>)>,
     /// How it was solved.
     pub solver: Solver,
     /// Why the run ended before its time, if it did.
@@ -164,8 +167,13 @@ struct Plan<'a> {
 impl<'a> Prepared<'a> {
     fn new(derived: &DerivedModel, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Self, Refusal> {
         let begun = start::begin(equations, scene)?;
-        if !equations.kinetic(&begun.state.q_dot).is_finite() {
+        let State { q, q_dot, .. } = &begun.state;
+        if !equations.kinetic(q, q_dot).is_finite() {
             return Err(Refusal::StartOverflow);
+        }
+        // Of a constant M the first cell shows it.
+        if !equations.is_inertia_constant() && equations.mass(q).cholesky().is_none() {
+            return Err(Refusal::Mass);
         }
         let choice = choice::of(scene, &begun.laws)?;
         let (others, forcing) = (begun.others.clone(), Forcing::of(derived, scene));
@@ -205,7 +213,7 @@ impl<'a> Plan<'a> {
     /// A recorder of a run from the present state of its simulation.
     fn recorder(&self, simulation: &Simulation<'a>) -> Recorder<'a> {
         let (now, lengths) = (&simulation.now, simulation.turn_lengths());
-        let mut recorder = Recorder::new(self.scene.model, now.equations, lengths, now.state.clone(), &now.k);
+        let mut recorder = Recorder::new(self.scene, now.equations, lengths, now.state.clone(), &now.k);
         recorder.most_rows = self.scene.output.most_rows;
         recorder
     }
@@ -213,7 +221,7 @@ impl<'a> Plan<'a> {
     /// What the simulation came to.
     fn outcome(
         self,
-        simulation: Simulation<'_>,
+        mut simulation: Simulation<'_>,
         recorder: Recorder<'_>,
         stopped_by: Option<Stop>,
         cpu_seconds: f64,
@@ -227,6 +235,8 @@ impl<'a> Plan<'a> {
             }
             None => (first, choice.why),
         };
+        let now = simulation.now.clock.now();
+        simulation.now.switches.iter_mut().for_each(|switch| switch.spend(now));
         let mut outcome = Outcome {
             energy_at_start: recorder.energy_at_start,
             trajectory: recorder.trajectory,
@@ -239,6 +249,7 @@ impl<'a> Plan<'a> {
             digits: None,
             remarks: others.into_iter().collect(),
             counts: simulation.now.counts,
+            modes: simulation.now.switches.iter().map(|switch| times(scene, switch)).collect(),
         };
         let closes = account::closes(&simulation.now.laws);
         let contact = scene.model.in_contact(simulation.now.laws.iter().map(|law| law.level()));
@@ -248,6 +259,12 @@ impl<'a> Plan<'a> {
     }
 }
 
+/// The name of a switch, and the time that it spent in each of its modes \[s\].
+fn times(scene: &Scene, switch: &Switch) -> (&'static str, Vec<(&'static str, f64)>) {
+    let spent = switch.spent().map(|(mode, time)| (mode.name, time));
+    (scene.model.switches[switch.index].name, spent.collect())
+}
+
 /// Processor time of this thread since `begin` [s], never 0.
 fn since(begin: ThreadTime) -> f64 {
     begin.elapsed().max(Duration::from_nanos(1)).as_secs_f64()
@@ -255,8 +272,10 @@ fn since(begin: ThreadTime) -> f64 {
 
 /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s], where the cells are linear.
 fn reference_frequency(scene: &Scene, equations: &dyn Equations) -> Option<f64> {
+    if !scene.effects.nonlinear(scene.model).is_empty() {
+        return None;
+    }
     let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    let cell = Cell::new(equations, &scene.model.in_contact(mids));
-    let cell = cell.ok().filter(|_| scene.effects.nonlinear(scene.model).is_empty())?;
+    let cell = Cell::new(equations, &scene.model.in_contact(mids)).ok()?;
     cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0)
 }

@@ -1,6 +1,6 @@
 //! The recorded rows of a run, in SI units: time, state and energy account.
 
-use crate::model::Model;
+use crate::model::{Model, Output};
 
 /// The kind of instant that a row belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +45,8 @@ pub struct Trajectory {
     pub work: Vec<f64>,
     /// Work of each external torque since the start [J]: (n_torques, n_rows).
     pub torque_work: Vec<Vec<f64>>,
+    /// The outputs that are recorded, each with its column [SI].
+    pub outputs: Vec<(&'static Output, Vec<f64>)>,
     /// Energy dissipated by damping since the start [J]. It is integrated from the speeds, not computed as an energy difference.
     pub dissipated: Vec<f64>,
     /// T + V - W + dissipated, minus its value at the start [J]: zero if the energy balance holds.
@@ -52,8 +54,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// A trajectory of `model` without rows.
-    pub fn new(model: &'static Model) -> Self {
+    /// A trajectory of `model` without rows that has the outputs `recorded`, by their numbers.
+    pub fn new(model: &'static Model, recorded: &[usize]) -> Self {
         let n = model.coordinates.len();
         Trajectory {
             model,
@@ -65,14 +67,21 @@ impl Trajectory {
             strain: vec![],
             work: vec![],
             torque_work: vec![vec![]; model.torques.len()],
+            outputs: recorded.iter().map(|&i| (&model.outputs[i], vec![])).collect(),
             dissipated: vec![],
             residual: vec![],
         }
     }
 
-    /// Memory of one row \[bytes\].
-    pub fn bytes_of_row(model: &Model) -> usize {
-        let columns = 2 * model.coordinates.len() + model.torques.len() + 6;
+    /// A trajectory with the same columns, without rows.
+    pub fn without_rows(&self) -> Self {
+        let outputs = self.outputs.iter().map(|(output, _)| (*output, vec![])).collect();
+        Trajectory { outputs, ..Trajectory::new(self.model, &[]) }
+    }
+
+    /// Memory of one row with a number of outputs \[bytes\].
+    pub fn bytes_of_row(model: &Model, outputs: usize) -> usize {
+        let columns = 2 * model.coordinates.len() + model.torques.len() + outputs + 6;
         columns * size_of::<f64>() + size_of::<Moment>()
     }
 
@@ -95,6 +104,11 @@ impl Trajectory {
     pub fn largest_energy(&self) -> f64 {
         let parts = [&self.kinetic, &self.strain, &self.dissipated];
         parts.into_iter().chain(&self.torque_work).flatten().fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
+    /// The column of the recorded output `name`.
+    pub fn output(&self, name: &str) -> Option<&[f64]> {
+        self.outputs.iter().find(|(output, _)| output.name == name).map(|(_, column)| &column[..])
     }
 
     /// Indices of the rows of kind [`Moment::Sample`], in order.

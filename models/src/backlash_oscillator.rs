@@ -18,5 +18,12 @@ pub fn backlash_oscillator(m: &mut Model) {
         let d = m.parameter("d", "N*m*s/rad", None, Range::NotNegative, "damping of the contact");
         m.dissipation(half(d * gap.damp * gap.over.dot().sq()));
     });
+    m.output(
+        "contact_torque",
+        "N*m",
+        m.spring(gap.over) + m.damper(gap.over),
+        "torque of the contact, damper included",
+    );
+    m.output("contact_loss", "W", m.damper(gap.over) * gap.over.dot(), "power that the damper of the contact takes");
     m.motion("speed", "rad/s", &[(phi, 1.into())], "rotational speed");
 }

@@ -29,6 +29,10 @@ pub fn belt_drive(m: &mut Model) {
             m.parameter(&format!("k{part}"), "N/m", None, Range::Positive, &format!("stiffness of the {what} span"));
         let stretch = m.deflection(&format!("s{part}"), stretch);
         m.potential(half(k * stretch.sq()));
+        let doc = format!("force in the {what} span beyond its tension at rest, damper included");
+        m.output(&format!("span_force{part}"), "N", m.spring(stretch) + m.damper(stretch), &doc);
+        let doc = format!("power that the damper of the {what} span takes");
+        m.output(&format!("span_loss{part}"), "W", m.damper(stretch) * stretch.dot(), &doc);
     };
     span(m, "_p", "pulling", s);
     span(m, "_s", "slack", a * psi - s);

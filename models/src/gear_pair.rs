@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Model, Range, Start, half};
 
-use crate::components::{Mesh, Sliding, play, pressure_tangent, sliding_friction};
+use crate::components::{Mesh, Sliding, observed, play, pressure_tangent, sliding_friction};
 
 /// Coordinates: the mean rotation theta and the relative deflection phi, both scaled so that one tooth pitch is 2 pi.
 #[allow(non_snake_case)] // the paper's symbols
@@ -63,6 +63,21 @@ pub fn gear_pair(m: &mut Model) {
     });
 
     // In units of phi, with h = rb1/N1 and the base radius rb1: V = k phi², F = k phi/h and delta = 2 h phi, so that h cancels in the work.
+    let angle = 2 * phi / N1;
+    m.output(
+        "dte",
+        "rad",
+        angle,
+        "dynamic transmission error as a rotation of the driving gear, theta1 - N2/N1 theta2",
+    );
+    let torque = half(N1 * (m.spring(gap.over) + m.damper(gap.over)));
+    m.output("mesh_torque", "N*m", torque, "torque of the mesh on the driving gear, damper included");
+    let taken = m.damper(gap.over) * gap.over.dot();
+    m.output("mesh_loss", "W", taken, "power that the damper of the mesh takes");
+    for (part, what, rotation) in [("1", "driving gear", q1 / N1), ("2", "driven gear", q2 / N2)] {
+        observed::rotor(m, part, what, rotation);
+    }
+
     let tau = 2 * pressure_tangent(m) * phi;
     let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over };
     sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });

@@ -2,9 +2,7 @@
 
 use gearsim_derive::{Model, Range, Start};
 
-use crate::components::{
-    Sliding, damping, drive, load, mesh_with_play, pressure_tangent, rotor, sliding_friction, transmission_error,
-};
+use crate::components::{Sliding, damping, drive, load, mesh_with_play, pressure_tangent, rotor, sliding_friction};
 
 /// Coordinates: the rotation of the idler times its number of teeth, which is the phase of both meshes, and the deflections of
 /// the two meshes.
@@ -26,10 +24,8 @@ pub fn idler(m: &mut Model) {
     rotor(m, "1", "driving gear", theta1);
     rotor(m, "2", "idler", theta / N2);
     rotor(m, "3", "driven gear", theta3);
-    let e1 = transmission_error(m, "12", "mesh of gears 1 and 2", theta);
-    let e2 = transmission_error(m, "23", "mesh of gears 2 and 3", theta);
-    let mesh1 = mesh_with_play(m, "12", "mesh of gears 1 and 2", theta, delta1 - e1.value);
-    let mesh2 = mesh_with_play(m, "23", "mesh of gears 2 and 3", theta, delta2 - e2.value);
+    let mesh1 = mesh_with_play(m, "12", "mesh of gears 1 and 2", theta, delta1);
+    let mesh2 = mesh_with_play(m, "23", "mesh of gears 2 and 3", theta, delta2);
     let tangent = pressure_tangent(m);
     let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi };
     sliding_friction(m, "12", "mesh of gears 1 and 2", "m", mesh1, sliding(delta1, theta1 + theta / N2));

@@ -9,8 +9,8 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`,
-//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with backlash: `mesh_with_play`), `transmission_error`, `sliding_friction`, `pair` (two gears), `geared`
-//!      (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
+//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with transmission errors; with backlash too:
+//!      `mesh_with_play`), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
 //!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
 //!      ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.
@@ -21,8 +21,8 @@
 //!      tooth data for a stiffness in N/m with delta along the line of action, V = k delta^2/2 (or in N*m, as in `gear_pair`). Laws
 //!      like this one and switches are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
 //!      `max` on symbols is refused: its derivative would lose energy without any message.
-//!    - `m.transmission_error([name, part], unit, phase, pitch, doc)`, or the component of that name: the deviation of the flanks from their
-//!      ideal position, given by the scene. Subtract it from a deflection: `mesh(m, "12", "mesh", theta, delta - e.value)`.
+//!    - `m.transmission_error([name, part], unit, phase, pitch, doc)`: the deviation of the flanks from their ideal position, given by
+//!      the scene. Subtract it from a deflection, as the component `mesh` does.
 //!    - `m.sliding_friction(part, |m| ...)`: the effect of that name; inside it `m.friction_law(...)`. Only with such a law as a factor may
 //!      a torque depend on deflections and stiffnesses. The component of that name does both, for any kind of mesh.
 //!    - `m.switch(over, unit, delta, effect, doc)`: modes between which a deflection changes the equations, each until a linear guard
@@ -34,6 +34,13 @@
 //!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: names for a recurring constant, for the
 //!      deflection of a spring (a linear form of the coordinates), or for a factor that torques share. The equations are written in
 //!      these names.
+//!    - `m.output(name, unit, value, doc)`: what a run can record besides the coordinates, for example `m.spring(x) + m.damper(x)`, the
+//!      force along a named deflection. Components declare their own: forces, torques, transmission errors, speeds, losses.
+//!    - `m.function(name, position, |u| ...)`: a name for a smooth function of one coordinate or deflection. This is how a constraint is
+//!      stated, solved for one quantity: the place of a piston as a function of its crank's angle. T, V and the displacements of
+//!      torques may contain it and its `.dot()`. T may depend on coordinates in any other way too; the equations are then integrated
+//!      by a stepping method. The components `slider_crank` and `universal_joint` are of this kind.
+//!    - `m.torque_along(name, value, speed, doc)`: a torque whose displacement has no closed form, but whose speed has.
 //!    - `m.motion(name, unit, speeds, doc)`: a rigid motion by which a scene may state all speeds in one number.
 //! 2. Declare the file below, `pub mod my_train;`, and add one line to [`MODELS`]. For a model with n equal parts write one function
 //!    of n, and one line for each n: `("my_train_3", |m| my_train::my_train(m, 3))`.
@@ -50,8 +57,10 @@
 
 pub mod backlash_oscillator;
 pub mod belt_drive;
+pub mod cardan_drive;
 pub mod chain;
 pub mod components;
+pub mod crank_drive;
 pub mod electric_axle;
 pub mod freewheel;
 pub mod friction_oscillator;
@@ -83,6 +92,8 @@ pub const MODELS: &[Entry] = &[
     ("two_stage", two_stage::two_stage),
     ("idler", idler::idler),
     ("belt_drive", belt_drive::belt_drive),
+    ("crank_drive", crank_drive::crank_drive),
+    ("cardan_drive", cardan_drive::cardan_drive),
     ("planetary_3", |m| planetary::planetary(m, 3)),
     ("planetary_4", |m| planetary::planetary(m, 4)),
     ("planetary_5", |m| planetary::planetary(m, 5)),

@@ -3,9 +3,6 @@
 //! `newcomer/model.rs` is what the author writes; `newcomer/spring_rotor.rs` is the file that the derivation generates. The tests
 //! of the derivation check that this file is current. Here it is expanded and run like any model of the program.
 
-// The expansion of the models refers to these two as `crate::engine` and `crate::model`, as it does within gearsim.
-use gearsim::{engine, model};
-
 #[rustfmt::skip]
 #[path = "newcomer/cracked_rotor.rs"]
 mod cracked_rotor;
@@ -195,7 +192,7 @@ fn the_energy_of_a_newcomers_model_is_constant() {
 fn the_mobility_of_a_newcomers_model_is_in_closed_form() {
     let equations =
         spring_rotor::SpringRotor::equations(0, &[J1, J2, 0.0], &[26.0]).expect("no effects, so none contradict");
-    assert_eq!(equations.mobility(), Matrix::from_row_slice(2, 2, &[1.0 / J1, 0.0, 0.0, 1.0 / J2]));
+    assert_eq!(equations.mobility(&[0.0; 2]), Matrix::from_row_slice(2, 2, &[1.0 / J1, 0.0, 0.0, 1.0 / J2]));
 }
 
 /// Without steps the spring has its mid stiffness and the rotors are independent, so each has a closed form.
@@ -235,4 +232,20 @@ fn of_several_equilibria_the_one_near_the_stated_value_is_taken() {
     let (x, says) = start(&["parameters.F=100 N"]);
     assert!((x * (x * x - 0.01) - 2.0 * 0.01 * 100.0 / 1000.0).abs() < 1e-12, "{x}");
     assert_eq!(says, "");
+}
+
+/// The whole command line, in a crate outside gearsim with a model of its own.
+#[test]
+fn the_command_line_runs_models_of_another_crate() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, out) = (folder.path().join("own.toml"), folder.path().join("out"));
+    std::fs::write(&scene, SCENE).unwrap();
+    let arguments = ["gearsim", "run", scene.to_str().unwrap(), "--quiet", "--out", out.to_str().unwrap()];
+    let _ = gearsim::cli::run_with(&[ENTRY], arguments);
+    let summary = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    let hand = by_hand(&LEVELS, 15.0);
+    assert_eq!(summary["model"], "spring_rotor");
+    assert_eq!(summary["cell_changes"], hand.passed);
+    assert!((summary["state"]["beta"].as_f64().unwrap() - hand.beta).abs() < 1e-9);
 }

@@ -12,6 +12,3 @@ mod frequencies;
 mod models;
 #[path = "vibration/stability.rs"]
 mod stability;
-
-// The expansion of the model refers to these two as `crate::engine` and `crate::model`, as it does within gearsim.
-use gearsim::{engine, model};

@@ -10,27 +10,30 @@ use anyhow::{Context, bail};
 const SCENES: [(&str, &str); 22] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
-    ("drives/fan_run_up", "motion"),
-    ("drives/governor", "motion"),
+    ("drives/fan_run_up", "outputs"),
+    ("drives/governor", "outputs"),
     ("drives/start_up", "motion"),
-    ("drives/torque_ripple", "motion"),
-    ("gear_pair_bearings", "motion"),
+    ("drives/torque_ripple", "outputs"),
+    ("gear_pair_bearings", "outputs"),
     ("gear_pair_shafts", "spectrum"),
     ("geared_branches", "motion"),
-    ("idler", "motion"),
-    ("pitch_errors", "motion"),
+    ("idler", "outputs"),
+    ("pitch_errors", "outputs"),
     ("rattle", "motion"),
-    ("sliding_friction", "motion"),
-    ("transmission_error", "motion"),
+    ("sliding_friction", "outputs"),
+    ("transmission_error", "outputs"),
     ("planetary_errors", "spectrum"),
-    ("two_stage", "motion"),
-    ("belt_drive", "motion"),
+    ("two_stage", "outputs"),
+    ("belt_drive", "outputs"),
     ("chain_5", "motion"),
     ("friction_oscillator", "motion"),
     ("freewheel", "motion"),
-    ("damaged_tooth", "spectrum"),
-    ("electric_axle", "motion"),
+    ("damaged_tooth", "orders"),
+    ("electric_axle", "outputs"),
 ];
+
+/// The response curve of the README.
+const RESPONSE: [&str; 6] = ["--over", "start.speed=2200 rpm:4200 rpm:51", "--settle", "0.1 s", "--output", "dte_12"];
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.
 #[derive(clap::Args)]
@@ -58,6 +61,15 @@ impl Gallery {
             let (from, to) = (from.with_extension("png"), to.with_extension("png"));
             fs::copy(&from, &to).with_context(|| format!("cannot copy {} to {}", from.display(), to.display()))?;
         }
+        let out = root.join("out/gallery/response");
+        let mut response = Command::new(env!("CARGO"));
+        response.args(["run", "--quiet", "--release", "--", "response", "models/scenes/response.toml", "--quiet"]);
+        response.args(RESPONSE).arg("--out").arg(&out);
+        let status = response.current_dir(root).status().context("cannot start cargo")?;
+        if !status.success() {
+            bail!("the response failed; its message is above");
+        }
+        fs::copy(out.join("response.png"), plots.join("response.png")).context("cannot copy the response")?;
         println!("{}", plots.display());
         Ok(())
     }

@@ -6,7 +6,7 @@ use syn::{Expr, Index, Lit};
 
 use crate::cold::{Cold, Returns, Takes};
 use crate::effects::is_met;
-use crate::lets::with_lets;
+use crate::lets::{positions, with_lets};
 use crate::model::*;
 use crate::sums::position;
 
@@ -14,13 +14,17 @@ use crate::sums::position;
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
+    let at = |cold: Cold| {
+        let (positions, body) = (positions(m, &cold.body), cold.body);
+        Cold { takes: &[Takes::Coordinates("q")], body: quote!(#positions #body), ..cold }
+    };
     // What depends on the values of laws and switches.
     let of_values = |cold: Cold| {
         let body = with_lets(m, cold.body);
         Cold { takes: &[Takes::Laws("k")], body, ..cold }
     };
-    let mut all = vec![square("mass", &m.mass)];
-    all.extend(m.mobility.as_ref().map(|entries| square("mobility", entries)));
+    let mut all = vec![at(square("mass", &m.mass))];
+    all.extend(m.mobility.as_ref().map(|entries| at(square("mobility", entries))));
     all.extend([square("damping", &m.damping), square("stiffness", &m.stiffness)].map(of_values));
     let load = m.load.iter().map(|row| {
         let (i, value) = (position(m, &row.name), sum(&row.sum));
@@ -38,16 +42,19 @@ pub fn cells(m: &Model) -> Vec<Cold> {
 /// These functions for `Numbers<R>`, and `matrices`, which calls all of them.
 pub fn matrices(m: &Model) -> TokenStream {
     let mobility = match &m.mobility {
-        Some(_) => quote!(Some(equations::matrix(&self.mobility(met)))),
+        Some(_) => quote!(Some(equations::matrix(&self.mobility(met, &q)))),
         None => quote!(None),
     };
+    let n = Index::from(m.coordinates.len());
     let each = cells(m).into_iter().map(|f| f.define(m, &quote!(R)));
     quote! {
         #(#each)*
 
         fn matrices(&self, met: &Met, k: &[R]) -> equations::Matrices<R> {
+            // In linear cells M is the same everywhere.
+            let q = [R::from(0.0); #n];
             equations::Matrices {
-                mass: equations::matrix(&self.mass(met)),
+                mass: equations::matrix(&self.mass(met, &q)),
                 mobility: #mobility,
                 damping: equations::matrix(&self.damping(met, k)),
                 stiffness: equations::matrix(&self.stiffness(met, k)),

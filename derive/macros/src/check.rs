@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use syn::{Error, Ident};
 
 use crate::effects;
+use crate::lets;
 use crate::model::*;
 use crate::resolve::resolve;
 use crate::scope::speed;
@@ -52,11 +53,13 @@ fn names(m: &Model, errors: &mut Vec<Error>) {
     }
     m.constants.iter().for_each(|c| claim("constant", &c.name, vec![]));
     m.deflections.iter().for_each(|d| claim("deflection", &d.name, vec![speed(&d.name)]));
+    m.functions.iter().for_each(|f| claim("function", &f.name, vec![]));
     m.forces.iter().for_each(|f| claim("force", &f.name, vec![]));
     m.partials.iter().for_each(|f| claim("partial derivative", &f.name, vec![]));
     for switch in &m.switches {
         switch.symbols.iter().for_each(|(s, _)| claim("symbol of a switch", s, vec![]));
     }
+    m.outputs.iter().for_each(|output| claim("output", &output.value.name, vec![]));
     unique("motion", m.motions.iter().map(|x| &x.name), errors);
     unique("torque", m.torques.iter().map(|x| &x.name), errors);
     unique("jump", m.jumps.iter().map(|x| &x.law), errors);
@@ -163,6 +166,12 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     }
     for matrix in [&m.mass, &m.stiffness, &m.damping].into_iter().chain(&m.mobility) {
         entries(matrix, &q, &q, true, errors);
+    }
+    entries(&m.inertia, &q, &q, false, errors);
+    let moving: Vec<String> = q.iter().cloned().chain(m.functions.iter().map(|f| f.name.to_string())).collect();
+    let mentioned = |e: &&Entry| e.sum.iter().any(|t| moving.iter().any(|name| lets::names(&t.value).contains(name)));
+    if let Some(e) = m.mass.iter().find(mentioned).filter(|_| m.inertia.is_empty()) {
+        errors.push(Error::new(e.row.span(), "mass: depends on the coordinates, but there is no block `inertia`"));
     }
     match &m.jacobian {
         Some(jacobian) => entries(jacobian, &q, &both, false, errors),

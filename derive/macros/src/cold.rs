@@ -1,5 +1,7 @@
 //! The functions that are not called at every step.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::Index;
@@ -102,7 +104,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
     let number = || Returns::Plain(quote!(f64));
 
-    let kinetic = body(&m.kinetic);
+    let kinetic = with_lets(m, body(&m.kinetic));
     let potential = body(&m.potential);
     let torques = m.torques.iter().map(|t| block(&t.work));
     let work = body(&work(m));
@@ -111,7 +113,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let motions = m.motions.iter().map(|x| motion(m, x));
     let i = || format_ident!("i");
     let mut all = vec![
-        cold("kinetic", &[Coordinates("q_dot")], number(), kinetic),
+        cold("kinetic", &[Coordinates("q"), Coordinates("q_dot")], number(), kinetic),
         cold("potential", &[Coordinates("q"), Laws("k")], number(), with_lets(m, potential)),
         cold("torque_work", &[Takes::Index("i"), Coordinates("dq")], number(), by_index("torque", i(), torques)),
         cold("work", &[Coordinates("dq")], number(), work),
@@ -126,8 +128,22 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     ];
     all.extend(jumps(m));
     all.extend(powers(m));
+    all.extend(moving_inertia(m));
+    all.extend(output(m));
     all.extend(switches::cold(m));
     all
+}
+
+/// Each output; nothing if the model has none. A sum without terms is -0.0, which is written as 0.
+fn output(m: &Model) -> Option<Cold> {
+    let outputs = m.outputs.iter().map(|output| with_lets(m, block(&output.value.sum))).map(|value| quote!({ #value }));
+    let output = by_index("output", format_ident!("i"), outputs);
+    (!m.outputs.is_empty()).then(|| Cold {
+        name: "output",
+        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
+        returns: Returns::Plain(quote!(f64)),
+        body: quote!(let output: f64 = #output; output + 0.0),
+    })
 }
 
 /// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.
@@ -151,6 +167,36 @@ fn powers(m: &Model) -> Vec<Cold> {
             takes: &[],
             returns: Returns::Plain(quote!(bool)),
             body: quote!(#always #(|| #present)*),
+        },
+    ]
+}
+
+/// The derivatives of M q'' by the coordinates, and whether M is constant; nothing if it is so with any effects.
+fn moving_inertia(m: &Model) -> Vec<Cold> {
+    let terms: Vec<_> = m.inertia.iter().flat_map(|e| &e.sum).collect();
+    if terms.is_empty() {
+        return vec![];
+    }
+    let n = Index::from(m.coordinates.len());
+    let entries = m.inertia.iter().map(|e| {
+        let (i, j, value) = (position(m, &e.row), position(m, &e.column), block(&e.sum));
+        quote!(v[#i][#j] = #value;)
+    });
+    let always = terms.iter().any(|t| t.condition.is_none());
+    let present: BTreeSet<_> = terms.iter().filter_map(|t| t.condition.clone()).collect();
+    let present = present.iter().map(is_met);
+    vec![
+        Cold {
+            name: "inertia",
+            takes: &[Coordinates("q"), Coordinates("q_ddot")],
+            returns: Returns::Matrix,
+            body: with_lets(m, quote!(let mut v = [[0.0; #n]; #n]; #(#entries)* v)),
+        },
+        Cold {
+            name: "is_inertia_constant",
+            takes: &[],
+            returns: Returns::Plain(quote!(bool)),
+            body: quote!(!(#always #(|| #present)*)),
         },
     ]
 }

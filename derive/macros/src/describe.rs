@@ -34,6 +34,10 @@ pub fn describe(m: &Model) -> TokenStream {
         let name = name.to_string();
         quote!(model::Torque { name: #name, doc: #doc })
     });
+    let outputs = m.outputs.iter().map(|Output { unit, with, doc, value }| {
+        let (name, with) = (value.name.to_string(), option(with));
+        quote!(model::Output { name: #name, unit: #unit, with: #with, doc: #doc })
+    });
     let switches = m.switches.iter().map(switch);
     let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
     let nonlinear_with = m.nonlinear_with.iter().map(|NonlinearWith { effect, text }| {
@@ -52,6 +56,7 @@ pub fn describe(m: &Model) -> TokenStream {
             motions: &[#(#motions),*],
             effects: &[#(#effects),*],
             torques: &[#(#torques),*],
+            outputs: &[#(#outputs),*],
             switches: &[#(#switches),*],
             nonlinear: #nonlinear,
             nonlinear_with: &[#(#nonlinear_with),*],

@@ -20,7 +20,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let describe = describe(&m);
     let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
     let terms = force.values().chain(dissipation.values());
-    let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value);
+    let variables = m.deflections.iter_mut().chain(&mut m.rates).chain(&mut m.functions).map(|d| &mut d.value);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
     let m = &m;
@@ -31,8 +31,8 @@ pub fn emit(mut m: Model) -> TokenStream {
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let met = effects::met(m);
     quote! {
-        use crate::engine::{equations, real, vector::{Matrix, Vector}};
-        use crate::model;
+        use ::gearsim::engine::{equations, real, vector::{Matrix, Vector}};
+        use ::gearsim::model;
 
         #[doc = #doc]
         #[derive(Debug, Clone, Copy)]

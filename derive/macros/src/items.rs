@@ -189,6 +189,21 @@ impl Parse for Torque {
     }
 }
 
+impl Parse for Output {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (name, unit) = (input.parse()?, input.parse()?);
+        let with = if peek_word(input, "with") {
+            word(input, "with")?;
+            Some(input.parse()?)
+        } else {
+            None
+        };
+        input.parse::<Token![,]>()?;
+        let doc = input.parse()?;
+        Ok(Self { unit, with, doc, value: Row { name, sum: list(input)? } })
+    }
+}
+
 impl Parse for NonlinearWith {
     fn parse(input: ParseStream) -> Result<Self> {
         let (effect, text) = (input.parse()?, input.parse()?);

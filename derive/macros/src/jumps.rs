@@ -17,20 +17,21 @@ pub fn jumps(m: &Model) -> [Cold; 4] {
             None => unit(m, law),
         })
     });
-    let numeric = quote!(equations::compliance(&equations::matrix(&self.mass(met)), &self.normal(met, law).into()));
+    let numeric = quote!(equations::compliance(&equations::matrix(&self.mass(met, q)), &self.normal(met, law).into()));
     let compliance = by_law(m, numeric, |_, jump| jump?.compliance.as_ref().map(block));
     let numeric = quote!(*equations::array(&equations::direction(
-        &equations::matrix(&self.mass(met)),
+        &equations::matrix(&self.mass(met, q)),
         &self.normal(met, law).into()
     )));
     let direction = by_law(m, numeric, |_, jump| jump?.direction.as_ref().map(|rows| vector(m, rows)));
     let otherwise = quote!(equations::no_such("jump", law));
     let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| with_lets(m, block(sum))));
     let of_law = |name, returns, body| Cold { name, takes: &[Takes::Index("law")], returns, body };
+    let at = |cold: Cold| Cold { takes: &[Takes::Index("law"), Takes::Coordinates("q")], ..cold };
     [
         of_law("normal", Returns::Vector, normal),
-        of_law("compliance", Returns::Plain(quote!(f64)), compliance),
-        of_law("direction", Returns::Vector, direction),
+        at(of_law("compliance", Returns::Plain(quote!(f64)), compliance)),
+        at(of_law("direction", Returns::Vector, direction)),
         Cold {
             name: "step",
             takes: &[Takes::Index("law"), Takes::Coordinates("q"), Takes::Laws("k"), Takes::Number("dk")],

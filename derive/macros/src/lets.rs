@@ -1,4 +1,5 @@
-//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, named forces and their partial derivatives.
+//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, functions of
+//! positions, named forces, their partial derivatives, and outputs.
 //! A piece of code defines those that it names, and no others.
 
 use std::collections::BTreeSet;
@@ -7,6 +8,7 @@ use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::Ident;
 
+use crate::cells::any_number;
 use crate::deflections::{Offsets, deflection};
 use crate::effects::is_met;
 use crate::gated::{Gated, gated};
@@ -18,7 +20,7 @@ use crate::sums::block;
 pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream {
     let known = used(m, before);
     let known: BTreeSet<_> = known.iter().map(Variable::name).collect();
-    let (mut values, mut offsets, mut forces) = (quote!(), Offsets::new(), quote!());
+    let (mut values, mut offsets, mut functions, mut forces) = (quote!(), Offsets::new(), quote!(), quote!());
     for variable in used(m, code).into_iter().filter(|variable| !known.contains(variable.name())) {
         match variable {
             Variable::Gated(Gated { name, effect, place, neutral }) => {
@@ -26,6 +28,7 @@ pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream 
                 values.extend(quote!(let #name = if #met { k[#place] } else { #neutral.into() };));
             }
             Variable::Linear(linear) => values.extend(deflection(m, linear, &mut offsets)),
+            Variable::Function(Assignment { name, value }) => functions.extend(quote!(let #name: f64 = #value;)),
             Variable::Force(Row { name, sum }) => {
                 let value = block(sum);
                 forces.extend(quote!(let #name: f64 = #value;));
@@ -36,7 +39,20 @@ pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream 
         let met = is_met(&effect);
         quote!(if #met { #add })
     });
-    quote!(#values #(#offsets)* #forces)
+    quote!(#values #(#offsets)* #functions #forces)
+}
+
+/// The functions of positions that `code` names and their positions, in any kind of number R.
+pub fn positions(m: &Model, code: &TokenStream) -> TokenStream {
+    let plain = used(m, code).into_iter().filter_map(|variable| match variable {
+        Variable::Linear(assignment) | Variable::Function(assignment) => Some(assignment),
+        _ => None,
+    });
+    let each = plain.map(|Assignment { name, value }| {
+        let value = any_number(value);
+        quote!(let #name: R = #value;)
+    });
+    quote!(#(#each)*)
 }
 
 /// `code` after the variables that it names.
@@ -50,15 +66,19 @@ enum Variable<'a> {
     Gated(Gated<'a>),
     /// A deflection or a rate.
     Linear(&'a Assignment),
-    /// A named force, or a partial derivative of one.
+    /// A function of a position, or a derivative of it.
+    Function(&'a Assignment),
+    /// A named force, a partial derivative of one, or an output.
     Force(&'a Row),
 }
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
-    let forces = m.forces.iter().chain(&m.partials).map(Variable::Force);
-    let all = gated(m).map(Variable::Gated).chain(linear).chain(forces);
+    let functions = m.functions.iter().map(Variable::Function);
+    let outputs = m.outputs.iter().map(|output| &output.value);
+    let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
+    let all = gated(m).map(Variable::Gated).chain(linear).chain(functions).chain(forces);
     let mut used: Vec<_> = all.collect();
     let mut names = names(code);
     used.reverse();
@@ -87,7 +107,8 @@ impl Variable<'_> {
     fn name(&self) -> &Ident {
         match self {
             Variable::Gated(gated) => gated.name,
-            Variable::Linear(Assignment { name, .. }) | Variable::Force(Row { name, .. }) => name,
+            Variable::Linear(Assignment { name, .. }) | Variable::Function(Assignment { name, .. }) => name,
+            Variable::Force(Row { name, .. }) => name,
         }
     }
 
@@ -97,6 +118,7 @@ impl Variable<'_> {
             Variable::Gated(_) => quote!(),
             // Without offsets: the deflection itself sees to them.
             Variable::Linear(_) => quote!(),
+            Variable::Function(function) => function.value.to_token_stream(),
             Variable::Force(row) => row.sum.iter().map(|term| term.value.to_token_stream()).collect(),
         }
     }

@@ -46,6 +46,7 @@
 //! deflections {                       // linear in the coordinates; each also declares its rate, here `over_dot`
 //!     over = x - edge;                // may be used in potential, force, jacobian, step; the rate in dissipation, force, jacobian
 //! }
+//! // functions { x = r*phi.cos(); dx = -r*phi.sin(); }   // smooth functions of a coordinate or deflection, and their derivatives
 //! switches {                          // modes of a deflection; the symbols in parentheses are constant in each, here without `backlash`
 //!     over "m" (edge 0.0, touch 1.0) with backlash, "play" {
 //!         upper (b/2.0, 1.0) rests counts "flanks met" {     // `rests`: a static start may be in it; `counts`: what is counted
@@ -69,6 +70,7 @@
 //! work { x { weight => 1.0; } }                          // generalised forces of all constant torques
 //! mass { x x { _ => m; } }                               // symmetric: `x y` is `y x` too
 //! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without this block M is inverted numerically
+//! // inertia { x x { _ => m*x*x_ddot; } } // if M depends on coordinates: derivatives of M q'' (rows) by them (columns), not symmetric
 //! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
 //! jacobian {                          // derivatives of the force by coordinates and speeds; entries not given are zero
 //!     x x { _ => -k/m; jump_terms => -2.0*dk*x/m - ddk*x.powi(2)/(2.0*m); }
@@ -79,13 +81,16 @@
 //!     damping { x x { damping => C; } }
 //!     load { x { weight => 1.0; } }
 //! }
-//! // nonlinear "k*x^3 in the potential energy";                // instead of `cell`, if the cell is not linear
+//! // nonlinear "k*x^3 in the potential energy";                // if the cell is not linear; `cell` is without this term
 //! // nonlinear_with { fan_load "-c*x_dot^2 in the torque `fan`"; }       // besides `cell`, which does not contain this torque
 //! jump k {                            // dk is the step; only `step` is required, the rest can be computed from M and the phase
 //!     normal { x { _ => 1.0; } }
 //!     compliance { _ => 1.0/m; }
 //!     direction { x { _ => 1.0; } }
 //!     step { _ => dk*x.powi(2)/2.0; }
+//! }
+//! outputs {                           // what a run can record; `with EFFECT`: only scenes with the effect have it
+//!     force "N", "force of the spring" { _ => k*over; damping => C*x_dot; }     // may be used in the outputs after it
 //! }
 //! text "text/oscillator.txt";         // files with the equations for reading, beside this one
 //! latex "latex/oscillator.tex";

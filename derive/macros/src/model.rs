@@ -18,6 +18,8 @@ pub struct Model {
     pub deflections: Vec<Assignment>,
     /// Rates of the deflections. Not in the file: `resolve` writes the deflections in the speeds.
     pub rates: Vec<Assignment>,
+    /// Functions of one position, and their derivatives.
+    pub functions: Vec<Assignment>,
     pub switches: Vec<Switch>,
     pub kinetic: Sum,
     pub potential: Sum,
@@ -28,8 +30,11 @@ pub struct Model {
     pub partials: Vec<Row>,
     pub torques: Vec<Torque>,
     pub work: Vec<Row>,
+    pub outputs: Vec<Output>,
     pub mass: Vec<Entry>,
     pub mobility: Option<Vec<Entry>>,
+    /// Derivatives of M q'' (rows) by the coordinates (columns), if M depends on them.
+    pub inertia: Vec<Entry>,
     pub force: Option<Vec<Row>>,
     pub jacobian: Option<Vec<Entry>>,
     pub stiffness: Vec<Entry>,
@@ -171,6 +176,16 @@ pub struct Torque {
     pub power: Sum,
 }
 
+/// `force_12 "N" with backlash, "doc" { TERMS }`: what a run can record.
+pub struct Output {
+    pub unit: LitStr,
+    /// `with EFFECT`: only scenes with this effect have it.
+    pub with: Option<Ident>,
+    pub doc: LitStr,
+    /// Its name and its value.
+    pub value: Row,
+}
+
 /// `fan_load "c*omega^2 in the torque `fan`";`
 pub struct NonlinearWith {
     pub effect: Ident,
@@ -244,6 +259,7 @@ impl Model {
             constants: vec![],
             deflections: vec![],
             rates: vec![],
+            functions: vec![],
             switches: vec![],
             kinetic: vec![],
             potential: vec![],
@@ -252,8 +268,10 @@ impl Model {
             partials: vec![],
             torques: vec![],
             work: vec![],
+            outputs: vec![],
             mass: vec![],
             mobility: None,
+            inertia: vec![],
             force: None,
             jacobian: None,
             stiffness: vec![],

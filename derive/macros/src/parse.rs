@@ -47,6 +47,7 @@ impl Model {
             "conditions" => self.conditions = list(input)?,
             "constants" => self.constants = list(input)?,
             "deflections" => self.deflections = list(input)?,
+            "functions" => self.functions = list(input)?,
             "switches" => self.switches = list(input)?,
             "energies" => parts(input, &["kinetic", "potential", "dissipation"], |part, input| {
                 *[&mut self.kinetic, &mut self.potential, &mut self.dissipation][part] = list(input)?;
@@ -56,8 +57,10 @@ impl Model {
             "partials" => self.partials = list(input)?,
             "torques" => self.torques = list(input)?,
             "work" => self.work = list(input)?,
+            "outputs" => self.outputs = list(input)?,
             "mass" => self.mass = list(input)?,
             "mobility" => self.mobility = Some(list(input)?),
+            "inertia" => self.inertia = list(input)?,
             "force" => self.force = Some(list(input)?),
             "jacobian" => self.jacobian = Some(list(input)?),
             "cell" => parts(input, &["stiffness", "damping", "load"], |part, input| {

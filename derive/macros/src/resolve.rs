@@ -32,9 +32,11 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         rows(guards.chain(&mut switch.loss), &moving, errors);
     }
 
-    let kinetic = Scope::of(m, "kinetic").speeds(m);
+    let functions = Scope::of(m, "functions").coordinates(m, "q").deflections(m);
+    m.functions.iter_mut().for_each(|f| functions.expression(&mut f.value, errors));
+    let kinetic = Scope::of(m, "kinetic").coordinates(m, "q").speeds(m).functions(m);
     kinetic.sum(&mut m.kinetic, errors);
-    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).laws(m, 0).gated(m);
+    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).functions(m).laws(m, 0).gated(m);
     potential.sum(&mut m.potential, errors);
     let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).gated(m);
     dissipation.sum(&mut m.dissipation, errors);
@@ -47,21 +49,28 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         forces.sum(&mut force.sum, errors);
         forces.declare(&force.name);
     }
-    let powers = forces.within("power");
+    let powers = forces.within("power").functions(m);
     m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
-    let partials = powers.within("partials");
-    rows(&mut m.partials, &partials, errors);
+    rows(&mut m.partials, &powers.within("partials"), errors);
     let work = Scope::of(m, "work");
     rows(&mut m.work, &work, errors);
     let motions = Scope::of(m, "motions");
     m.motions.iter_mut().flat_map(|x| &mut x.speeds).for_each(|s| motions.expression(&mut s.value, errors));
 
-    let mass = Scope::of(m, "mass");
+    let mut outputs = powers.within("outputs");
+    for output in &mut m.outputs {
+        outputs.sum(&mut output.value.sum, errors);
+        outputs.declare(&output.value.name);
+    }
+
+    let mass = Scope::of(m, "mass").coordinates(m, "q").functions(m);
     entries(&mut m.mass, &mass, errors);
-    let mobility = Scope::of(m, "mobility");
+    let inertia = Scope::of(m, "inertia").coordinates(m, "q").accelerations(m).functions(m);
+    entries(&mut m.inertia, &inertia, errors);
+    let mobility = Scope::of(m, "mobility").coordinates(m, "q").functions(m);
     entries(m.mobility.iter_mut().flatten(), &mobility, errors);
     let moving = |block: &str, order| {
-        let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m);
+        let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m).functions(m);
         scope.laws(m, order).gated(m)
     };
     let (force, jacobian) = (moving("force", 1).forces(m), moving("jacobian", 2).forces(m).partials(m));
@@ -79,7 +88,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     let steps: Vec<_> = m
         .jumps
         .iter()
-        .map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).laws(m, 0).gated(m).step(&j.law))
+        .map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).functions(m).laws(m, 0).gated(m).step(&j.law))
         .collect();
     for (j, step) in m.jumps.iter_mut().zip(steps) {
         rows(j.normal.iter_mut().flatten(), &impulse, errors);

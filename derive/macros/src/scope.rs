@@ -69,9 +69,21 @@ impl Scope {
         self
     }
 
+    /// Adds the accelerations, as entries of `q_ddot`.
+    pub fn accelerations(mut self, model: &Model) -> Self {
+        self.add(model.coordinates.iter().map(|c| format!("{}_ddot", c.name)), "q_ddot");
+        self
+    }
+
     /// Adds the deflections, as plain variables that [`crate::lets`] defines.
     pub fn deflections(mut self, model: &Model) -> Self {
         model.deflections.iter().for_each(|d| self.declare(&d.name));
+        self
+    }
+
+    /// Adds the functions of positions, as plain variables too.
+    pub fn functions(mut self, model: &Model) -> Self {
+        model.functions.iter().for_each(|f| self.declare(&f.name));
         self
     }
 
@@ -109,8 +121,8 @@ impl Scope {
     }
 
     /// The same names for another block.
-    pub fn within(self, block: &str) -> Self {
-        Self { block: block.to_string(), ..self }
+    pub fn within(&self, block: &str) -> Self {
+        Self { block: block.to_string(), names: self.names.clone(), conditions: self.conditions.clone() }
     }
 
     /// Adds the symbols of switches and the transmission errors, all with the same `value`.

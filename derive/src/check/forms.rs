@@ -46,8 +46,7 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The displacement that a torque works through must be linear in the coordinates, or its work over a change of the coordinates
-/// would depend on their initial values. A deflection must be a linear form without a constant term, less edges and
+/// The speed along which a torque works must be linear in the speeds, or it would have no generalised forces. A deflection must be a linear form without a constant term, less edges and
 /// transmission errors, or its rate would not be the same form of the speeds.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
     let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
@@ -56,12 +55,15 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         coordinates.map(|q| (Atom::var(q), e.derivative(q).expand())).collect()
     };
     for torque in &model.torques {
-        let through = torque.through.atom();
-        let named = model.deflections.iter().map(|d| symbol(Kind::Deflection, &d.name));
-        let by_named = named.map(|d| through.derivative(d).expand()).collect::<Vec<_>>();
-        if slopes(&through).iter().map(|(_, slope)| slope).chain(&by_named).any(moves) {
-            let (torque, displacement) = (torque.name.clone(), print(&Tree::new(&through), Style::Plain));
-            return Err(Slip::NotLinear { model: model.name.clone(), torque, displacement });
+        let Some(along) = torque.along.map(|along| along.atom()) else { continue };
+        let speeds = model.speeds().into_iter().map(|v| symbol(Kind::Speed, &v));
+        let parts = speeds.map(|v| along.derivative(v) * Atom::var(v));
+        let rest = parts.fold(along.clone(), |rest, part| rest - part);
+        let fast = |v: &String| along.derivative(symbol(Kind::Speed, v));
+        let curved = model.speeds().iter().any(|v| symbols(&fast(v)).iter().any(|s| s.0 == Kind::Speed));
+        if curved || !is_zero(&rest) {
+            let (torque, speed) = (torque.name.clone(), print(&Tree::new(&along), Style::Plain));
+            return Err(Slip::NotLinear { model: model.name.clone(), torque, speed });
         }
     }
     for d in &model.deflections {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Kind, MOVING, is_word, partial_name, speed_name, symbols};
-use crate::model::{CONDITIONS, Model, mid_name};
+use crate::expr::{Kind, MOVING, acceleration_name, is_word, partial_name, speed_name, symbols};
+use crate::model::{self, CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
 /// Words that cannot be names in the generated code: keywords of Rust, and names that this code uses itself.
@@ -18,6 +18,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Coordinate => "a coordinate",
         Kind::Speed => "a speed",
         Kind::Deflection => "a deflection",
+        Kind::Acceleration => "an acceleration",
         Kind::Rate => "the rate of a deflection",
         Kind::Parameter => "a parameter",
         Kind::Constant => "a constant",
@@ -29,9 +30,11 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Mid => "the mid value of a law",
         Kind::Slope => "the slope of a law",
         Kind::Curvature => "the curvature of a law",
+        Kind::Function => "a function of a position",
         Kind::Switched => "a factor of a switch",
         Kind::Edge => "an offset of a switch",
         Kind::Reaction => "the reaction of a hold",
+        Kind::Output => "an output",
         Kind::Spring => "the force of springs",
         Kind::Damper => "the force of dampers",
         Kind::Marker | Kind::Mobility | Kind::Free => "not declared",
@@ -58,11 +61,19 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     declare(&model.name, "the model", false)?;
     model.coordinates.iter().try_for_each(|c| declare(&c.name, known(Coordinate), false))?;
     model.speeds().iter().try_for_each(|s| declare(s, known(Speed), true))?;
+    if model.inertia_moves() {
+        model.coordinates.iter().try_for_each(|c| declare(&acceleration_name(&c.name), known(Acceleration), true))?;
+    }
     model.parameters.iter().try_for_each(|p| declare(&p.name, known(Parameter), false))?;
     model.constants.iter().try_for_each(|(name, _)| declare(name, known(Constant), false))?;
     for d in &model.deflections {
         declare(&d.name, known(Deflection), false)?;
         declare(&speed_name(&d.name), known(Rate), true)?;
+    }
+    for function in &model.functions {
+        declare(&function.name, known(Function), false)?;
+        (1..model::Function::ORDERS)
+            .try_for_each(|order| declare(&function.derivative(order), known(Function), true))?;
     }
     for switch in &model.switches {
         switch.symbols.iter().try_for_each(|s| declare(&s.name, known(s.kind), false))?;
@@ -85,5 +96,6 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;
     model.torques.iter().try_for_each(|t| declare(&t.name, "a torque", false))?;
+    model.outputs.iter().try_for_each(|o| declare(&o.name, known(Output), false))?;
     Ok(all)
 }

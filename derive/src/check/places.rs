@@ -7,18 +7,24 @@ use symbolica::atom::{Atom, AtomCore};
 use super::functions::functions;
 use super::names::what_it_is;
 use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols};
+use crate::markers::markers;
 use crate::model::{Model, REACTION, Switch, Torque};
 use crate::slip::Slip;
 
 use Kind::*;
 
 /// What energies may depend on; listed in messages.
-const USABLE: [Kind; 11] =
-    [Constant, Parameter, Mid, Law, Error, Friction, Switched, Deflection, Coordinate, Rate, Speed];
+const USABLE: [Kind; 12] =
+    [Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Deflection, Coordinate, Rate, Speed];
 /// What a torque may depend on.
 const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
 /// What a torque with a friction law as a factor may depend on besides.
 const FRICTION: [Kind; 4] = [Law, Friction, Switched, Deflection];
+/// What an output may depend on.
+const OUTPUT: [Kind; 15] = [
+    Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Edge, Deflection, Coordinate, Rate, Speed,
+    Force, Output,
+];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
@@ -33,8 +39,10 @@ pub(super) fn places(model: &Model, declared: BTreeMap<String, &'static str>) ->
     let places = Places { model, declared };
     places.constants()?;
     places.deflections()?;
+    places.functions()?;
     places.energies()?;
-    places.torques()
+    places.torques()?;
+    places.outputs()
 }
 
 impl Places<'_> {
@@ -58,6 +66,32 @@ impl Places<'_> {
             self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
         })?;
         self.model.switches.iter().try_for_each(|switch| self.switch(switch))
+    }
+
+    /// A named function is one of a coordinate or of a named deflection that transmission errors do not shift.
+    fn functions(&self) -> Result<(), Slip> {
+        self.model.functions.iter().try_for_each(|function| {
+            let place = format!("the function `{}`", function.name);
+            let why = "a function is one of a coordinate, or of a named deflection";
+            self.check(function.of, &place, &[Coordinate, Deflection], why)?;
+            let why = "the position of a function depends on coordinates only, without transmission errors";
+            self.check(self.model.position(function.of), &place, &[Constant, Parameter, Coordinate], why)?;
+            let why = "a function may depend on its position, parameters and constants only";
+            let of = symbols(&function.of.atom());
+            if let Some((_, other)) = symbols(&function.value.atom())
+                .into_iter()
+                .find(|s| matches!(s.0, Coordinate | Deflection | Function) && !of.contains(s))
+            {
+                let (model, symbol) = (self.model.name.clone(), other);
+                return Err(Slip::Misplaced { model, symbol, place, why });
+            }
+            if of.len() != 1 || function.of.atom() != Atom::var(symbol(of[0].0, &of[0].1)) {
+                let (model, symbol) = (self.model.name.clone(), function.of.to_string());
+                let why = "its position must be a coordinate or a named deflection; name it with m.deflection(...)";
+                return Err(Slip::Misplaced { model, symbol, place, why });
+            }
+            self.check(function.value, &place, &[Constant, Parameter, of[0].0], why)
+        })
     }
 
     /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the lost force are linear.
@@ -108,12 +142,12 @@ impl Places<'_> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
         };
-        // Inertia and damping that depend on positions could be derived, but the engine has no equations for them.
-        let moving = [Constant, Parameter, Mid, Speed];
-        let why =
-            "T may depend on speeds, not on positions or the mesh: the engine has no inertia that depends on them";
+        // Damping that depends on positions could be derived, but the engine has no equations for it.
+        let moving = [Constant, Parameter, Mid, Function, Coordinate, Speed];
+        let why = "T may depend on speeds, coordinates and functions of them, not on the mesh or on named deflections: write those in the \
+                   coordinates";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
-        let positions = [Constant, Parameter, Mid, Law, Switched, Deflection, Coordinate];
+        let positions = [Constant, Parameter, Mid, Law, Switched, Function, Deflection, Coordinate];
         let why = "V may depend on positions, not on speeds, and on transmission errors only through deflections, \
                    m.deflection(...)";
         each(&self.model.potential, "the potential energy", &positions, why)?;
@@ -143,8 +177,42 @@ impl Places<'_> {
             };
             self.check(Expr::new(self.model.written_out(&torque.value.atom())), &place, &allowed, why)?;
             let place = format!("the displacement of {place}");
-            let why = "a displacement may depend on coordinates and deflections only";
-            self.check(torque.through, &place, &[Constant, Parameter, Deflection, Coordinate], why)?;
+            let why = "a displacement may depend on coordinates, deflections and functions of them only";
+            self.check(torque.through, &place, &[Constant, Parameter, Function, Deflection, Coordinate], why)?;
+            if let Some(along) = torque.along {
+                let why = "the speed along which a torque works may depend on coordinates and speeds only";
+                let place = format!("the speed of the torque `{}`", torque.name);
+                self.check(along, &place, &[Constant, Parameter, Function, Coordinate, Speed], why)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// An output may depend on the state and on the outputs before it.
+    fn outputs(&self) -> Result<(), Slip> {
+        for (i, output) in self.model.outputs.iter().enumerate() {
+            let place = format!("the output `{}`", output.name);
+            let why =
+                "an output may depend on the state, laws, symbols of switches, forces and outputs declared before it";
+            self.check(output.value, &place, &OUTPUT, why)?;
+            let later = |(kind, name): &(Kind, String)| {
+                *kind == Output && !self.model.outputs[..i].iter().any(|before| before.name == *name)
+            };
+            // A term is in the equations with its effects or not at all: they are factors.
+            let inside = output.terms().into_iter().find_map(|term| {
+                let stays = |effect: &String| {
+                    let marker = Atom::var(symbol(Marker, effect)).to_pattern();
+                    !term.replace(marker).with(number(0).to_pattern()).expand().is_zero()
+                };
+                markers(&term).into_iter().find(stays)
+            });
+            if let Some(symbol) = inside {
+                let why = "the terms of an effect may not be inside a root or a function: name them as an output of their own";
+                return Err(Slip::Misplaced { model: self.model.name.clone(), symbol, place, why });
+            }
+            if let Some((_, symbol)) = symbols(&output.value.atom()).into_iter().find(later) {
+                return Err(Slip::Misplaced { model: self.model.name.clone(), symbol, place, why });
+            }
         }
         Ok(())
     }

@@ -35,7 +35,7 @@ pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> 
     change(&mut formulas);
     let Formulas { symbols: s, motion, jumps } = formulas;
     let proofs = proof::prove(model, &s, &motion, &jumps)?;
-    let cell = cell::derive(model, &s);
+    let cell = cell::derive(model, &s, &motion);
     let jacobian = jacobian(&s, &motion);
     let named = model.forces.iter().zip(&s.forces);
     let partials: Vec<_> = named
@@ -44,6 +44,7 @@ pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> 
     let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
     let derived = derived.chain(partials.iter().map(|(.., value)| value));
     let derived = derived.chain(motion.mobility.iter().flatten().flatten());
+    let derived = derived.chain(motion.inertia.iter().flatten().flatten()).chain(motion.mass.iter().flatten());
     for equation in derived.chain(jumps.iter().map(|j| &j.step)).chain(motion.constants.iter().map(|c| &c.1)) {
         check::numbers(model, equation.as_view(), "the derived equations")?;
     }

@@ -9,7 +9,7 @@ use crate::model::Switch;
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
-/// Writes the blocks `constants`, `deflections`, `forces`, `partials` and `switches`, those that are not empty.
+/// Writes the blocks `constants`, `deflections`, `functions`, `forces`, `partials` and `switches`, those that are not empty.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
     let (m, constants) = (d.model, &d.motion.constants);
     if !constants.is_empty() {
@@ -24,6 +24,16 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
             for deflection in &m.deflections {
                 let value = Tree::new(&deflection.value.atom());
                 b.line(2, &format!("{} = {};", deflection.name, print(&value, Style::Rust)));
+            }
+        });
+    }
+    if !m.functions.is_empty() {
+        b.braces(1, "functions", |b| {
+            for function in &m.functions {
+                for (order, value) in function.values().iter().enumerate() {
+                    let value = print(&Tree::new(value), Style::Rust);
+                    b.line(2, &format!("{} = {value};", function.derivative(order)));
+                }
             }
         });
     }

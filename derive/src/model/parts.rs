@@ -1,8 +1,8 @@
 //! The parts of a model, as its author declares them.
 
-use symbolica::atom::Atom;
+use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind};
+use crate::expr::{Expr, Kind, symbol, symbols};
 
 /// The initial value of a coordinate, unless a scene gives another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,6 +112,36 @@ impl Effect {
     }
 }
 
+/// A named function of one position.
+pub(crate) struct Function {
+    pub name: String,
+    /// The position: a coordinate or a named deflection.
+    pub of: Expr,
+    /// The function, in the symbol of the position.
+    pub value: Expr,
+}
+
+impl Function {
+    /// Derivatives that the equations may contain: those of T in the Jacobian of the forces are of the third order.
+    pub const ORDERS: usize = 4;
+
+    /// The name of its derivative of an order; of the order zero it is its own.
+    pub fn derivative(&self, order: usize) -> String {
+        format!("{}{}", "d".repeat(order), self.name)
+    }
+
+    /// The derivatives of the orders 0 to 3, in the symbol of the position.
+    pub fn values(&self) -> Vec<Atom> {
+        let mut values = vec![self.value.atom()];
+        for _ in 1..Function::ORDERS {
+            let by = symbols(&self.of.atom()).into_iter().next().map(|(kind, name)| symbol(kind, &name));
+            let last = values.last().cloned().unwrap_or_default();
+            values.push(by.map_or_else(Atom::default, |by| crate::trigonometry::shorter(&last.derivative(by))));
+        }
+        values
+    }
+}
+
 /// A named force, a factor in torques.
 pub(crate) struct Force {
     pub name: String,
@@ -124,12 +154,26 @@ pub(crate) struct Torque {
     pub name: String,
     pub value: Expr,
     pub through: Expr,
+    /// The speed along which it works, if that is not the rate of `through`.
+    pub along: Option<Expr>,
     pub doc: String,
 }
 
 impl Torque {
-    /// Its power [W]: the value times the rate of the displacement.
+    /// Its power [W]: the value times the speed along which it works.
     pub fn power(&self) -> Atom {
-        (self.value * self.through.dot()).atom()
+        (self.value * self.along.unwrap_or_else(|| self.through.dot())).atom()
+    }
+
+    /// Whether it works through a displacement that is linear in the coordinates and deflections.
+    pub fn is_linear(&self) -> bool {
+        let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
+        let through = self.through.atom();
+        if symbols(&through).iter().any(|s| s.0 == Kind::Function) {
+            return false;
+        }
+        let by = |(kind, name): (Kind, String)| through.derivative(symbol(kind, &name)).expand();
+        let moving = symbols(&through).into_iter().filter(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
+        self.along.is_none() && !moving.map(by).any(|slope| moves(&slope))
     }
 }

@@ -237,6 +237,6 @@ pub(super) fn complete(model: &mut Model) {
 }
 
 /// The expression with a symbol replaced by a value.
-fn set(e: &Atom, symbol: symbolica::atom::Symbol, value: &Atom) -> Atom {
+pub(super) fn set(e: &Atom, symbol: symbolica::atom::Symbol, value: &Atom) -> Atom {
     e.replace(Atom::var(symbol).to_pattern()).with(value.to_pattern())
 }

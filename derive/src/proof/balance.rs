@@ -7,7 +7,7 @@ use super::Proof;
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
 use crate::lagrange::gradient;
 use crate::markers::all_present;
-use crate::model::{JUMP_TERMS, Model};
+use crate::model::{Function, JUMP_TERMS, Model, Torque};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::symbols::Symbols;
@@ -21,12 +21,14 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
         "d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of \
          the additive effects{clipped}"
     );
-    // Along the motion d/dt (q'.dT/dq' - T) = q'.(M q'') = q'.F, since T is quadratic in the speeds and in nothing else.
+    // T is quadratic in the speeds, so that d/dt (q'.dT/dq' - T) = dT/dt = q'.(M q'') + dT/dq.q', and M q'' = F along the motion.
     let m = p.model;
     let inertia = p.motion.force.iter().zip(&p.s.v).map(|(force, v)| Atom::var(*v) * with_jump_terms(force));
+    let inertia = inertia.chain(m.kinetic.iter().map(|t| rate(m, &t.atom())));
     let stored = m.potential.iter().map(|v| rate(m, &v.atom()));
     let damped = m.dissipation.iter().map(|d| damper_power(m, d));
-    let fed = m.torques.iter().map(|t| -(t.value.atom() * displacement_rate(m, &t.through.atom())));
+    let speed = |t: &Torque| t.along.map_or_else(|| displacement_rate(m, &t.through.atom()), |along| along.atom());
+    let fed = m.torques.iter().map(|t| -(t.value.atom() * speed(t)));
     let rest = total(inertia.chain(stored).chain(damped).chain(switched_powers(m)).chain(fed).collect());
     p.claim(&what, [rest])
 }
@@ -56,7 +58,17 @@ fn displacement_rate(model: &Model, through: &Atom) -> Atom {
     along(through, |kind, name| match kind {
         Kind::Coordinate => Some(Expr::var(kind, name).dot().atom()),
         Kind::Deflection => Some(deflection_rate(model, name)),
+        Kind::Function => function_rate(model, name),
         _ => None,
+    })
+}
+
+/// The rate of a named function or of a derivative of it: the next derivative times the rate of its position.
+fn function_rate(model: &Model, name: &str) -> Option<Atom> {
+    model.functions.iter().find_map(|function| {
+        let order = (0..Function::ORDERS - 1).find(|order| function.derivative(*order) == name)?;
+        let next = symbol(Kind::Function, &function.derivative(order + 1));
+        Some(Atom::var(next) * model.position(function.of).dot().atom())
     })
 }
 
@@ -65,6 +77,7 @@ fn rate(model: &Model, e: &Atom) -> Atom {
     along(e, |kind, name| match kind {
         Kind::Coordinate => Some(Expr::var(kind, name).dot().atom()),
         Kind::Deflection => model.deflections.iter().find(|d| d.name == name).map(|d| rate(model, &d.value.atom())),
+        Kind::Function => function_rate(model, name),
         Kind::Law | Kind::Error => {
             let law = model.laws.iter().find(|law| law.name == name)?;
             let slope = Atom::var(symbol(Kind::Slope, &format!("d{name}")));

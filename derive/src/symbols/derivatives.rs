@@ -34,6 +34,7 @@ impl Symbols {
             Place::Coordinate(i) => Some(Part::Itself(i)),
             Place::Deflection(d) => Some(Part::Through(&self.deflections[d].slopes)),
             Place::Force(f) => Some(Part::Through(&self.forces[f].by_coordinates)),
+            Place::Function(f, order) => self.functions[f].get(order).map(Part::Through),
             _ => None,
         })
     }

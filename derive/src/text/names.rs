@@ -6,7 +6,7 @@ use super::Writer;
 use crate::derivation::Derivation;
 use crate::expr::Expr;
 use crate::markers::all_present;
-use crate::model::{Law, Role, Switch};
+use crate::model::{Function, Law, Role, Switch};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -16,6 +16,13 @@ pub(super) fn write(d: &Derivation, w: &Writer) -> Vec<String> {
     let is = |name: &str, value: &Atom| format!("{} = {}", w.name(name), w.print(value));
     let mut lines: Vec<String> = d.motion.constants.iter().map(|(name, value)| is(name, value)).collect();
     lines.extend(m.deflections.iter().map(|d| is(&d.name, &d.value.atom())));
+    for function in &m.functions {
+        lines.push(is(&function.name, &function.value.atom()));
+        if w.plain() {
+            let names = (1..Function::ORDERS).map(|order| function.derivative(order)).collect::<Vec<_>>().join(", ");
+            lines.push(format!("{names}: the derivatives of {} by {}", function.name, function.of));
+        }
+    }
     for force in &m.forces {
         let effect = force.with.as_ref().filter(|_| w.plain()).map(|effect| format!(" [{}]", effect.replace('_', " ")));
         lines.push(is(&force.name, &force.value.atom()) + effect.as_deref().unwrap_or_default());

@@ -28,6 +28,7 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     let trajectory = &run.trajectory;
     let mut other = scene.clone();
     other.output.events = false;
+    other.output.record.clear();
     other.output.plots = vec![];
     if ends {
         other.output.rate = 0.5 / scene.t_end;

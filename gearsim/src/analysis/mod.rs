@@ -4,6 +4,8 @@ pub mod advise;
 pub mod digits;
 pub mod floquet;
 pub mod modes;
+pub mod orders;
 pub mod spectrum;
+pub mod statistics;
 pub mod steady;
 pub mod work_precision;

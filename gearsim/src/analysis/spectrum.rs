@@ -64,6 +64,12 @@ pub enum SpectrumError {
         /// The rate [Hz].
         rate: f64,
     },
+    /// A shaft by whose turns orders cannot be counted.
+    #[error("orders cannot be counted by `{shaft}`: it is not recorded, or the shaft stands or turns back")]
+    NotTurning {
+        /// The output that is its speed.
+        shaft: String,
+    },
     /// Samples that are not evenly spaced.
     #[error("samples are not evenly spaced: {step} s instead of {expected} s at t = {t} s")]
     Uneven {
@@ -144,7 +150,7 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
 }
 
 /// The periodic Hann window of length `n`.
-fn hann(n: usize) -> Vec<f64> {
+pub(crate) fn hann(n: usize) -> Vec<f64> {
     (0..n).map(|i| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2)).collect()
 }
 

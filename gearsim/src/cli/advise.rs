@@ -8,12 +8,11 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::simulate::{entry, simulate};
-use super::{Verb, report, terminal};
+use super::{Verb, known, report, terminal};
 use crate::analysis::advise::groups::Groups;
 use crate::analysis::advise::measures::coordinates;
 use crate::analysis::advise::orbit::{Steady, Unknown};
 use crate::analysis::advise::{self, Apart, Bands, Candidate, LIMITS, Measures, Way, expected, short_run};
-use crate::generated::MODELS;
 use crate::run::{Account, Outcome};
 use crate::scene::Scene;
 
@@ -77,7 +76,7 @@ impl Verdict {
 
 impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
-        let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
         let scene = Scene::load(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let base = advise::base(&scene);

@@ -41,6 +41,9 @@ pub(super) enum Failure {
         folder = folder.display()
     )]
     RefutedPoints { count: usize, folder: PathBuf },
+    /// Points of a response have no result.
+    #[error("{what}\n  the other points are in {folder}", folder = folder.display())]
+    Points { what: String, folder: PathBuf },
     /// A run reached its end, but its energy account does not close.
     #[error("the result of {run} is wrong: {account}\n  the results are in {folder}", folder = folder.display())]
     Refuted { run: String, account: Account, folder: PathBuf },
@@ -84,6 +87,7 @@ impl Failure {
             Failure::Stopped { .. }
             | Failure::Refuted { .. }
             | Failure::RefutedPoints { .. }
+            | Failure::Points { .. }
             | Failure::RefutedAdvice { .. } => 3,
         }
     }

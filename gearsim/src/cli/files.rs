@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::output::summary::{Counts, Digits, Energy, FORMAT, Method, Named, Number, Summary, VERSION};
+use crate::output::summary::{Counts, Digits, Energy, FORMAT, Method, Named, Number, Observed, Summary, VERSION};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
 use crate::run::Outcome;
@@ -70,6 +70,12 @@ fn draw(name: &str, runs: &[Run<'_>]) -> Result<(String, Vec<u8>), PlotError> {
     Ok((figure.svg()?, figure.png()?))
 }
 
+/// The share of time in each mode of a switch; empty for a run without time.
+fn shares(times: &[(&str, f64)]) -> Named {
+    let whole: f64 = times.iter().map(|(_, time)| time).sum();
+    times.iter().filter(|_| whole > 0.0).map(|(mode, time)| (*mode, time / whole)).collect()
+}
+
 /// The summary of a run that wrote `files`.
 pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
@@ -95,6 +101,8 @@ pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         cell_changes: counts.cell_changes,
         reflections: counts.reflections,
         energy: Energy::at_end(run).unwrap_or(no_energy),
+        outputs: Observed::all(run),
+        modes: outcome.modes.iter().map(|(switch, times)| (switch.to_string(), shares(times))).collect(),
         method: Method {
             name: outcome.solver.method.into(),
             why: outcome.solver.why.clone(),

@@ -6,8 +6,7 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::sweep::{PlotOptions, summary_text};
-use super::{Verb, terminal};
-use crate::generated::MODELS;
+use super::{Verb, known, terminal};
 use crate::output::OutputFolder;
 use crate::sweep::folder;
 use crate::sweep::{manifest, merge};
@@ -41,7 +40,7 @@ impl Verb for Merge {
     fn run(self) -> Result<(), Failure> {
         merge::refuse_input(&self.folders, &self.out)?;
         OutputFolder::probe(&self.out)?;
-        let (manifest, layout, rows) = merge::gather(&self.folders, MODELS)?;
+        let (manifest, layout, rows) = merge::gather(&self.folders, known::models())?;
         self.plots.check(&layout)?;
         merge::write(&self.out, &manifest, &layout, &rows)?;
         let mut files = vec![folder::ROWS.to_owned(), manifest::FILE.to_owned()];

@@ -5,6 +5,7 @@ mod compare;
 mod failure;
 mod files;
 mod floquet;
+mod known;
 mod merge;
 mod models;
 mod modes;
@@ -12,6 +13,7 @@ mod page;
 mod progress;
 mod provenance;
 mod report;
+mod response;
 mod run;
 mod simulate;
 mod sweep;
@@ -20,11 +22,13 @@ mod terminal;
 mod tests;
 mod work_precision;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{ArgMatches, Parser};
 
 use crate::output::number;
+use crate::run::Entry;
 use failure::Failure;
 
 /// All commands, in the order in which they are listed.
@@ -34,6 +38,7 @@ const COMMANDS: &[Command] = &[
     Command::of::<advise::Advise>(),
     Command::of::<sweep::SweepCommand>(),
     Command::of::<merge::Merge>(),
+    Command::of::<response::ResponseCommand>(),
     Command::of::<modes::Modes>(),
     Command::of::<floquet::FloquetCommand>(),
     Command::of::<work_precision::WorkPrecision>(),
@@ -94,9 +99,22 @@ fn program() -> clap::Command {
     COMMANDS.iter().fold(program, |program, command| program.subcommand((command.describe)()))
 }
 
-/// Runs the program with the arguments of the process, and returns its exit code.
-pub fn main() -> ExitCode {
-    let result = program().try_get_matches().map_err(Failure::Usage).and_then(|matches| {
+/// Runs the program with the arguments of the process, and returns its exit code. It knows the models `own` besides those of gearsim: the
+/// command line of a crate with models of its own is
+///
+/// ```ignore
+/// fn main() -> std::process::ExitCode {
+///     gearsim::cli::run(&[Entry::new::<my_train::MyTrain>()])
+/// }
+/// ```
+pub fn run(own: &[Entry]) -> ExitCode {
+    run_with(own, std::env::args_os())
+}
+
+/// The same with other arguments; the first is the name of the program.
+pub fn run_with(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    known::add(own);
+    let result = program().try_get_matches_from(arguments).map_err(Failure::Usage).and_then(|matches| {
         let given = |command: &&Command| matches.subcommand_name() == Some((command.describe)().get_name());
         let command = COMMANDS.iter().find(given).zip(matches.subcommand());
         command.map_or(Ok(()), |(command, (_, matches))| (command.run)(matches))

@@ -4,10 +4,9 @@ pub(super) mod detail;
 
 use clap::Parser;
 
-use super::Verb;
 use super::failure::Failure;
 use super::terminal;
-use crate::generated::MODELS;
+use super::{Verb, known};
 use crate::model::Model;
 use crate::scene::{Effects, did_you_mean, list};
 
@@ -48,19 +47,19 @@ impl Verb for Models {
 
 /// The model called `name`.
 pub(super) fn find(name: &str) -> Result<&'static Model, Failure> {
-    let names: Vec<_> = MODELS.iter().map(|entry| entry.model.name).collect();
+    let names: Vec<_> = known::models().iter().map(|entry| entry.model.name).collect();
     let unknown = || {
         let meant = did_you_mean(name, names.iter().copied()).map(|meant| format!("did you mean `{meant}`? "));
         let help = format!("{}the models are {}", meant.unwrap_or_default(), list(&names));
         Failure::Impossible { what: format!("there is no model `{name}`"), help }
     };
-    MODELS.iter().map(|entry| entry.model).find(|model| model.name == name).ok_or_else(unknown)
+    known::models().iter().map(|entry| entry.model).find(|model| model.name == name).ok_or_else(unknown)
 }
 
 /// All models with their coordinates and effects.
 pub(super) fn all() -> String {
     let mut text = String::new();
-    for model in MODELS.iter().map(|entry| entry.model) {
+    for model in known::models().iter().map(|entry| entry.model) {
         let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
         text += &format!("{}  {}\n", model.name, model.title);
         text += &format!("  coordinates  {}\n", names(model.coordinates.iter().map(|c| c.name).collect()));

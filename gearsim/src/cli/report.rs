@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::{number, terminal};
-use crate::output::summary::{Digits, Summary};
+use crate::output::summary::{Digits, Number, Observed, Summary};
 use crate::scene::Scene;
 
 /// Width of the names at the beginning of lines [columns].
@@ -66,7 +66,31 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
     if summary.refuted.is_some() {
         text += &line("wrong result", "the energy account does not close: none of these numbers can be trusted", width);
     }
-    text + &rare_lines(scene, summary, width)
+    text + &outputs(summary, width) + &rare_lines(scene, summary, width)
+}
+
+/// Most outputs that are listed.
+const MOST_OUTPUTS: usize = 12;
+
+/// The range and the mean of the recorded outputs, and the share of time in each mode of a switch.
+fn outputs(summary: &Summary, width: usize) -> String {
+    let short = number::short;
+    let mut text = String::new();
+    // What is zero throughout belongs to an effect that the scene does not have.
+    let moving: Vec<_> = summary.outputs.iter().filter(|(_, o)| o.min.0 != 0.0 || o.max.0 != 0.0).collect();
+    for (name, Observed { unit, min, max, mean, .. }) in moving.iter().take(MOST_OUTPUTS) {
+        let says = format!("{} {unit} in the mean, from {} to {}", short(mean.0), short(min.0), short(max.0));
+        text += &line(name, &says, width);
+    }
+    if let Some(more) = moving.len().checked_sub(MOST_OUTPUTS).filter(|more| *more > 0) {
+        text += &line("further outputs", &format!("{more}, in summary.json"), width);
+    }
+    for (switch, shares) in &summary.modes {
+        let share = |(mode, share): (&String, &Number)| format!("{mode} {} %", short(100.0 * share.0));
+        let spent: Vec<_> = shares.0.iter().filter(|(_, share)| share.0 > 0.0).map(share).collect();
+        text += &line(&format!("time in {switch}"), &spent.join(", "), width);
+    }
+    text
 }
 
 /// What a linear analysis leaves out of a scene; empty if it leaves out nothing.

@@ -6,9 +6,8 @@ use clap::Args;
 
 use super::failure::Failure;
 use super::progress::Progress;
-use super::terminal;
+use super::{known, terminal};
 use crate::analysis::digits;
-use crate::generated::MODELS;
 use crate::output::OutputFolder;
 use crate::run::{Entry, Outcome};
 use crate::scene::Scene;
@@ -42,7 +41,7 @@ impl Source {
 
     /// Loads and checks the scene with `further` values set.
     pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
-        let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
         let overrides: Vec<String> = self.overrides.iter().chain(further).cloned().collect();
         Scene::load(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
     }
@@ -57,13 +56,13 @@ impl Source {
     }
 }
 
-/// The entry of the scene's model in [`MODELS`].
+/// The entry of the scene's model in [`known::models`].
 pub(super) fn entry(scene: &Scene) -> Result<&'static Entry, Failure> {
     let unknown = || Failure::Impossible {
         what: format!("this program does not have the model `{}`", scene.model.name),
         help: "`gearsim models` lists the models that it has".into(),
     };
-    MODELS.iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)
+    known::models().iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)
 }
 
 /// Runs a scene and its companion run, which gives the number of digits left. Shows a progress bar if the run takes long, unless `quiet`.

@@ -11,8 +11,7 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::progress::PointsBar;
-use super::{Verb, provenance, terminal};
-use crate::generated::MODELS;
+use super::{Verb, known, provenance, terminal};
 use crate::output::OutputFolder;
 use crate::sweep::folder::{self, Folder};
 use crate::sweep::record::GROUPS;
@@ -78,7 +77,7 @@ be simulated has a row with the reason. The same command continues an interrupte
 of the result depend neither on the number of threads nor on interruptions and shards.
 
 Groups that can be recorded:
-{groups}extremes and peak need samples at output.rate, which take longer than the motion itself: a sweep
+{groups}extremes, peak and outputs need samples at output.rate, which take longer than the motion itself: a sweep
 without them is faster. Each thread then has the rows of one run in memory, by default at most 1 GB.
 
 Examples:
@@ -108,9 +107,9 @@ impl Verb for SweepCommand {
             record: self.record.clone(),
             spectra: self.plots.waterfall,
         };
-        let sweep = Sweep::load(&self.scene, MODELS, &request)?;
+        let sweep = Sweep::load(&self.scene, known::models(), &request)?;
         let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);
-        let layout = manifest.layout(MODELS)?;
+        let layout = manifest.layout(known::models())?;
         self.plots.check(&layout)?;
         let default = || Path::new("out").join(format!("{}_sweep", sweep.scene()));
         let path = self.out.clone().unwrap_or_else(default);

@@ -7,10 +7,9 @@ use clap::Parser;
 use super::compare::equations;
 use super::failure::Failure;
 use super::simulate::simulate;
-use super::{Verb, report, terminal};
+use super::{Verb, known, report, terminal};
 use crate::analysis::work_precision::{self, Scenes, table};
 use crate::engine::Refusal;
-use crate::generated::MODELS;
 use crate::output::{OutputError, OutputFolder};
 use crate::plot::work_precision::draw;
 use crate::scene::Scene;
@@ -50,7 +49,7 @@ pub(super) struct WorkPrecision {
 
 impl Verb for WorkPrecision {
     fn run(self) -> Result<(), Failure> {
-        let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
         let load = |path: &PathBuf| {
             Scene::load(path, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
         };

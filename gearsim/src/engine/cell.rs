@@ -115,7 +115,7 @@ impl Cell {
     /// The same cell of `equations` with law values `k`. The momentum of the first `motions` rigid motions is corrected with
     /// double-double precision.
     pub fn conserving(mut self, equations: &dyn Equations, k: &[f64], motions: usize) -> Self {
-        let of_cell = [equations.mass(), equations.damping(k), equations.stiffness(k)];
+        let of_cell = [constant_mass(equations), equations.damping(k), equations.stiffness(k)];
         let motions = (0..motions).map(|i| equations.motion(i));
         self.conserved = motions.filter_map(|z| Conserved::of(z, &self, of_cell.each_ref())).collect();
         self
@@ -176,18 +176,23 @@ impl Cell {
     }
 }
 
+/// M, which in a linear cell is the same at every q.
+fn constant_mass(equations: &dyn Equations) -> Matrix {
+    equations.mass(&Vector::zeros(equations.coordinates()))
+}
+
 /// M, M⁻¹, C, K, f of `equations` with law values `k`.
 ///
 /// # Errors
 /// If M is not positive definite, or a number overflows.
 pub fn matrices(equations: &dyn Equations, k: &[f64]) -> Result<Matrices, Refusal> {
-    let mass = equations.mass();
+    let mass = constant_mass(equations);
     if mass.iter().any(|x| !x.is_finite()) {
         return Err(Refusal::Overflow);
     }
     inverse_root(&mass)?; // an error if M is not positive definite
     Ok(Matrices {
-        mobility: equations.mobility(),
+        mobility: equations.mobility(&Vector::zeros(mass.nrows())),
         mass,
         damping: equations.damping(k),
         stiffness: equations.stiffness(k),

@@ -13,7 +13,8 @@
 //! deflection slips after it, and comes to rest anew.
 //!
 //! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the motion that is left has the mobility
-//! P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F.
+//! P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. Where M
+//! depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]).
 
 use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -45,7 +46,7 @@ pub struct Contact {
     pub laws: Vec<(usize, Side)>,
     /// N, the outward normals of the laws, then the gradients of the deflections (n, one a column).
     pub normals: DMatrix<f64>,
-    /// P, the mobility that is left (n x n).
+    /// P, the mobility that is left (n x n), where the hold began.
     pub mobility: Matrix,
     /// What can end the holds.
     pub watches: Vec<Watch>,
@@ -69,23 +70,32 @@ pub struct Form {
     pub on_q: Vector,
     /// Those along the speeds.
     pub on_speed: Vector,
-    /// Those along the forces.
+    /// Those along the forces: a multiple of a row of the factors of the reactions.
     pub on_force: Vector,
+    /// That row, and the multiple; `None` if the function does not depend on reactions.
+    reaction: Option<(usize, f64)>,
     /// Its value where all of them are zero.
     pub constant: f64,
 }
 
 impl Form {
-    /// R plus what it may pull: the forces times a row, and a margin.
-    fn reaction(on_force: Vector, constant: f64) -> Self {
+    /// R plus what it may pull: the forces times row `which` of the factors, and a margin.
+    fn reaction(on_force: Vector, which: usize, constant: f64) -> Self {
         let none = Vector::zeros(on_force.len());
-        Form { on_q: none.clone(), on_speed: none, on_force, constant }
+        Form { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant }
+    }
+
+    /// The same function where the factors of the reactions are `to_reactions` (one a row).
+    pub fn at(&self, to_reactions: &DMatrix<f64>) -> Self {
+        let row =
+            |(which, factor): (usize, f64)| Vector::from_fn(self.on_force.len(), |i| factor * to_reactions[(which, i)]);
+        Form { on_force: self.reaction.map_or_else(|| self.on_force.clone(), row), ..self.clone() }
     }
 
     /// A deflection less the value `at`.
     fn deflection(on_q: Vector, at: f64) -> Self {
         let none = Vector::zeros(on_q.len());
-        Form { on_q, on_speed: none.clone(), on_force: none, constant: -at }
+        Form { on_q, on_speed: none.clone(), on_force: none, reaction: None, constant: -at }
     }
 
     /// Its value at coordinates and speeds, with the generalised forces that `force` gives.
@@ -164,7 +174,7 @@ impl Holds {
     /// has no reaction of its own.
     fn new(now: &Hybrid<'_>, laws: &[(usize, Side)]) -> Result<Self, Refusal> {
         let stuck = (0..now.switches.len()).filter(|&i| now.switches[i].here().held).map(Held::Switch);
-        let mass = now.equations.mass().cholesky().ok_or(Refusal::Mass)?;
+        let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
         let (n, mut held, mut columns) = (now.state.q.len(), vec![], vec![]);
         for one in laws.iter().map(|&(law, side)| Held::Law(law, side)).chain(stuck) {
             let normal = match one {
@@ -201,7 +211,7 @@ impl Holds {
             let row = Vector::from_fn(n, |i| w[(0, i)]);
             match *held {
                 Held::Law(law, side) => {
-                    let form = Form::reaction(row, RELEASE * forces);
+                    let form = Form::reaction(row, c, RELEASE * forces);
                     reactions.push(Watch { end: End::Hold(law, Ending::Release), form });
                     let stand = (&now.laws[..], &now.switches[..], &k[..]);
                     let zeros = barriers(equations, stand, law, side, &now.state).into_iter();
@@ -214,7 +224,13 @@ impl Holds {
                         let Affine { on_reaction, .. } = exit.guard;
                         let constant = exit.guard.constant_at(k) + RELEASE * on_reaction.abs() * forces;
                         let (on_q, on_speed) = (exit.guard.on_q.clone(), exit.guard.on_speed.clone());
-                        let form = Form { on_q, on_speed, on_force: &row * on_reaction, constant };
+                        let form = Form {
+                            on_q,
+                            on_speed,
+                            on_force: &row * on_reaction,
+                            reaction: Some((c, on_reaction)),
+                            constant,
+                        };
                         reactions.push(Watch { end: End::Loose(i, exit.beyond), form });
                     }
                 }
@@ -236,16 +252,26 @@ impl Holds {
             Held::Switch(_) => None,
         });
         let laws = laws.collect();
-        let mass = now.equations.mass().cholesky().ok_or(Refusal::Mass)?;
+        let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
         let columns: Vec<DVector<f64>> = normals.column_iter().map(|column| column.into_owned()).collect();
         let is_locked = |i: &usize| {
             let normal = DVector::from(&now.switches[*i].normal);
             !is_free(&mass, &[&columns[..], &[normal]].concat())
         };
         let locked = (0..now.switches.len()).filter(is_locked).collect();
-        let mobility = now.equations.mobility() - &mobility * &to_reactions;
+        let mobility = now.equations.mobility(&now.state.q) - &mobility * &to_reactions;
         Ok((Some(Contact { laws, normals, mobility, watches, locked }), neglected))
     }
+}
+
+/// P and the factors of the forces in the reactions, where M⁻¹ is `mobility` and N are the gradients `normals`; NaN if they do not follow
+/// from these.
+pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>) {
+    let response = mobility * normals;
+    let unknown = || DMatrix::repeat(normals.ncols(), normals.nrows(), f64::NAN);
+    let compliance = (normals.transpose() * &response).cholesky();
+    let to_reactions = compliance.map_or_else(unknown, |compliance| compliance.solve(&response.transpose()));
+    (mobility - &response * &to_reactions, to_reactions)
 }
 
 /// Whether the last of several motions is possible while those before it are held. Each is a column of gradients (n).
@@ -264,9 +290,36 @@ fn is_free(mass: &Cholesky<f64, Dyn>, columns: &[DVector<f64>]) -> bool {
 }
 
 /// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
-pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize, Side), state: &State) -> bool {
-    let (beyond, k) = (law::beyond(equations, stand, law, side, state), stand.2);
-    equations.stiffness(k) == equations.stiffness(&beyond) && equations.load(k) == equations.load(&beyond)
+pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, law: (usize, Side), state: &State) -> bool {
+    StepOfV::new(equations, stand, law, state)
+        .is_some_and(|StepOfV { stiffness, load, .. }| stiffness.amax() == 0.0 && load.amax() == 0.0)
+}
+
+/// The step of V at a boundary, dV = q.dK q/2 - df.q + h.
+struct StepOfV {
+    /// dK (n x n).
+    stiffness: Matrix,
+    /// df (n).
+    load: Vector,
+    /// h.
+    at_zero: f64,
+}
+
+impl StepOfV {
+    /// That of a law at a side of its cell. `None` if it is not of this form: where the law is a factor of a strain that is not
+    /// quadratic in the coordinates.
+    fn new(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize, Side), state: &State) -> Option<Self> {
+        let (beyond, k, q) = (law::beyond(equations, stand, law, side, state), stand.2, &state.q);
+        let stiffness = equations.stiffness(&beyond) - equations.stiffness(k);
+        let load = equations.load(&beyond) - &equations.load(k);
+        let still = Vector::zeros(load.len());
+        let dv = |q: &[f64]| equations.potential(q, &beyond) - equations.potential(q, k);
+        let at_zero = dv(&still);
+        let (bent, pulled) = (0.5 * q.dot(&(&stiffness * q)), load.dot(q));
+        let size = equations.potential(q, &beyond).abs() + bent.abs() + pulled.abs() + at_zero.abs();
+        let error = dv(q) - (bent - pulled + at_zero);
+        (error.abs() <= ONE_DEFLECTION * size).then_some(StepOfV { stiffness, load, at_zero })
+    }
 }
 
 /// What vanishes with the step of a law: of dV = q.dK q/2 - df.q + h
@@ -274,16 +327,13 @@ pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize,
 /// - that of the stiffness of one deflection x = d.q, c x²/2 - g x + h with dK = c d dᵀ and df = g d, each of its zeros; of a
 ///   mere stiffness it is c (x - e)²/2.
 ///
-/// Nothing where the law strains more than one deflection: they do not vanish together. Laws of other phases are taken at their
-/// present values.
+/// Nothing where the law strains more than one deflection, which do not vanish together, and where dV is not of this form. Laws of
+/// other phases are taken at their present values.
 fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<Form> {
-    let (beyond, k) = (law::beyond(equations, stand, law, side, state), stand.2);
-    let (here, there) = (equations.stiffness(k), equations.stiffness(&beyond));
-    let (load_here, load_there) = (equations.load(k), equations.load(&beyond));
-    let (stiffness, load) = (there - here, load_there - &load_here);
+    let Some(StepOfV { stiffness, load, at_zero: h }) = StepOfV::new(equations, stand, (law, side), state) else {
+        return vec![];
+    };
     let n = load.len();
-    let still = Vector::zeros(n);
-    let h = equations.potential(&still, &beyond) - equations.potential(&still, k);
     if stiffness.amax() == 0.0 {
         return vec![Form::deflection(-load, -h)];
     }

@@ -1,7 +1,7 @@
 //! The interface between a model and the engine. Its implementations are written by the `equations!` macro, never by hand.
 //!
 //! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by T =
-//! q'ᵀM q'/2, V(q; k), D(q') and Q. Terms of effects that the set does not contain are not executed.
+//! q'ᵀM(q) q'/2, V(q; k), D(q') and Q. In most models M is constant ([`Equations::is_inertia_constant`]); linear cells have constant M. Terms of effects that the set does not contain are not executed.
 
 use nalgebra::{DMatrix, DVector, Scalar};
 use smallvec::SmallVec;
@@ -26,7 +26,7 @@ pub trait Equations: Send + Sync {
     fn coordinates(&self) -> usize;
 
     /// Kinetic energy T [J].
-    fn kinetic(&self, q_dot: &[f64]) -> f64;
+    fn kinetic(&self, q: &[f64], q_dot: &[f64]) -> f64;
     /// Strain energy V [J].
     fn potential(&self, q: &[f64], k: &[f64]) -> f64;
     /// Rayleigh's dissipation function D [W]; the dissipated power is 2 D.
@@ -42,12 +42,16 @@ pub trait Equations: Send + Sync {
     fn has_powers(&self) -> bool {
         false
     }
+    /// Output `i` at a state [unit of the output]; `q` are the unwrapped coordinates.
+    fn output(&self, i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
+        no_such("output", i)
+    }
     /// Net work of all external torques over the displacement `dq` [J]; only the parts that do not depend on the state. Torques
     /// in balance cancel.
     fn work(&self, dq: &[f64]) -> f64;
 
-    /// Writes the generalised forces F of M q'' = F [SI] to `force` (n). `dk` = dk/ds are the slopes of the laws along their
-    /// phases.
+    /// Writes the generalised forces F of M q'' = F [SI] to `force` (n), with the centrifugal and gyroscopic forces of an M that depends
+    /// on q. `dk` = dk/ds are the slopes of the laws along their phases.
     fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]);
     /// The generalised forces F (n), see [`Equations::write_force`].
     fn force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
@@ -55,19 +59,28 @@ pub trait Equations: Send + Sync {
         self.write_force(q, q_dot, k, dk, &mut force);
         force
     }
-    /// Accelerations q'' = M⁻¹F [SI] (n). Code that needs them often should keep M⁻¹ instead.
+    /// Accelerations q'' = M⁻¹F [SI] (n). Code that needs them often should keep a constant M⁻¹ instead.
     fn acceleration(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
-        &self.mobility() * &self.force(q, q_dot, k, dk)
+        &self.mobility(q) * &self.force(q, q_dot, k, dk)
     }
     /// Derivatives of the generalised forces by q and by q' (n x n each, one row per equation); `ddk` = d²k/ds².
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2];
 
-    /// Mass matrix M (n x n).
-    fn mass(&self) -> Matrix;
-    /// Inverse of the mass matrix M⁻¹ (n x n). If inertias differ by a factor of 1e10, the entries of M have lost ten digits of
+    /// Whether M does not depend on q in this set of effects.
+    fn is_inertia_constant(&self) -> bool {
+        true
+    }
+    /// Mass matrix M at the coordinates `q` (n x n).
+    fn mass(&self, q: &[f64]) -> Matrix;
+    /// Derivatives of the inertia forces M q'' (rows) by q (columns), at the accelerations `q_ddot` (n x n). With them a force F
+    /// differentiated by q gives the derivatives of the accelerations: M dq''/dq = dF/dq - d(M q'')/dq.
+    fn inertia(&self, q: &[f64], _q_ddot: &[f64]) -> Matrix {
+        Matrix::zeros(q.len(), q.len())
+    }
+    /// Inverse of the mass matrix M⁻¹ at the coordinates `q` (n x n). If inertias differ by a factor of 1e10, the entries of M have lost ten digits of
     /// the smaller ones. Small models override this function with a closed form that loses none.
-    fn mobility(&self) -> Matrix {
-        mobility(&self.mass())
+    fn mobility(&self, q: &[f64]) -> Matrix {
+        mobility(&self.mass(q))
     }
     /// Damping matrix C of a cell (n x n): M q'' + C q' + K q = f.
     fn damping(&self, k: &[f64]) -> Matrix;
@@ -83,13 +96,13 @@ pub trait Equations: Send + Sync {
     fn switching(&self, law: usize) -> Switching;
     /// Gradient n of the phase of law `i` (n).
     fn normal(&self, law: usize) -> Vector;
-    /// G = nᵀM⁻¹n of law `i`.
-    fn compliance(&self, law: usize) -> f64 {
-        compliance(&self.mass(), &self.normal(law))
+    /// G = nᵀM⁻¹n of law `i` at the coordinates `q`.
+    fn compliance(&self, law: usize, q: &[f64]) -> f64 {
+        compliance(&self.mass(q), &self.normal(law))
     }
-    /// M⁻¹n / G of law `i` (n): the change of speeds per unit change of the normal speed.
-    fn direction(&self, law: usize) -> Vector {
-        direction(&self.mass(), &self.normal(law))
+    /// M⁻¹n / G of law `i` at the coordinates `q` (n): the change of speeds per unit change of the normal speed.
+    fn direction(&self, law: usize, q: &[f64]) -> Vector {
+        direction(&self.mass(q), &self.normal(law))
     }
     /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
     fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64;
@@ -229,7 +242,7 @@ pub trait Derived: Sync {
 /// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
 #[derive(Debug, Clone)]
 pub struct Matrices<R> {
-    /// M (n x n).
+    /// M (n x n), which is constant in a linear cell.
     pub mass: DMatrix<R>,
     /// M⁻¹ (n x n), if a closed form is known.
     pub mobility: Option<DMatrix<R>>,
@@ -292,28 +305,24 @@ pub fn mobility(mass: &Matrix) -> Matrix {
     Matrix::from_fn(n, n, |i, j| lower(i.max(j), i.min(j)))
 }
 
-/// G = nᵀM⁻¹n.
-///
-/// # Panics
-/// If M is not positive definite.
+/// G = nᵀM⁻¹n; NaN if M is not positive definite.
 pub fn compliance(mass: &Matrix, n: &Vector) -> f64 {
     dot(n, &solve(mass, n))
 }
 
-/// M⁻¹n / G (n).
-///
-/// # Panics
-/// Those of [`compliance`].
+/// M⁻¹n / G (n); NaN if M is not positive definite.
 pub fn direction(mass: &Matrix, n: &Vector) -> Vector {
     let v = solve(mass, n);
     let g = dot(n, &v);
     v.map(|x| x / g)
 }
 
-/// M⁻¹f.
+/// M⁻¹f; NaN if M is not positive definite.
 fn solve(mass: &Matrix, f: &Vector) -> Vector {
-    let cholesky = mass.clone().cholesky().expect("the mass matrix is positive definite");
-    (&cholesky.solve(&DVector::from(f))).into()
+    match mass.clone().cholesky() {
+        Some(cholesky) => (&cholesky.solve(&DVector::from(f))).into(),
+        None => f.map(|_| f64::NAN),
+    }
 }
 
 /// A vector as an array of N numbers, for code compiled for a known N.

@@ -7,18 +7,18 @@ use xprec::Df64;
 
 use crate::engine::cells;
 use crate::engine::clock::Clock;
-use crate::engine::contact::Contact;
+use crate::engine::contact::{self, Contact};
 use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::equations::{Affine, Equations, Exit, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
-use crate::engine::jump::Passage;
+use crate::engine::jump::{Passage, Surface};
 use crate::engine::law::{self, LawState};
 use crate::engine::motion::Reached;
 use crate::engine::record::State;
 use crate::engine::start::Initial;
 use crate::engine::switch::{self, Guards, Switch};
-use crate::engine::vector::Vector;
+use crate::engine::vector::{Matrix, Vector};
 use crate::scene::Scene;
 use crate::tolerance::events::EVENTS_AT_ONE_TIME;
 
@@ -123,6 +123,27 @@ impl Hybrid<'_> {
         cells::write((&self.laws, &self.switches), (&self.state.q, self.clock.now()), &mut self.k);
     }
 
+    /// Updates the geometry of the steps at the present coordinates, if M depends on them.
+    #[inline]
+    pub fn set_surfaces(&mut self) {
+        if self.equations.is_inertia_constant() {
+            return;
+        }
+        for (i, law) in self.laws.iter_mut().enumerate() {
+            law.surface = Surface::new(self.equations, i, &self.state.q);
+        }
+    }
+
+    /// M⁻¹ at the present coordinates, or what held phases leave of it (N x N).
+    pub fn mobility(&self) -> Matrix {
+        let free = || self.equations.mobility(&self.state.q);
+        match &self.contact {
+            None => free(),
+            Some(contact) if self.equations.is_inertia_constant() => contact.mobility.clone(),
+            Some(contact) => contact::held(&free(), &contact.normals).0,
+        }
+    }
+
     /// The law values in a `state` of the present mode at the time `t` \[s\].
     pub fn levels_at(&self, state: &State, t: f64) -> Cow<'_, [f64]> {
         if self.steps_only() {
@@ -167,8 +188,15 @@ impl Hybrid<'_> {
 
     /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.
     pub fn left_of_hold(&self, which: usize) -> f64 {
-        let watch = self.contact.as_ref().and_then(|contact| contact.watches.get(which));
-        watch.map_or(f64::INFINITY, |watch| watch.form.value(&self.state.q, &self.state.q_dot, || self.force()))
+        let Some(contact) = &self.contact else { return f64::INFINITY };
+        let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
+            return f64::INFINITY;
+        };
+        if self.equations.is_inertia_constant() {
+            return watch.form.value(q, q_dot, || self.force());
+        }
+        let (_, to_reactions) = contact::held(&self.equations.mobility(q), &contact.normals);
+        watch.form.at(&to_reactions).value(q, q_dot, || self.force())
     }
 
     /// Generalised forces of the torques that vary, beyond those of the start (N).
@@ -215,6 +243,7 @@ impl Hybrid<'_> {
 
     /// Puts a switch into a mode, whatever the state is.
     pub fn set_mode(&mut self, switch: usize, mode: usize) {
+        self.switches[switch].spend(self.clock.now());
         self.switches[switch].mode = mode;
         self.switches[switch].write(&mut self.k);
     }

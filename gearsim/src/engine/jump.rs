@@ -19,7 +19,8 @@ pub enum Passage {
     Reflected,
 }
 
-/// The geometry of the steps of one law. It is constant during a run.
+/// The geometry of the steps of one law. It is constant during a run, but where M depends on the coordinates: then G and M⁻¹n are
+/// those of the last event.
 #[derive(Debug, Clone)]
 pub struct Surface {
     /// Gradient n of the phase (N).
@@ -31,12 +32,12 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The surface of law `law`.
-    pub fn new(equations: &dyn Equations, law: usize) -> Self {
+    /// The surface of law `law` at the coordinates `q`.
+    pub fn new(equations: &dyn Equations, law: usize, q: &[f64]) -> Self {
         Surface {
             normal: equations.normal(law),
-            compliance: equations.compliance(law),
-            direction: equations.direction(law),
+            compliance: equations.compliance(law, q),
+            direction: equations.direction(law, q),
         }
     }
 

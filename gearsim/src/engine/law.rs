@@ -86,9 +86,10 @@ impl LawState {
                 state.turns[phase] = pitches;
             }
             let frozen = (switching == Switching::ByTime).then_some(Frozen { speed, origin: rest });
-            let surface = Surface::new(equations, i);
+            let surface = Surface::new(equations, i, &state.q);
             if !surface.compliance.is_finite() || surface.direction.iter().any(|x| !x.is_finite()) {
-                return Err(Refusal::Overflow);
+                let definite = equations.mass(&state.q).cholesky().is_some();
+                return Err(if definite { Refusal::Overflow } else { Refusal::Mass });
             }
             // Laws on one coordinate may have their boundaries at different places.
             let ahead = match (frozen, turns) {

@@ -5,7 +5,7 @@ use smallvec::SmallVec;
 use crate::engine::equations::Equations;
 use crate::engine::error::Stop;
 use crate::engine::vector::Vector;
-use crate::model::Model;
+use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
 
 /// Whole pitches of each coordinate (n).
@@ -90,6 +90,8 @@ impl State {
 /// The account and the columns of a run.
 pub struct Recorder<'a> {
     equations: &'a dyn Equations,
+    /// The outputs that are recorded, by their numbers.
+    outputs: Vec<usize>,
     pitch: Vector,
     start: State,
     /// T + V at the start [J].
@@ -103,11 +105,12 @@ pub struct Recorder<'a> {
 }
 
 impl<'a> Recorder<'a> {
-    /// A recorder of a run that starts at `start` with law values `k`.
-    pub fn new(model: &'static Model, equations: &'a dyn Equations, pitch: Vector, start: State, k: &[f64]) -> Self {
-        let energy_at_start = equations.kinetic(&start.q_dot) + equations.potential(&start.q, k);
-        let (beyond, trajectory) = (vec![], Trajectory::new(model));
-        Recorder { equations, pitch, start, energy_at_start, beyond, trajectory, most_rows: u64::MAX }
+    /// A recorder of a run of `scene` that starts at `start` with law values `k`.
+    pub fn new(scene: &Scene, equations: &'a dyn Equations, pitch: Vector, start: State, k: &[f64]) -> Self {
+        let energy_at_start = equations.kinetic(&start.q, &start.q_dot) + equations.potential(&start.q, k);
+        let outputs = scene.output.record.clone();
+        let trajectory = Trajectory::new(scene.model, &outputs);
+        Recorder { equations, outputs, pitch, start, energy_at_start, beyond: vec![], trajectory, most_rows: u64::MAX }
     }
 
     /// Ends a run that has recorded as many rows as it may.
@@ -127,7 +130,7 @@ impl<'a> Recorder<'a> {
     /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].
     pub fn row(&mut self, t: f64, moment: Moment, state: &State, k: &[f64], lost: (f64, f64)) {
         let (dissipated, ignored) = lost;
-        let (kinetic, strain) = (self.equations.kinetic(&state.q_dot), self.equations.potential(&state.q, k));
+        let (kinetic, strain) = (self.equations.kinetic(&state.q, &state.q_dot), self.equations.potential(&state.q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
         let moved = Vector::from_fn(state.q.len(), |i| {
             (state.turns[i] - self.start.turns[i]) as f64 * self.pitch[i] + (state.q[i] - self.start.q[i])
@@ -137,7 +140,11 @@ impl<'a> Recorder<'a> {
         let row = &mut self.trajectory;
         row.t.push(t);
         row.moment.push(moment);
-        for (i, x) in state.unwrapped(&self.pitch).iter().enumerate() {
+        let q = state.unwrapped(&self.pitch);
+        for (i, (_, column)) in self.outputs.iter().zip(&mut row.outputs) {
+            column.push(self.equations.output(*i, &q, &state.q_dot, k));
+        }
+        for (i, x) in q.iter().enumerate() {
             row.q[i].push(*x);
             row.q_dot[i].push(state.q_dot[i]);
         }

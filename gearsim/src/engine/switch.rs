@@ -33,6 +33,10 @@ pub struct Switch {
     pub mode: usize,
     /// The modes, and the values of its symbols in each.
     modes: Arc<(&'static [Mode], Vec<Vec<f64>>)>,
+    /// Time spent in each mode until it was last left [s].
+    spent: Vec<f64>,
+    /// When the present mode began [s].
+    since: f64,
 }
 
 impl Switch {
@@ -45,7 +49,9 @@ impl Switch {
             if let Some(values) = values {
                 let Deflection { normal, errors, .. } = equations.deflection(equations.switched(index), k);
                 let modes = Arc::new((switch.modes, values));
-                all.push(Switch { index, at, normal, shifted: !errors.is_empty(), mode: 0, modes });
+                let spent = vec![0.0; switch.modes.len()];
+                let shifted = !errors.is_empty();
+                all.push(Switch { index, at, normal, shifted, mode: 0, modes, spent, since: 0.0 });
             }
             at += switch.neutral.len();
         }
@@ -60,6 +66,17 @@ impl Switch {
     /// Its present mode.
     pub fn here(&self) -> &'static Mode {
         &self.modes.0[self.mode]
+    }
+
+    /// Adds the time until `now` \[s\] to that of the present mode, which may end now.
+    pub fn spend(&mut self, now: f64) {
+        self.spent[self.mode] += now - self.since;
+        self.since = now;
+    }
+
+    /// The time spent in each mode until the last [`Switch::spend`] \[s\].
+    pub fn spent(&self) -> impl Iterator<Item = (&'static Mode, f64)> {
+        self.modes.0.iter().zip(self.spent.iter().copied())
     }
 
     /// Whether transmission errors shift its deflection.
@@ -92,9 +109,9 @@ impl Switch {
     }
 
     /// Whether its deflection is at rest, up to the rounding errors of the speeds.
-    fn is_at_rest(&self, equations: &dyn Equations, q_dot: &[f64]) -> bool {
-        let (rate, compliance) = (self.normal.dot(q_dot), self.normal.dot(&(&equations.mobility() * &self.normal)));
-        rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q_dot) * compliance
+    fn is_at_rest(&self, equations: &dyn Equations, q: &[f64], q_dot: &[f64]) -> bool {
+        let (rate, compliance) = (self.normal.dot(q_dot), self.normal.dot(&(&equations.mobility(q) * &self.normal)));
+        rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q, q_dot) * compliance
     }
 }
 
@@ -189,7 +206,7 @@ pub fn settle(
         };
         let exit = match switch.here().held {
             // The reaction is known once the hold is begun. A motion along the deflection ends the hold.
-            true if crossed.is_some() || switch.is_at_rest(equations, q_dot) => None,
+            true if crossed.is_some() || switch.is_at_rest(equations, q, q_dot) => None,
             true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),
             false => exits.iter().find(|exit| violated(exit)),
         };

@@ -132,6 +132,18 @@ equations! {
             }
         }
     }
+    outputs {
+        rotor_speed "rad/s", "rotational speed of the rotor" { _ => phi_dot; }
+        contact_torque "N*m", "torque of the contact, damper included" {
+            _ => c*touch*over;
+            backlash => c*clip*touch*over;
+            damping => d*damp*over_dot;
+        }
+        contact_loss "W", "power that the damper of the contact takes" {
+            backlash => c*clip*touch*over*over_dot;
+            damping => d*damp*over_dot.powi(2);
+        }
+    }
 
     text "text/backlash_oscillator.txt";
     latex "latex/backlash_oscillator.tex";

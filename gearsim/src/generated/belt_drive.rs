@@ -39,13 +39,17 @@ equations! {
     conditions {
     }
 
-    deflections { s_s = a*psi - s; }
+    deflections {
+        s_p = s;
+        s_s = a*psi - s;
+        twist_t = psi;
+    }
     energies {
         kinetic { _ => (I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0; }
-        potential { _ => (k_p*s.powi(2) + k_s*s_s.powi(2) + k_t*psi.powi(2))/2.0; }
+        potential { _ => (k_p*s_p.powi(2) + k_s*s_s.powi(2) + k_t*twist_t.powi(2))/2.0; }
         dissipation {
             damping => (I1*alpha_M*theta_dot.powi(2) + I2*alpha_M*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*alpha_M*psi_dot.powi(2)
-                + beta_K*k_p*s_dot.powi(2) + beta_K*k_s*s_s_dot.powi(2) + beta_K*k_t*psi_dot.powi(2))/2.0;
+                + beta_K*k_p*s_p_dot.powi(2) + beta_K*k_s*s_s_dot.powi(2) + beta_K*k_t*twist_t_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -68,13 +72,13 @@ equations! {
             damping => I2*alpha_M*r1*s_dot/r2.powi(2) - I1*alpha_M*theta_dot - I2*alpha_M*r1.powi(2)*theta_dot/r2.powi(2);
         }
         s {
-            _ => k_s*s_s - k_p*s;
+            _ => k_s*s_s - k_p*s_p;
             torques => T_load/r2;
-            damping => I2*alpha_M*r1*theta_dot/r2.powi(2) - I2*alpha_M*s_dot/r2.powi(2) - beta_K*k_p*s_dot + beta_K*k_s*s_s_dot;
+            damping => I2*alpha_M*r1*theta_dot/r2.powi(2) - I2*alpha_M*s_dot/r2.powi(2) - beta_K*k_p*s_p_dot + beta_K*k_s*s_s_dot;
         }
         psi {
-            _ => -a*k_s*s_s - k_t*psi;
-            damping => -I_t*alpha_M*psi_dot - a*beta_K*k_s*s_s_dot - beta_K*k_t*psi_dot;
+            _ => -a*k_s*s_s - k_t*twist_t;
+            damping => -I_t*alpha_M*psi_dot - a*beta_K*k_s*s_s_dot - beta_K*k_t*twist_t_dot;
         }
     }
     jacobian {
@@ -106,6 +110,30 @@ equations! {
         load {
             theta { torques => T_crank - T_load*r1/r2; }
             s { torques => T_load/r2; }
+        }
+    }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the crankshaft" { _ => theta_dot; }
+        rotor_speed_2 "rad/s", "rotational speed of the accessory" { _ => r1*theta_dot/r2 - s_dot/r2; }
+        rotor_speed_t "rad/s", "rotational speed of the tensioner arm" { _ => psi_dot; }
+        span_force_p "N", "force in the pulling span beyond its tension at rest, damper included" {
+            _ => k_p*s_p;
+            damping => beta_K*k_p*s_p_dot;
+        }
+        span_loss_p "W", "power that the damper of the pulling span takes" { damping => beta_K*k_p*s_p_dot.powi(2); }
+        span_force_s "N", "force in the slack span beyond its tension at rest, damper included" {
+            _ => k_s*s_s;
+            damping => beta_K*k_s*s_s_dot;
+        }
+        span_loss_s "W", "power that the damper of the slack span takes" { damping => beta_K*k_s*s_s_dot.powi(2); }
+        shaft_twist_t "rad", "twist of the spring of the tensioner arm" { _ => twist_t; }
+        shaft_torque_t "N*m", "torque in the spring of the tensioner arm, damper included" {
+            _ => k_t*twist_t;
+            damping => beta_K*k_t*twist_t_dot;
+        }
+        shaft_loss_t "W", "power that the damper of the spring of the tensioner arm takes" { damping => beta_K*k_t*twist_t_dot.powi(2); }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0);
         }
     }
 

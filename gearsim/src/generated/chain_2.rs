@@ -92,6 +92,19 @@ equations! {
             theta2 { torques => -T_load; }
         }
     }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the disc 1" { _ => theta1_dot; }
+        rotor_speed_2 "rad/s", "rotational speed of the disc 2" { _ => theta2_dot; }
+        shaft_twist_1 "rad", "twist of the shaft between discs 1 and 2" { _ => twist1; }
+        shaft_torque_1 "N*m", "torque in the shaft between discs 1 and 2, damper included" {
+            _ => k1*twist1;
+            damping => beta_K*k1*twist1_dot;
+        }
+        shaft_loss_1 "W", "power that the damper of the shaft between discs 1 and 2 takes" { damping => beta_K*k1*twist1_dot.powi(2); }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2))/2.0);
+        }
+    }
 
     text "text/chain_2.txt";
     latex "latex/chain_2.tex";

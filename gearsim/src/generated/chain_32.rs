@@ -706,6 +706,236 @@ equations! {
             theta32 { torques => -T_load; }
         }
     }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the disc 1" { _ => theta1_dot; }
+        rotor_speed_2 "rad/s", "rotational speed of the disc 2" { _ => theta2_dot; }
+        rotor_speed_3 "rad/s", "rotational speed of the disc 3" { _ => theta3_dot; }
+        rotor_speed_4 "rad/s", "rotational speed of the disc 4" { _ => theta4_dot; }
+        rotor_speed_5 "rad/s", "rotational speed of the disc 5" { _ => theta5_dot; }
+        rotor_speed_6 "rad/s", "rotational speed of the disc 6" { _ => theta6_dot; }
+        rotor_speed_7 "rad/s", "rotational speed of the disc 7" { _ => theta7_dot; }
+        rotor_speed_8 "rad/s", "rotational speed of the disc 8" { _ => theta8_dot; }
+        rotor_speed_9 "rad/s", "rotational speed of the disc 9" { _ => theta9_dot; }
+        rotor_speed_10 "rad/s", "rotational speed of the disc 10" { _ => theta10_dot; }
+        rotor_speed_11 "rad/s", "rotational speed of the disc 11" { _ => theta11_dot; }
+        rotor_speed_12 "rad/s", "rotational speed of the disc 12" { _ => theta12_dot; }
+        rotor_speed_13 "rad/s", "rotational speed of the disc 13" { _ => theta13_dot; }
+        rotor_speed_14 "rad/s", "rotational speed of the disc 14" { _ => theta14_dot; }
+        rotor_speed_15 "rad/s", "rotational speed of the disc 15" { _ => theta15_dot; }
+        rotor_speed_16 "rad/s", "rotational speed of the disc 16" { _ => theta16_dot; }
+        rotor_speed_17 "rad/s", "rotational speed of the disc 17" { _ => theta17_dot; }
+        rotor_speed_18 "rad/s", "rotational speed of the disc 18" { _ => theta18_dot; }
+        rotor_speed_19 "rad/s", "rotational speed of the disc 19" { _ => theta19_dot; }
+        rotor_speed_20 "rad/s", "rotational speed of the disc 20" { _ => theta20_dot; }
+        rotor_speed_21 "rad/s", "rotational speed of the disc 21" { _ => theta21_dot; }
+        rotor_speed_22 "rad/s", "rotational speed of the disc 22" { _ => theta22_dot; }
+        rotor_speed_23 "rad/s", "rotational speed of the disc 23" { _ => theta23_dot; }
+        rotor_speed_24 "rad/s", "rotational speed of the disc 24" { _ => theta24_dot; }
+        rotor_speed_25 "rad/s", "rotational speed of the disc 25" { _ => theta25_dot; }
+        rotor_speed_26 "rad/s", "rotational speed of the disc 26" { _ => theta26_dot; }
+        rotor_speed_27 "rad/s", "rotational speed of the disc 27" { _ => theta27_dot; }
+        rotor_speed_28 "rad/s", "rotational speed of the disc 28" { _ => theta28_dot; }
+        rotor_speed_29 "rad/s", "rotational speed of the disc 29" { _ => theta29_dot; }
+        rotor_speed_30 "rad/s", "rotational speed of the disc 30" { _ => theta30_dot; }
+        rotor_speed_31 "rad/s", "rotational speed of the disc 31" { _ => theta31_dot; }
+        rotor_speed_32 "rad/s", "rotational speed of the disc 32" { _ => theta32_dot; }
+        shaft_twist_1 "rad", "twist of the shaft between discs 1 and 2" { _ => twist1; }
+        shaft_torque_1 "N*m", "torque in the shaft between discs 1 and 2, damper included" {
+            _ => k1*twist1;
+            damping => beta_K*k1*twist1_dot;
+        }
+        shaft_loss_1 "W", "power that the damper of the shaft between discs 1 and 2 takes" { damping => beta_K*k1*twist1_dot.powi(2); }
+        shaft_twist_2 "rad", "twist of the shaft between discs 2 and 3" { _ => twist2; }
+        shaft_torque_2 "N*m", "torque in the shaft between discs 2 and 3, damper included" {
+            _ => k2*twist2;
+            damping => beta_K*k2*twist2_dot;
+        }
+        shaft_loss_2 "W", "power that the damper of the shaft between discs 2 and 3 takes" { damping => beta_K*k2*twist2_dot.powi(2); }
+        shaft_twist_3 "rad", "twist of the shaft between discs 3 and 4" { _ => twist3; }
+        shaft_torque_3 "N*m", "torque in the shaft between discs 3 and 4, damper included" {
+            _ => k3*twist3;
+            damping => beta_K*k3*twist3_dot;
+        }
+        shaft_loss_3 "W", "power that the damper of the shaft between discs 3 and 4 takes" { damping => beta_K*k3*twist3_dot.powi(2); }
+        shaft_twist_4 "rad", "twist of the shaft between discs 4 and 5" { _ => twist4; }
+        shaft_torque_4 "N*m", "torque in the shaft between discs 4 and 5, damper included" {
+            _ => k4*twist4;
+            damping => beta_K*k4*twist4_dot;
+        }
+        shaft_loss_4 "W", "power that the damper of the shaft between discs 4 and 5 takes" { damping => beta_K*k4*twist4_dot.powi(2); }
+        shaft_twist_5 "rad", "twist of the shaft between discs 5 and 6" { _ => twist5; }
+        shaft_torque_5 "N*m", "torque in the shaft between discs 5 and 6, damper included" {
+            _ => k5*twist5;
+            damping => beta_K*k5*twist5_dot;
+        }
+        shaft_loss_5 "W", "power that the damper of the shaft between discs 5 and 6 takes" { damping => beta_K*k5*twist5_dot.powi(2); }
+        shaft_twist_6 "rad", "twist of the shaft between discs 6 and 7" { _ => twist6; }
+        shaft_torque_6 "N*m", "torque in the shaft between discs 6 and 7, damper included" {
+            _ => k6*twist6;
+            damping => beta_K*k6*twist6_dot;
+        }
+        shaft_loss_6 "W", "power that the damper of the shaft between discs 6 and 7 takes" { damping => beta_K*k6*twist6_dot.powi(2); }
+        shaft_twist_7 "rad", "twist of the shaft between discs 7 and 8" { _ => twist7; }
+        shaft_torque_7 "N*m", "torque in the shaft between discs 7 and 8, damper included" {
+            _ => k7*twist7;
+            damping => beta_K*k7*twist7_dot;
+        }
+        shaft_loss_7 "W", "power that the damper of the shaft between discs 7 and 8 takes" { damping => beta_K*k7*twist7_dot.powi(2); }
+        shaft_twist_8 "rad", "twist of the shaft between discs 8 and 9" { _ => twist8; }
+        shaft_torque_8 "N*m", "torque in the shaft between discs 8 and 9, damper included" {
+            _ => k8*twist8;
+            damping => beta_K*k8*twist8_dot;
+        }
+        shaft_loss_8 "W", "power that the damper of the shaft between discs 8 and 9 takes" { damping => beta_K*k8*twist8_dot.powi(2); }
+        shaft_twist_9 "rad", "twist of the shaft between discs 9 and 10" { _ => twist9; }
+        shaft_torque_9 "N*m", "torque in the shaft between discs 9 and 10, damper included" {
+            _ => k9*twist9;
+            damping => beta_K*k9*twist9_dot;
+        }
+        shaft_loss_9 "W", "power that the damper of the shaft between discs 9 and 10 takes" { damping => beta_K*k9*twist9_dot.powi(2); }
+        shaft_twist_10 "rad", "twist of the shaft between discs 10 and 11" { _ => twist10; }
+        shaft_torque_10 "N*m", "torque in the shaft between discs 10 and 11, damper included" {
+            _ => k10*twist10;
+            damping => beta_K*k10*twist10_dot;
+        }
+        shaft_loss_10 "W", "power that the damper of the shaft between discs 10 and 11 takes" { damping => beta_K*k10*twist10_dot.powi(2); }
+        shaft_twist_11 "rad", "twist of the shaft between discs 11 and 12" { _ => twist11; }
+        shaft_torque_11 "N*m", "torque in the shaft between discs 11 and 12, damper included" {
+            _ => k11*twist11;
+            damping => beta_K*k11*twist11_dot;
+        }
+        shaft_loss_11 "W", "power that the damper of the shaft between discs 11 and 12 takes" { damping => beta_K*k11*twist11_dot.powi(2); }
+        shaft_twist_12 "rad", "twist of the shaft between discs 12 and 13" { _ => twist12; }
+        shaft_torque_12 "N*m", "torque in the shaft between discs 12 and 13, damper included" {
+            _ => k12*twist12;
+            damping => beta_K*k12*twist12_dot;
+        }
+        shaft_loss_12 "W", "power that the damper of the shaft between discs 12 and 13 takes" { damping => beta_K*k12*twist12_dot.powi(2); }
+        shaft_twist_13 "rad", "twist of the shaft between discs 13 and 14" { _ => twist13; }
+        shaft_torque_13 "N*m", "torque in the shaft between discs 13 and 14, damper included" {
+            _ => k13*twist13;
+            damping => beta_K*k13*twist13_dot;
+        }
+        shaft_loss_13 "W", "power that the damper of the shaft between discs 13 and 14 takes" { damping => beta_K*k13*twist13_dot.powi(2); }
+        shaft_twist_14 "rad", "twist of the shaft between discs 14 and 15" { _ => twist14; }
+        shaft_torque_14 "N*m", "torque in the shaft between discs 14 and 15, damper included" {
+            _ => k14*twist14;
+            damping => beta_K*k14*twist14_dot;
+        }
+        shaft_loss_14 "W", "power that the damper of the shaft between discs 14 and 15 takes" { damping => beta_K*k14*twist14_dot.powi(2); }
+        shaft_twist_15 "rad", "twist of the shaft between discs 15 and 16" { _ => twist15; }
+        shaft_torque_15 "N*m", "torque in the shaft between discs 15 and 16, damper included" {
+            _ => k15*twist15;
+            damping => beta_K*k15*twist15_dot;
+        }
+        shaft_loss_15 "W", "power that the damper of the shaft between discs 15 and 16 takes" { damping => beta_K*k15*twist15_dot.powi(2); }
+        shaft_twist_16 "rad", "twist of the shaft between discs 16 and 17" { _ => twist16; }
+        shaft_torque_16 "N*m", "torque in the shaft between discs 16 and 17, damper included" {
+            _ => k16*twist16;
+            damping => beta_K*k16*twist16_dot;
+        }
+        shaft_loss_16 "W", "power that the damper of the shaft between discs 16 and 17 takes" { damping => beta_K*k16*twist16_dot.powi(2); }
+        shaft_twist_17 "rad", "twist of the shaft between discs 17 and 18" { _ => twist17; }
+        shaft_torque_17 "N*m", "torque in the shaft between discs 17 and 18, damper included" {
+            _ => k17*twist17;
+            damping => beta_K*k17*twist17_dot;
+        }
+        shaft_loss_17 "W", "power that the damper of the shaft between discs 17 and 18 takes" { damping => beta_K*k17*twist17_dot.powi(2); }
+        shaft_twist_18 "rad", "twist of the shaft between discs 18 and 19" { _ => twist18; }
+        shaft_torque_18 "N*m", "torque in the shaft between discs 18 and 19, damper included" {
+            _ => k18*twist18;
+            damping => beta_K*k18*twist18_dot;
+        }
+        shaft_loss_18 "W", "power that the damper of the shaft between discs 18 and 19 takes" { damping => beta_K*k18*twist18_dot.powi(2); }
+        shaft_twist_19 "rad", "twist of the shaft between discs 19 and 20" { _ => twist19; }
+        shaft_torque_19 "N*m", "torque in the shaft between discs 19 and 20, damper included" {
+            _ => k19*twist19;
+            damping => beta_K*k19*twist19_dot;
+        }
+        shaft_loss_19 "W", "power that the damper of the shaft between discs 19 and 20 takes" { damping => beta_K*k19*twist19_dot.powi(2); }
+        shaft_twist_20 "rad", "twist of the shaft between discs 20 and 21" { _ => twist20; }
+        shaft_torque_20 "N*m", "torque in the shaft between discs 20 and 21, damper included" {
+            _ => k20*twist20;
+            damping => beta_K*k20*twist20_dot;
+        }
+        shaft_loss_20 "W", "power that the damper of the shaft between discs 20 and 21 takes" { damping => beta_K*k20*twist20_dot.powi(2); }
+        shaft_twist_21 "rad", "twist of the shaft between discs 21 and 22" { _ => twist21; }
+        shaft_torque_21 "N*m", "torque in the shaft between discs 21 and 22, damper included" {
+            _ => k21*twist21;
+            damping => beta_K*k21*twist21_dot;
+        }
+        shaft_loss_21 "W", "power that the damper of the shaft between discs 21 and 22 takes" { damping => beta_K*k21*twist21_dot.powi(2); }
+        shaft_twist_22 "rad", "twist of the shaft between discs 22 and 23" { _ => twist22; }
+        shaft_torque_22 "N*m", "torque in the shaft between discs 22 and 23, damper included" {
+            _ => k22*twist22;
+            damping => beta_K*k22*twist22_dot;
+        }
+        shaft_loss_22 "W", "power that the damper of the shaft between discs 22 and 23 takes" { damping => beta_K*k22*twist22_dot.powi(2); }
+        shaft_twist_23 "rad", "twist of the shaft between discs 23 and 24" { _ => twist23; }
+        shaft_torque_23 "N*m", "torque in the shaft between discs 23 and 24, damper included" {
+            _ => k23*twist23;
+            damping => beta_K*k23*twist23_dot;
+        }
+        shaft_loss_23 "W", "power that the damper of the shaft between discs 23 and 24 takes" { damping => beta_K*k23*twist23_dot.powi(2); }
+        shaft_twist_24 "rad", "twist of the shaft between discs 24 and 25" { _ => twist24; }
+        shaft_torque_24 "N*m", "torque in the shaft between discs 24 and 25, damper included" {
+            _ => k24*twist24;
+            damping => beta_K*k24*twist24_dot;
+        }
+        shaft_loss_24 "W", "power that the damper of the shaft between discs 24 and 25 takes" { damping => beta_K*k24*twist24_dot.powi(2); }
+        shaft_twist_25 "rad", "twist of the shaft between discs 25 and 26" { _ => twist25; }
+        shaft_torque_25 "N*m", "torque in the shaft between discs 25 and 26, damper included" {
+            _ => k25*twist25;
+            damping => beta_K*k25*twist25_dot;
+        }
+        shaft_loss_25 "W", "power that the damper of the shaft between discs 25 and 26 takes" { damping => beta_K*k25*twist25_dot.powi(2); }
+        shaft_twist_26 "rad", "twist of the shaft between discs 26 and 27" { _ => twist26; }
+        shaft_torque_26 "N*m", "torque in the shaft between discs 26 and 27, damper included" {
+            _ => k26*twist26;
+            damping => beta_K*k26*twist26_dot;
+        }
+        shaft_loss_26 "W", "power that the damper of the shaft between discs 26 and 27 takes" { damping => beta_K*k26*twist26_dot.powi(2); }
+        shaft_twist_27 "rad", "twist of the shaft between discs 27 and 28" { _ => twist27; }
+        shaft_torque_27 "N*m", "torque in the shaft between discs 27 and 28, damper included" {
+            _ => k27*twist27;
+            damping => beta_K*k27*twist27_dot;
+        }
+        shaft_loss_27 "W", "power that the damper of the shaft between discs 27 and 28 takes" { damping => beta_K*k27*twist27_dot.powi(2); }
+        shaft_twist_28 "rad", "twist of the shaft between discs 28 and 29" { _ => twist28; }
+        shaft_torque_28 "N*m", "torque in the shaft between discs 28 and 29, damper included" {
+            _ => k28*twist28;
+            damping => beta_K*k28*twist28_dot;
+        }
+        shaft_loss_28 "W", "power that the damper of the shaft between discs 28 and 29 takes" { damping => beta_K*k28*twist28_dot.powi(2); }
+        shaft_twist_29 "rad", "twist of the shaft between discs 29 and 30" { _ => twist29; }
+        shaft_torque_29 "N*m", "torque in the shaft between discs 29 and 30, damper included" {
+            _ => k29*twist29;
+            damping => beta_K*k29*twist29_dot;
+        }
+        shaft_loss_29 "W", "power that the damper of the shaft between discs 29 and 30 takes" { damping => beta_K*k29*twist29_dot.powi(2); }
+        shaft_twist_30 "rad", "twist of the shaft between discs 30 and 31" { _ => twist30; }
+        shaft_torque_30 "N*m", "torque in the shaft between discs 30 and 31, damper included" {
+            _ => k30*twist30;
+            damping => beta_K*k30*twist30_dot;
+        }
+        shaft_loss_30 "W", "power that the damper of the shaft between discs 30 and 31 takes" { damping => beta_K*k30*twist30_dot.powi(2); }
+        shaft_twist_31 "rad", "twist of the shaft between discs 31 and 32" { _ => twist31; }
+        shaft_torque_31 "N*m", "torque in the shaft between discs 31 and 32, damper included" {
+            _ => k31*twist31;
+            damping => beta_K*k31*twist31_dot;
+        }
+        shaft_loss_31 "W", "power that the damper of the shaft between discs 31 and 32 takes" { damping => beta_K*k31*twist31_dot.powi(2); }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I10*theta10_dot.powi(2) + I11*theta11_dot.powi(2) + I12*theta12_dot.powi(2)
+                + I13*theta13_dot.powi(2) + I14*theta14_dot.powi(2) + I15*theta15_dot.powi(2) + I16*theta16_dot.powi(2)
+                + I17*theta17_dot.powi(2) + I18*theta18_dot.powi(2) + I19*theta19_dot.powi(2) + I2*theta2_dot.powi(2)
+                + I20*theta20_dot.powi(2) + I21*theta21_dot.powi(2) + I22*theta22_dot.powi(2) + I23*theta23_dot.powi(2)
+                + I24*theta24_dot.powi(2) + I25*theta25_dot.powi(2) + I26*theta26_dot.powi(2) + I27*theta27_dot.powi(2)
+                + I28*theta28_dot.powi(2) + I29*theta29_dot.powi(2) + I3*theta3_dot.powi(2) + I30*theta30_dot.powi(2)
+                + I31*theta31_dot.powi(2) + I32*theta32_dot.powi(2) + I4*theta4_dot.powi(2) + I5*theta5_dot.powi(2)
+                + I6*theta6_dot.powi(2) + I7*theta7_dot.powi(2) + I8*theta8_dot.powi(2) + I9*theta9_dot.powi(2))/2.0);
+        }
+    }
 
     text "text/chain_32.txt";
     latex "latex/chain_32.tex";

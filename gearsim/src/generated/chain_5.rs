@@ -157,6 +157,41 @@ equations! {
             theta5 { torques => -T_load; }
         }
     }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the disc 1" { _ => theta1_dot; }
+        rotor_speed_2 "rad/s", "rotational speed of the disc 2" { _ => theta2_dot; }
+        rotor_speed_3 "rad/s", "rotational speed of the disc 3" { _ => theta3_dot; }
+        rotor_speed_4 "rad/s", "rotational speed of the disc 4" { _ => theta4_dot; }
+        rotor_speed_5 "rad/s", "rotational speed of the disc 5" { _ => theta5_dot; }
+        shaft_twist_1 "rad", "twist of the shaft between discs 1 and 2" { _ => twist1; }
+        shaft_torque_1 "N*m", "torque in the shaft between discs 1 and 2, damper included" {
+            _ => k1*twist1;
+            damping => beta_K*k1*twist1_dot;
+        }
+        shaft_loss_1 "W", "power that the damper of the shaft between discs 1 and 2 takes" { damping => beta_K*k1*twist1_dot.powi(2); }
+        shaft_twist_2 "rad", "twist of the shaft between discs 2 and 3" { _ => twist2; }
+        shaft_torque_2 "N*m", "torque in the shaft between discs 2 and 3, damper included" {
+            _ => k2*twist2;
+            damping => beta_K*k2*twist2_dot;
+        }
+        shaft_loss_2 "W", "power that the damper of the shaft between discs 2 and 3 takes" { damping => beta_K*k2*twist2_dot.powi(2); }
+        shaft_twist_3 "rad", "twist of the shaft between discs 3 and 4" { _ => twist3; }
+        shaft_torque_3 "N*m", "torque in the shaft between discs 3 and 4, damper included" {
+            _ => k3*twist3;
+            damping => beta_K*k3*twist3_dot;
+        }
+        shaft_loss_3 "W", "power that the damper of the shaft between discs 3 and 4 takes" { damping => beta_K*k3*twist3_dot.powi(2); }
+        shaft_twist_4 "rad", "twist of the shaft between discs 4 and 5" { _ => twist4; }
+        shaft_torque_4 "N*m", "torque in the shaft between discs 4 and 5, damper included" {
+            _ => k4*twist4;
+            damping => beta_K*k4*twist4_dot;
+        }
+        shaft_loss_4 "W", "power that the damper of the shaft between discs 4 and 5 takes" { damping => beta_K*k4*twist4_dot.powi(2); }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2) + I3*theta3_dot.powi(2) + I4*theta4_dot.powi(2)
+                + I5*theta5_dot.powi(2))/2.0);
+        }
+    }
 
     text "text/chain_5.txt";
     latex "latex/chain_5.tex";

@@ -131,6 +131,7 @@ equations! {
     deflections {
         lead = theta_m - s1/(2.0*h1*N1) - theta1/N1;
         twist_c = theta1/N2 - s1/(2.0*h1*N2) - s2/(2.0*h2*N3) - theta2/N3;
+        twist_h = psi;
         over12 = s1 - edge12 - e12;
         tau12 = tan_a*s1;
         psi12 = s1/(2.0*h1*N1) - s1/(2.0*h1*N2) + theta1/N1 + theta1/N2;
@@ -341,14 +342,14 @@ equations! {
                 + I3*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
                 + I_m*theta_m_dot.powi(2) + I_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2))/2.0;
         }
-        potential { _ => (k_c*twist_c.powi(2) + k_h*psi.powi(2) + k12*touch12*over12.powi(2) + k34*touch34*over34.powi(2))/2.0; }
+        potential { _ => (k_c*twist_c.powi(2) + k_h*twist_h.powi(2) + k12*touch12*over12.powi(2) + k34*touch34*over34.powi(2))/2.0; }
         dissipation {
             dc_motor => Ts*theta_m_dot.powi(2)/(2.0*n0);
             viscous_friction_w => c_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2)/2.0;
             damping => (I1*alpha_M*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*alpha_M*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*alpha_M*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*alpha_M*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
                 + I_m*alpha_M*theta_m_dot.powi(2) + I_w*alpha_M*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2)
-                + beta_K*k_c*twist_c_dot.powi(2) + beta_K*k_h*psi_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
+                + beta_K*k_c*twist_c_dot.powi(2) + beta_K*k_h*twist_h_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
                 + beta_K*k34_mid*damp34*over34_dot.powi(2))/2.0;
         }
     }
@@ -440,11 +441,11 @@ equations! {
                 + I_w*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - I_w*alpha_M*psi_dot/(2.0*h2*N4) + beta_K*k_c*twist_c_dot/(2.0*h2*N3);
         }
         psi {
-            _ => -k_h*psi;
+            _ => -k_h*twist_h;
             torques => T_load;
             dry_friction_w => Tc_w*dir_w;
             viscous_friction_w => c_w*theta2_dot/N4 - c_w*psi_dot - c_w*s2_dot/(2.0*h2*N4);
-            damping => I_w*alpha_M*theta2_dot/N4 - I_w*alpha_M*psi_dot - beta_K*k_h*psi_dot - I_w*alpha_M*s2_dot/(2.0*h2*N4);
+            damping => I_w*alpha_M*theta2_dot/N4 - I_w*alpha_M*psi_dot - beta_K*k_h*twist_h_dot - I_w*alpha_M*s2_dot/(2.0*h2*N4);
         }
     }
     jacobian {
@@ -717,6 +718,72 @@ equations! {
     jump arm12 { step {} }
     jump side34 { step {} }
     jump arm34 { step {} }
+    outputs {
+        rotor_speed_m "rad/s", "rotational speed of the motor" { _ => theta_m_dot; }
+        rotor_speed_1 "rad/s", "rotational speed of the gear 1" { _ => s1_dot/(2.0*h1*N1) + theta1_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the gear 2" { _ => theta1_dot/N2 - s1_dot/(2.0*h1*N2); }
+        rotor_speed_3 "rad/s", "rotational speed of the gear 3" { _ => s2_dot/(2.0*h2*N3) + theta2_dot/N3; }
+        rotor_speed_4 "rad/s", "rotational speed of the gear 4" { _ => theta2_dot/N4 - s2_dot/(2.0*h2*N4); }
+        rotor_speed_w "rad/s", "rotational speed of the wheel and vehicle" { _ => theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4); }
+        clutch_loss "W" with overrunning_clutch, "power that the clutch between motor and gear 1 takes as it slips or drags" {
+            overrunning_clutch => Tdrag*drags*lead_dot + Tmax*slips*lead_dot;
+        }
+        shaft_twist_c "rad", "twist of the intermediate shaft" { _ => twist_c; }
+        shaft_torque_c "N*m", "torque in the intermediate shaft, damper included" {
+            _ => k_c*twist_c;
+            damping => beta_K*k_c*twist_c_dot;
+        }
+        shaft_loss_c "W", "power that the damper of the intermediate shaft takes" { damping => beta_K*k_c*twist_c_dot.powi(2); }
+        shaft_twist_h "rad", "twist of the half shaft" { _ => twist_h; }
+        shaft_torque_h "N*m", "torque in the half shaft, damper included" {
+            _ => k_h*twist_h;
+            damping => beta_K*k_h*twist_h_dot;
+        }
+        shaft_loss_h "W", "power that the damper of the half shaft takes" { damping => beta_K*k_h*twist_h_dot.powi(2); }
+        mesh_force_12 "N",
+            "force of the mesh of gears 1 and 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m",
+            "dynamic transmission error of the mesh of gears 1 and 2 along the line of action: positive if the driving gear is ahead" {
+            _ => s1;
+        }
+        mesh_loss_12 "W", "power that the damper of the mesh of gears 1 and 2 takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        mesh_force_34 "N",
+            "force of the mesh of gears 3 and 4 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k34*touch34*over34;
+            backlash_34 => k34*clip34*touch34*over34;
+            damping => beta_K*k34_mid*damp34*over34_dot;
+        }
+        dte_34 "m",
+            "dynamic transmission error of the mesh of gears 3 and 4 along the line of action: positive if the driving gear is ahead" {
+            _ => s2;
+        }
+        mesh_loss_34 "W", "power that the damper of the mesh of gears 3 and 4 takes" {
+            backlash_34 => k34*clip34*touch34*over34*over34_dot;
+            damping => beta_K*k34_mid*damp34*over34_dot.powi(2);
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts*theta_m_dot.powi(2)/n0;
+        }
+        friction_loss_w "W" with dry_friction_w, "power that the dry friction of the rolling wheel takes" {
+            dry_friction_w => Tc_w*dir_w*slip_w_dot;
+        }
+        viscous_loss_w "W" with viscous_friction_w, "power that the viscous friction of the wheel takes" {
+            _ => c_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
+                + I3*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
+                + I_m*theta_m_dot.powi(2) + I_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2))/2.0);
+        }
+    }
 
     text "text/electric_axle.txt";
     latex "latex/electric_axle.tex";

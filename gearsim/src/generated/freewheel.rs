@@ -124,6 +124,19 @@ equations! {
             }
         }
     }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the motor" { _ => theta1_dot; }
+        rotor_speed_2 "rad/s", "rotational speed of the driven rotor" { _ => theta2_dot; }
+        clutch_loss "W" with overrunning_clutch, "power that the clutch takes as it slips or drags" {
+            overrunning_clutch => Tdrag*drags*lead_dot + Tmax*slips*lead_dot;
+        }
+        friction_loss_2 "W" with dry_friction_2, "power that the dry friction of the bearings of the driven rotor takes" {
+            dry_friction_2 => Tc2*dir2*slip2_dot;
+        }
+        viscous_loss_2 "W" with viscous_friction_2, "power that the viscous friction of the driven rotor takes" {
+            _ => c2*theta2_dot.powi(2);
+        }
+    }
 
     text "text/freewheel.txt";
     latex "latex/freewheel.tex";

@@ -27,7 +27,10 @@ equations! {
     conditions {
     }
 
-    deflections { slip = phi; }
+    deflections {
+        twist = phi;
+        slip = phi;
+    }
     switches {
         slip "rad" (dir 0.0) with dry_friction, "dry friction of the bearing" {
             stuck (0.0) holds rests counts "stuck" {
@@ -47,7 +50,7 @@ equations! {
     }
     energies {
         kinetic { _ => I*phi_dot.powi(2)/2.0; }
-        potential { _ => k*phi.powi(2)/2.0; }
+        potential { _ => k*twist.powi(2)/2.0; }
     }
     torques { motor "driving torque of the rotor" { torques => T_motor*phi; } }
     work { phi { torques => T_motor; } }
@@ -55,7 +58,7 @@ equations! {
     mobility { phi phi { _ => 1.0/I; } }
     force {
         phi {
-            _ => -k*phi;
+            _ => -k*twist;
             dry_friction => -Tc*dir;
             torques => T_motor;
         }
@@ -71,6 +74,13 @@ equations! {
                 torques => T_motor;
             }
         }
+    }
+    outputs {
+        rotor_speed "rad/s", "rotational speed of the rotor" { _ => phi_dot; }
+        shaft_twist "rad", "twist of the spring" { _ => twist; }
+        shaft_torque "N*m", "torque in the spring, damper included" { _ => k*twist; }
+        shaft_loss "W", "power that the damper of the spring takes" {}
+        friction_loss "W" with dry_friction, "power that the dry friction of the bearing takes" { dry_friction => Tc*dir*slip_dot; }
     }
 
     text "text/friction_oscillator.txt";

@@ -272,6 +272,20 @@ equations! {
     }
     jump side { step {} }
     jump arm { step {} }
+    outputs {
+        dte "rad", "dynamic transmission error as a rotation of the driving gear, theta1 - N2/N1 theta2" { _ => 2.0*phi/N1; }
+        mesh_torque "N*m", "torque of the mesh on the driving gear, damper included" {
+            _ => N1*k*touch*over;
+            backlash => N1*k*clip*touch*over;
+            damping => C*N1*damp*over_dot;
+        }
+        mesh_loss "W", "power that the damper of the mesh takes" {
+            backlash => 2.0*k*clip*touch*over*over_dot;
+            damping => 2.0*C*damp*over_dot.powi(2);
+        }
+        rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => phi_dot/N1 + theta_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N2 - phi_dot/N2; }
+    }
 
     text "text/gear_pair.txt";
     latex "latex/gear_pair.tex";

@@ -81,6 +81,10 @@ equations! {
         tiny12 = 1.0/1000000000000.0;
     }
     deflections {
+        bx1 = x1;
+        by1 = y1;
+        bx2 = x2;
+        by2 = y2;
         over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
         tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
@@ -176,11 +180,11 @@ equations! {
             _ => (I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2) + m1*x1_dot.powi(2)
                 + m1*y1_dot.powi(2) + m2*x2_dot.powi(2) + m2*y2_dot.powi(2))/2.0;
         }
-        potential { _ => (kb1*x1.powi(2) + kb1*y1.powi(2) + kb2*x2.powi(2) + kb2*y2.powi(2) + k12*touch12*over12.powi(2))/2.0; }
+        potential { _ => (kb1*bx1.powi(2) + kb1*by1.powi(2) + kb2*bx2.powi(2) + kb2*by2.powi(2) + k12*touch12*over12.powi(2))/2.0; }
         dissipation {
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + alpha_M*m1*x1_dot.powi(2) + alpha_M*m1*y1_dot.powi(2) + alpha_M*m2*x2_dot.powi(2) + alpha_M*m2*y2_dot.powi(2)
-                + beta_K*kb1*x1_dot.powi(2) + beta_K*kb1*y1_dot.powi(2) + beta_K*kb2*x2_dot.powi(2) + beta_K*kb2*y2_dot.powi(2)
+                + beta_K*kb1*bx1_dot.powi(2) + beta_K*kb1*by1_dot.powi(2) + beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2)
                 + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
         }
     }
@@ -224,28 +228,28 @@ equations! {
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
         }
         x1 {
-            _ => -sin_a*k12*touch12*over12 - kb1*x1;
+            _ => -sin_a*k12*touch12*over12 - kb1*bx1;
             backlash_12 => -sin_a*k12*clip12*touch12*over12;
             sliding_friction_12 => cos_a*side12*F_mu12;
-            damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*x1_dot;
+            damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*bx1_dot;
         }
         y1 {
-            _ => -cos_a*k12*touch12*over12 - kb1*y1;
+            _ => -cos_a*k12*touch12*over12 - kb1*by1;
             backlash_12 => -cos_a*k12*clip12*touch12*over12;
             sliding_friction_12 => -sin_a*side12*F_mu12;
-            damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*y1_dot;
+            damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*by1_dot;
         }
         x2 {
-            _ => sin_a*k12*touch12*over12 - kb2*x2;
+            _ => sin_a*k12*touch12*over12 - kb2*bx2;
             backlash_12 => sin_a*k12*clip12*touch12*over12;
             sliding_friction_12 => -cos_a*side12*F_mu12;
-            damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*x2_dot;
+            damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*bx2_dot;
         }
         y2 {
-            _ => cos_a*k12*touch12*over12 - kb2*y2;
+            _ => cos_a*k12*touch12*over12 - kb2*by2;
             backlash_12 => cos_a*k12*clip12*touch12*over12;
             sliding_friction_12 => sin_a*side12*F_mu12;
-            damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*y2_dot;
+            damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*by2_dot;
         }
     }
     jacobian {
@@ -631,6 +635,54 @@ equations! {
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
     jump side12 { step {} }
     jump arm12 { step {} }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => s_dot/(2.0*h*N1) + theta_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N2 - s_dot/(2.0*h*N2); }
+        bearing_force_1_x "N", "force on the bearing of gear 1 along x" {
+            _ => kb1*bx1;
+            damping => beta_K*kb1*bx1_dot;
+        }
+        bearing_force_1_y "N", "force on the bearing of gear 1 along y" {
+            _ => kb1*by1;
+            damping => beta_K*kb1*by1_dot;
+        }
+        bearing_force_1 "N", "magnitude of the force on the bearing of gear 1" {
+            _ => (bearing_force_1_x.powi(2) + bearing_force_1_y.powi(2)).sqrt();
+        }
+        bearing_loss_1 "W", "power that the damper of the bearing of gear 1 takes" {
+            damping => beta_K*kb1*bx1_dot.powi(2) + beta_K*kb1*by1_dot.powi(2);
+        }
+        bearing_force_2_x "N", "force on the bearing of gear 2 along x" {
+            _ => kb2*bx2;
+            damping => beta_K*kb2*bx2_dot;
+        }
+        bearing_force_2_y "N", "force on the bearing of gear 2 along y" {
+            _ => kb2*by2;
+            damping => beta_K*kb2*by2_dot;
+        }
+        bearing_force_2 "N", "magnitude of the force on the bearing of gear 2" {
+            _ => (bearing_force_2_x.powi(2) + bearing_force_2_y.powi(2)).sqrt();
+        }
+        bearing_loss_2 "W", "power that the damper of the bearing of gear 2 takes" {
+            damping => beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2);
+        }
+        mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" {
+            _ => s - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
+        }
+        mesh_loss_12 "W", "power that the damper of the mesh takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
+                + m1*x1_dot.powi(2) + m1*y1_dot.powi(2) + m2*x2_dot.powi(2) + m2*y2_dot.powi(2))/2.0);
+        }
+    }
 
     text "text/gear_pair_bearings.txt";
     latex "latex/gear_pair_bearings.tex";

@@ -96,6 +96,8 @@ equations! {
         tiny12 = 1.0/1000000000000.0;
     }
     deflections {
+        twist_m = psi_m;
+        twist_l = psi_l;
         over12 = s - edge12 - e12;
         tau12 = tan_a*s;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
@@ -194,14 +196,14 @@ equations! {
                 + I_l*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2)
                 + I_m*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2))/2.0;
         }
-        potential { _ => (k_l*psi_l.powi(2) + k_m*psi_m.powi(2) + k12*touch12*over12.powi(2))/2.0; }
+        potential { _ => (k_l*twist_l.powi(2) + k_m*twist_m.powi(2) + k12*touch12*over12.powi(2))/2.0; }
         dissipation {
             speed_governor => c_motor*theta_m_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_m_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2)
-                + I_m*alpha_M*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + beta_K*k_l*psi_l_dot.powi(2)
-                + beta_K*k_m*psi_m_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
+                + I_m*alpha_M*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + beta_K*k_l*twist_l_dot.powi(2)
+                + beta_K*k_m*twist_m_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
         }
     }
     torques {
@@ -293,7 +295,7 @@ equations! {
                 - I_m*alpha_M*theta_dot/(2.0*h*N1.powi(2)) - I_m*alpha_M*psi_m_dot/(2.0*h*N1);
         }
         psi_m {
-            _ => -k_m*psi_m;
+            _ => -k_m*twist_m;
             torques => T_motor;
             speed_governor => c_motor*n_motor - c_motor*theta_m_dot;
             dc_motor => Ts_motor - Ts_motor*theta_m_dot/n0_motor;
@@ -301,13 +303,13 @@ equations! {
                 /(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)
                 - Tb_motor*sb_motor*theta_m_dot
                 /(ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)));
-            damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s_dot/(2.0*h*N1);
+            damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*twist_m_dot - I_m*alpha_M*s_dot/(2.0*h*N1);
         }
         psi_l {
-            _ => -k_l*psi_l;
+            _ => -k_l*twist_l;
             torques => T_load;
             fan_load => cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt();
-            damping => I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s_dot/(2.0*h*N2);
+            damping => I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*twist_l_dot - I_l*alpha_M*s_dot/(2.0*h*N2);
         }
     }
     jacobian {
@@ -641,6 +643,47 @@ equations! {
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
     jump side12 { step {} }
     jump arm12 { step {} }
+    outputs {
+        rotor_speed_m "rad/s", "rotational speed of the motor" { _ => psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1; }
+        rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => s_dot/(2.0*h*N1) + theta_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N2 - s_dot/(2.0*h*N2); }
+        rotor_speed_l "rad/s", "rotational speed of the load" { _ => theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2); }
+        shaft_twist_m "rad", "twist of the motor's shaft" { _ => twist_m; }
+        shaft_torque_m "N*m", "torque in the motor's shaft, damper included" {
+            _ => k_m*twist_m;
+            damping => beta_K*k_m*twist_m_dot;
+        }
+        shaft_loss_m "W", "power that the damper of the motor's shaft takes" { damping => beta_K*k_m*twist_m_dot.powi(2); }
+        shaft_twist_l "rad", "twist of the load's shaft" { _ => twist_l; }
+        shaft_torque_l "N*m", "torque in the load's shaft, damper included" {
+            _ => k_l*twist_l;
+            damping => beta_K*k_l*twist_l_dot;
+        }
+        shaft_loss_l "W", "power that the damper of the load's shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
+        mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" { _ => s; }
+        mesh_loss_12 "W", "power that the damper of the mesh takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_m_dot.powi(2);
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_m_dot.powi(2)/n0_motor;
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
+                + I_l*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2)
+                + I_m*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2))/2.0);
+        }
+    }
 
     text "text/gear_pair_shafts.txt";
     latex "latex/gear_pair_shafts.tex";

@@ -146,6 +146,35 @@ equations! {
             theta_b { torques => -T_load; }
         }
     }
+    outputs {
+        rotor_speed_m "rad/s", "rotational speed of the motor" { _ => theta_m_dot; }
+        rotor_speed_1 "rad/s", "rotational speed of the first shaft's gear" { _ => theta1_dot; }
+        rotor_speed_2 "rad/s", "rotational speed of the second shaft's gear" { _ => N1*theta1_dot/N2; }
+        rotor_speed_a "rad/s", "rotational speed of the first shaft's disc" { _ => theta_a_dot; }
+        rotor_speed_b "rad/s", "rotational speed of the second shaft's disc" { _ => theta_b_dot; }
+        shaft_twist_m "rad", "twist of the motor's shaft" { _ => twist_m; }
+        shaft_torque_m "N*m", "torque in the motor's shaft, damper included" {
+            _ => k_m*twist_m;
+            damping => beta_K*k_m*twist_m_dot;
+        }
+        shaft_loss_m "W", "power that the damper of the motor's shaft takes" { damping => beta_K*k_m*twist_m_dot.powi(2); }
+        shaft_twist_a "rad", "twist of the shaft to the first disc" { _ => twist_a; }
+        shaft_torque_a "N*m", "torque in the shaft to the first disc, damper included" {
+            _ => k_a*twist_a;
+            damping => beta_K*k_a*twist_a_dot;
+        }
+        shaft_loss_a "W", "power that the damper of the shaft to the first disc takes" { damping => beta_K*k_a*twist_a_dot.powi(2); }
+        shaft_twist_b "rad", "twist of the shaft to the second disc" { _ => twist_b; }
+        shaft_torque_b "N*m", "torque in the shaft to the second disc, damper included" {
+            _ => k_b*twist_b;
+            damping => beta_K*k_b*twist_b_dot;
+        }
+        shaft_loss_b "W", "power that the damper of the shaft to the second disc takes" { damping => beta_K*k_b*twist_b_dot.powi(2); }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2)
+                + I_b*theta_b_dot.powi(2) + I_m*theta_m_dot.powi(2))/2.0);
+        }
+    }
 
     text "text/geared_branches.txt";
     latex "latex/geared_branches.tex";

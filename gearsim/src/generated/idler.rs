@@ -62,9 +62,9 @@ equations! {
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
         transmission_error_12 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         transmission_error_23 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
-        backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         backlash_23 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
@@ -470,6 +470,43 @@ equations! {
     jump arm12 { step {} }
     jump side23 { step {} }
     jump arm23 { step {} }
+    outputs {
+        rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => delta1_dot/(h*N1) + theta_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the idler" { _ => theta_dot/N2; }
+        rotor_speed_3 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N3 - delta2_dot/(h*N3); }
+        mesh_force_12 "N",
+            "force of the mesh of gears 1 and 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m",
+            "dynamic transmission error of the mesh of gears 1 and 2 along the line of action: positive if the driving gear is ahead" {
+            _ => delta1;
+        }
+        mesh_loss_12 "W", "power that the damper of the mesh of gears 1 and 2 takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        mesh_force_23 "N",
+            "force of the mesh of gears 2 and 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k23*touch23*over23;
+            backlash_23 => k23*clip23*touch23*over23;
+            damping => beta_K*k23_mid*damp23*over23_dot;
+        }
+        dte_23 "m",
+            "dynamic transmission error of the mesh of gears 2 and 3 along the line of action: positive if the driving gear is ahead" {
+            _ => delta2;
+        }
+        mesh_loss_23 "W", "power that the damper of the mesh of gears 2 and 3 takes" {
+            backlash_23 => k23*clip23*touch23*over23*over23_dot;
+            damping => beta_K*k23_mid*damp23*over23_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*theta_dot.powi(2)/N2.powi(2)
+                + I3*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2))/2.0);
+        }
+    }
 
     text "text/idler.txt";
     latex "latex/idler.tex";

@@ -7,11 +7,15 @@ pub mod backlash_oscillator;
 #[rustfmt::skip]
 pub mod belt_drive;
 #[rustfmt::skip]
+pub mod cardan_drive;
+#[rustfmt::skip]
 pub mod chain_2;
 #[rustfmt::skip]
 pub mod chain_32;
 #[rustfmt::skip]
 pub mod chain_5;
+#[rustfmt::skip]
+pub mod crank_drive;
 #[rustfmt::skip]
 pub mod electric_axle;
 #[rustfmt::skip]
@@ -62,6 +66,8 @@ pub static MODELS: &[Entry] = &[
     Entry::new::<two_stage::TwoStage>(),
     Entry::new::<idler::Idler>(),
     Entry::new::<belt_drive::BeltDrive>(),
+    Entry::new::<crank_drive::CrankDrive>(),
+    Entry::new::<cardan_drive::CardanDrive>(),
     Entry::new::<planetary_3::Planetary3>(),
     Entry::new::<planetary_4::Planetary4>(),
     Entry::new::<planetary_5::Planetary5>(),

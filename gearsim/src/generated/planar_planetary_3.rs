@@ -141,6 +141,13 @@ equations! {
         sin_r3 = (alpha + psi3).sin();
     }
     deflections {
+        bx_s = x_s;
+        by_s = y_s;
+        bx_c = x_c;
+        by_c = y_c;
+        bx_r = x_r;
+        by_r = y_r;
+        twist_r = theta_r;
         radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c;
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
         delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
@@ -166,10 +173,11 @@ equations! {
                 + m_s*x_s_dot.powi(2) + m_s*y_s_dot.powi(2))/2.0;
         }
         potential {
-            _ => (k_r*theta_r.powi(2) + kb_c*x_c.powi(2) + kb_c*y_c.powi(2) + kb_p*radial1.powi(2) + kb_p*radial2.powi(2)
-                + kb_p*radial3.powi(2) + kb_p*tangential1.powi(2) + kb_p*tangential2.powi(2) + kb_p*tangential3.powi(2) + kb_r*x_r.powi(2)
-                + kb_r*y_r.powi(2) + kb_s*x_s.powi(2) + kb_s*y_s.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2)
-                + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2))/2.0;
+            _ => (k_r*twist_r.powi(2) + kb_c*bx_c.powi(2) + kb_c*by_c.powi(2) + kb_p*radial1.powi(2) + kb_p*radial2.powi(2)
+                + kb_p*radial3.powi(2) + kb_p*tangential1.powi(2) + kb_p*tangential2.powi(2) + kb_p*tangential3.powi(2)
+                + kb_r*bx_r.powi(2) + kb_r*by_r.powi(2) + kb_s*bx_s.powi(2) + kb_s*by_s.powi(2) + k_r1*delta_r1.powi(2)
+                + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2)
+                + k_s3*delta_s3.powi(2))/2.0;
         }
         dissipation {
             damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)
@@ -181,11 +189,11 @@ equations! {
                 + alpha_M*m_p*zeta3_dot.powi(2) + alpha_M*m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2)
                 + alpha_M*m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2)
                 + alpha_M*m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + alpha_M*m_r*x_r_dot.powi(2)
-                + alpha_M*m_r*y_r_dot.powi(2) + alpha_M*m_s*x_s_dot.powi(2) + alpha_M*m_s*y_s_dot.powi(2) + beta_K*k_r*theta_r_dot.powi(2)
-                + beta_K*kb_c*x_c_dot.powi(2) + beta_K*kb_c*y_c_dot.powi(2) + beta_K*kb_p*radial1_dot.powi(2)
+                + alpha_M*m_r*y_r_dot.powi(2) + alpha_M*m_s*x_s_dot.powi(2) + alpha_M*m_s*y_s_dot.powi(2) + beta_K*k_r*twist_r_dot.powi(2)
+                + beta_K*kb_c*bx_c_dot.powi(2) + beta_K*kb_c*by_c_dot.powi(2) + beta_K*kb_p*radial1_dot.powi(2)
                 + beta_K*kb_p*radial2_dot.powi(2) + beta_K*kb_p*radial3_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2)
-                + beta_K*kb_p*tangential2_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2) + beta_K*kb_r*x_r_dot.powi(2)
-                + beta_K*kb_r*y_r_dot.powi(2) + beta_K*kb_s*x_s_dot.powi(2) + beta_K*kb_s*y_s_dot.powi(2)
+                + beta_K*kb_p*tangential2_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2) + beta_K*kb_r*bx_r_dot.powi(2)
+                + beta_K*kb_r*by_r_dot.powi(2) + beta_K*kb_s*bx_s_dot.powi(2) + beta_K*kb_s*by_s_dot.powi(2)
                 + beta_K*k_r1_mid*delta_r1_dot.powi(2) + beta_K*k_r2_mid*delta_r2_dot.powi(2) + beta_K*k_r3_mid*delta_r3_dot.powi(2)
                 + beta_K*k_s1_mid*delta_s1_dot.powi(2) + beta_K*k_s2_mid*delta_s2_dot.powi(2) + beta_K*k_s3_mid*delta_s3_dot.powi(2))/2.0;
         }
@@ -264,43 +272,43 @@ equations! {
                 - 3.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p;
         }
         theta_r {
-            _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*theta_r;
+            _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*twist_r;
             damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot
-                - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot;
+                - I_r*alpha_M*theta_r_dot - beta_K*k_r*twist_r_dot;
         }
         x_s {
-            _ => sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 - kb_s*x_s;
+            _ => sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 - kb_s*bx_s;
             damping => sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot
-                - alpha_M*m_s*x_s_dot - beta_K*kb_s*x_s_dot;
+                - alpha_M*m_s*x_s_dot - beta_K*kb_s*bx_s_dot;
         }
         y_s {
-            _ => -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - kb_s*y_s;
+            _ => -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - kb_s*by_s;
             damping => -cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot
-                - alpha_M*m_s*y_s_dot - beta_K*kb_s*y_s_dot;
+                - alpha_M*m_s*y_s_dot - beta_K*kb_s*by_s_dot;
         }
         x_c {
             _ => sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 + sin_c2*kb_p*tangential2
-                + sin_c3*kb_p*tangential3 - kb_c*x_c;
+                + sin_c3*kb_p*tangential3 - kb_c*bx_c;
             damping => sin_c1*beta_K*kb_p*tangential1_dot - cos_c1*beta_K*kb_p*radial1_dot - cos_c2*beta_K*kb_p*radial2_dot
                 - cos_c3*beta_K*kb_p*radial3_dot + sin_c2*beta_K*kb_p*tangential2_dot + sin_c3*beta_K*kb_p*tangential3_dot
-                - alpha_M*m_c*x_c_dot - beta_K*kb_c*x_c_dot;
+                - alpha_M*m_c*x_c_dot - beta_K*kb_c*bx_c_dot;
         }
         y_c {
             _ => -cos_c1*kb_p*tangential1 - cos_c2*kb_p*tangential2 - cos_c3*kb_p*tangential3 - sin_c1*kb_p*radial1 - sin_c2*kb_p*radial2
-                - sin_c3*kb_p*radial3 - kb_c*y_c;
+                - sin_c3*kb_p*radial3 - kb_c*by_c;
             damping => -cos_c1*beta_K*kb_p*tangential1_dot - cos_c2*beta_K*kb_p*tangential2_dot - cos_c3*beta_K*kb_p*tangential3_dot
                 - sin_c1*beta_K*kb_p*radial1_dot - sin_c2*beta_K*kb_p*radial2_dot - sin_c3*beta_K*kb_p*radial3_dot - alpha_M*m_c*y_c_dot
-                - beta_K*kb_c*y_c_dot;
+                - beta_K*kb_c*by_c_dot;
         }
         x_r {
-            _ => sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 - kb_r*x_r;
+            _ => sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 - kb_r*bx_r;
             damping => sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot
-                - alpha_M*m_r*x_r_dot - beta_K*kb_r*x_r_dot;
+                - alpha_M*m_r*x_r_dot - beta_K*kb_r*bx_r_dot;
         }
         y_r {
-            _ => -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - kb_r*y_r;
+            _ => -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - kb_r*by_r;
             damping => -cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot
-                - alpha_M*m_r*y_r_dot - beta_K*kb_r*y_r_dot;
+                - alpha_M*m_r*y_r_dot - beta_K*kb_r*by_r_dot;
         }
         zeta1 {
             _ => sin_a*k_s1*delta_s1 - sin_a*k_r1*delta_r1 + kb_p*radial1;
@@ -1230,6 +1238,184 @@ equations! {
     jump e_r2 { step { _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2; } }
     jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
     jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
+    outputs {
+        rotor_speed_s "rad/s", "rotational speed of the sun" { _ => theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s); }
+        bearing_force_s_x "N", "force on the bearing of the sun along x" {
+            _ => kb_s*bx_s;
+            damping => beta_K*kb_s*bx_s_dot;
+        }
+        bearing_force_s_y "N", "force on the bearing of the sun along y" {
+            _ => kb_s*by_s;
+            damping => beta_K*kb_s*by_s_dot;
+        }
+        bearing_force_s "N", "magnitude of the force on the bearing of the sun" {
+            _ => (bearing_force_s_x.powi(2) + bearing_force_s_y.powi(2)).sqrt();
+        }
+        bearing_loss_s "W", "power that the damper of the bearing of the sun takes" {
+            damping => beta_K*kb_s*bx_s_dot.powi(2) + beta_K*kb_s*by_s_dot.powi(2);
+        }
+        rotor_speed_c "rad/s", "rotational speed of the carrier" { _ => theta_c_dot + theta_dot/Z_r; }
+        bearing_force_c_x "N", "force on the bearing of the carrier along x" {
+            _ => kb_c*bx_c;
+            damping => beta_K*kb_c*bx_c_dot;
+        }
+        bearing_force_c_y "N", "force on the bearing of the carrier along y" {
+            _ => kb_c*by_c;
+            damping => beta_K*kb_c*by_c_dot;
+        }
+        bearing_force_c "N", "magnitude of the force on the bearing of the carrier" {
+            _ => (bearing_force_c_x.powi(2) + bearing_force_c_y.powi(2)).sqrt();
+        }
+        bearing_loss_c "W", "power that the damper of the bearing of the carrier takes" {
+            damping => beta_K*kb_c*bx_c_dot.powi(2) + beta_K*kb_c*by_c_dot.powi(2);
+        }
+        rotor_speed_r "rad/s", "rotational speed of the ring" { _ => theta_r_dot; }
+        bearing_force_r_x "N", "force on the bearing of the ring along x" {
+            _ => kb_r*bx_r;
+            damping => beta_K*kb_r*bx_r_dot;
+        }
+        bearing_force_r_y "N", "force on the bearing of the ring along y" {
+            _ => kb_r*by_r;
+            damping => beta_K*kb_r*by_r_dot;
+        }
+        bearing_force_r "N", "magnitude of the force on the bearing of the ring" {
+            _ => (bearing_force_r_x.powi(2) + bearing_force_r_y.powi(2)).sqrt();
+        }
+        bearing_loss_r "W", "power that the damper of the bearing of the ring takes" {
+            damping => beta_K*kb_r*bx_r_dot.powi(2) + beta_K*kb_r*by_r_dot.powi(2);
+        }
+        shaft_twist_r "rad", "twist of the ring's torsional support" { _ => twist_r; }
+        shaft_torque_r "N*m", "torque in the ring's torsional support, damper included" {
+            _ => k_r*twist_r;
+            damping => beta_K*k_r*twist_r_dot;
+        }
+        shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
+        planet_bearing_force_1_radial "N", "radial force on the bearing of planet 1" {
+            _ => kb_p*radial1;
+            damping => beta_K*kb_p*radial1_dot;
+        }
+        planet_bearing_force_1_tangential "N", "tangential force on the bearing of planet 1" {
+            _ => kb_p*tangential1;
+            damping => beta_K*kb_p*tangential1_dot;
+        }
+        planet_bearing_force_1 "N", "magnitude of the force on the bearing of planet 1" {
+            _ => (planet_bearing_force_1_radial.powi(2) + planet_bearing_force_1_tangential.powi(2)).sqrt();
+        }
+        planet_bearing_loss_1 "W", "power that the damper of the bearing of planet 1 takes" {
+            damping => beta_K*kb_p*radial1_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2);
+        }
+        mesh_force_s1 "N",
+            "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s1*delta_s1;
+            damping => beta_K*k_s1_mid*delta_s1_dot;
+        }
+        dte_s1 "m",
+            "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s1*x_s;
+        }
+        mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" { damping => beta_K*k_s1_mid*delta_s1_dot.powi(2); }
+        mesh_force_r1 "N",
+            "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r1*delta_r1;
+            damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        dte_r1 "m",
+            "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => cos_r1*y_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) + h*Z_r*theta_r - sin_r1*x_r;
+        }
+        mesh_loss_r1 "W", "power that the damper of the mesh of ring and planet 1 takes" {
+            damping => beta_K*k_r1_mid*delta_r1_dot.powi(2);
+        }
+        planet_bearing_force_2_radial "N", "radial force on the bearing of planet 2" {
+            _ => kb_p*radial2;
+            damping => beta_K*kb_p*radial2_dot;
+        }
+        planet_bearing_force_2_tangential "N", "tangential force on the bearing of planet 2" {
+            _ => kb_p*tangential2;
+            damping => beta_K*kb_p*tangential2_dot;
+        }
+        planet_bearing_force_2 "N", "magnitude of the force on the bearing of planet 2" {
+            _ => (planet_bearing_force_2_radial.powi(2) + planet_bearing_force_2_tangential.powi(2)).sqrt();
+        }
+        planet_bearing_loss_2 "W", "power that the damper of the bearing of planet 2 takes" {
+            damping => beta_K*kb_p*radial2_dot.powi(2) + beta_K*kb_p*tangential2_dot.powi(2);
+        }
+        mesh_force_s2 "N",
+            "force of the mesh of sun and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s2*delta_s2;
+            damping => beta_K*k_s2_mid*delta_s2_dot;
+        }
+        dte_s2 "m",
+            "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s2*x_s;
+        }
+        mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" { damping => beta_K*k_s2_mid*delta_s2_dot.powi(2); }
+        mesh_force_r2 "N",
+            "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r2*delta_r2;
+            damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        dte_r2 "m",
+            "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => cos_r2*y_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) + h*Z_r*theta_r - sin_r2*x_r;
+        }
+        mesh_loss_r2 "W", "power that the damper of the mesh of ring and planet 2 takes" {
+            damping => beta_K*k_r2_mid*delta_r2_dot.powi(2);
+        }
+        planet_bearing_force_3_radial "N", "radial force on the bearing of planet 3" {
+            _ => kb_p*radial3;
+            damping => beta_K*kb_p*radial3_dot;
+        }
+        planet_bearing_force_3_tangential "N", "tangential force on the bearing of planet 3" {
+            _ => kb_p*tangential3;
+            damping => beta_K*kb_p*tangential3_dot;
+        }
+        planet_bearing_force_3 "N", "magnitude of the force on the bearing of planet 3" {
+            _ => (planet_bearing_force_3_radial.powi(2) + planet_bearing_force_3_tangential.powi(2)).sqrt();
+        }
+        planet_bearing_loss_3 "W", "power that the damper of the bearing of planet 3 takes" {
+            damping => beta_K*kb_p*radial3_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2);
+        }
+        mesh_force_s3 "N",
+            "force of the mesh of sun and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s3*delta_s3;
+            damping => beta_K*k_s3_mid*delta_s3_dot;
+        }
+        dte_s3 "m",
+            "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s3*x_s;
+        }
+        mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" { damping => beta_K*k_s3_mid*delta_s3_dot.powi(2); }
+        mesh_force_r3 "N",
+            "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r3*delta_r3;
+            damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        dte_r3 "m",
+            "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => cos_r3*y_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) + h*Z_r*theta_r - sin_r3*x_r;
+        }
+        mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
+            damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I_c*(theta_c_dot + theta_dot/Z_r).powi(2)
+                + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
+                + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
+                + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2) + I_r*theta_r_dot.powi(2)
+                + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2) + m_c*x_c_dot.powi(2) + m_c*y_c_dot.powi(2)
+                + m_p*zeta1_dot.powi(2) + m_p*zeta2_dot.powi(2) + m_p*zeta3_dot.powi(2)
+                + m_p*(eta1_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_p*(eta2_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2)
+                + m_p*(eta3_dot + a*(theta_c_dot + theta_dot/Z_r)).powi(2) + m_r*x_r_dot.powi(2) + m_r*y_r_dot.powi(2)
+                + m_s*x_s_dot.powi(2) + m_s*y_s_dot.powi(2))/2.0);
+        }
+    }
 
     text "text/planar_planetary_3.txt";
     latex "latex/planar_planetary_3.tex";

@@ -101,6 +101,7 @@ equations! {
         a = (h*Z_r/cos_a + h*Z_s/cos_a)/2.0;
     }
     deflections {
+        twist_r = theta_r;
         delta_s1 = u1 - e_s1;
         delta_r1 = h*Z_r*theta_r - u1 - e_r1 - h*Z_r*theta_c;
         delta_s2 = u2 - e_s2;
@@ -118,7 +119,7 @@ equations! {
                 + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
         }
         potential {
-            _ => (k_r*theta_r.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2)
+            _ => (k_r*twist_r.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2)
                 + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2))/2.0;
         }
         dissipation {
@@ -126,7 +127,7 @@ equations! {
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_r*alpha_M*theta_r_dot.powi(2)/2.0
-                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_r*theta_r_dot.powi(2)/2.0
+                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_r*twist_r_dot.powi(2)/2.0
                 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0
                 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_s1_mid*delta_s1_dot.powi(2)/2.0
                 + beta_K*k_s2_mid*delta_s2_dot.powi(2)/2.0 + beta_K*k_s3_mid*delta_s3_dot.powi(2)/2.0
@@ -188,9 +189,9 @@ equations! {
                 - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p;
         }
         theta_r {
-            _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*theta_r;
+            _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - k_r*twist_r;
             damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot
-                - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot;
+                - I_r*alpha_M*theta_r_dot - beta_K*k_r*twist_r_dot;
         }
         u1 {
             _ => k_r1*delta_r1 - k_s1*delta_s1;
@@ -417,6 +418,94 @@ equations! {
     jump e_r2 { step { _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2; } }
     jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
     jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
+    outputs {
+        rotor_speed_s "rad/s", "rotational speed of the sun" { _ => theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s); }
+        rotor_speed_c "rad/s", "rotational speed of the carrier without planets" { _ => theta_c_dot + theta_dot/Z_r; }
+        rotor_speed_r "rad/s", "rotational speed of the ring" { _ => theta_r_dot; }
+        shaft_twist_r "rad", "twist of the ring's torsional support" { _ => twist_r; }
+        shaft_torque_r "N*m", "torque in the ring's torsional support, damper included" {
+            _ => k_r*twist_r;
+            damping => beta_K*k_r*twist_r_dot;
+        }
+        shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
+        mesh_force_s1 "N",
+            "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s1*delta_s1;
+            damping => beta_K*k_s1_mid*delta_s1_dot;
+        }
+        dte_s1 "m",
+            "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => u1 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" { damping => beta_K*k_s1_mid*delta_s1_dot.powi(2); }
+        mesh_force_r1 "N",
+            "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r1*delta_r1;
+            damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        dte_r1 "m",
+            "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r1 "W", "power that the damper of the mesh of ring and planet 1 takes" {
+            damping => beta_K*k_r1_mid*delta_r1_dot.powi(2);
+        }
+        mesh_force_s2 "N",
+            "force of the mesh of sun and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s2*delta_s2;
+            damping => beta_K*k_s2_mid*delta_s2_dot;
+        }
+        dte_s2 "m",
+            "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => u2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" { damping => beta_K*k_s2_mid*delta_s2_dot.powi(2); }
+        mesh_force_r2 "N",
+            "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r2*delta_r2;
+            damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        dte_r2 "m",
+            "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r2 "W", "power that the damper of the mesh of ring and planet 2 takes" {
+            damping => beta_K*k_r2_mid*delta_r2_dot.powi(2);
+        }
+        mesh_force_s3 "N",
+            "force of the mesh of sun and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s3*delta_s3;
+            damping => beta_K*k_s3_mid*delta_s3_dot;
+        }
+        dte_s3 "m",
+            "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => u3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" { damping => beta_K*k_s3_mid*delta_s3_dot.powi(2); }
+        mesh_force_r3 "N",
+            "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r3*delta_r3;
+            damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        dte_r3 "m",
+            "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
+            damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*(I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_r*theta_r_dot.powi(2)/2.0
+                + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0
+                + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0);
+        }
+    }
 
     text "text/planetary_3.txt";
     latex "latex/planetary_3.tex";

@@ -161,6 +161,7 @@ equations! {
         a = (h*Z_r/cos_a + h*Z_s/cos_a)/2.0;
     }
     deflections {
+        twist_r = theta_r;
         delta_s1 = u1 - e_s1;
         delta_r1 = h*Z_r*theta_r - u1 - e_r1 - h*Z_r*theta_c;
         delta_s2 = u2 - e_s2;
@@ -190,7 +191,7 @@ equations! {
                 + 7.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
         }
         potential {
-            _ => (k_r*theta_r.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_r4*delta_r4.powi(2)
+            _ => (k_r*twist_r.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_r4*delta_r4.powi(2)
                 + k_r5*delta_r5.powi(2) + k_r6*delta_r6.powi(2) + k_r7*delta_r7.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2)
                 + k_s3*delta_s3.powi(2) + k_s4*delta_s4.powi(2) + k_s5*delta_s5.powi(2) + k_s6*delta_s6.powi(2)
                 + k_s7*delta_s7.powi(2))/2.0;
@@ -204,7 +205,7 @@ equations! {
                 + I_p*alpha_M*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_r*alpha_M*theta_r_dot.powi(2)/2.0
-                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_r*theta_r_dot.powi(2)/2.0
+                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_r*twist_r_dot.powi(2)/2.0
                 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0
                 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_r4_mid*delta_r4_dot.powi(2)/2.0
                 + beta_K*k_r5_mid*delta_r5_dot.powi(2)/2.0 + beta_K*k_r6_mid*delta_r6_dot.powi(2)/2.0
@@ -299,10 +300,10 @@ equations! {
         }
         theta_r {
             _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5
-                - h*Z_r*k_r6*delta_r6 - h*Z_r*k_r7*delta_r7 - k_r*theta_r;
+                - h*Z_r*k_r6*delta_r6 - h*Z_r*k_r7*delta_r7 - k_r*twist_r;
             damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot
                 - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - h*Z_r*beta_K*k_r6_mid*delta_r6_dot
-                - h*Z_r*beta_K*k_r7_mid*delta_r7_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*theta_r_dot;
+                - h*Z_r*beta_K*k_r7_mid*delta_r7_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*twist_r_dot;
         }
         u1 {
             _ => k_r1*delta_r1 - k_s1*delta_s1;
@@ -748,6 +749,190 @@ equations! {
     jump e_r6 { step { _ => k_r6*de_r6.powi(2)/2.0 - k_r6*de_r6*delta_r6; } }
     jump e_s7 { step { _ => k_s7*de_s7.powi(2)/2.0 - k_s7*de_s7*delta_s7; } }
     jump e_r7 { step { _ => k_r7*de_r7.powi(2)/2.0 - k_r7*de_r7*delta_r7; } }
+    outputs {
+        rotor_speed_s "rad/s", "rotational speed of the sun" { _ => theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s); }
+        rotor_speed_c "rad/s", "rotational speed of the carrier without planets" { _ => theta_c_dot + theta_dot/Z_r; }
+        rotor_speed_r "rad/s", "rotational speed of the ring" { _ => theta_r_dot; }
+        shaft_twist_r "rad", "twist of the ring's torsional support" { _ => twist_r; }
+        shaft_torque_r "N*m", "torque in the ring's torsional support, damper included" {
+            _ => k_r*twist_r;
+            damping => beta_K*k_r*twist_r_dot;
+        }
+        shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
+        mesh_force_s1 "N",
+            "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s1*delta_s1;
+            damping => beta_K*k_s1_mid*delta_s1_dot;
+        }
+        dte_s1 "m",
+            "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => u1 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" { damping => beta_K*k_s1_mid*delta_s1_dot.powi(2); }
+        mesh_force_r1 "N",
+            "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r1*delta_r1;
+            damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        dte_r1 "m",
+            "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r1 "W", "power that the damper of the mesh of ring and planet 1 takes" {
+            damping => beta_K*k_r1_mid*delta_r1_dot.powi(2);
+        }
+        mesh_force_s2 "N",
+            "force of the mesh of sun and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s2*delta_s2;
+            damping => beta_K*k_s2_mid*delta_s2_dot;
+        }
+        dte_s2 "m",
+            "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => u2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" { damping => beta_K*k_s2_mid*delta_s2_dot.powi(2); }
+        mesh_force_r2 "N",
+            "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r2*delta_r2;
+            damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        dte_r2 "m",
+            "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r2 "W", "power that the damper of the mesh of ring and planet 2 takes" {
+            damping => beta_K*k_r2_mid*delta_r2_dot.powi(2);
+        }
+        mesh_force_s3 "N",
+            "force of the mesh of sun and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s3*delta_s3;
+            damping => beta_K*k_s3_mid*delta_s3_dot;
+        }
+        dte_s3 "m",
+            "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => u3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" { damping => beta_K*k_s3_mid*delta_s3_dot.powi(2); }
+        mesh_force_r3 "N",
+            "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r3*delta_r3;
+            damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        dte_r3 "m",
+            "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
+            damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
+        }
+        mesh_force_s4 "N",
+            "force of the mesh of sun and planet 4 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s4*delta_s4;
+            damping => beta_K*k_s4_mid*delta_s4_dot;
+        }
+        dte_s4 "m",
+            "dynamic transmission error of the mesh of sun and planet 4 along the line of action: positive if the driving gear is ahead" {
+            _ => u4 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s4 "W", "power that the damper of the mesh of sun and planet 4 takes" { damping => beta_K*k_s4_mid*delta_s4_dot.powi(2); }
+        mesh_force_r4 "N",
+            "force of the mesh of ring and planet 4 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r4*delta_r4;
+            damping => beta_K*k_r4_mid*delta_r4_dot;
+        }
+        dte_r4 "m",
+            "dynamic transmission error of the mesh of ring and planet 4 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r4 "W", "power that the damper of the mesh of ring and planet 4 takes" {
+            damping => beta_K*k_r4_mid*delta_r4_dot.powi(2);
+        }
+        mesh_force_s5 "N",
+            "force of the mesh of sun and planet 5 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s5*delta_s5;
+            damping => beta_K*k_s5_mid*delta_s5_dot;
+        }
+        dte_s5 "m",
+            "dynamic transmission error of the mesh of sun and planet 5 along the line of action: positive if the driving gear is ahead" {
+            _ => u5 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s5 "W", "power that the damper of the mesh of sun and planet 5 takes" { damping => beta_K*k_s5_mid*delta_s5_dot.powi(2); }
+        mesh_force_r5 "N",
+            "force of the mesh of ring and planet 5 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r5*delta_r5;
+            damping => beta_K*k_r5_mid*delta_r5_dot;
+        }
+        dte_r5 "m",
+            "dynamic transmission error of the mesh of ring and planet 5 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r5 "W", "power that the damper of the mesh of ring and planet 5 takes" {
+            damping => beta_K*k_r5_mid*delta_r5_dot.powi(2);
+        }
+        mesh_force_s6 "N",
+            "force of the mesh of sun and planet 6 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s6*delta_s6;
+            damping => beta_K*k_s6_mid*delta_s6_dot;
+        }
+        dte_s6 "m",
+            "dynamic transmission error of the mesh of sun and planet 6 along the line of action: positive if the driving gear is ahead" {
+            _ => u6 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s6 "W", "power that the damper of the mesh of sun and planet 6 takes" { damping => beta_K*k_s6_mid*delta_s6_dot.powi(2); }
+        mesh_force_r6 "N",
+            "force of the mesh of ring and planet 6 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r6*delta_r6;
+            damping => beta_K*k_r6_mid*delta_r6_dot;
+        }
+        dte_r6 "m",
+            "dynamic transmission error of the mesh of ring and planet 6 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u6 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r6 "W", "power that the damper of the mesh of ring and planet 6 takes" {
+            damping => beta_K*k_r6_mid*delta_r6_dot.powi(2);
+        }
+        mesh_force_s7 "N",
+            "force of the mesh of sun and planet 7 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s7*delta_s7;
+            damping => beta_K*k_s7_mid*delta_s7_dot;
+        }
+        dte_s7 "m",
+            "dynamic transmission error of the mesh of sun and planet 7 along the line of action: positive if the driving gear is ahead" {
+            _ => u7 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s7 "W", "power that the damper of the mesh of sun and planet 7 takes" { damping => beta_K*k_s7_mid*delta_s7_dot.powi(2); }
+        mesh_force_r7 "N",
+            "force of the mesh of ring and planet 7 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r7*delta_r7;
+            damping => beta_K*k_r7_mid*delta_r7_dot;
+        }
+        dte_r7 "m",
+            "dynamic transmission error of the mesh of ring and planet 7 along the line of action: positive if the driving gear is ahead" {
+            _ => h*Z_r*theta_r - (u7 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r7 "W", "power that the damper of the mesh of ring and planet 7 takes" {
+            damping => beta_K*k_r7_mid*delta_r7_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*(I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u4_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u5_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u6_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u7_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0 + I_r*theta_r_dot.powi(2)/2.0
+                + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0
+                + 7.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0);
+        }
+    }
 
     text "text/planetary_7.txt";
     latex "latex/planetary_7.tex";

@@ -111,7 +111,9 @@ equations! {
         tiny34 = 1.0/1000000000000.0;
     }
     deflections {
+        twist_m = psi_m;
         twist_c = theta1/N2 - s1/(2.0*h1*N2) - s2/(2.0*h2*N3) - theta2/N3;
+        twist_l = psi_l;
         over12 = s1 - edge12 - e12;
         tau12 = tan_a*s1;
         psi12 = s1/(2.0*h1*N1) - s1/(2.0*h1*N2) + theta1/N1 + theta1/N2;
@@ -293,15 +295,15 @@ equations! {
                 + I_m*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2))/2.0;
         }
         potential {
-            _ => (k_c*twist_c.powi(2) + k_l*psi_l.powi(2) + k_m*psi_m.powi(2) + k12*touch12*over12.powi(2) + k34*touch34*over34.powi(2))
-                /2.0;
+            _ => (k_c*twist_c.powi(2) + k_l*twist_l.powi(2) + k_m*twist_m.powi(2) + k12*touch12*over12.powi(2)
+                + k34*touch34*over34.powi(2))/2.0;
         }
         dissipation {
             damping => (I1*alpha_M*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*alpha_M*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*alpha_M*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*alpha_M*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
                 + I_l*alpha_M*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)).powi(2)
                 + I_m*alpha_M*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + beta_K*k_c*twist_c_dot.powi(2)
-                + beta_K*k_l*psi_l_dot.powi(2) + beta_K*k_m*psi_m_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
+                + beta_K*k_l*twist_l_dot.powi(2) + beta_K*k_m*twist_m_dot.powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
                 + beta_K*k34_mid*damp34*over34_dot.powi(2))/2.0;
         }
     }
@@ -381,14 +383,14 @@ equations! {
                 + I_l*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - I_l*alpha_M*psi_l_dot/(2.0*h2*N4) + beta_K*k_c*twist_c_dot/(2.0*h2*N3);
         }
         psi_m {
-            _ => -k_m*psi_m;
+            _ => -k_m*twist_m;
             torques => T_motor;
-            damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta1_dot/N1 - beta_K*k_m*psi_m_dot - I_m*alpha_M*s1_dot/(2.0*h1*N1);
+            damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta1_dot/N1 - beta_K*k_m*twist_m_dot - I_m*alpha_M*s1_dot/(2.0*h1*N1);
         }
         psi_l {
-            _ => -k_l*psi_l;
+            _ => -k_l*twist_l;
             torques => T_load;
-            damping => I_l*alpha_M*theta2_dot/N4 - I_l*alpha_M*psi_l_dot - beta_K*k_l*psi_l_dot - I_l*alpha_M*s2_dot/(2.0*h2*N4);
+            damping => I_l*alpha_M*theta2_dot/N4 - I_l*alpha_M*psi_l_dot - beta_K*k_l*twist_l_dot - I_l*alpha_M*s2_dot/(2.0*h2*N4);
         }
     }
     jacobian {
@@ -611,6 +613,66 @@ equations! {
     jump arm12 { step {} }
     jump side34 { step {} }
     jump arm34 { step {} }
+    outputs {
+        rotor_speed_m "rad/s", "rotational speed of the motor" { _ => psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1; }
+        rotor_speed_1 "rad/s", "rotational speed of the gear 1" { _ => s1_dot/(2.0*h1*N1) + theta1_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the gear 2" { _ => theta1_dot/N2 - s1_dot/(2.0*h1*N2); }
+        rotor_speed_3 "rad/s", "rotational speed of the gear 3" { _ => s2_dot/(2.0*h2*N3) + theta2_dot/N3; }
+        rotor_speed_4 "rad/s", "rotational speed of the gear 4" { _ => theta2_dot/N4 - s2_dot/(2.0*h2*N4); }
+        rotor_speed_l "rad/s", "rotational speed of the load" { _ => theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4); }
+        shaft_twist_m "rad", "twist of the motor's shaft" { _ => twist_m; }
+        shaft_torque_m "N*m", "torque in the motor's shaft, damper included" {
+            _ => k_m*twist_m;
+            damping => beta_K*k_m*twist_m_dot;
+        }
+        shaft_loss_m "W", "power that the damper of the motor's shaft takes" { damping => beta_K*k_m*twist_m_dot.powi(2); }
+        shaft_twist_c "rad", "twist of the countershaft" { _ => twist_c; }
+        shaft_torque_c "N*m", "torque in the countershaft, damper included" {
+            _ => k_c*twist_c;
+            damping => beta_K*k_c*twist_c_dot;
+        }
+        shaft_loss_c "W", "power that the damper of the countershaft takes" { damping => beta_K*k_c*twist_c_dot.powi(2); }
+        shaft_twist_l "rad", "twist of the load's shaft" { _ => twist_l; }
+        shaft_torque_l "N*m", "torque in the load's shaft, damper included" {
+            _ => k_l*twist_l;
+            damping => beta_K*k_l*twist_l_dot;
+        }
+        shaft_loss_l "W", "power that the damper of the load's shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
+        mesh_force_12 "N",
+            "force of the mesh of gears 1 and 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m",
+            "dynamic transmission error of the mesh of gears 1 and 2 along the line of action: positive if the driving gear is ahead" {
+            _ => s1;
+        }
+        mesh_loss_12 "W", "power that the damper of the mesh of gears 1 and 2 takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        mesh_force_34 "N",
+            "force of the mesh of gears 3 and 4 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k34*touch34*over34;
+            backlash_34 => k34*clip34*touch34*over34;
+            damping => beta_K*k34_mid*damp34*over34_dot;
+        }
+        dte_34 "m",
+            "dynamic transmission error of the mesh of gears 3 and 4 along the line of action: positive if the driving gear is ahead" {
+            _ => s2;
+        }
+        mesh_loss_34 "W", "power that the damper of the mesh of gears 3 and 4 takes" {
+            backlash_34 => k34*clip34*touch34*over34*over34_dot;
+            damping => beta_K*k34_mid*damp34*over34_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*((I1*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
+                + I3*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
+                + I_l*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)).powi(2)
+                + I_m*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2))/2.0);
+        }
+    }
 
     text "text/two_stage.txt";
     latex "latex/two_stage.tex";

@@ -125,7 +125,9 @@ equations! {
         h2 = r1/N1;
     }
     deflections {
+        twist_l = psi_l;
         twist_i = theta_c - s2/(2.0*h2*N1) - theta2/N1 + theta/Z_r + theta/Z_s;
+        twist_h = psi_h;
         delta_s1 = u1 - e_s1;
         delta_r1 = -u1 - e_r1 - h*Z_r*theta_c;
         delta_s2 = u2 - e_s2;
@@ -211,7 +213,7 @@ equations! {
                 + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0;
         }
         potential {
-            _ => (k_h*psi_h.powi(2) + k_i*twist_i.powi(2) + k_l*psi_l.powi(2) + k12*touch12*over12.powi(2) + k_r1*delta_r1.powi(2)
+            _ => (k_h*twist_h.powi(2) + k_i*twist_i.powi(2) + k_l*twist_l.powi(2) + k12*touch12*over12.powi(2) + k_r1*delta_r1.powi(2)
                 + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2)
                 + k_s3*delta_s3.powi(2))/2.0;
         }
@@ -224,8 +226,8 @@ equations! {
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
-                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_h*psi_h_dot.powi(2)/2.0
-                + beta_K*k_i*twist_i_dot.powi(2)/2.0 + beta_K*k_l*psi_l_dot.powi(2)/2.0 + beta_K*k12_mid*damp12*over12_dot.powi(2)/2.0
+                + I_s*alpha_M*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0 + beta_K*k_h*twist_h_dot.powi(2)/2.0
+                + beta_K*k_i*twist_i_dot.powi(2)/2.0 + beta_K*k_l*twist_l_dot.powi(2)/2.0 + beta_K*k12_mid*damp12*over12_dot.powi(2)/2.0
                 + beta_K*k_r1_mid*delta_r1_dot.powi(2)/2.0 + beta_K*k_r2_mid*delta_r2_dot.powi(2)/2.0
                 + beta_K*k_r3_mid*delta_r3_dot.powi(2)/2.0 + beta_K*k_s1_mid*delta_s1_dot.powi(2)/2.0
                 + beta_K*k_s2_mid*delta_s2_dot.powi(2)/2.0 + beta_K*k_s3_mid*delta_s3_dot.powi(2)/2.0
@@ -321,14 +323,14 @@ equations! {
                 + I_g*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - I_g*alpha_M*psi_h_dot/(2.0*h2*N2) + beta_K*k_i*twist_i_dot/(2.0*h2*N1);
         }
         psi_l {
-            _ => -k_l*psi_l;
+            _ => -k_l*twist_l;
             torques => T_wind;
-            damping => -I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*psi_l_dot;
+            damping => -I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*twist_l_dot;
         }
         psi_h {
-            _ => -k_h*psi_h;
+            _ => -k_h*twist_h;
             torques => T_generator;
-            damping => I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*psi_h_dot - I_g*alpha_M*s2_dot/(2.0*h2*N2);
+            damping => I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*twist_h_dot - I_g*alpha_M*s2_dot/(2.0*h2*N2);
         }
         u1 {
             _ => k_r1*delta_r1 - k_s1*delta_s1;
@@ -608,6 +610,125 @@ equations! {
     jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
     jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
+    outputs {
+        rotor_speed_b "rad/s", "rotational speed of the rotor with its blades" { _ => psi_l_dot + theta_c_dot + theta_dot/Z_r; }
+        rotor_speed_c "rad/s", "rotational speed of the carrier without planets" { _ => theta_c_dot + theta_dot/Z_r; }
+        rotor_speed_s "rad/s", "rotational speed of the sun" { _ => theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s); }
+        rotor_speed_1 "rad/s", "rotational speed of the wheel of the parallel stage" { _ => s2_dot/(2.0*h2*N1) + theta2_dot/N1; }
+        rotor_speed_2 "rad/s", "rotational speed of the pinion of the parallel stage" { _ => theta2_dot/N2 - s2_dot/(2.0*h2*N2); }
+        rotor_speed_g "rad/s", "rotational speed of the generator" { _ => theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2); }
+        shaft_twist_l "rad", "twist of the low-speed shaft" { _ => twist_l; }
+        shaft_torque_l "N*m", "torque in the low-speed shaft, damper included" {
+            _ => k_l*twist_l;
+            damping => beta_K*k_l*twist_l_dot;
+        }
+        shaft_loss_l "W", "power that the damper of the low-speed shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
+        shaft_twist_i "rad", "twist of the intermediate shaft" { _ => twist_i; }
+        shaft_torque_i "N*m", "torque in the intermediate shaft, damper included" {
+            _ => k_i*twist_i;
+            damping => beta_K*k_i*twist_i_dot;
+        }
+        shaft_loss_i "W", "power that the damper of the intermediate shaft takes" { damping => beta_K*k_i*twist_i_dot.powi(2); }
+        shaft_twist_h "rad", "twist of the high-speed shaft" { _ => twist_h; }
+        shaft_torque_h "N*m", "torque in the high-speed shaft, damper included" {
+            _ => k_h*twist_h;
+            damping => beta_K*k_h*twist_h_dot;
+        }
+        shaft_loss_h "W", "power that the damper of the high-speed shaft takes" { damping => beta_K*k_h*twist_h_dot.powi(2); }
+        mesh_force_s1 "N",
+            "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s1*delta_s1;
+            damping => beta_K*k_s1_mid*delta_s1_dot;
+        }
+        dte_s1 "m",
+            "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => u1 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" { damping => beta_K*k_s1_mid*delta_s1_dot.powi(2); }
+        mesh_force_r1 "N",
+            "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r1*delta_r1;
+            damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        dte_r1 "m",
+            "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
+            _ => -(u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r1 "W", "power that the damper of the mesh of ring and planet 1 takes" {
+            damping => beta_K*k_r1_mid*delta_r1_dot.powi(2);
+        }
+        mesh_force_s2 "N",
+            "force of the mesh of sun and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s2*delta_s2;
+            damping => beta_K*k_s2_mid*delta_s2_dot;
+        }
+        dte_s2 "m",
+            "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => u2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" { damping => beta_K*k_s2_mid*delta_s2_dot.powi(2); }
+        mesh_force_r2 "N",
+            "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r2*delta_r2;
+            damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        dte_r2 "m",
+            "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
+            _ => -(u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r2 "W", "power that the damper of the mesh of ring and planet 2 takes" {
+            damping => beta_K*k_r2_mid*delta_r2_dot.powi(2);
+        }
+        mesh_force_s3 "N",
+            "force of the mesh of sun and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_s3*delta_s3;
+            damping => beta_K*k_s3_mid*delta_s3_dot;
+        }
+        dte_s3 "m",
+            "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => u3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" { damping => beta_K*k_s3_mid*delta_s3_dot.powi(2); }
+        mesh_force_r3 "N",
+            "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k_r3*delta_r3;
+            damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        dte_r3 "m",
+            "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
+            _ => -(u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
+        mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
+            damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
+        }
+        mesh_force_12 "N",
+            "force of the mesh of the parallel stage along the line of action, damper included: positive if it presses the drive flanks" {
+            _ => k12*touch12*over12;
+            backlash_12 => k12*clip12*touch12*over12;
+            damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        dte_12 "m",
+            "dynamic transmission error of the mesh of the parallel stage along the line of action: positive if the driving gear is ahead" {
+            _ => s2;
+        }
+        mesh_loss_12 "W", "power that the damper of the mesh of the parallel stage takes" {
+            backlash_12 => k12*clip12*touch12*over12*over12_dot;
+            damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
+            _ => 2.0*alpha_M*(I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
+                + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
+                + I_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)).powi(2)/2.0
+                + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_p*(theta_c_dot + (u3_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
+                + I_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)).powi(2)/2.0
+                + 3.0*a.powi(2)*m_p*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0);
+        }
+    }
 
     text "text/wind_turbine.txt";
     latex "latex/wind_turbine.tex";

@@ -1,11 +1,13 @@
 //! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and what damping takes.
 //!
-//! P = M⁻¹, or what held phases leave of it. The modes of switches do not change within a step: it may go beyond the end of its
+//! P = M⁻¹, or what held phases leave of it; where M depends on q, so does P. The modes of switches do not change within a step: it may go beyond the end of its
 //! mode, and the forces go on smoothly there.
 
 use std::sync::Arc;
 
-use crate::engine::contact::Form;
+use nalgebra::DMatrix;
+
+use crate::engine::contact::{self, Form};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
@@ -26,8 +28,10 @@ pub struct Field<'a> {
     forcing: Option<Box<Forcing>>,
     /// The functions that end holds.
     holds: Vec<Form>,
-    /// P (N x N).
-    mobility: Matrix,
+    /// P (N x N); `None` where M depends on q.
+    mobility: Option<Matrix>,
+    /// Gradients of the motions that are held (N, one a column).
+    held: Option<DMatrix<f64>>,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
@@ -51,7 +55,8 @@ impl<'a> Field<'a> {
             guards: Arc::default(),
             forcing: None,
             holds: vec![],
-            mobility: Matrix::zeros(0, 0),
+            mobility: None,
+            held: None,
             begins: now.clock.now(),
             evaluations: 0,
             steps_only: now.steps_only(),
@@ -72,8 +77,8 @@ impl<'a> Field<'a> {
         self.forcing.clone_from(&now.forcing);
         let watches = now.contact.iter().flat_map(|contact| &contact.watches);
         self.holds = watches.map(|watch| watch.form.clone()).collect();
-        let free = || self.equations.mobility();
-        self.mobility = now.contact.as_ref().map_or_else(free, |contact| contact.mobility.clone());
+        self.held = now.contact.as_ref().map(|contact| contact.normals.clone());
+        self.mobility = self.equations.is_inertia_constant().then(|| now.mobility());
     }
 
     /// y' at `y`, the time `t` after the step began.
@@ -81,7 +86,20 @@ impl<'a> Field<'a> {
     pub fn rate(&mut self, t: f64, y: &Flow) -> Flow {
         self.evaluations += 1;
         let force = self.force(t, y);
-        Flow { q: y.v.clone(), v: &self.mobility * &force, lost: self.loss(y) }
+        let v = match &self.mobility {
+            Some(mobility) => mobility * &force,
+            None => &self.mobility_at(&y.q) * &force,
+        };
+        Flow { q: y.v.clone(), v, lost: self.loss(y) }
+    }
+
+    /// P at the coordinates `q` (N x N).
+    fn mobility_at(&self, q: &[f64]) -> Matrix {
+        let free = self.equations.mobility(q);
+        match &self.held {
+            Some(normals) => contact::held(&free, normals).0,
+            None => free,
+        }
     }
 
     /// The generalised forces at `y`, the time `t` after the step began (N).
@@ -127,8 +145,15 @@ impl<'a> Field<'a> {
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
     pub fn jacobian(&mut self, t: f64, y: &Flow) -> [Matrix; 2] {
         self.set(t, y);
-        let of_force = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
-        accelerated(&self.mobility, of_force)
+        let [mut by_q, by_v] = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
+        if let Some(mobility) = &self.mobility {
+            return accelerated(mobility, [by_q, by_v]);
+        }
+        // M q'' = F + N R with constant N and Nᵀq'' = 0: so M dq'' = dF - dM q'' + N dR with Nᵀdq'' = 0, and dq'' = P (dF - dM q'').
+        let mobility = self.mobility_at(&y.q);
+        let acceleration = &mobility * &self.force(t, y);
+        by_q -= self.equations.inertia(&y.q, &acceleration);
+        accelerated(&mobility, [by_q, by_v])
     }
 
     /// What is left until `guard` is met at `side`, at `y`, the time `t` after the step began; positive before that.
@@ -145,7 +170,10 @@ impl<'a> Field<'a> {
                 guards.exits[i][which].guard.value(&y.q, &y.v, &self.k)
             }
             Guard::Hold(which) => {
-                let form = self.holds[which].clone();
+                let mut form = self.holds[which].clone();
+                if let (None, Some(normals)) = (&self.mobility, &self.held) {
+                    form = form.at(&contact::held(&self.equations.mobility(&y.q), normals).1);
+                }
                 -side.sign() * form.value(&y.q, &y.v, || self.force(t, y))
             }
         }

@@ -72,12 +72,12 @@ impl<'a> BySteps<'a> {
         let mut field = Field::new(now);
         let rate = field.rate(0.0, &y);
         // Speeds that the energy at the start allows, or the forces soon give; the fastest of the motion.
-        let energy = equations.kinetic(&y.v) + equations.potential(&y.q, &now.k);
+        let energy = equations.kinetic(&y.q, &y.v) + equations.potential(&y.q, &now.k);
         let [by_q, by_v] = field.jacobian(0.0, &y);
         let sum = |a: &Matrix| a.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
         let swings = now.forcing.as_ref().map_or(0.0, |forcing| Forcing::fastest(forcing));
         let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(swings).max(1.0 / now.t_end);
-        let mobility = equations.mobility();
+        let mobility = equations.mobility(&y.q);
         let speeds =
             Vector::from_fn(y.q.len(), |i| (2.0 * energy * mobility[(i, i)]).sqrt().max(rate.v[i].abs() / fastest));
         let control = Control::new(settings.steps, &y, &speeds, fastest, method.exponent(), now.t_end);

@@ -106,7 +106,7 @@ fn fixed(equations: &dyn Equations, scene: &Scene, method: Box<dyn Method>, h: f
     let settings = Settings { steps, events, give_way: false, most_steps: u64::MAX };
     let mut simulation = by_steps(equations, scene, method, settings);
     let (lengths, now) = (simulation.turn_lengths(), &simulation.now);
-    let mut recorder = Recorder::new(scene.model, equations, lengths, now.state.clone(), &now.k);
+    let mut recorder = Recorder::new(scene, equations, lengths, now.state.clone(), &now.k);
     simulation.run(Some((&mut recorder, scene.output.rate, scene.output.events)), &mut |_| {}).unwrap();
     recorder.trajectory
 }

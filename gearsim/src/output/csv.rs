@@ -1,12 +1,12 @@
-//! A table as CSV: one header line with the names; numbers in the shortest form that reads back bit for bit.
+//! A table as CSV: one header line with the names and, in brackets, the SI units, `theta [rad]`; numbers in the shortest form that reads back bit for bit.
 //!
-//! Numbers that are not finite are written as `inf`, `-inf`, `NaN`. CSV has no units; the Parquet file has them.
+//! Numbers that are not finite are written as `inf`, `-inf`, `NaN`.
 
 use std::borrow::Borrow;
 use std::io::Write;
 
 use super::OutputError;
-use super::table::{Table, Values};
+use super::table::{Column, Table, Values};
 
 /// Writes `table` to `sink`. Errors: [`OutputError::Sink`], [`OutputError::Format`].
 pub fn write(table: &Table, sink: impl Write) -> Result<(), OutputError> {
@@ -23,11 +23,19 @@ pub fn write_parts<T: Borrow<Table>>(
         let part = part?;
         let table = part.borrow();
         if i == 0 {
-            csv.write_record(table.columns().iter().map(|c| &c.name)).map_err(failed)?;
+            csv.write_record(table.columns().iter().map(header)).map_err(failed)?;
         }
         write_rows(table, &mut csv)?;
     }
     Ok(csv.flush()?)
+}
+
+/// The name of a column, with its unit if it has one.
+fn header(column: &Column) -> String {
+    match column.unit.as_str() {
+        "" | "1" => column.name.clone(),
+        unit => format!("{} [{unit}]", column.name),
+    }
 }
 
 fn write_rows(table: &Table, csv: &mut csv::Writer<impl Write>) -> Result<(), OutputError> {
@@ -82,7 +90,7 @@ mod tests {
         write(&table, &mut file).unwrap();
 
         let mut reader = csv::Reader::from_reader(&file[..]);
-        assert_eq!(reader.headers().unwrap(), vec!["x", "word"]);
+        assert_eq!(reader.headers().unwrap(), vec!["x [J]", "word"]);
         let records: Vec<_> = reader.records().map(Result::unwrap).collect();
         assert_eq!(records.len(), numbers.len());
         for (record, x) in records.iter().zip(numbers) {

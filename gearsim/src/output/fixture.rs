@@ -1,6 +1,6 @@
 //! A trajectory for tests: an oscillator phi whose stiffness steps. The rotation theta supplies the energy of each step.
 
-use crate::model::{Coordinate, Model, Start, Torque};
+use crate::model::{Coordinate, Model, Output, Start, Torque};
 use crate::trajectory::{Moment, Trajectory};
 
 /// A model that has only the coordinates and torques of a gear pair.
@@ -16,6 +16,10 @@ pub(crate) static MODEL: Model = Model {
     laws: &[],
     motions: &[],
     effects: &[],
+    outputs: &[
+        Output { name: "rotor_speed", unit: "rad/s", with: None, doc: "rotational speed" },
+        Output { name: "dte", unit: "rad", with: None, doc: "transmission error" },
+    ],
     switches: &[],
     nonlinear: "",
     nonlinear_with: &[],
@@ -46,7 +50,7 @@ pub(crate) fn oscillator(n: usize) -> Trajectory {
     let (dt, mut level, mut next) = (1.0 / RATE, 0, 6.04e-3);
     let phi_0 = FORCE / levels[0];
     let mut x = [0.0, SPEED, phi_0, 0.0, 0.0];
-    let mut run = Trajectory::new(&MODEL);
+    let mut run = Trajectory::new(&MODEL, &[0, 1]);
     let mut push = |t: f64, moment, k: f64, x: &[f64; 5]| {
         let kinetic = 0.5 * (INERTIA * x[1] * x[1] + MASS * x[3] * x[3]);
         let (strain, work) = (0.5 * k * x[2] * x[2], FORCE * (x[2] - phi_0));
@@ -56,6 +60,8 @@ pub(crate) fn oscillator(n: usize) -> Trajectory {
             run.q[i].push(x[2 * i]);
             run.q_dot[i].push(x[2 * i + 1]);
         }
+        run.outputs[0].1.push(x[1]);
+        run.outputs[1].1.push(x[2]);
         run.kinetic.push(kinetic);
         run.strain.push(strain);
         run.work.push(work);

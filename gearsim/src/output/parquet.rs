@@ -59,7 +59,7 @@ pub fn write_trajectory<'a>(
     provenance: impl IntoIterator<Item = (&'a str, &'a str)>,
     sink: impl Write + Send,
 ) -> Result<(), OutputError> {
-    let mut writer = Writer::new(&Table::of_trajectory(&Trajectory::new(run.model))?, provenance, sink, GROUP)?;
+    let mut writer = Writer::new(&Table::of_trajectory(&run.without_rows())?, provenance, sink, GROUP)?;
     Table::parts(run, GROUP).try_for_each(|part| writer.write(&part?))?;
     writer.close()
 }

@@ -5,19 +5,21 @@
 //! `summary.schema.json` beside this file. A change that a reader of the file could notice raises [`VERSION`].
 
 use std::collections::BTreeMap;
-use std::fmt;
 
-use serde::de::{MapAccess, Visitor};
-use serde::ser::SerializeMap;
+use indexmap::IndexMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::OutputError;
 use crate::trajectory::Trajectory;
 
+mod observed;
+
+pub use observed::Observed;
+
 /// Name of the format of `summary.json`.
 pub const FORMAT: &str = "gearsim.summary";
 /// Version of the format. Files of version 0 have neither `format` nor `version`.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// The content of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,6 +45,10 @@ pub struct Summary {
     pub reflections: u64,
     /// Energies at the end [J].
     pub energy: Energy,
+    /// Statistics of the recorded outputs, by name.
+    pub outputs: IndexMap<String, Observed>,
+    /// Share of the run's time in each mode of each switch: `over12`, `free` [1].
+    pub modes: BTreeMap<String, Named>,
     /// The method that solved it.
     pub method: Method,
     /// Counts of the solver.
@@ -170,6 +176,9 @@ impl Summary {
             [("t_end", self.t_end), ("counts.ignored", self.counts.ignored), ("cpu_seconds", self.cpu_seconds)];
         let computed = (others.into_iter().map(|(name, x)| (name.to_owned(), x)))
             .chain(energy.into_iter().map(|(name, x)| (format!("energy.{name}"), x)))
+            .chain(self.outputs.iter().flat_map(|(output, observed)| {
+                observed.numbers().map(|(what, x)| (format!("outputs.{output}.{what}"), x))
+            }))
             .chain(self.state.0.iter().map(|(name, x)| (format!("state.{name}"), *x)));
         let reason = |x: Number| match x.0 {
             x if x.is_nan() => "not a number: the run has no row, or the motion left the range of numbers",
@@ -229,61 +238,27 @@ impl<'de> Deserialize<'de> for Number {
 }
 
 /// Named numbers in a fixed order: an object in JSON.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Named(pub Vec<(String, Number)>);
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Named(pub IndexMap<String, Number>);
 
 impl Named {
     /// The state in the last row of `run`; empty if it has no rows.
     pub fn state(run: &Trajectory) -> Self {
-        let mut state = vec![];
-        for ((coordinate, q), q_dot) in run.model.coordinates.iter().zip(&run.q).zip(&run.q_dot) {
-            if let (Some(&q), Some(&q_dot)) = (q.last(), q_dot.last()) {
-                state.push((coordinate.name.to_owned(), Number(q)));
-                state.push((format!("{}_dot", coordinate.name), Number(q_dot)));
-            }
-        }
-        Named(state)
+        let pairs = run.model.coordinates.iter().zip(run.q.iter().zip(&run.q_dot));
+        let last = pairs.filter_map(|(c, (q, q_dot))| Some((c.name, *q.last()?, *q_dot.last()?)));
+        last.flat_map(|(name, q, q_dot)| [(name.to_owned(), q), (format!("{name}_dot"), q_dot)]).collect()
     }
 
     /// The number called `name`.
     pub fn get(&self, name: &str) -> Option<f64> {
-        self.0.iter().find(|(n, _)| n == name).map(|(_, x)| x.0)
+        self.0.get(name).map(|x| x.0)
     }
 }
 
 impl<N: Into<String>> FromIterator<(N, f64)> for Named {
     fn from_iter<I: IntoIterator<Item = (N, f64)>>(pairs: I) -> Self {
         Named(pairs.into_iter().map(|(name, x)| (name.into(), Number(x))).collect())
-    }
-}
-
-impl Serialize for Named {
-    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        let mut map = s.serialize_map(Some(self.0.len()))?;
-        for (name, x) in &self.0 {
-            map.serialize_entry(name, x)?;
-        }
-        map.end()
-    }
-}
-
-impl<'de> Deserialize<'de> for Named {
-    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
-        struct InOrder;
-        impl<'de> Visitor<'de> for InOrder {
-            type Value = Named;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("an object of numbers")
-            }
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Named, A::Error> {
-                let mut pairs = vec![];
-                while let Some(pair) = map.next_entry()? {
-                    pairs.push(pair);
-                }
-                Ok(Named(pairs))
-            }
-        }
-        d.deserialize_map(InOrder)
     }
 }
 

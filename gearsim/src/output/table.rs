@@ -84,7 +84,7 @@ impl Table {
         Ok(())
     }
 
-    /// The table of a trajectory: `t`, `moment`, each coordinate and its speed, then the energy account.
+    /// The table of a trajectory: `t`, `moment`, each coordinate and its speed, the recorded outputs, then the energy account.
     ///
     /// Errors: [`OutputError::Ragged`] if a column has not exactly one entry per row.
     pub fn of_trajectory(run: &Trajectory) -> Result<Self, OutputError> {
@@ -116,6 +116,9 @@ impl Table {
             let speed = format!("{name}_dot");
             table.push(&speed, &format!("{unit}/s"), number(&speed, q_dot)?)?;
         }
+        for (output, values) in &run.outputs {
+            table.push(output.name, output.unit, number(output.name, values)?)?;
+        }
         let (kinetic, strain) = (part("kinetic", &run.kinetic)?, part("strain", &run.strain)?);
         let work = part("work", &run.work)?;
         let energy = kinetic.iter().zip(&strain).zip(&work).map(|((kinetic, strain), work)| kinetic + strain - work);
@@ -143,7 +146,7 @@ mod tests {
     fn a_trajectory_has_its_columns_in_order() {
         let table = Table::of_trajectory(&oscillator(100)).unwrap();
         let names: Vec<_> = table.columns().iter().map(|c| c.name.as_str()).collect();
-        let expected = "t moment theta theta_dot phi phi_dot kinetic strain work work_drive work_load \
+        let expected = "t moment theta theta_dot phi phi_dot rotor_speed dte kinetic strain work work_drive work_load \
                         dissipated residual energy";
         assert_eq!(names, expected.split_whitespace().collect::<Vec<_>>());
         assert_eq!(table.columns()[3].unit, "rad/s");

@@ -10,7 +10,11 @@ mod heat;
 pub mod map;
 pub mod modes;
 mod motion;
+mod order_cuts;
+mod orders;
+pub mod outputs;
 mod picture;
+pub mod response;
 mod spectrum;
 mod text;
 mod ticks;
@@ -26,7 +30,7 @@ use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
 
 /// All plots, in the order in which they are listed.
-pub const PLOTS: &[Plot] = &[energy::PLOT, motion::PLOT, spectrum::PLOT];
+pub const PLOTS: &[Plot] = &[outputs::PLOT, orders::PLOT, energy::PLOT, spectrum::PLOT, motion::PLOT, order_cuts::PLOT];
 
 /// All plots of sweeps.
 pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];
@@ -166,6 +170,7 @@ fn has_full_columns(run: &Trajectory) -> bool {
     run.moment.len() == run.len()
         && run.q.len() == coordinates
         && run.q_dot.len() == coordinates
+        && run.outputs.iter().all(|(_, column)| column.len() == run.len())
         && columns.into_iter().all(|column| column.len() == run.len())
 }
 

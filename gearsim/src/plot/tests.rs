@@ -60,7 +60,7 @@ fn a_plot_with_values_that_are_not_finite_has_no_nan_and_no_inf_in_its_svg() {
 
 #[test]
 fn drawing_empty_or_inconsistent_data_is_an_error() {
-    let empty = Trajectory::new(&MODEL);
+    let empty = Trajectory::new(&MODEL, &[]);
     for plot in PLOTS {
         assert!((plot.draw)(&[]).is_err());
         assert!((plot.draw)(&[run("exact", &empty)]).is_err());
@@ -73,7 +73,10 @@ fn drawing_empty_or_inconsistent_data_is_an_error() {
     let short = oscillator(3);
     assert!(matches!((spectrum::PLOT.draw)(&[run("exact", &short)]), Err(PlotError::Spectrum { .. })));
     let message = find("spectra").unwrap_err().to_string();
-    assert_eq!(message, "there is no plot `spectra`; there are `energy`, `motion`, `spectrum`");
+    assert_eq!(
+        message,
+        "there is no plot `spectra`; there are `outputs`, `orders`, `energy`, `spectrum`, `motion`, `order_cuts`"
+    );
     let series = Series::new(0, "odd", vec![0.0], vec![]);
     let panel = Panel { y: Axis::linear("y", "1"), series: vec![series] };
     let x = Axis::linear("x", "1");

@@ -31,7 +31,8 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         )
     });
     let (t_end, solver) = output::read_run(entries, &mut absent, report);
-    let output = output::read(entries, model, t_end, report);
+    let effects = of_model.as_ref().and_then(|of_model| of_model.0);
+    let output = output::read(entries, (model, effects), t_end, report);
     keys::missing(&absent, "the scene", end, report);
 
     let (effects, parameters, laws, start) = of_model?;

@@ -114,7 +114,7 @@ use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
 
 /// Plots that a scene may ask for.
-pub const PLOTS: &[&str] = &["energy", "motion", "spectrum"];
+pub const PLOTS: &[&str] = &["outputs", "orders", "energy", "spectrum", "motion", "order_cuts"];
 
 /// A scene, checked and ready to run.
 #[derive(Debug, Clone)]
@@ -193,6 +193,8 @@ pub struct Output {
     pub events: bool,
     /// Plots to draw, by name.
     pub plots: Vec<String>,
+    /// The outputs of the model that are recorded, by their numbers.
+    pub record: Vec<usize>,
     /// Whether the trajectory is also written as CSV.
     pub csv: bool,
     /// Largest number of rows. A run that reaches it stops and keeps its rows.

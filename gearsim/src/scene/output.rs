@@ -3,12 +3,13 @@
 use super::document::{Entry, Node};
 use super::mistake::Report;
 use super::{Output, PLOTS, Solver, field, keys, solver};
-use crate::model::Model;
+use crate::model::{self, Model};
+use crate::scene::Effects;
 use crate::tolerance::scene::{MOST_ROW_MEMORY, ROW_MEMORY, SHORTEST_RUN};
 use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
-pub(super) const KEYS: [&str; 5] = ["rate", "events", "plots", "csv", "most_rows"];
+pub(super) const KEYS: [&str; 6] = ["rate", "events", "plots", "record", "csv", "most_rows"];
 
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
@@ -51,7 +52,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
 /// Reads `[output]`. The table and all its keys may be left out.
 pub(super) fn read(
     entries: &[Entry],
-    model: Option<&Model>,
+    (model, effects): (Option<&Model>, Option<Effects>),
     t_end: Option<f64>,
     report: &mut Report,
 ) -> Option<Output> {
@@ -63,30 +64,71 @@ pub(super) fn read(
         None => Some(default),
     };
     let (events, csv) = (flag("events", true), flag("csv", false));
+    let record = match keys::get(given, "record") {
+        Some(node) => read_record(node, model, effects, report),
+        None => model.map(|model| available(model, effects)),
+    };
     let plots = match keys::get(given, "plots") {
         Some(node) => field::names("output.plots", node, "plot", PLOTS, report),
-        None => Some((0..PLOTS.len()).collect()),
+        None => Some(default_plots(model, record.as_deref())),
     };
+    let bytes = model.zip(record.as_ref()).map(|(model, record)| Trajectory::bytes_of_row(model, record.len()) as f64);
     let most_rows = match keys::get(given, "most_rows") {
-        Some(node) => read_most_rows(node, model, report),
-        None => model.map(|model| ROW_MEMORY / Trajectory::bytes_of_row(model) as f64),
+        Some(node) => read_most_rows(node, bytes, report),
+        None => bytes.map(|bytes| ROW_MEMORY / bytes),
     };
     let rate = match keys::get(given, "rate") {
         Some(node) => read_rate(node, t_end, most_rows, report),
         None => t_end.map(|t_end| DEFAULT_SAMPLES / t_end),
     };
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
-    Some(Output { rate: rate?, events: events?, plots, csv: csv?, most_rows: most_rows? as u64 })
+    Some(Output { rate: rate?, events: events?, plots, record: record?, csv: csv?, most_rows: most_rows? as u64 })
 }
 
-fn read_most_rows(node: &Node, model: Option<&Model>, report: &mut Report) -> Option<f64> {
+/// What is drawn if the scene does not say: the outputs and, of a model with meshes, their orders; the motion if there are no outputs.
+fn default_plots(model: Option<&Model>, record: Option<&[usize]>) -> Vec<usize> {
+    let recorded = record.is_some_and(|record| !record.is_empty());
+    let meshes = model.is_some_and(|model| !model.laws.is_empty());
+    let drawn = |plot: &str| match plot {
+        "outputs" => recorded,
+        "orders" => recorded && meshes,
+        "motion" => !recorded,
+        "order_cuts" => false,
+        _ => true,
+    };
+    (0..PLOTS.len()).filter(|&i| drawn(PLOTS[i])).collect()
+}
+
+/// The outputs that scenes with these effects have, by their numbers.
+fn available(model: &Model, effects: Option<Effects>) -> Vec<usize> {
+    let has =
+        |output: &model::Output| output.with.is_none_or(|with| effects.is_none_or(|effects| effects.has(with, model)));
+    (0..model.outputs.len()).filter(|&i| has(&model.outputs[i])).collect()
+}
+
+/// Reads the names of the outputs to record. Those of effects that the scene does not have are left out, so that one list serves
+/// scenes that are compared with and without an effect.
+fn read_record(
+    node: &Node,
+    model: Option<&Model>,
+    effects: Option<Effects>,
+    report: &mut Report,
+) -> Option<Vec<usize>> {
+    let model = model?;
+    let names: Vec<&str> = model.outputs.iter().map(|output| output.name).collect();
+    let chosen = field::names("output.record", node, "output", &names, report)?;
+    let available = available(model, effects);
+    Some(chosen.into_iter().filter(|i| available.contains(i)).collect())
+}
+
+fn read_most_rows(node: &Node, bytes: Option<f64>, report: &mut Report) -> Option<f64> {
     let rows = field::quantity("output.most_rows", node, "1", report)?;
     if rows < 2.0 || rows.fract() != 0.0 {
         let what = "give the largest number of rows to record, e.g. 1e7";
         field::out_of_range("output.most_rows", node, "must be a whole number of at least 2", what, report);
         return None;
     }
-    let bytes = Trajectory::bytes_of_row(model?) as f64;
+    let bytes = bytes?;
     if rows * bytes > MOST_ROW_MEMORY {
         let must = format!("must be at most {:.1e}", MOST_ROW_MEMORY / bytes);
         let what = format!("a row takes {bytes} bytes, and rows may take {} GB", MOST_ROW_MEMORY / 1e9);

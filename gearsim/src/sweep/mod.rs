@@ -13,6 +13,7 @@ mod parse;
 pub mod plan;
 mod random;
 pub mod record;
+pub mod response;
 pub mod row;
 pub mod run;
 pub mod shard;
@@ -24,6 +25,7 @@ use std::path::Path;
 
 pub use manifest::Manifest;
 pub use plan::Plan;
+pub use row::Status;
 pub use shard::Shard;
 
 use crate::output::OutputError;

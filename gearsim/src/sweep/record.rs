@@ -4,6 +4,7 @@ mod digits;
 mod energy;
 mod events;
 mod extremes;
+mod outputs;
 mod peak;
 mod state;
 
@@ -12,7 +13,8 @@ use crate::run::Outcome;
 use crate::trajectory::Trajectory;
 
 /// All groups, in the order of their columns.
-pub const GROUPS: &[Group] = &[events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP];
+pub const GROUPS: &[Group] =
+    &[events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP, outputs::GROUP];
 
 /// Quantities that are recorded together.
 #[derive(Clone, Copy)]
@@ -27,6 +29,8 @@ pub struct Group {
     pub limits: bool,
     /// Whether it needs the number of digits left, for which each point runs a second time.
     pub digits: bool,
+    /// Whether it needs the outputs of the model.
+    pub outputs: bool,
     /// The columns for a model.
     pub columns: fn(&Model) -> Vec<Column>,
     /// The values of the columns for a run, NaN where a value does not exist. The second argument is the time [s] from which on

@@ -156,6 +156,9 @@ impl Sweep {
             scene.output.rate = 0.5 / scene.t_end;
         }
         scene.output.events = self.groups.iter().any(|group| group.limits);
+        if !self.groups.iter().any(|group| group.outputs) {
+            scene.output.record.clear();
+        }
     }
 
     fn row(&self, point: usize, outcome: &Outcome) -> Row {

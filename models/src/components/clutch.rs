@@ -11,7 +11,7 @@
 
 use gearsim_derive::{Expr, Model, Range};
 
-use super::named;
+use super::{named, observed};
 
 /// A clutch between two rotors; `lead` [rad] is the rotation of the driving one minus that of the driven one. Declares the capacity
 /// `T_max` and the drag torque `T_drag`.
@@ -40,4 +40,6 @@ pub fn overrunning_clutch(m: &mut Model, part: &str, what: &str, lead: Expr) {
     clutch.mode("overrun", &[zero, -one]).until("locked", -rate);
     clutch.mode("slips", &[one, zero]).until("locked", rate);
     clutch.loss(slips * capacity + drags * drag);
+    let lead = clutch.over();
+    observed::clutch(m, &effect, part, what, lead);
 }

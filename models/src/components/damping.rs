@@ -9,5 +9,7 @@ pub fn damping(m: &mut Model) {
     let beta_K = m.parameter("beta_K", "s", Some(0.0), Range::NotNegative, "damping in proportion to stiffness");
     m.effect("damping", "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness", |m| {
         m.rayleigh(alpha_M, beta_K);
+        let taken = 2 * alpha_M * m.kinetic_energy();
+        m.output("inertia_damping_loss", "W", taken, "power that the damping in proportion to inertia takes");
     });
 }

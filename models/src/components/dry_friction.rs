@@ -10,7 +10,7 @@
 
 use gearsim_derive::{Expr, Model, Range};
 
-use super::named;
+use super::{named, observed};
 
 /// Dry friction against the displacement `x` [rad or m], which is linear in the coordinates: the rotation of a rotor against the ground,
 /// or the relative rotation of two. `unit` is that of x, `force` that of the friction, N*m or N. Declares the Coulomb torque `Tc` and the
@@ -37,4 +37,6 @@ pub fn dry_friction(m: &mut Model, part: &str, what: &str, [unit, force]: [&str;
     slip.mode("forward", &[1.into()]).until("stuck", rate);
     slip.mode("backward", &[Expr::from(-1)]).until("stuck", -rate);
     slip.loss(direction * coulomb);
+    let slip = slip.over();
+    observed::friction(m, &effect, part, what, slip);
 }

@@ -36,5 +36,8 @@ pub fn dc_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Exp
 /// T = constant - slope omega.
 fn linear(m: &mut Model, name: &str, constant: Expr, slope: Expr, through: Expr, omega: Expr, doc: &str) {
     m.dissipation(half(slope * omega.sq()));
+    let taken =
+        "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed";
+    m.output(&format!("{name}_braking"), "W", slope * omega.sq(), taken);
     m.torque(name, constant, through, doc);
 }

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use gearsim_derive::{Expr, MeshError, Model, half};
+use gearsim_derive::{Expr, Model, half};
 
-use super::{named, play};
+use super::{named, observed, play};
 
 /// The two factors of the spring force of a mesh.
 #[derive(Clone, Copy)]
@@ -15,29 +15,31 @@ pub struct Mesh {
     pub delta: Expr,
 }
 
-/// A mesh with the deflection `delta` [m], which is linear in the coordinates; subtract a [`transmission_error`] from it if the mesh
-/// has one. Declares its stiffness law `k` [N/m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, and the effects
-/// `stiffness_step`, `rigid_kinematics` and `frozen_phase`.
+/// A mesh of two gears whose relative displacement along the line of action is `delta` [m], linear in the coordinates. Declares its
+/// stiffness law `k` [N/m] and its transmission error `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, and the
+/// effects `stiffness_step`, `rigid_kinematics`, `frozen_phase` and `transmission_error`.
 pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
     let stiffness = stiffness(m, part, what, phase);
-    let delta = m.deflection(&named("delta", part), delta);
-    m.potential(half(stiffness * delta.sq()));
-    Mesh { stiffness, delta }
+    let error = transmission_error(m, part, what, phase);
+    let x = m.deflection(&named("delta", part), delta - error);
+    m.potential(half(stiffness * x.sq()));
+    observed::mesh(m, part, what, x, delta);
+    Mesh { stiffness, delta: x }
 }
 
 /// A mesh as [`mesh`], with backlash in the effect `backlash`. Declares also the backlash `b` [m] along the line of action.
 pub fn mesh_with_play(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
     let k = stiffness(m, part, what, phase);
-    let gap = play(m, part, what, "m", delta);
+    let error = transmission_error(m, part, what, phase);
+    let gap = play(m, part, what, "m", delta - error);
     m.potential(half(k * gap.touch * gap.over.sq()));
+    observed::mesh(m, part, what, gap.over, delta);
     Mesh { stiffness: k * gap.touch, delta: gap.over }
 }
 
-/// The transmission error of a mesh along its line of action, in the effect `transmission_error`; the deflection of the mesh is
-/// then `delta - e.value`. Declares its law `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi.
-pub fn transmission_error(m: &mut Model, part: &str, what: &str, phase: Expr) -> MeshError {
+fn transmission_error(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {
     let doc = format!("transmission error of the {what} along the line of action");
-    m.transmission_error([&named("e", part), part], "m", phase, TAU, &doc)
+    m.transmission_error([&named("e", part), part], "m", phase, TAU, &doc).value
 }
 
 fn stiffness(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {

@@ -16,11 +16,14 @@ pub mod gear;
 pub mod governor;
 pub mod mesh;
 pub mod motor;
+pub mod observed;
 pub mod pair;
 pub mod planets;
 pub mod play;
 pub mod rotor;
 pub mod shaft;
+pub mod slider_crank;
+pub mod universal_joint;
 pub mod viscous;
 
 pub use bearing::bearing;
@@ -33,13 +36,15 @@ pub use fan::fan;
 pub use friction::{Sliding, pressure_tangent, sliding_friction};
 pub use gear::{Direction, Gear, external, internal};
 pub use governor::{dc_motor, governor};
-pub use mesh::{Mesh, mesh, mesh_with_play, transmission_error};
+pub use mesh::{Mesh, mesh, mesh_with_play};
 pub use motor::induction_motor;
 pub use pair::{Pair, pair};
 pub use planets::{Stage, stage};
 pub use play::{Play, dead_band, play};
 pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft};
+pub use slider_crank::slider_crank;
+pub use universal_joint::universal_joint;
 pub use viscous::viscous;
 
 /// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.

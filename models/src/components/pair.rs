@@ -6,7 +6,7 @@
 
 use gearsim_derive::{Expr, Model, Range, Start};
 
-use super::{Mesh, Sliding, mesh_with_play, named, sliding_friction, transmission_error};
+use super::{Mesh, Sliding, mesh_with_play, named, sliding_friction};
 
 /// A pair of gears: their rotations and numbers of teeth.
 #[derive(Clone, Copy)]
@@ -46,10 +46,9 @@ pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
 
 impl Pair {
     /// The mesh of the pair with all effects of meshes: steps of the stiffness, play, a transmission error, sliding friction. `tangent` is
-    /// that of the pressure angle. Declares what [`mesh_with_play`], [`transmission_error`] and [`sliding_friction`] declare.
+    /// that of the pressure angle. Declares what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn mesh(&self, m: &mut Model, part: &str, what: &str, tangent: Expr) -> Mesh {
-        let e = transmission_error(m, part, what, self.theta);
-        let mesh = mesh_with_play(m, part, what, self.theta, self.s - e.value);
+        let mesh = mesh_with_play(m, part, what, self.theta, self.s);
         let sliding = Sliding { phase: self.theta, tau: tangent * self.s, psi: self.theta1 + self.theta2 };
         sliding_friction(m, part, what, "m", mesh, sliding);
         mesh

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::gear::Direction;
-use super::{Gear, external, internal, mesh, transmission_error};
+use super::{Gear, external, internal, mesh, observed};
 
 /// The geometry of a stage and its rotations.
 #[derive(Clone, Copy)]
@@ -115,6 +115,7 @@ impl Stage {
             let tangential = m.deflection(&format!("tangential{i}"), carrier.across(l_c) - eta);
             m.potential(half(kb * radial.sq()));
             m.potential(half(kb * tangential.sq()));
+            observed::planet_bearing(m, &i.to_string(), [radial, tangential]);
             let (sun, ring) =
                 (external(sun, l_s, planet, self.alpha.mirrored()), internal(ring, l_r, planet, self.alpha));
             self.meshes(m, i, sun, ring);
@@ -134,8 +135,7 @@ impl Stage {
     fn meshes(&self, m: &mut Model, i: usize, sun: Expr, ring: Expr) {
         for (part, with, delta) in [("s", "sun", sun), ("r", "ring", ring)] {
             let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
-            let e = transmission_error(m, &part, &what, self.theta);
-            mesh(m, &part, &what, self.theta, delta - e.value);
+            mesh(m, &part, &what, self.theta, delta);
         }
     }
 }

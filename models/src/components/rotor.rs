@@ -2,13 +2,14 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::named;
+use super::{named, observed};
 
 /// A rotor on a fixed axis with the rotation `theta` [rad]. Declares its moment of inertia `I`.
 pub fn rotor(m: &mut Model, part: &str, what: &str, theta: Expr) {
     let doc = format!("moment of inertia of the {what}");
     let inertia = m.parameter(&named("I", part), "kg*m^2", None, Range::Positive, &doc);
     m.kinetic(half(inertia * theta.dot().sq()));
+    observed::rotor(m, part, what, theta);
 }
 
 /// A rotor with the rotation `theta` [rad] whose centre moves by `x`, `y` [m]. Declares its moment of inertia `I` and mass `m`.

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::named;
+use super::{named, observed};
 
 /// A shaft between two rotors whose rotations differ by `twist` [rad]. Declares its torsional stiffness `k`.
 pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
@@ -10,6 +10,7 @@ pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
     let k = m.parameter(&named("k", part), "N*m/rad", None, Range::NotNegative, &doc);
     let twist = m.deflection(&named("twist", part), twist);
     m.potential(half(k * twist.sq()));
+    observed::shaft(m, part, what, twist);
 }
 
 /// A torsional spring between the ground and a body with the rotation `theta` [rad]. Declares its torsional stiffness `k`.

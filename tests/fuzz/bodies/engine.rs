@@ -74,8 +74,7 @@ pub fn check(data: &[u8]) {
         DerivedModel::of::<GearPair>().equations(&scene).expect("the effects do not contradict one another");
     let Ok(mut simulation) = Simulation::new(&*equations, &scene) else { return };
     let lengths = simulation.turn_lengths();
-    let mut recorder =
-        Recorder::new(scene.model, &*equations, lengths, simulation.now.state.clone(), &simulation.now.k);
+    let mut recorder = Recorder::new(&scene, &*equations, lengths, simulation.now.state.clone(), &simulation.now.k);
     let (mut events, mut half) = (0, 0.0);
     let run = AssertUnwindSafe(|| {
         simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |t| {

@@ -118,7 +118,7 @@ impl Pair {
         let mut simulation = Simulation::new(&*equations, &scene).expect("numbers that make a system");
         simulation.now.state.q[1] = self.q[1];
         let (state, k) = (simulation.now.state.clone(), simulation.now.k[..].to_vec());
-        let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), state, &k);
+        let mut recorder = Recorder::new(&scene, &*equations, simulation.turn_lengths(), state, &k);
         let _ = simulation.run(Some((&mut recorder, scene.output.rate, true)), &mut |_| {});
         recorder.trajectory
     }

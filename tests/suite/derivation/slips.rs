@@ -126,7 +126,19 @@ const SLIPS: &[Row] = &[
     ("a T linear in a speed", "m*x_dot", |m, o| m.kinetic(o.m * o.x.dot())),
     ("a T of fourth degree in a speed", "m*x_dot^4", |m, o| m.kinetic(o.m * o.x.dot().pow(4))),
     ("a T without a speed", "s", |m, o| m.kinetic(o.s)),
-    ("a T that depends on the position", "`x`", |m, o| m.kinetic(o.m * (o.x * o.x.dot()).sq())),
+    ("a T that depends on the mesh", "`k`", |m, o| {
+        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        m.kinetic(o.m * (k.value * o.x.dot()).sq());
+    }),
+    ("a function of a sum that has no name", "`f`", |m, o| {
+        let f = m.function("f", o.x + 1, |u| u.sin());
+        m.potential(o.s * f);
+    }),
+    ("a function of another coordinate", "`f`", |m, o| {
+        let y = m.coordinate("y", "m", Start::Static, "");
+        let f = m.function("f", o.x, |u| u * y);
+        m.potential(o.s * f);
+    }),
     ("a coordinate without inertia", "`y`", |m, o| {
         let y = m.coordinate("y", "m", Start::Static, "");
         m.potential(half(o.s * (o.x - y).sq()));
@@ -166,7 +178,8 @@ const SLIPS: &[Row] = &[
     }),
     ("damping that is no square", "m*x_dot", |m, o| m.dissipation(o.m * o.x.dot())),
     ("damping that depends on the position", "`x`", |m, o| m.dissipation(o.m * (o.x * o.x.dot()).sq())),
-    ("a torque that works through a square", "the torque `lift`", |m, o| m.torque("lift", o.s, o.x * (o.x + 1), "")),
+    ("a torque along a square of a speed", "the torque `lift`", |m, o| m.torque_along("lift", o.s, o.x.dot().sq(), "")),
+    ("a torque along a displacement", "the torque `lift`", |m, o| m.torque_along("lift", o.s, o.x + o.x.dot(), "")),
     ("a phase that is no coordinate", "`k`", |m, o| {
         m.mesh_stiffness("k", "N/m", 2 * o.x, 1.0, "");
     }),
@@ -211,6 +224,29 @@ const SLIPS: &[Row] = &[
         let over = gap.over();
         gap.mode("free", &[]).until("stuck", over);
         gap.mode("stuck", &[]).holds();
+    }),
+    ("an output in a symbol that nobody declared", "`rate`", |m, _| {
+        m.output("loss", "W", Expr::symbol("rate").sq(), "");
+    }),
+    ("an output called like a parameter", "`s`", |m, o| {
+        m.output("s", "m", o.x, "");
+    }),
+    ("an output before one in which it is written", "`second`", |m, o| {
+        let mut second = o.x;
+        Model::new("other", |other| second = other.output("second", "m", 1.into(), ""));
+        m.output("first", "m", second, "");
+        m.output("second", "m", o.x, "");
+    }),
+    ("the spring of what is no named deflection", "not a named deflection", |m, o| {
+        let spring = m.spring(o.x);
+        m.output("force", "N", spring, "");
+    }),
+    ("terms of an effect inside a root", "`damping`", |m, o| {
+        let x = m.deflection("y", o.x);
+        m.potential(half(o.s * x.sq()));
+        m.effect("damping", "", |m| m.dissipation(half(o.s * x.dot().sq())));
+        let force = m.spring(x) + m.damper(x);
+        m.output("size", "N", (force.sq() + o.s.sq()).sqrt(), "");
     }),
     ("a division by zero", "the potential energy", |m, o| m.potential(o.s * o.x / 0)),
 ];

@@ -23,7 +23,7 @@ fn speeds_after_a_step_equal_those_of_the_paper() {
         let theta_dot = (ratio * critical).copysign(p.theta_dot);
         let mut q_dot = [theta_dot, p.phi_dot].into();
         let side = if theta_dot > 0.0 { Side::Upper } else { Side::Lower };
-        let passage = Surface::new(&*equations, 0).pass(
+        let passage = Surface::new(&*equations, 0, &p.q()).pass(
             &mut q_dot,
             side,
             equations.step(0, &p.q(), &[p.k, 1.0, 0.0, 1.0, 0.0], p.dk),
@@ -67,7 +67,7 @@ fn a_wrong_compliance_is_detected() {
     let detected = points(POINTS).filter(|p| p.dk < 0.0).any(|p| {
         let (equations, pair) = (p.equations(STIFFNESS_STEP), p.pair(0));
         let theta_dot = (pair.m2() * p.dk.abs()).sqrt() * p.phi.abs();
-        let mut surface = Surface::new(&*equations, 0);
+        let mut surface = Surface::new(&*equations, 0, &p.q());
         surface.compliance *= 1.0 + 1e-12;
         let mut q_dot = [theta_dot, p.phi_dot].into();
         surface.pass(&mut q_dot, Side::Upper, equations.step(0, &p.q(), &[p.k, 1.0, 0.0, 1.0, 0.0], p.dk));

@@ -43,7 +43,7 @@ impl<const N: usize> Equations for Linear<N> {
     fn coordinates(&self) -> usize {
         N
     }
-    fn kinetic(&self, q_dot: &[f64]) -> f64 {
+    fn kinetic(&self, _: &[f64], q_dot: &[f64]) -> f64 {
         0.5 * dot(q_dot, &times(&self.mass, q_dot))
     }
     fn potential(&self, q: &[f64], _: &[f64]) -> f64 {
@@ -65,7 +65,7 @@ impl<const N: usize> Equations for Linear<N> {
     fn jacobian(&self, _: &[f64], _: &[f64], _: &[f64], _: &[f64], _: &[f64]) -> [Matrix; 2] {
         unreachable!("linear cells are not integrated")
     }
-    fn mass(&self) -> Matrix {
+    fn mass(&self, _: &[f64]) -> Matrix {
         matrix(&self.mass)
     }
     fn damping(&self, _: &[f64]) -> Matrix {

@@ -48,8 +48,6 @@ mod trapped;
 use std::process::ExitCode;
 
 use case::{Case, check};
-// The expansions of the models refer to these two as `crate::engine` and `crate::model`, as they do within gearsim.
-use gearsim::{engine, model};
 use libtest_mimic::{Arguments, Trial};
 use table::Table;
 

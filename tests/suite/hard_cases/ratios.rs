@@ -110,7 +110,8 @@ fn momentum(_: &mut String) -> f64 {
     let mut noise = Noise::new(502);
     largest(powers().flat_map(|ratio| {
         let equations = pair::equations(&GearPair { i2: 2.89e-3 * ratio, ..GearPair::paper(0.0, 3.0) });
-        let (cell, m) = (Cell::new(&*equations, &[2000.0]).expect("a cell"), equations.mass().row(0).clone_owned());
+        let (cell, m) =
+            (Cell::new(&*equations, &[2000.0]).expect("a cell"), equations.mass(&[0.0; 2]).row(0).clone_owned());
         [(); 50].map(|()| {
             let [q, v] = [(); 2].map(|()| Vector::from([noise.even(), noise.even()]));
             let flight = cell.flight(&q, &v);

@@ -35,12 +35,12 @@ pub fn train<D: Derived>(numbers: &[(&str, f64)]) -> Train {
 impl Train {
     /// Natural frequencies [Hz], rising.
     pub fn frequencies(&self) -> Vec<f64> {
-        frequencies(self.equations.mass(), self.equations.stiffness(&self.k))
+        frequencies(self.equations.mass(&vec![0.0; self.equations.coordinates()]), self.equations.stiffness(&self.k))
     }
 
     /// Kinetic energy with `x` as speeds, and strain energy with `x` as coordinates [J].
     pub fn energies(&self, x: &[f64]) -> [f64; 2] {
-        [self.equations.kinetic(x), self.equations.potential(x, &self.k)]
+        [self.equations.kinetic(x, x), self.equations.potential(x, &self.k)]
     }
 }
 

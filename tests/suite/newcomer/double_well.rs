@@ -35,6 +35,13 @@ equations! {
     mobility { x x { _ => 1.0/m_p; } }
     force { x { _ => F + k_w*x/2.0 - k_w*x.powi(3)/(2.0*a.powi(2)); } }
     jacobian { x x { _ => k_w/2.0 - 3.0*k_w*x.powi(2)/(2.0*a.powi(2)); } }
+    cell {
+        stiffness {
+        }
+        damping {
+        }
+        load { x { _ => F; } }
+    }
     nonlinear "k_w*x^4/(8*a^2) in the potential energy";
 
     text "text/double_well.txt";

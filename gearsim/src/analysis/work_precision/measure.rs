@@ -92,6 +92,7 @@ pub fn point(family: &Family, rung: &Rung, reference: &Reference, run: Runner<'_
     let right = errors.as_ref().is_ok_and(|errors| errors.events == 0);
     let mut quiet = rung.scene.clone();
     (quiet.output.events, quiet.output.rate) = (false, 1.0 / quiet.t_end);
+    quiet.output.record.clear();
     let begin = Instant::now();
     let mut seconds = vec![];
     while seconds.len() < repetitions.max(1) && (seconds.is_empty() || begin.elapsed() < PATIENCE) {

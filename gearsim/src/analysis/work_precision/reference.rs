@@ -108,5 +108,6 @@ pub fn recorded(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.output.rate = SAMPLES / scene.t_end;
     scene.output.events = true;
+    scene.output.record.clear();
     scene
 }

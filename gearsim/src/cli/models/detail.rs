@@ -24,6 +24,7 @@ pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     add("Effects (effects = [...])", effects(model));
     let torques = model.torques.iter().map(|t| (vec![t.name.into()], t.doc.into()));
     add("Torques whose work is recorded", torques.collect());
+    add("Outputs ([output] record = [...]; all of them if the scene does not say)", outputs(model));
     if !model.nonlinear.is_empty() {
         text += &format!("\nNonlinear terms: {}\n", model.nonlinear);
     }
@@ -71,6 +72,11 @@ fn laws(model: &Model) -> Vec<Row> {
 
 fn motions(model: &Model) -> Vec<Row> {
     model.motions.iter().map(|m| (vec![m.name.into(), unit(m.unit)], m.doc.into())).collect()
+}
+
+fn outputs(model: &Model) -> Vec<Row> {
+    let with = |output: &crate::model::Output| output.with.map_or(String::new(), |effect| format!("with {effect}"));
+    model.outputs.iter().map(|o| (vec![o.name.into(), unit(o.unit), with(o)], o.doc.into())).collect()
 }
 
 fn effects(model: &Model) -> Vec<Row> {

@@ -53,7 +53,7 @@ fn the_report_of_a_run_equals_its_snapshot() {
     // Times differ between runs, and the last digits between machines.
     (summary.cpu_seconds, summary.energy.residual) = (Number(23e-6), Number(1e-15));
     for entry in &mut summary.state.0 {
-        entry.1 = Number((entry.1.0 * 1e6).round() / 1e6);
+        *entry.1 = Number((entry.1.0 * 1e6).round() / 1e6);
     }
     let text = report::scene(&scene, WIDTH) + &report::run(&scene, &summary, outcome.trajectory.len(), WIDTH);
     assert_snapshot!("summary", text);

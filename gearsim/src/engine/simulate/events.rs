@@ -56,6 +56,7 @@ impl Simulation<'_> {
     fn act(&mut self, end: End) -> Result<(), Stop> {
         match end {
             End::Step(law, side) => {
+                self.now.set_surfaces();
                 if self.now.laws.len() > 1 {
                     let (equations, state) = (self.now.equations, &self.now.state);
                     let ambiguous = order::matters(equations, self.stand(), state, law, side);
@@ -167,10 +168,8 @@ impl Simulation<'_> {
     /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
     fn press(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         let (equations, state, k) = (self.now.equations, &self.now.state, &self.now.k);
-        let energy = equations.kinetic(&state.q_dot) + equations.potential(&state.q, k);
-        let mobility =
-            self.now.contact.as_ref().map_or_else(|| equations.mobility(), |contact| contact.mobility.clone());
-        let acceleration = &mobility * &self.now.force();
+        let energy = equations.kinetic(&state.q, &state.q_dot) + equations.potential(&state.q, k);
+        let acceleration = &self.now.mobility() * &self.now.force();
         if !contact::presses(&self.now.laws[law], side, state, &acceleration, self.solver.rate(), energy) {
             return Ok(());
         }

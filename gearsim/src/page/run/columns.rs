@@ -9,10 +9,10 @@ use crate::plot::rotates;
 /// What a column is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
+    /// An output of the model: a force, a transmission error, the speed of a rotor.
+    Signal,
     /// Speed of a coordinate that rotates.
     Speed,
-    /// A column that is neither a coordinate nor a speed nor an energy: a force, a transmission error.
-    Signal,
     /// A coordinate that does not rotate.
     Deflection,
     /// Its rate.
@@ -54,12 +54,12 @@ impl Group<'_> {
     /// A title for people.
     pub fn title(&self) -> &'static str {
         match (self.kind, self.unit) {
-            (Kind::Speed, _) => "Speeds",
+            (Kind::Speed, _) => "Speeds of coordinates",
             (Kind::Signal, "N") => "Forces",
             (Kind::Signal, "N*m") => "Torques",
             (Kind::Signal, "m") => "Displacements",
             (Kind::Signal, "W") => "Powers",
-            (Kind::Signal, "rad/s") => "Speeds of shafts",
+            (Kind::Signal, "rad/s") => "Speeds",
             (Kind::Signal, _) => "Signals",
             (Kind::Deflection, _) => "Deflections",
             (Kind::Rate, _) => "Rates of deflections",
@@ -109,6 +109,9 @@ fn describe(report: &Report<'_>, column: &Column) -> Option<(Kind, String)> {
     }
     if let Some((_, doc)) = ENERGIES.iter().find(|(energy, _)| *energy == name) {
         return Some((Kind::Energy, (*doc).to_owned()));
+    }
+    if let Some((output, _)) = trajectory.outputs.iter().find(|(output, _)| output.name == name) {
+        return Some((Kind::Signal, output.doc.to_owned()));
     }
     let torque = trajectory.model.torques.iter().find(|torque| name.strip_prefix("work_") == Some(torque.name));
     Some(torque.map_or((Kind::Signal, String::new()), |torque| (Kind::Energy, format!("work: {}", torque.doc))))

@@ -1,6 +1,7 @@
 //! Events and steps, counted.
 
 use super::Report;
+use crate::output::summary::Number;
 use crate::page::html::{Cell, Html};
 
 /// Writes the section.
@@ -23,5 +24,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     ];
     let row =
         |(name, count, what): (&str, u64, &str)| vec![Cell::text(name), Cell::Number(count as f64), Cell::text(what)];
+    let modes = summary.modes.iter().flat_map(|(switch, shares)| {
+        let row = |(mode, share): (&String, &Number)| vec![Cell::text(switch), Cell::text(mode), Cell::Number(share.0)];
+        shares.0.iter().map(row).collect::<Vec<_>>()
+    });
+    html.table("Share of the time in each mode", &["switch", "mode", "share"], &modes.collect::<Vec<_>>());
     html.table("Events and steps", &["what", "count", "meaning"], &rows.map(row));
 }

@@ -43,6 +43,7 @@ pub static GEAR_PAIR: Model = Model {
         parameter("zeta", "1", Some(0.0), NOT_NEGATIVE, "damping ratio"),
         parameter("T0", "N*m", Some(10.0), ANY, "driving torque"),
     ],
+    outputs: &[],
     switches: &[],
     nonlinear: "",
     nonlinear_with: &[],

@@ -25,7 +25,7 @@ fn a_scene_is_read_in_si() {
     assert_eq!(scene.start.motions, [300.0 * PI / 30.0]);
     assert_eq!(scene.t_end, 0.1);
     assert_eq!(scene.output.rate, 20e3);
-    assert_eq!(scene.output.plots, ["energy", "motion", "spectrum"]);
+    assert_eq!(scene.output.plots, ["energy", "spectrum", "motion"]);
     assert!(scene.output.events && !scene.output.csv);
 }
 

@@ -10,6 +10,7 @@ pub(super) const GROUP: Group = Group {
     samples: false,
     limits: false,
     digits: true,
+    outputs: false,
     columns,
     values,
 };

@@ -11,6 +11,7 @@ pub(super) const GROUP: Group = Group {
     samples: false,
     limits: true,
     digits: false,
+    outputs: false,
     columns,
     values,
 };

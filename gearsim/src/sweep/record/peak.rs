@@ -11,6 +11,7 @@ pub(super) const GROUP: Group = Group {
     samples: true,
     limits: false,
     digits: false,
+    outputs: false,
     columns,
     values,
 };

@@ -2,6 +2,7 @@
 
 mod mistakes;
 mod points;
+mod response;
 
 use std::path::{Path, PathBuf};
 

@@ -76,7 +76,7 @@ impl Equations for Train {
     fn coordinates(&self) -> usize {
         self.n
     }
-    fn kinetic(&self, q_dot: &[f64]) -> f64 {
+    fn kinetic(&self, _: &[f64], q_dot: &[f64]) -> f64 {
         let speeds = q_dot.iter().scan(0.0, |sum, v| {
             *sum += v;
             Some(*sum)
@@ -104,7 +104,7 @@ impl Equations for Train {
     fn jacobian(&self, _: &[f64], _: &[f64], _: &[f64], _: &[f64], _: &[f64]) -> [Matrix; 2] {
         unreachable!("its cells are linear")
     }
-    fn mass(&self) -> Matrix {
+    fn mass(&self, _: &[f64]) -> Matrix {
         Matrix::from_fn(self.n, self.n, |i, j| J * (self.n - i.max(j)) as f64)
     }
     fn damping(&self, _: &[f64]) -> Matrix {

@@ -62,7 +62,7 @@ impl Walk {
             simulation = Entry::new::<GearPair>().compensate(simulation, &scene)?;
         }
         let (start, k) = (simulation.now.state.clone(), simulation.now.k[..].to_vec());
-        let mut recorder = Recorder::new(scene.model, &*equations, simulation.turn_lengths(), start, &k);
+        let mut recorder = Recorder::new(&scene, &*equations, simulation.turn_lengths(), start, &k);
         let mut seconds_an_event = 1e-3;
         let mut walk = Walk { events: vec![], error: vec![], reflections: 0, model_time: 0.0, elapsed: Duration::ZERO };
         let (mut done, mut quiet) = (0, 0);

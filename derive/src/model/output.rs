@@ -1,0 +1,95 @@
+//! Outputs: what can be observed of a model besides its coordinates, such as forces and losses.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use super::Model;
+use super::switch::set;
+use crate::expr::{Expr, Kind, speed_name, symbol, symbols, total};
+use crate::markers::{markers, terms};
+
+/// A quantity that a run can record.
+pub(crate) struct Output {
+    pub name: String,
+    pub unit: String,
+    /// With the markers of effects.
+    pub value: Expr,
+    /// The effect in whose closure it was declared: scenes without it do not have the output.
+    pub with: Option<String>,
+    pub doc: String,
+}
+
+impl Output {
+    /// The terms of its value, each with the effects that it needs as factors; as its author wrote it where it needs none.
+    pub fn terms(&self) -> Vec<Atom> {
+        let value = self.value.atom();
+        if markers(&value).is_empty() { terms(&value) } else { terms(&value.expand()) }
+    }
+}
+
+impl Model {
+    /// Declares a quantity with its SI unit that scenes can record. It may depend on the state, on the laws and on the symbols of
+    /// switches. No equation of motion depends on it. Inside the closure of an effect: only scenes with the effect have it.
+    /// Returns its symbol, in which later outputs may be written.
+    pub fn output(&mut self, name: &str, unit: &str, value: Expr, doc: &str) -> Expr {
+        let with = self.within.clone();
+        self.outputs.push(Output { name: name.into(), unit: unit.into(), value, with, doc: doc.into() });
+        Expr::var(Kind::Output, name)
+    }
+
+    /// As [`Model::output`], for scenes with `effect` only.
+    pub fn output_with(&mut self, effect: &str, name: &str, unit: &str, value: Expr, doc: &str) -> Expr {
+        let outer = self.within.replace(effect.into());
+        let output = self.output(name, unit, value, doc);
+        self.within = outer;
+        output
+    }
+
+    /// The kinetic energy of all that was declared so far, as far as its inertia is constant: that of [`Model::rayleigh`].
+    pub fn kinetic_energy(&self) -> Expr {
+        let constant = self.kinetic.iter().filter(|piece| !super::depends_on_positions(piece));
+        Expr::new(total(constant.map(|piece| piece.atom()).collect()))
+    }
+
+    /// For outputs: the force of the springs along the named deflection `x`, dV/dx. It has all terms of the complete model.
+    pub fn spring(&self, x: Expr) -> Expr {
+        of(Kind::Spring, x)
+    }
+
+    /// For outputs: the force of all that takes energy along the named deflection `x`: dampers, dD/dx', and the force of a switch
+    /// whose work is lost.
+    pub fn damper(&self, x: Expr) -> Expr {
+        of(Kind::Damper, x)
+    }
+}
+
+/// The symbol of a force along a deflection. Of what is no deflection it is undeclared, and is refused.
+fn of(kind: Kind, x: Expr) -> Expr {
+    match symbols(&x.atom()).as_slice() {
+        [(Kind::Deflection, name)] if x.atom() == Expr::var(Kind::Deflection, name).atom() => Expr::var(kind, name),
+        _ => Expr::symbol("the force along an expression that is not a named deflection"),
+    }
+}
+
+/// Replaces the forces of springs and dampers in outputs by the derivatives of V and D.
+pub(super) fn complete(model: &mut Model) {
+    let by = |pieces: &[Expr], kind, name: &str| {
+        total(pieces.iter().map(|piece| piece.atom().derivative(symbol(kind, name))).collect())
+    };
+    let written = |value: Expr| {
+        let mut value = value.atom();
+        for (kind, name) in symbols(&value) {
+            let lost = model.switches.iter().filter(|switch| switch.over == name).map(|switch| switch.lost());
+            let force = match kind {
+                Kind::Spring => by(&model.potential, Kind::Deflection, &name),
+                Kind::Damper => {
+                    by(&model.dissipation, Kind::Rate, &speed_name(&name)) + total(lost.collect::<Vec<Atom>>())
+                }
+                _ => continue,
+            };
+            value = set(&value, symbol(kind, &name), &force.expand());
+        }
+        Expr::new(value)
+    };
+    let values: Vec<Expr> = model.outputs.iter().map(|output| written(output.value)).collect();
+    model.outputs.iter_mut().zip(values).for_each(|(output, value)| output.value = value);
+}

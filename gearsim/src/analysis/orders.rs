@@ -1,0 +1,166 @@
+//! Order spectra: amplitudes over the frequency divided by that of a shaft.
+//!
+//! The samples are interpolated at equal angles of the shaft before the transform, so that lines stay sharp while the speed varies.
+//! The record is cut to whole revolutions. With the Hann window w and N values x_n at equal angles, without their mean, the amplitude
+//! of order m/R in a record of R revolutions is
+//!
+//! ```text
+//! A_m = 2 |sum_n w_n x_n exp(-2 pi i m n/N)| / sum_n w_n,    m > 0
+//! ```
+//!
+//! the peak amplitude of a line at that order. Sources: K. R. Fyfe, E. D. S. Munck, Mech. Syst. Signal Process. 11 (1997) 187-205
+//! (computed order tracking); G. Heinzel, A. Rüdiger, R. Schilling (2002), Eq. (24) (window correction).
+
+mod cuts;
+mod lines;
+
+pub use cuts::{Cut, cuts};
+pub use lines::{Line, lines, mesh_orders};
+
+use realfft::RealFftPlanner;
+
+use crate::analysis::spectrum::{SpectrumError, hann, uniform_samples};
+use crate::model::Output;
+use crate::trajectory::Trajectory;
+
+/// The unit of the outputs that may give the angle of a shaft.
+pub const SHAFT: &str = "rad/s";
+
+/// Amplitudes over orders of a shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orders {
+    /// Orders, evenly spaced from 0 \[1\].
+    pub order: Vec<f64>,
+    /// Peak amplitude at each order [unit of the signal].
+    pub amplitude: Vec<f64>,
+    /// Whole revolutions of the shaft in the record.
+    pub revolutions: usize,
+}
+
+impl Orders {
+    /// The largest amplitude within half a resolution of `order`; `None` beyond the last order.
+    pub fn at(&self, order: f64) -> Option<f64> {
+        let place = order * self.revolutions as f64;
+        let near = (place.round() - 1.0).max(1.0) as usize..=(place.round() + 1.0).max(1.0) as usize;
+        self.amplitude.get(near)?.iter().copied().reduce(f64::max)
+    }
+}
+
+/// Evenly spaced samples of a run, with the angle of a shaft.
+#[derive(Debug, Clone)]
+pub struct Turning {
+    /// The rows of the trajectory.
+    pub rows: Vec<usize>,
+    /// Angle of the shaft at each, from the first \[revolutions\].
+    pub angle: Vec<f64>,
+    /// The sampling rate \[Hz\].
+    pub rate: f64,
+}
+
+/// The first recorded output that is the speed of a shaft.
+pub fn first_shaft(run: &Trajectory) -> Option<&'static Output> {
+    run.outputs.iter().map(|(output, _)| *output).find(|output| output.unit == SHAFT)
+}
+
+impl Turning {
+    /// The samples of a run from the time `from` \[s\] on, with the angle of the shaft whose speed is the recorded output `shaft`.
+    ///
+    /// # Errors
+    /// [`SpectrumError::NotTurning`] if the output is not recorded, or if the shaft stands or turns back; those of
+    /// [`uniform_samples`].
+    pub fn of(run: &Trajectory, shaft: &str, from: f64) -> Result<Turning, SpectrumError> {
+        let not_turning = || SpectrumError::NotTurning { shaft: shaft.to_owned() };
+        let (mut rows, rate) = uniform_samples(run)?;
+        rows.retain(|&row| run.t[row] >= from);
+        if rows.len() < 4 {
+            return Err(SpectrumError::TooShort { samples: rows.len() });
+        }
+        let speed = run.output(shaft).ok_or_else(not_turning)?;
+        let speed: Vec<f64> = rows.iter().map(|&row| speed[row] / std::f64::consts::TAU).collect();
+        let backwards = speed.iter().sum::<f64>() < 0.0;
+        let mut angle = integral(&speed, 1.0 / rate);
+        if backwards {
+            angle.iter_mut().for_each(|angle| *angle = -*angle);
+        }
+        if angle.windows(2).any(|pair| pair[1].partial_cmp(&pair[0]) != Some(std::cmp::Ordering::Greater)) {
+            return Err(not_turning());
+        }
+        Ok(Turning { rows, angle, rate })
+    }
+
+    /// Whole revolutions.
+    pub fn revolutions(&self) -> usize {
+        self.angle.last().map_or(0, |angle| angle.floor() as usize)
+    }
+
+    /// The order spectrum of a column of the trajectory.
+    ///
+    /// # Errors
+    /// [`SpectrumError::TooShort`] if there is less than one revolution, [`SpectrumError::NotFinite`].
+    pub fn orders(&self, column: &[f64]) -> Result<Orders, SpectrumError> {
+        let x: Vec<f64> = self.rows.iter().map(|&row| column[row]).collect();
+        if let Some(index) = x.iter().position(|v| !v.is_finite()) {
+            return Err(SpectrumError::NotFinite { index, value: x[index] });
+        }
+        let revolutions = self.revolutions();
+        // No more values than samples: the interpolation adds no content.
+        let n = (x.len() as f64 * revolutions as f64 / self.angle[self.angle.len() - 1]) as usize / 2 * 2;
+        if revolutions < 1 || n < 4 {
+            return Err(SpectrumError::TooShort { samples: n });
+        }
+        let amplitude = amplitudes(&at_equal_angles(&x, &self.angle, revolutions as f64 / n as f64, n));
+        let order = (0..amplitude.len()).map(|m| m as f64 / revolutions as f64).collect();
+        Ok(Orders { order, amplitude, revolutions })
+    }
+}
+
+/// The integral of evenly spaced samples from the first on, exact for cubic polynomials but in the first and last interval, where it is
+/// for parabolas.
+fn integral(x: &[f64], h: f64) -> Vec<f64> {
+    let last = x.len() - 1;
+    let mut sum = vec![0.0; x.len()];
+    for i in 0..last {
+        let between = match i {
+            0 => (5.0 * x[0] + 8.0 * x[1] - x[2]) / 12.0,
+            _ if i + 1 == last => (5.0 * x[last] + 8.0 * x[last - 1] - x[last - 2]) / 12.0,
+            _ => (13.0 * (x[i] + x[i + 1]) - x[i - 1] - x[i + 2]) / 24.0,
+        };
+        sum[i + 1] = sum[i] + h * between;
+    }
+    sum
+}
+
+/// `n` values at the angles 0, `step`, .., by cubic interpolation (Lagrange) between the four samples about each.
+fn at_equal_angles(x: &[f64], angle: &[f64], step: f64, n: usize) -> Vec<f64> {
+    let mut next = 0;
+    (0..n)
+        .map(|i| {
+            let at = i as f64 * step;
+            while next + 2 < angle.len() && angle[next + 1] <= at {
+                next += 1;
+            }
+            let first = next.saturating_sub(1).min(angle.len() - 4);
+            let weight = |j: usize| {
+                let others = (first..first + 4).filter(|&k| k != j);
+                others.map(|k| (at - angle[k]) / (angle[j] - angle[k])).product::<f64>()
+            };
+            (first..first + 4).map(|j| weight(j) * x[j]).sum()
+        })
+        .collect()
+}
+
+/// Peak amplitudes of the lines of a signal, with the Hann window.
+fn amplitudes(x: &[f64]) -> Vec<f64> {
+    let (n, window) = (x.len(), hann(x.len()));
+    let mean = x.iter().sum::<f64>() / n as f64;
+    let fft = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+    let mut input: Vec<f64> = x.iter().zip(&window).map(|(x, w)| (x - mean) * w).collect();
+    let mut output = fft.make_output_vec();
+    // It fails only on buffers of the wrong length; these were made for it.
+    let _ = fft.process(&mut input, &mut output);
+    let scale = 2.0 / window.iter().sum::<f64>();
+    output.iter().map(|c| scale * c.norm()).collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,45 @@
+//! Order cuts: the amplitude of an order over the speed of a run-up, from windows of whole revolutions that overlap by half.
+
+use super::Turning;
+use crate::analysis::spectrum::SpectrumError;
+
+/// The amplitudes in one window.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cut {
+    /// Speed of the shaft in the middle of the window \[rad/s\].
+    pub speed: f64,
+    /// Peak amplitude of each order asked for [unit of the signal]; NaN beyond the last order.
+    pub amplitude: Vec<f64>,
+}
+
+/// The amplitudes of `orders` of a column in every window of `revolutions`.
+///
+/// # Errors
+/// Those of [`Turning::orders`].
+pub fn cuts(turning: &Turning, column: &[f64], orders: &[f64], revolutions: usize) -> Result<Vec<Cut>, SpectrumError> {
+    let mut all = vec![];
+    let mut begin = 0.0;
+    while begin + revolutions as f64 <= turning.angle[turning.angle.len() - 1] {
+        let from = turning.angle.partition_point(|&angle| angle < begin);
+        // One sample more, so that the revolutions are whole.
+        let end = begin + revolutions as f64;
+        let to = (turning.angle.partition_point(|&angle| angle <= end) + 2).min(turning.angle.len());
+        begin += 0.5 * revolutions as f64;
+        if to - from < 4 {
+            continue;
+        }
+        let angle: Vec<f64> = turning.angle[from..to].iter().map(|angle| angle - turning.angle[from]).collect();
+        // The window weighs its middle: the amplitude is that at the speed there.
+        let half = 0.5 * angle[angle.len() - 1];
+        let middle = angle.partition_point(|&angle| angle < half).clamp(1, angle.len() - 2);
+        let speed = 0.5 * (angle[middle + 1] - angle[middle - 1]) * turning.rate * std::f64::consts::TAU;
+        let window = Turning { rows: turning.rows[from..to].to_vec(), angle, rate: turning.rate };
+        if window.revolutions() < 1 {
+            continue;
+        }
+        let spectrum = window.orders(column)?;
+        let amplitude = orders.iter().map(|order| spectrum.at(*order).unwrap_or(f64::NAN)).collect();
+        all.push(Cut { speed, amplitude });
+    }
+    Ok(all)
+}

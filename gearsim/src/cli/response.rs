@@ -1,0 +1,134 @@
+//! `gearsim response`: response curves over a varied value, upward and downward.
+
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+
+use super::failure::Failure;
+use super::progress::PointsBar;
+use super::{Verb, files, known, number, report, terminal};
+use crate::output::{OutputFolder, csv, parquet};
+use crate::plot;
+use crate::sweep::response::{MEASURES, Response};
+use crate::sweep::{Request, Status, Sweep};
+
+/// Response curves: outputs over a speed or another value, each point from the settled state before it
+#[derive(Parser)]
+#[command(
+    name = "response",
+    after_help = "\
+The scene runs at the first value, then at the next one from the state in which it has settled, up to
+the last value and down again. Where two steady motions exist, the two ways differ.
+
+A varied speed is held by the scene itself: torques in balance, or a governor. The column mean_speed
+says which speed the train really had.
+
+Writes response.parquet, response.csv and the plot.
+
+Examples:
+  gearsim response models/scenes/response.toml --over start.speed=\"1500 rpm:6000 rpm:46\" --output dte
+  gearsim response models/scenes/two_stage.toml --over start.speed=\"500 rpm:3000 rpm:50\" \\
+      --output dte_12,mesh_force_34 --measure peak_to_peak --settle \"0.2 s\""
+)]
+pub(super) struct ResponseCommand {
+    /// The scene: a TOML file
+    scene: PathBuf,
+    /// A key of the scene and its rising values, e.g. --over start.speed="1000 rpm:5000 rpm:81"
+    #[arg(long, value_name = "KEY=VALUES")]
+    over: String,
+    /// The outputs to observe, by name [default: those that the scene records]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    output: Vec<String>,
+    /// The measure that is drawn
+    #[arg(long, default_value = "rms", value_parser = MEASURES.map(|(name, _)| name))]
+    measure: String,
+    /// Time of each point before it counts as settled; the rest of the run is measured
+    #[arg(long, value_name = "TIME")]
+    settle: String,
+    /// Only upward
+    #[arg(long)]
+    up: bool,
+    /// Folder for the results; created if missing, older results in it are replaced
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Sets a value of the scene at all points; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Print nothing but warnings and errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+impl Verb for ResponseCommand {
+    fn run(self) -> Result<(), Failure> {
+        let settle = crate::scene::quantity::parse_time(&self.settle).map_err(|why| Failure::Impossible {
+            what: format!("--settle \"{}\" is not a time: {why}", self.settle),
+            help: "write for example --settle \"0.1 s\"".into(),
+        })?;
+        let mut overrides = self.overrides.clone();
+        if !self.output.is_empty() {
+            overrides.push(format!("output.record={:?}", self.output));
+        }
+        let vary = vec![self.over.clone()];
+        let request = Request { vary, overrides, samples: None, seed: 0, from: settle, record: vec![], spectra: false };
+        let sweep = Sweep::load(&self.scene, known::models(), &request)?;
+        let path = self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_response", sweep.scene())));
+        OutputFolder::probe(&path)?;
+
+        let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.quiet);
+        let response = sweep.response(!self.up, &mut |done| bar.at(done))?;
+        drop(bar);
+        let mut folder = OutputFolder::create(path)?;
+        let table = response.table()?;
+        let provenance = [("scene", sweep.scene().to_owned()), ("scene_sha256", sweep.hash())];
+        let pairs = provenance.iter().map(|(name, value)| (*name, value.as_str()));
+        folder.write("response.parquet", |sink| parquet::write(&table, pairs, sink))?;
+        let figure = plot::response::figure(sweep.scene(), &response, &self.measure);
+        files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
+        folder.write("response.csv", |sink| csv::write(&table, sink))?;
+        folder.commit("response.csv")?;
+        if !self.quiet {
+            let width = terminal::width();
+            let text = summary(&response, width) + "\n" + &report::files(folder.path(), folder.files(), width);
+            terminal::print_out(&text);
+        }
+        failure(&response, folder.path())
+    }
+}
+
+/// The largest value of each output on each way, and where it is.
+fn summary(response: &Response, width: usize) -> String {
+    let mut text = String::new();
+    for (i, output) in response.outputs.iter().enumerate() {
+        for (way, upward) in [("up", true), ("down", false)] {
+            let points = response.points.iter().filter(|point| point.upward == upward);
+            let rms = points.filter_map(|point| Some((point.observed[i].as_ref()?.rms, point.value)));
+            if let Some((rms, at)) = rms.max_by(|a, b| a.0.total_cmp(&b.0)) {
+                let (rms, at) = (number::short(rms), number::short(at));
+                let says = format!("largest rms on the way {way}: {rms} {} at {at} {}", output.unit, response.unit);
+                text += &report::line(output.name, &says, width);
+            }
+        }
+    }
+    text
+}
+
+/// A failure if a point was not run to its end.
+fn failure(response: &Response, folder: &Path) -> Result<(), Failure> {
+    let wrong: Vec<_> = response.points.iter().filter(|point| point.status != Status::Done).collect();
+    match wrong.first() {
+        None => Ok(()),
+        Some(first) => Err(Failure::Points {
+            what: format!(
+                "{} of {} points of the response have no result; the first is {} = {} {}: {}",
+                wrong.len(),
+                response.points.len(),
+                response.key,
+                number::short(first.value),
+                response.unit,
+                first.reason
+            ),
+            folder: folder.to_owned(),
+        }),
+    }
+}

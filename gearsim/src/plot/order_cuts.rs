@@ -1,0 +1,87 @@
+//! Order cuts of a run-up: the amplitudes of mesh orders over the speed of the first shaft.
+
+use super::outputs::engineering;
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
+use crate::analysis::orders::{SHAFT, Turning, cuts, first_shaft, mesh_orders};
+use crate::model::Output;
+
+/// The entry in [`super::PLOTS`].
+pub const PLOT: Plot = Plot {
+    name: "order_cuts",
+    doc: "of a run-up: amplitudes of the mesh orders of transmission errors and forces over the speed of the first shaft",
+    draw,
+};
+
+/// The units of the outputs that are drawn; the first output of each.
+const UNITS: [&str; 3] = ["m", "rad", "N"];
+/// Multiples of the mesh orders.
+const HARMONICS: [f64; 3] = [1.0, 2.0, 3.0];
+/// Revolutions in a window.
+const WINDOW: usize = 4;
+/// Windows that a curve needs at least.
+const LEAST: usize = 4;
+
+fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
+    let first = first_run(PLOT.name, runs)?.trajectory;
+    let nothing = |why: &str| PlotError::Nothing { plot: PLOT.name, why: why.into() };
+    let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+    let mut panels = vec![];
+    for unit in UNITS {
+        let Some((output, _)) = first.outputs.iter().find(|(output, _)| output.unit == unit) else { continue };
+        let mut series = vec![];
+        for run in runs {
+            curves(run, shaft.name, output, runs.len() > 1, &mut series)?;
+        }
+        panels.push(Panel { y: Axis::linear(output.name, engineering(unit).0), series });
+    }
+    if panels.is_empty() {
+        return Err(nothing("the run recorded no transmission error or force"));
+    }
+    panels.iter_mut().skip(1).for_each(Panel::unnamed);
+    let subtitle = format!("{}; windows of {WINDOW} revolutions, Hann, peak amplitudes", scene_names(runs));
+    let x = Axis::linear(shaft.name, engineering(SHAFT).0);
+    Ok(Figure { title: "Order cuts".into(), subtitle: Some(subtitle), x, panels })
+}
+
+/// Adds the curves of a run: one for each order, or for the lowest alone where runs are `compared`.
+fn curves(
+    run: &Run<'_>,
+    shaft: &'static str,
+    output: &'static Output,
+    compared: bool,
+    series: &mut Vec<Series>,
+) -> Result<(), PlotError> {
+    let Some(column) = run.trajectory.output(output.name) else { return Ok(()) };
+    let failed = |source| PlotError::Spectrum { coordinate: output.name, run: run.label.to_owned(), source };
+    let turning = Turning::of(run.trajectory, shaft, 0.0).map_err(failed)?;
+    let mut wanted = wanted(run, &turning);
+    if compared {
+        wanted.truncate(1);
+        wanted[0].0 = run.label.to_owned();
+    }
+    let orders: Vec<f64> = wanted.iter().map(|(_, order)| *order).collect();
+    let cuts = cuts(&turning, column, &orders, WINDOW).map_err(failed)?;
+    if cuts.len() < LEAST {
+        let why = format!("the run has {} revolutions of {shaft}, and needs ten", turning.revolutions());
+        return Err(PlotError::Nothing { plot: PLOT.name, why });
+    }
+    let ((_, to_rpm), (_, factor)) = (engineering(SHAFT), engineering(output.unit));
+    for (i, (label, _)) in wanted.into_iter().enumerate() {
+        let mut points: Vec<_> = cuts.iter().map(|cut| (to_rpm * cut.speed, factor * cut.amplitude[i])).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (x, y) = points.into_iter().unzip();
+        series.push(Series::new(series.len(), label, x, y));
+    }
+    Ok(())
+}
+
+/// The orders that are drawn, each with its name: multiples of the mesh orders, or of the shaft's own if no mesh turns.
+fn wanted(run: &Run<'_>, turning: &Turning) -> Vec<(String, f64)> {
+    let meshes = mesh_orders(run.trajectory, turning);
+    let named =
+        |(mesh, base): &(&str, f64)| HARMONICS.map(|n| (format!("{n} × {mesh}, order {:.4}", n * base), n * base));
+    match &meshes[..] {
+        [] => HARMONICS.map(|n| (format!("order {n}"), n)).to_vec(),
+        meshes => meshes.iter().flat_map(named).collect(),
+    }
+}

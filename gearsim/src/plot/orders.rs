@@ -1,0 +1,67 @@
+//! Order spectra of the recorded transmission errors and forces, over orders of the first shaft: peak amplitudes.
+
+use super::outputs::engineering;
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
+use crate::analysis::orders::{Turning, first_shaft, mesh_orders};
+
+/// The entry in [`super::PLOTS`].
+pub const PLOT: Plot = Plot {
+    name: "orders",
+    doc: "amplitudes of transmission errors and forces over orders of the first shaft, with the mesh orders",
+    draw,
+};
+
+/// The units of the outputs that are drawn; the first output of each.
+const UNITS: [&str; 4] = ["m", "rad", "N", "N*m"];
+/// The axis ends at this multiple of the highest mesh order.
+const LONGEST: f64 = 4.5;
+/// Decades shown below the highest line.
+const DECADES: f64 = 1e-6;
+
+fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
+    let first = first_run(PLOT.name, runs)?.trajectory;
+    let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
+    let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
+    let mut panels = vec![];
+    let (mut end, mut revolutions, mut meshes) = (f64::INFINITY, 0, String::new());
+    for unit in UNITS {
+        let Some((output, _)) = first.outputs.iter().find(|(output, _)| output.unit == unit) else { continue };
+        let (shown, factor) = engineering(unit);
+        let (mut series, mut peak) = (vec![], 0.0_f64);
+        for (n, run) in runs.iter().enumerate() {
+            let Some(column) = run.trajectory.output(output.name) else { continue };
+            let spectrum = |source| PlotError::Spectrum { coordinate: output.name, run: run.label.to_owned(), source };
+            let turning = Turning::of(run.trajectory, shaft.name, 0.0).map_err(spectrum)?;
+            let orders = turning.orders(column).map_err(spectrum)?;
+            let of_meshes = mesh_orders(run.trajectory, &turning);
+            let highest = of_meshes.iter().map(|(_, order)| *order).fold(0.0, f64::max);
+            let longest = orders.order.last().copied().unwrap_or(0.0);
+            end = end.min(if highest > 0.0 { longest.min(LONGEST * highest) } else { longest });
+            revolutions = orders.revolutions;
+            let names: Vec<_> = of_meshes.iter().map(|(mesh, order)| format!("{mesh} {order:.4}")).collect();
+            meshes = names.join(", ");
+            let y: Vec<f64> = orders.amplitude.iter().map(|a| a * factor).collect();
+            peak = y.iter().skip(1).copied().fold(peak, f64::max);
+            let label = if runs.len() > 1 { run.label } else { "" };
+            series.push(Series::new(n, label, orders.order, y));
+        }
+        let y = Axis::log10(output.name, shown).between(DECADES * peak, 2.0 * peak);
+        if peak > 0.0 {
+            panels.push(Panel { y, series });
+        }
+    }
+    // The legend of the first panel holds for all.
+    if runs.len() > 1 {
+        panels.iter_mut().skip(1).for_each(Panel::unnamed);
+    }
+    if panels.is_empty() {
+        return Err(nothing("the run recorded no transmission error, force or torque that varies".into()));
+    }
+    let subtitle = format!(
+        "{}; {revolutions} revolutions, Hann window, peak amplitudes; mesh orders {}",
+        scene_names(runs),
+        if meshes.is_empty() { "none" } else { &meshes }
+    );
+    let x = Axis::linear(format!("order of {}", shaft.name), "").between(0.0, end);
+    Ok(Figure { title: "Orders".into(), subtitle: Some(subtitle), x, panels })
+}

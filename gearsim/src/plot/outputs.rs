@@ -1,0 +1,67 @@
+//! The recorded outputs against time, in the units of engineers: a panel for each unit.
+
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names, time_axis};
+use crate::model::Output;
+
+/// The entry in [`super::PLOTS`].
+pub const PLOT: Plot = Plot {
+    name: "outputs",
+    doc: "what the scene records: speeds, forces, transmission errors, torques against time",
+    draw,
+};
+
+/// The units in the order of their panels, each with the quantity, the unit that engineers use, and the factor to it.
+const UNITS: [(&str, &str, &str, f64); 6] = [
+    ("rad/s", "speed", "rpm", 30.0 / std::f64::consts::PI),
+    ("N", "force", "N", 1.0),
+    ("N*m", "torque", "N*m", 1.0),
+    ("m", "transmission error", "um", 1e6),
+    ("rad", "angle", "rad", 1.0),
+    ("W", "loss", "W", 1.0),
+];
+/// Most curves in a panel; the others would hide them.
+const MOST: usize = 6;
+
+/// The unit that engineers use for the SI unit `unit`, and the factor to it.
+pub fn engineering(unit: &'static str) -> (&'static str, f64) {
+    UNITS.iter().find(|known| known.0 == unit).map_or((unit, 1.0), |known| (known.2, known.3))
+}
+
+fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
+    let first = first_run(PLOT.name, runs)?.trajectory;
+    let mut left_out = 0;
+    let mut panels = vec![];
+    for (unit, quantity, shown, factor) in UNITS {
+        let of_unit: Vec<&Output> = first.outputs.iter().map(|(o, _)| *o).filter(|o| o.unit == unit).collect();
+        // Several runs are compared by the first output of each unit.
+        let most = if runs.len() > 1 { 1 } else { MOST };
+        left_out += of_unit.len().saturating_sub(most);
+        let mut series = vec![];
+        for output in of_unit.iter().take(most) {
+            for run in runs {
+                let Some(column) = run.trajectory.output(output.name) else { continue };
+                let label = if runs.len() > 1 { run.label } else { output.name };
+                let y = column.iter().map(|x| x * factor).collect();
+                series.push(Series::new(series.len(), label, run.trajectory.t.clone(), y));
+            }
+        }
+        // Angles, such as twists, only where no length tells as much.
+        let told = unit == "rad" && first.outputs.iter().any(|(output, _)| output.unit == "m");
+        if !series.is_empty() && !told {
+            let label = if runs.len() > 1 { of_unit[0].name } else { quantity };
+            panels.push(Panel { y: Axis::linear(label, shown), series });
+        }
+    }
+    // The legend of the first panel holds for all.
+    if runs.len() > 1 {
+        panels.iter_mut().skip(1).for_each(Panel::unnamed);
+    }
+    if panels.is_empty() {
+        return Err(PlotError::Nothing { plot: PLOT.name, why: "the run recorded no outputs".into() });
+    }
+    let mut subtitle = scene_names(runs);
+    if left_out > 0 {
+        subtitle += &format!("; {left_out} more in the table of results");
+    }
+    Ok(Figure { title: "Outputs".into(), subtitle: Some(subtitle), x: time_axis(runs), panels })
+}

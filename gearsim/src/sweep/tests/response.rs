@@ -1,0 +1,91 @@
+//! Response curves against closed forms, and where two steady motions exist.
+
+use std::f64::consts::TAU;
+
+use super::*;
+
+/// The response of `outputs` of a committed scene.
+fn response(scene: &str, over: &str, settle: f64, sets: &[&str]) -> crate::sweep::response::Response {
+    let request = Request {
+        vary: vec![over.into()],
+        overrides: sets.iter().map(|set| (*set).to_owned()).collect(),
+        samples: None,
+        seed: 0,
+        from: settle,
+        record: vec![],
+        spectra: false,
+    };
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{scene}.toml"));
+    Sweep::load(&path, MODELS, &request).unwrap().response(true, &mut |_| {}).unwrap()
+}
+
+/// One mass on a mesh of constant stiffness with the error e = E cos(w t): in the steady state the deflection x follows x'' + 2 zeta w0
+/// x' + w0² (x - e) = 0, of amplitude E/((1 - r²)² + (2 zeta r)²)^(1/2) with r = w/w0. The damper acts on the rate of x.
+#[test]
+fn a_linear_response_is_that_of_the_closed_form_on_both_ways() {
+    let (k, zeta, error) = (2e3_f64, 0.05, 1e-7);
+    let mobility = (24.0_f64.powi(2) / 2890e-6 + 96.0_f64.powi(2) / 740200e-6) / 4.0;
+    let w0 = (2.0 * k * mobility).sqrt();
+    let rpm = |r: f64| r * w0 / 24.0 * 30.0 / std::f64::consts::PI;
+    let over = format!("start.speed={:.3} rpm:{:.3} rpm:5", rpm(0.5), rpm(1.5));
+    let sets = [
+        "effects=[\"stiffness_step\",\"transmission_error\",\"torques\",\"damping\"]",
+        "parameters.zeta=0.05",
+        "parameters.T0=1e-4 N*m",
+        "laws.k={steps=[{value=\"2 kN*m\"}]}",
+        "laws.e={harmonics=[{order=1, amplitude=\"1e-7 rad\"}]}",
+        "run.method=dop853",
+        "run.tolerance=1e-9",
+        // Long enough for exp(-zeta w0 t) to be negligible, and measured over many periods.
+        "run.t_end=0.06 s",
+        "output.rate=500 kHz",
+        "output.record=[\"dte\"]",
+    ];
+    let response = response("oh2005/energy_300rpm", &over, 0.04, &sets);
+    assert_eq!(response.points.len(), 10);
+    for point in &response.points {
+        let r = point.value * 24.0 / w0;
+        let amplitude = error / ((1.0 - r * r).powi(2) + (2.0 * zeta * r).powi(2)).sqrt();
+        let expected = 2.0 * amplitude / 24.0 / 2.0_f64.sqrt();
+        let found = point.observed[0].unwrap().rms;
+        // A measured time that is no multiple of the period changes the rms by up to half a period of it.
+        let periods = 0.02 * point.value * 24.0 / TAU;
+        assert!((found / expected - 1.0).abs() < 0.5 / periods, "r = {r}: {found}, not {expected}");
+        assert!((point.speed / point.value - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn contact_loss_gives_two_motions_at_one_speed() {
+    let over = "start.speed=2600 rpm:4200 rpm:5";
+    let response = response("response", over, 0.1, &["output.record=[\"dte_12\",\"mesh_force_12\"]"]);
+    let at = |upward: bool, i: usize| {
+        let mut points: Vec<_> = response.points.iter().filter(|point| point.upward == upward).collect();
+        points.sort_by(|a, b| a.value.total_cmp(&b.value));
+        (points[i].observed[0].unwrap().rms, points[i].observed[1].unwrap().min)
+    };
+    // Between the jumps: in contact on the way up, with loss of contact and a multiple of the amplitude on the way down.
+    let (up, down) = (at(true, 1), at(false, 1));
+    assert!(up.1 > 0.0 && down.1 == 0.0 && down.0 > 5.0 * up.0, "{up:?}, {down:?}");
+    // Above the jumps there is one motion.
+    let (up, down) = (at(true, 4), at(false, 4));
+    assert!((up.0 / down.0 - 1.0).abs() < 1e-3, "{up:?}, {down:?}");
+}
+
+#[test]
+fn the_values_of_a_response_rise() {
+    let request = |over: &str| Request {
+        vary: vec![over.into()],
+        overrides: vec![],
+        samples: None,
+        seed: 0,
+        from: 0.0,
+        record: vec![],
+        spectra: false,
+    };
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/response.toml");
+    for over in ["start.speed=300 rpm,200 rpm", "start.speed=300 rpm"] {
+        let error = Sweep::load(&path, MODELS, &request(over)).unwrap().response(true, &mut |_| {}).unwrap_err();
+        assert!(error.to_string().contains("do not rise"), "{error}");
+    }
+}

@@ -1,0 +1,79 @@
+//! What can be observed of the parts of a drivetrain: each component declares its own.
+
+use gearsim_derive::{Expr, Model};
+
+/// The name of an output of a part: `mesh_force_12` for `mesh_force` of part `12`, `mesh_force` if the part has no name.
+pub fn of_part(quantity: &str, part: &str) -> String {
+    if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
+}
+
+/// Force and loss of a mesh with the deflection `x` [m] in contact, and its dynamic transmission error `dte` [m]: the relative
+/// displacement of the flanks' ideal positions along the line of action, all coordinates in it.
+pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, dte: Expr) {
+    let doc = format!(
+        "force of the {what} along the line of action, damper included: positive if it presses the drive flanks"
+    );
+    m.output(&of_part("mesh_force", part), "N", m.spring(x) + m.damper(x), &doc);
+    let doc = format!(
+        "dynamic transmission error of the {what} along the line of action: positive if the driving gear is ahead"
+    );
+    m.output(&of_part("dte", part), "m", dte, &doc);
+    let doc = format!("power that the damper of the {what} takes");
+    m.output(&of_part("mesh_loss", part), "W", m.damper(x) * x.dot(), &doc);
+}
+
+/// Twist, torque and loss of a shaft with the deflection `twist` [rad].
+pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
+    m.output(&of_part("shaft_twist", part), "rad", twist, &format!("twist of the {what}"));
+    let doc = format!("torque in the {what}, damper included");
+    m.output(&of_part("shaft_torque", part), "N*m", m.spring(twist) + m.damper(twist), &doc);
+    let doc = format!("power that the damper of the {what} takes");
+    m.output(&of_part("shaft_loss", part), "W", m.damper(twist) * twist.dot(), &doc);
+}
+
+/// Components and magnitude of the force of a bearing that deflects by the named deflections `x` and `y` [m].
+pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
+    let taken = m.damper(x) * x.dot() + m.damper(y) * y.dot();
+    let [x, y] = [("x", x), ("y", y)].map(|(axis, x)| {
+        let name = format!("{}_{axis}", of_part("bearing_force", part));
+        m.output(&name, "N", m.spring(x) + m.damper(x), &format!("force on the {what} along {axis}"))
+    });
+    m.output(
+        &of_part("bearing_force", part),
+        "N",
+        (x.sq() + y.sq()).sqrt(),
+        &format!("magnitude of the force on the {what}"),
+    );
+    let doc = format!("power that the damper of the {what} takes");
+    m.output(&of_part("bearing_loss", part), "W", taken, &doc);
+}
+
+/// Speed of a rotor with the rotation `theta` [rad].
+pub fn rotor(m: &mut Model, part: &str, what: &str, theta: Expr) {
+    m.output(&of_part("rotor_speed", part), "rad/s", theta.dot(), &format!("rotational speed of the {what}"));
+}
+
+/// Components and magnitude of the force of a planet's bearing, along the named deflections `radial` and `tangential` [m].
+pub fn planet_bearing(m: &mut Model, planet: &str, [radial, tangential]: [Expr; 2]) {
+    let taken = m.damper(radial) * radial.dot() + m.damper(tangential) * tangential.dot();
+    let [r, t] = [("radial", radial), ("tangential", tangential)].map(|(axis, x)| {
+        let doc = format!("{axis} force on the bearing of planet {planet}");
+        m.output(&format!("planet_bearing_force_{planet}_{axis}"), "N", m.spring(x) + m.damper(x), &doc)
+    });
+    let doc = format!("magnitude of the force on the bearing of planet {planet}");
+    m.output(&format!("planet_bearing_force_{planet}"), "N", (r.sq() + t.sq()).sqrt(), &doc);
+    let doc = format!("power that the damper of the bearing of planet {planet} takes");
+    m.output(&format!("planet_bearing_loss_{planet}"), "W", taken, &doc);
+}
+
+/// Loss of dry friction over the slip `x`, in scenes with `effect`.
+pub fn friction(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
+    let doc = format!("power that the dry friction of the {what} takes");
+    m.output_with(effect, &of_part("friction_loss", part), "W", m.damper(x) * x.dot(), &doc);
+}
+
+/// Loss of a clutch whose driving side leads by `x` [rad], in scenes with `effect`.
+pub fn clutch(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
+    let doc = format!("power that the {what} takes as it slips or drags");
+    m.output_with(effect, &of_part("clutch_loss", part), "W", m.damper(x) * x.dot(), &doc);
+}

@@ -1,0 +1,219 @@
+//! The outputs of models against Newton's laws, against the energy account and against closed forms.
+
+mod common;
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use common::{model, relative, root, run, scene};
+use gearsim::analysis::orders::{Turning, lines, mesh_orders};
+use gearsim::engine::equations::Equations;
+use gearsim::scene::Scene;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+
+/// The names of all committed scenes of models.
+fn scenes() -> Vec<String> {
+    let folder = root().join("models/scenes");
+    let stem = |path: &Path| path.file_stem().unwrap().to_str().unwrap().to_owned();
+    let toml = |path: &Path| path.extension().is_some_and(|e| e == "toml");
+    let mut names = vec![];
+    for (prefix, folder) in [("", folder.clone()), ("drives/", folder.join("drives"))] {
+        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        names.extend(entries.filter(|path| toml(path)).map(|path| format!("{prefix}{}", stem(&path))));
+    }
+    names.sort();
+    names
+}
+
+/// Law values of a scene with the random factors `x` of the laws' sizes, and each switch in a random mode.
+fn law_values(scene: &Scene, equations: &dyn Equations, x: &[f64]) -> Vec<f64> {
+    let sized = |mid: f64, x: f64| if mid == 0.0 { 1e-6 * x } else { mid * (1.0 + 0.5 * x) };
+    let laws = scene.laws.iter().zip(x.iter().cycle()).map(|(law, x)| sized(law.mid(), *x));
+    let mut k = scene.model.in_contact(laws);
+    let mut at = scene.model.laws.len();
+    for (i, switch) in scene.model.switches.iter().enumerate() {
+        let mode = ((x[i % x.len()] + 1.0) * 0.5 * switch.modes.len() as f64) as usize % switch.modes.len();
+        if let Some(values) = equations.mode(i, mode) {
+            k[at..at + values.len()].copy_from_slice(&values);
+        }
+        at += switch.neutral.len();
+    }
+    k
+}
+
+/// The power that dampers and switches take, from the dissipation function and the lost forces.
+fn taken(scene: &Scene, equations: &dyn Equations, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+    let mut power = 2.0 * equations.dissipation(q_dot, k);
+    for i in (0..scene.model.switches.len()).filter(|&i| equations.mode(i, 0).is_some()) {
+        let [a, b] = equations.lost(i, k);
+        let x = equations.deflection(equations.switched(i), k);
+        power += (a + b * x.value(q, k)) * x.normal.dot(q_dot);
+    }
+    power
+}
+
+#[test]
+fn the_losses_by_cause_sum_to_the_loss_of_the_account() {
+    let mut seen = 0;
+    for name in scenes() {
+        let scene = scene(&name, &[]);
+        let equations = model(scene.model.name).equations(&scene).unwrap();
+        let n = equations.coordinates();
+        let losses = || scene.output.record.iter().filter(|&&i| scene.model.outputs[i].unit == "W");
+        let numbers = proptest::collection::vec(-1.0..1.0_f64, 3 * n + 16);
+        let check = |x: Vec<f64>| {
+            let q: Vec<f64> = x[..n].iter().map(|x| 1e-3 * x).collect();
+            let (q_dot, k) = (&x[n..2 * n], law_values(&scene, &*equations, &x[2 * n..]));
+            let each: Vec<f64> = losses().map(|&i| equations.output(i, &q, q_dot, &k)).collect();
+            let all = taken(&scene, &*equations, &q, q_dot, &k);
+            let scale = each.iter().map(|loss| loss.abs()).sum::<f64>();
+            prop_assert!((each.iter().sum::<f64>() - all).abs() <= 1e-12 * scale, "{name}: {each:?} sum to {all}");
+            Ok(())
+        };
+        TestRunner::new(Config { cases: 64, ..Config::default() }).run(&numbers, check).unwrap();
+        seen += usize::from(losses().count() > 0);
+    }
+    assert!(seen > 10, "{seen}");
+}
+
+#[test]
+fn forces_accelerate_bodies_by_newtons_law() {
+    let sets: [String; 1] = ["effects=[\"stiffness_step\",\"torques\",\"damping\",\"backlash\"]".into()];
+    let sets = [&sets[..], &["parameters.b12=80 um".into(), "parameters.beta_K=20 us".into()]].concat();
+    let scene = scene("gear_pair_bearings", &sets);
+    let equations = model("gear_pair_bearings").equations(&scene).unwrap();
+    let number = |name: &str| scene.parameter(name).unwrap();
+    let place = |name: &str| scene.model.coordinates.iter().position(|c| c.name == name).unwrap();
+    let output = |name: &str| scene.model.outputs.iter().position(|o| o.name == name).unwrap();
+    let check = |x: Vec<f64>| {
+        let n = equations.coordinates();
+        let q: Vec<f64> = x[..n].iter().map(|x| 1e-4 * x).collect();
+        let (q_dot, k) = (&x[n..2 * n], law_values(&scene, &*equations, &x[2 * n..]));
+        let a = equations.acceleration(&q, q_dot, &k, &vec![0.0; scene.model.laws.len()]);
+        let at = |name: &str| equations.output(output(name), &q, q_dot, &k);
+        let (mesh, alpha) = (at("mesh_force_12"), number("alpha"));
+        // The line of action is at the angle -alpha to the x axis; the mesh pushes gear 1 back across it.
+        let push = [-mesh * alpha.sin(), -mesh * alpha.cos()];
+        for (gear, sign) in [("1", 1.0), ("2", -1.0)] {
+            for (axis, push) in ["x", "y"].into_iter().zip(push) {
+                let bearing = -at(&format!("bearing_force_{gear}_{axis}"));
+                let inertia = number(&format!("m{gear}")) * a[place(&format!("{axis}{gear}"))];
+                let scale = push.abs() + bearing.abs() + inertia.abs();
+                let error = (bearing + sign * push - inertia).abs();
+                prop_assert!(error < 1e-11 * scale, "gear {gear}, {axis}: {bearing} + {push} is not {inertia}");
+            }
+        }
+        // The rotations: theta1 = (theta + s/(2 h))/N1 with h = r1/N1.
+        let (n1, n2, r1) = (number("N1"), number("N2"), number("r1"));
+        let (mean, half) = (a[place("theta")], a[place("s")] * n1 / (2.0 * r1));
+        for (inertia, acceleration, torque) in [
+            (number("I1"), (mean + half) / n1, number("T_motor") - mesh * r1),
+            (number("I2"), (mean - half) / n2, mesh * r1 * n2 / n1 - number("T_load")),
+        ] {
+            let error = (inertia * acceleration - torque).abs();
+            prop_assert!(error < 1e-10 * (torque.abs() + mesh.abs() * r1), "{error}");
+        }
+        Ok(())
+    };
+    // beta_K alone: damping in proportion to inertia is no force between bodies.
+    assert_eq!(number("alpha_M"), 0.0);
+    let numbers = proptest::collection::vec(-1.0..1.0_f64, 40);
+    TestRunner::new(Config { cases: 200, ..Config::default() }).run(&numbers, check).unwrap();
+}
+
+#[test]
+fn a_train_in_equilibrium_has_the_static_forces() {
+    let sets = ["effects=[\"torques\"]", "run.t_end=1 ms", "start.speed=0 rpm"].map(String::from);
+    let outcome = run(&scene("two_stage", &sets));
+    let scene = scene("two_stage", &sets);
+    let number = |name: &str| scene.parameter(name).unwrap();
+    let run = &outcome.trajectory;
+    let torque = number("T_motor");
+    let ratio = number("N2") / number("N1");
+    for (name, expected) in [
+        ("shaft_torque_m", torque),
+        ("mesh_force_12", torque / number("r1")),
+        ("shaft_torque_c", torque * ratio),
+        ("mesh_force_34", torque * ratio / number("r3")),
+    ] {
+        let found = run.output(name).unwrap()[0];
+        assert!(relative(found, expected, 0.0) < 1e-9, "{name}: {found}, not {expected}");
+    }
+}
+
+/// One mass on a mesh of constant stiffness with the error e = E cos(w t) and no damping: with r = w/w0 the dynamic transmission
+/// error has the amplitude E/(1 - r²), the deflection of the mesh E r²/(1 - r²).
+#[test]
+fn a_harmonic_transmission_error_gives_the_amplitudes_of_the_closed_form() {
+    const E: f64 = 1e-7;
+    for r in [0.25, 0.6, 1.7] {
+        let mut sets: Vec<String> = [
+            "effects=[\"stiffness_step\",\"transmission_error\",\"torques\"]".into(),
+            "parameters.zeta=0".into(),
+            // A deflection at rest would couple the error to the rotation, in proportion to it.
+            "parameters.T0=1e-4 N*m".into(),
+            "laws.k={steps=[{value=\"2 kN*m\"}]}".into(),
+            format!("laws.e={{harmonics=[{{order=1, amplitude=\"{E} rad\"}}]}}"),
+            "run.method=dop853".into(),
+            "run.tolerance=1e-11".into(),
+        ]
+        .into();
+        let still = scene("oh2005/energy_300rpm", &sets);
+        let equations = model("gear_pair").equations(&still).unwrap();
+        let mobility = equations.mobility();
+        let w0 = (2.0 * 2e3 * mobility[(1, 1)]).sqrt();
+        let speed = r * w0;
+        // On the periodic solution from the start: the mean rotation moves by the inertia that couples it to phi.
+        let amplitude = E / (1.0 - r * r);
+        let t0 = still.parameter("T0").unwrap();
+        let phi = t0 / 2e3 + amplitude;
+        sets.push(format!(
+            "start={{theta=0, phi=\"{phi:e} rad\", phi_dot=\"0 rad/s\", theta_dot=\"{speed:e} rad/s\"}}"
+        ));
+        let turns = 4.0;
+        let n1 = still.parameter("N1").unwrap();
+        let t_end = TAU * n1 / speed * (turns + 0.01);
+        sets.push(format!("run.t_end=\"{t_end:e} s\""));
+        sets.push(format!("output.rate=\"{:e} Hz\"", 20_000.0 / t_end));
+        sets.push("output.events=false".into());
+        let run = run(&scene("oh2005/energy_300rpm", &sets)).trajectory;
+        let turning = Turning::of(&run, "rotor_speed_1", 0.0).unwrap();
+        assert_eq!(turning.revolutions(), turns as usize);
+        assert!(relative(mesh_orders(&run, &turning)[0].1, n1, 0.0) < 1e-6);
+        let spectrum = turning.orders(run.output("dte").unwrap()).unwrap();
+        let found = lines(&run, &turning, &spectrum);
+        let line = found.iter().find(|line| (line.harmonic, line.sideband) == (1, 0)).unwrap();
+        let expected = 2.0 * amplitude.abs() / n1;
+        assert!(relative(line.amplitude, expected, 0.0) < 1e-4, "r = {r}: {} rad, not {expected}", line.amplitude);
+        // The torque of the mesh is N1 k (phi - e): its line is that of the deflection.
+        let torque = turning.orders(run.output("mesh_torque").unwrap()).unwrap().at(n1).unwrap();
+        let expected = n1 * 2e3 * (E * r * r / (1.0 - r * r)).abs();
+        assert!(relative(torque, expected, 0.0) < 1e-4, "r = {r}: {torque} N*m, not {expected}");
+    }
+}
+
+#[test]
+fn an_output_that_is_not_asked_for_is_not_recorded() {
+    let none = run(&scene("two_stage", &["output.record=[]".into(), "run.t_end=5 ms".into()]));
+    assert!(none.trajectory.outputs.is_empty());
+    let two = ["output.record=[\"dte_34\",\"mesh_force_12\"]".into(), "run.t_end=5 ms".into()];
+    let names: Vec<_> = run(&scene("two_stage", &two)).trajectory.outputs.iter().map(|(o, _)| o.name).collect();
+    assert_eq!(names, ["dte_34", "mesh_force_12"]);
+}
+
+#[test]
+fn the_time_in_each_mode_adds_up_to_the_run() {
+    let outcome = run(&scene("rattle", &[]));
+    let (switch, times) = &outcome.modes[0];
+    assert_eq!(*switch, "over");
+    let whole: f64 = times.iter().map(|(_, time)| time).sum();
+    assert!(relative(whole, 0.15, 0.0) < 1e-12, "{whole}");
+    // Contact is lost where the torque of the mesh is zero: counted in samples, which are 7 us apart.
+    let run = &outcome.trajectory;
+    let torque = run.output("mesh_torque").unwrap();
+    let samples: Vec<usize> = run.samples().collect();
+    let free = samples.iter().filter(|&&row| torque[row] == 0.0).count() as f64 / samples.len() as f64;
+    let exact = times.iter().find(|(mode, _)| *mode == "free").unwrap().1 / whole;
+    assert!((free - exact).abs() < 0.01, "{free} of the samples, {exact} of the time");
+}
