@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules, from the bottom up. A module may use those before it. Unit tests may use any module.
-const LAYERS: [&str; 16] = [
+const LAYERS: [&str; 17] = [
     "tolerance",
     "model",
     "profile",
@@ -20,6 +20,7 @@ const LAYERS: [&str; 16] = [
     "output",
     "sweep",
     "plot",
+    "page",
     "cli",
 ];
 

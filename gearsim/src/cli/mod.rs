@@ -9,7 +9,7 @@ mod known;
 mod merge;
 mod models;
 mod modes;
-mod number;
+mod page;
 mod progress;
 mod provenance;
 mod report;
@@ -27,6 +27,7 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, Parser};
 
+use crate::output::number;
 use crate::run::Entry;
 use failure::Failure;
 

@@ -4,7 +4,7 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::simulate::{Source, simulate};
-use super::{Verb, files, report, terminal};
+use super::{Verb, files, page, report, terminal};
 use crate::output::OutputFolder;
 use crate::plot;
 use crate::run::Outcome;
@@ -29,6 +29,9 @@ pub(super) struct Run {
     /// Also write the trajectory as CSV
     #[arg(long)]
     csv: bool,
+    /// Also write page.html, an interactive page that needs no other file and no network
+    #[arg(long)]
+    html: bool,
     /// Print nothing but warnings and errors
     #[arg(long, short)]
     quiet: bool,
@@ -36,11 +39,12 @@ pub(super) struct Run {
 
 impl Verb for Run {
     fn run(self) -> Result<(), Failure> {
+        let page = page::asked(self.html, &self.source)?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
         let outcome = simulate(&scene, self.quiet)?;
         let mut folder = OutputFolder::create(path)?;
-        let text = self.write(&mut folder, &scene, &outcome)?;
+        let text = self.write(&mut folder, &scene, &outcome, page)?;
         if !self.quiet {
             terminal::print_out(&text);
         }
@@ -50,7 +54,13 @@ impl Verb for Run {
 
 impl Run {
     /// Writes the files, and returns the text for the terminal.
-    fn write(&self, folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome) -> Result<String, Failure> {
+    fn write(
+        &self,
+        folder: &mut OutputFolder,
+        scene: &Scene,
+        outcome: &Outcome,
+        page: Option<page::Asked>,
+    ) -> Result<String, Failure> {
         let (overrides, csv) = (&self.source.overrides, self.csv || scene.output.csv);
         files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
         let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
@@ -59,7 +69,11 @@ impl Run {
         for warning in files::plots(folder, scene, &[run])? {
             terminal::warn(&warning);
         }
-        let summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
+        let mut summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
+        if let Some(page) = page {
+            page.run(folder, (scene, overrides), outcome, &summary)?;
+            summary.files = folder.files().to_vec();
+        }
         folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
         folder.commit("summary.json")?;
         let width = terminal::width();

@@ -8,6 +8,7 @@ pub mod csv;
 mod error;
 pub(crate) mod fault;
 mod files;
+pub(crate) mod number;
 pub mod parquet;
 pub mod summary;
 mod swap;

@@ -188,7 +188,7 @@ fn coordinate_index(run: &Trajectory, name: &str) -> Option<usize> {
 
 /// Whether the coordinate `name` of `run` rotates continuously, so that its speed says more than its value. The criterion: its
 /// range in the run exceeds 2 pi, one tooth pitch or one turn. A coordinate in other units is compared with the same number.
-fn rotates(run: &Trajectory, name: &str) -> bool {
+pub(crate) fn rotates(run: &Trajectory, name: &str) -> bool {
     let Some(i) = coordinate_index(run, name) else {
         return false;
     };

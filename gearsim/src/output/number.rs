@@ -1,7 +1,7 @@
-//! Numbers for the terminal, with few digits.
+//! Numbers for people, with few digits.
 
 /// `x` with four significant digits: as a decimal number from 1e-3 to below 1e6, else with an exponent.
-pub(super) fn short(x: f64) -> String {
+pub(crate) fn short(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
     }
@@ -16,7 +16,7 @@ pub(super) fn short(x: f64) -> String {
 }
 
 /// A time [s] in ns, µs, ms, s or min, with one or two digits.
-pub(super) fn time(seconds: f64) -> String {
+pub(crate) fn time(seconds: f64) -> String {
     let (scale, unit) = match seconds {
         s if s < 1e-6 => (1e9, "ns"),
         s if s < 1e-3 => (1e6, "µs"),

@@ -1,0 +1,66 @@
+//! `--html`: the interactive page of a result. A program built without the feature `html` says how to add it.
+
+use super::failure::Failure;
+use super::simulate::Source;
+
+/// Name of the page in the folder of a result.
+#[cfg(feature = "html")]
+const FILE: &str = "page.html";
+
+/// The page asked for on the command line.
+#[cfg(feature = "html")]
+pub(super) struct Asked {
+    /// The text of the scene, as read before the run.
+    text: String,
+}
+
+/// There is no value of this type: this program writes no pages.
+#[cfg(not(feature = "html"))]
+pub(super) enum Asked {}
+
+/// The page, if `html` asks for it. Errors: [`Failure::Impossible`] if this program cannot write pages.
+#[cfg(not(feature = "html"))]
+pub(super) fn asked(html: bool, _source: &Source) -> Result<Option<Asked>, Failure> {
+    if !html {
+        return Ok(None);
+    }
+    Err(Failure::Impossible {
+        what: "this program was built without interactive pages (--html)".into(),
+        help: "build it with them: cargo build --release --features html".into(),
+    })
+}
+
+/// The page, if `html` asks for it. Errors: none with the feature `html`.
+#[cfg(feature = "html")]
+pub(super) fn asked(html: bool, source: &Source) -> Result<Option<Asked>, Failure> {
+    Ok(html.then(|| Asked { text: source.text() }))
+}
+
+impl Asked {
+    /// Writes the page of a run.
+    #[cfg(feature = "html")]
+    pub(super) fn run(
+        self,
+        folder: &mut crate::output::OutputFolder,
+        (scene, overrides): (&crate::scene::Scene, &[String]),
+        outcome: &crate::run::Outcome,
+        summary: &crate::output::Summary,
+    ) -> Result<(), Failure> {
+        use crate::page;
+        let page = page::run::page(&page::run::Run { scene, text: &self.text, overrides, outcome, summary })?;
+        folder.write(FILE, |sink| Ok(page.write(sink)?))?;
+        Ok(())
+    }
+
+    /// Not reached, because there is no value to call it on.
+    #[cfg(not(feature = "html"))]
+    pub(super) fn run(
+        self,
+        _folder: &mut crate::output::OutputFolder,
+        _scene: (&crate::scene::Scene, &[String]),
+        _outcome: &crate::run::Outcome,
+        _summary: &crate::output::Summary,
+    ) -> Result<(), Failure> {
+        match self {}
+    }
+}

@@ -1,0 +1,21 @@
+// Starts the page.
+
+const panels = [...document.querySelectorAll("figure.plot")].map((figure) => new Panel(figure));
+for (const group of groups.values()) group.begin();
+
+// One bar a group in each section, before its first plot there.
+for (const section of document.querySelectorAll("section")) {
+  const seen = new Set();
+  for (const panel of panels.filter((panel) => section.contains(panel.figure))) {
+    if (seen.has(panel.group)) continue;
+    seen.add(panel.group);
+    panel.figure.before(panel.group.bar());
+    panel.group.tell();
+  }
+}
+const draw = () => panels.forEach((panel) => panel.draw());
+draw();
+document.querySelectorAll("table.sortable").forEach(sortable);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+addEventListener("resize", draw);
+document.body.dataset.ready = "true";

@@ -1,0 +1,245 @@
+// A plot: its check boxes, its curves and its cursor. Drawn by plotly.js when it is first in sight.
+
+// Units that a reader may choose instead of the SI unit, with their factors. Those before null are chosen by the size of the numbers.
+const UNITS = {
+  "rad/s": [["rad/s", 1], null, ["rpm", 30 / Math.PI], ["deg/s", 180 / Math.PI]],
+  "rad": [["rad", 1], ["mrad", 1e3], ["µrad", 1e6], null, ["deg", 180 / Math.PI]],
+  "m": [["m", 1], ["mm", 1e3], ["µm", 1e6]],
+  "m/s": [["m/s", 1], ["mm/s", 1e3]],
+  "N": [["N", 1], ["kN", 1e-3]],
+  "N*m": [["N*m", 1], ["kN*m", 1e-3]],
+  "W": [["W", 1], ["kW", 1e-3]],
+  "J": [["J", 1], ["mJ", 1e3], ["kJ", 1e-3]],
+};
+
+/** The unit in which the numbers up to `largest` (SI) are from 1 to 1000; else the SI unit. */
+function suitable(units, largest) {
+  const end = units.indexOf(null);
+  const sized = end < 0 ? units : units.slice(0, end);
+  return sized.find(([, factor]) => factor * largest >= 1 && factor * largest < 1000) ?? units[0];
+}
+
+// Dashes of the curves, so that they differ without colours too.
+const DASHES = ["solid", "7px,3px", "2px,4px", "8px,3px,2px,3px", "12px,4px"];
+const COLOURS = 7;
+// Width left of the frames, the same for all plots so that their times stand below each other.
+const MARGIN = 78;
+
+const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const colour = (index) => css(`--curve-${index % COLOURS}`);
+
+/** A number with five digits. */
+function short(x) {
+  if (!Number.isFinite(x)) return "-";
+  const size = Math.abs(x);
+  return size === 0 || (size >= 1e-3 && size < 1e6) ? String(Number(x.toPrecision(5))) : x.toExponential(4);
+}
+
+/** A new element with attributes or properties, and children. */
+function element(name, properties = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties)) {
+    if (key in made) made[key] = value; else made.setAttribute(key, value);
+  }
+  made.append(...children);
+  return made;
+}
+
+class Panel {
+  constructor(figure) {
+    this.figure = figure;
+    this.plot = JSON.parse(figure.querySelector("script").textContent);
+    this.shown = this.plot.curves.map((curve) => curve.shown);
+    this.factor = 1;
+    this.unit = this.plot.y.unit;
+    this.inSight = false;
+    this.yRevision = 0;
+    this.group = Group.of(this);
+    this.build();
+  }
+
+  /** The limits of all its abscissae. */
+  limits() {
+    const ends = this.plot.curves.map((curve) => column(curve.x).values).filter((x) => x.length > 0);
+    return [Math.min(...ends.map((x) => x[0])), Math.max(...ends.map((x) => x[x.length - 1]))];
+  }
+
+  build() {
+    const caption = this.figure.querySelector("figcaption");
+    this.values = [];
+    // A few descriptions stand beside their curves, more of them in a list that opens.
+    const inline = this.plot.curves.length <= 2;
+    const boxes = this.plot.curves.map((curve, i) => {
+      const box = element("input", { type: "checkbox", checked: this.shown[i] });
+      box.addEventListener("change", () => { this.shown[i] = box.checked; this.draw(); });
+      const value = element("output", { className: "value" });
+      this.values.push(value);
+      const line = `<svg width="22" height="8" aria-hidden="true"><line x1="0" y1="4" x2="22" y2="4"/></svg>`;
+      const swatch = element("span", { className: "swatch", innerHTML: line });
+      const stroke = swatch.querySelector("line").style;
+      stroke.stroke = `var(--curve-${i % COLOURS})`;
+      stroke.strokeDasharray = i % DASHES.length === 0 ? "none" : DASHES[i % DASHES.length].replaceAll("px", "");
+      const name = element("span", { className: "name", textContent: curve.name });
+      const doc = element("span", { className: "doc", textContent: inline ? curve.doc : "" });
+      return element("label", { title: curve.doc }, box, swatch, name, value, doc);
+    });
+    const head = element("div", { className: "head" }, caption);
+    this.units = this.plot.y.log ? [] : UNITS[this.unit] ?? [];
+    if (this.units.length > 1) head.append(this.unitMenu());
+    const doc = this.plot.curves.filter((curve) => curve.doc && !inline).map((curve) => `${curve.name}: ${curve.doc}`).join("\n");
+    const key = element("div", { className: "curves", role: "group", ariaLabel: `Curves of ${this.plot.title}` }, ...boxes);
+    this.frame = element("div", {
+      className: "frame", tabIndex: 0, role: "group",
+      ariaLabel: `${this.plot.title}. Arrow keys move the cursor, plus and minus zoom, 0 shows all.`,
+    });
+    this.canvas = element("div", { className: "canvas" });
+    this.line = element("div", { className: "cursor", hidden: true });
+    this.frame.append(this.canvas, this.line);
+    this.figure.append(head, key, this.frame);
+    if (doc) this.figure.append(element("details", { className: "meaning" }, element("summary", { textContent: "What the curves are" }), element("pre", { textContent: doc })));
+    this.listen();
+  }
+
+  unitMenu() {
+    this.menu = element("select", { ariaLabel: `Unit of ${this.plot.title}` });
+    for (const unit of this.units) if (unit) this.menu.append(element("option", { textContent: unit[0] }));
+    this.menu.addEventListener("change", () => {
+      this.choose(this.units.find((unit) => unit?.[0] === this.menu.value));
+      this.draw();
+    });
+    return this.menu;
+  }
+
+  /** Takes a unit of the menu. */
+  choose([name, factor]) {
+    [this.unit, this.factor] = [name, factor];
+    this.menu.value = name;
+    this.yRevision++;
+  }
+
+  /** Takes the unit that suits the curves that are drawn. */
+  suit() {
+    let largest = 0;
+    this.plot.curves.filter((_, i) => this.shown[i]).forEach((curve) => {
+      const y = column(curve.y);
+      if (y.values.length === 0) return;
+      extremes(y, 0, y.values.length).forEach((i) => { largest = Math.max(largest, Math.abs(y.values[i]) || 0); });
+    });
+    this.choose(suitable(this.units, largest));
+  }
+
+  listen() {
+    const place = (event) => {
+      const axis = this.canvas._fullLayout?.xaxis;
+      if (!axis) return;
+      const x = event.clientX - this.canvas.getBoundingClientRect().left - axis._offset;
+      if (x >= 0 && x <= axis._length) this.group.point(axis.p2d(x));
+    };
+    this.frame.addEventListener("pointermove", place);
+    this.frame.addEventListener("pointerdown", place);
+    this.frame.addEventListener("keydown", (event) => this.group.key(event));
+    new IntersectionObserver((entries) => {
+      this.inSight = entries.some((entry) => entry.isIntersecting);
+      if (this.inSight && this.stale) this.draw();
+    }, { rootMargin: "200px" }).observe(this.figure);
+  }
+
+  /** Draws the part of its curves that the group shows; later, if it is out of sight. */
+  draw() {
+    this.stale = !this.inSight;
+    this.frame.hidden = !this.shown.some((shown) => shown);
+    if (this.menu) this.menu.hidden = this.frame.hidden;
+    if (this.stale || this.frame.hidden) return;
+    if (this.menu && !this.drawn) this.suit();
+    const range = this.group.range;
+    const pixels = Math.max(100, Math.round(this.canvas.clientWidth - MARGIN - 14));
+    const traces = this.plot.curves.map((curve, i) => this.trace(curve, i, range, pixels)).filter((trace) => trace);
+    traces.push(...this.events(range, pixels));
+    const bar = touch() ? false : "hover";
+    const done = Plotly.react(this.canvas, traces, this.layout(range), { ...settings, displayModeBar: bar });
+    if (!this.drawn) {
+      this.drawn = true;
+      done.then(() => this.follow());
+    }
+    this.mark();
+  }
+
+  trace(curve, i, [from, to], pixels) {
+    if (!this.shown[i]) return null;
+    const points = visible(column(curve.x), column(curve.y), from, to, pixels);
+    const y = this.plot.y.log ? points.y.map((value) => 10 ** value) : points.y.map((value) => this.factor * value);
+    const few = points.all && points.rows < pixels / 8;
+    const line = { color: colour(i), dash: DASHES[i % DASHES.length], width: i === 0 ? 1.7 : 1.3, simplify: false };
+    return { x: points.x, y, name: curve.name, mode: few ? "lines+markers" : "lines", marker: { size: 4 }, line, hoverinfo: "skip" };
+  }
+
+  /** The marks of events: one a pixel at most. */
+  events([from, to], pixels) {
+    if (!this.plot.events) return [];
+    const t = column(this.plot.events).values;
+    const x = [];
+    for (let i = lowerBound(t, from); i < t.length && t[i] <= to;) {
+      x.push(t[i]);
+      i = Math.max(i + 1, lowerBound(t, t[i] + (to - from) / pixels));
+    }
+    const marker = { symbol: "line-ns-open", size: 7, color: css("--muted") };
+    return [{ x, y: x.map(() => 0.02), yaxis: "y2", mode: "markers", marker, hoverinfo: "skip", name: "events" }];
+  }
+
+  layout(range) {
+    const [grid, ink] = [css("--grid"), css("--text")];
+    const axis = { gridcolor: grid, linecolor: grid, zerolinecolor: grid, exponentformat: "power", minexponent: 4, ticks: "outside", tickcolor: grid };
+    const title = (text, unit) => ({ text: unit && unit !== "1" ? `${text} [${unit}]`.trim() : text, standoff: 6 });
+    const y = { ...axis, title: title(this.plot.y.label, this.unit), uirevision: this.yRevision };
+    if (this.plot.y.log) Object.assign(y, { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 });
+    if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(value) : value);
+    const line = (x, text) => ({ type: "line", x0: x, x1: x, y0: 0, y1: 1, yref: "paper", line: { color: css("--muted"), width: 1, dash: "dot" },
+      label: { text, textposition: "end", textangle: 0, xanchor: "left", yanchor: "top", font: { size: 11, color: css("--muted") } } });
+    const shapes = this.plot.lines.filter(({ x }) => x > range[0] && x < range[1]).map(({ x, name }) => line(x, name));
+    if (this.plot.shaded_from !== null) {
+      shapes.push({ type: "rect", x0: this.plot.shaded_from, x1: this.group.all[1], y0: 0, y1: 1, yref: "paper", line: { width: 0 }, fillcolor: css("--muted"), opacity: 0.15, layer: "below" });
+    }
+    return {
+      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 250, showlegend: false, hovermode: false, shapes,
+      dragmode: touch() ? false : "zoom", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
+      font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: ink },
+      modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink },
+      xaxis: { ...axis, range: [...range], title: title(this.plot.x.label, this.plot.x.unit), fixedrange: touch(), uirevision: this.group.revision },
+      yaxis: { ...y, fixedrange: touch() },
+      yaxis2: { overlaying: "y", range: [0, 1], fixedrange: true, visible: false },
+    };
+  }
+
+  /** Follows zooms that begin in this plot. */
+  follow() {
+    const follow = (change) => {
+      const [from, to] = change["xaxis.range"] ?? [change["xaxis.range[0]"], change["xaxis.range[1]"]];
+      if (Number.isFinite(from) && Number.isFinite(to)) this.group.show(from, to);
+    };
+    this.canvas.on("plotly_relayout", follow);
+    this.canvas.on("plotly_doubleclick", () => this.group.reset());
+  }
+
+  /** Shows the cursor and the values there. */
+  mark() {
+    const x = this.group.cursor;
+    const axis = this.canvas._fullLayout?.xaxis;
+    const inside = x !== null && axis && x >= this.group.range[0] && x <= this.group.range[1];
+    this.line.hidden = !inside;
+    if (inside) this.line.style.transform = `translateX(${axis._offset + axis.d2p(x)}px)`;
+    this.plot.curves.forEach((curve, i) => {
+      this.values[i].textContent = this.shown[i] && x !== null ? this.at(curve, x) : "";
+    });
+  }
+
+  /** The value of a curve in the row nearest to x, in the chosen unit. */
+  at(curve, x) {
+    const y = column(curve.y).values[nearest(column(curve.x).values, x)];
+    return short(this.plot.y.log ? 10 ** y : this.factor * y);
+  }
+}
+
+const settings = { displaylogo: false, responsive: true, scrollZoom: false, doubleClick: false, showTips: false, modeBarButtons: [["zoom2d", "pan2d", "toImage"]] };
+
+/** Whether fingers are the pointer: a finger scrolls the page, and buttons zoom. */
+const touch = () => matchMedia("(pointer: coarse)").matches;

@@ -1,0 +1,74 @@
+//! Interactive pages: one HTML file that shows a result in any browser, without network and without other files.
+//!
+//! A [`Page`] has sections of text, tables and plots. The numbers of its plots are embedded as base64 typed arrays ([`data`]). The plots
+//! are drawn by plotly.js, which the crate `plotly` brings, and by the scripts in `assets` ([`script`]). [`run`] makes the page of a run.
+//!
+//! Whatever a scene says stays text: [`html`] escapes it in HTML, [`data::json`] in scripts. A Content-Security-Policy allows only the
+//! scripts of this module, by their hashes, and no network.
+
+pub mod data;
+pub mod html;
+pub mod plot;
+pub mod run;
+mod script;
+#[cfg(test)]
+mod tests;
+
+use std::io::{self, Write};
+
+use html::{Html, escape};
+
+/// Colours, type and layout.
+const STYLE: &str = include_str!("assets/page.css");
+
+/// A page.
+pub struct Page {
+    title: String,
+    subtitle: String,
+    /// Identifier and title of each section, for the table of contents.
+    contents: Vec<(&'static str, &'static str)>,
+    body: Html,
+}
+
+impl Page {
+    /// A page without sections.
+    pub fn new(title: impl Into<String>, subtitle: impl Into<String>) -> Self {
+        Page { title: title.into(), subtitle: subtitle.into(), contents: vec![], body: Html::default() }
+    }
+
+    /// Adds a section that `fill` writes. A section in which it writes nothing is left out.
+    pub fn section(&mut self, id: &'static str, title: &'static str, fill: impl FnOnce(&mut Html)) {
+        let mut html = Html::continuing(&mut self.body);
+        fill(&mut html);
+        if self.body.append_section(html, id, title) {
+            self.contents.push((id, title));
+        }
+    }
+
+    /// Writes the page as HTML. Errors: those of `sink`.
+    pub fn write(&self, sink: &mut dyn Write) -> io::Result<()> {
+        let library = script::library()?;
+        let own = script::own();
+        let policy = script::policy(&[library, &own]);
+        let title = escape(&self.title);
+        writeln!(sink, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
+        writeln!(sink, "<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">")?;
+        writeln!(sink, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
+        writeln!(sink, "<meta name=\"color-scheme\" content=\"light dark\">")?;
+        writeln!(sink, "<title>{title} - gearsim</title>\n<style>{STYLE}</style>\n</head>\n<body>")?;
+        writeln!(
+            sink,
+            "<header><h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav aria-label=\"Sections\"><ul>",
+            escape(&self.subtitle)
+        )?;
+        for (id, title) in &self.contents {
+            writeln!(sink, "<li><a href=\"#{id}\">{}</a></li>", escape(title))?;
+        }
+        writeln!(sink, "</ul></nav></header>\n<main>\n{}</main>", self.body.text())?;
+        writeln!(sink, "<noscript><p class=\"note\">The plots of this page need JavaScript.</p></noscript>")?;
+        for (id, array) in self.body.arrays() {
+            writeln!(sink, "<script type=\"text/plain\" id=\"{id}\">{array}</script>")?;
+        }
+        writeln!(sink, "<script>{library}</script>\n<script>{own}</script>\n</body>\n</html>")
+    }
+}

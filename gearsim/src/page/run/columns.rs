@@ -1,0 +1,118 @@
+//! The columns of a run's table, sorted by what a reader looks at first.
+
+use std::borrow::Cow;
+
+use super::Report;
+use crate::output::table::{Column, Values};
+use crate::plot::rotates;
+
+/// What a column is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// An output of the model: a force, a transmission error, the speed of a rotor.
+    Signal,
+    /// Speed of a coordinate that rotates.
+    Speed,
+    /// A coordinate that does not rotate.
+    Deflection,
+    /// Its rate.
+    Rate,
+    /// A coordinate that rotates.
+    Rotation,
+    /// A part of the energy account.
+    Energy,
+}
+
+/// Columns of one kind and one unit.
+pub(super) struct Group<'a> {
+    pub kind: Kind,
+    pub unit: &'a str,
+    pub columns: Vec<Named<'a>>,
+}
+
+/// A column with its numbers and its description, which may be empty.
+pub(super) struct Named<'a> {
+    pub name: &'a str,
+    pub doc: String,
+    pub values: Cow<'a, [f64]>,
+}
+
+/// Curves of a group that are drawn at first.
+const FIRST: usize = 4;
+
+/// The parts of the energy account, with their descriptions.
+const ENERGIES: [(&str, &str); 6] = [
+    ("energy", "U = T + V - W; only losses change it"),
+    ("kinetic", "kinetic energy T"),
+    ("strain", "strain energy V"),
+    ("work", "work of the torques W"),
+    ("dissipated", "energy lost, integrated from the speeds"),
+    ("residual", "T + V - W + dissipated, less its value at the start"),
+];
+
+impl Group<'_> {
+    /// A title for people.
+    pub fn title(&self) -> &'static str {
+        match (self.kind, self.unit) {
+            (Kind::Speed, _) => "Speeds of coordinates",
+            (Kind::Signal, "N") => "Forces",
+            (Kind::Signal, "N*m") => "Torques",
+            (Kind::Signal, "m") => "Displacements",
+            (Kind::Signal, "W") => "Powers",
+            (Kind::Signal, "rad/s") => "Speeds",
+            (Kind::Signal, _) => "Signals",
+            (Kind::Deflection, _) => "Deflections",
+            (Kind::Rate, _) => "Rates of deflections",
+            (Kind::Rotation, _) => "Angles of rotation",
+            (Kind::Energy, _) => "Energies",
+        }
+    }
+
+    /// Whether the `index`-th of its columns is drawn at first: the first few that vary, of kinds that people look at first.
+    pub fn shown(&self, index: usize) -> bool {
+        let varies = |column: &Named<'_>| column.values.iter().any(|x| *x != column.values[0]);
+        let before = self.columns[..index].iter().filter(|column| varies(column)).count();
+        !matches!(self.kind, Kind::Rate | Kind::Rotation) && before < FIRST && varies(&self.columns[index])
+    }
+}
+
+/// The columns of the run's table in groups of one kind and unit, in the order of [`Kind`].
+pub(super) fn groups<'a>(report: &'a Report<'_>) -> Vec<Group<'a>> {
+    let mut groups: Vec<Group<'a>> = vec![];
+    for column in report.table.columns() {
+        let (Values::Number(values), Some((kind, doc))) = (&column.values, describe(report, column)) else { continue };
+        let named = Named { name: &column.name, doc, values: Cow::Borrowed(values) };
+        match groups.iter_mut().find(|group| (group.kind, group.unit) == (kind, &*column.unit)) {
+            Some(group) => group.columns.push(named),
+            None => groups.push(Group { kind, unit: &column.unit, columns: vec![named] }),
+        }
+    }
+    groups.sort_by_key(|group| group.kind);
+    groups
+}
+
+/// The kind and the description of a column; `None` for the time.
+fn describe(report: &Report<'_>, column: &Column) -> Option<(Kind, String)> {
+    let name = &*column.name;
+    let trajectory = &report.run.outcome.trajectory;
+    if name == "t" {
+        return None;
+    }
+    for coordinate in trajectory.model.coordinates {
+        let rotates = rotates(trajectory, coordinate.name);
+        if name == coordinate.name {
+            return Some((if rotates { Kind::Rotation } else { Kind::Deflection }, coordinate.doc.to_owned()));
+        }
+        if name.strip_suffix("_dot") == Some(coordinate.name) {
+            return Some((if rotates { Kind::Speed } else { Kind::Rate }, format!("rate of: {}", coordinate.doc)));
+        }
+    }
+    if let Some((_, doc)) = ENERGIES.iter().find(|(energy, _)| *energy == name) {
+        return Some((Kind::Energy, (*doc).to_owned()));
+    }
+    if let Some((output, _)) = trajectory.outputs.iter().find(|(output, _)| output.name == name) {
+        return Some((Kind::Signal, output.doc.to_owned()));
+    }
+    let torque = trajectory.model.torques.iter().find(|torque| name.strip_prefix("work_") == Some(torque.name));
+    Some(torque.map_or((Kind::Signal, String::new()), |torque| (Kind::Energy, format!("work: {}", torque.doc))))
+}

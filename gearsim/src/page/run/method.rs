@@ -1,0 +1,47 @@
+//! What the run came to, how it was solved, and what a reader has to know.
+
+use super::Report;
+use crate::output::number::{short, time};
+use crate::page::html::Html;
+
+/// Writes the section.
+pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
+    let (scene, summary) = (report.run.scene, report.run.summary);
+    if let Some(why) = &summary.stopped_by {
+        html.note(&format!("The run stopped early: {why}"));
+    }
+    for remark in &summary.remarks {
+        html.note(remark);
+    }
+    let effects = match &summary.effects[..] {
+        [] => "none".to_owned(),
+        effects => effects.join(", "),
+    };
+    let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
+    let state = summary.state.0.iter().zip(units).map(|((name, x), unit)| format!("{name} = {} {unit}", short(x.0)));
+    let method = format!("{}: {}", summary.method.name, summary.method.why);
+    html.pairs([
+        ("model", format!("{}, {}", scene.model.name, scene.model.title)),
+        ("effects", effects),
+        ("method", method),
+        ("solver", summary.provenance.solver.clone()),
+        ("simulated", format!("{} s of {} s", short(summary.t_end.0), short(scene.t_end))),
+        ("end state", state.collect::<Vec<_>>().join(", ")),
+        ("digits left", digits(report)),
+        ("processor time", time(summary.cpu_seconds.0)),
+    ]);
+}
+
+/// The number of digits left of the end state, in words.
+fn digits(report: &Report<'_>) -> String {
+    match report.run.summary.digits {
+        None => "not estimated".into(),
+        Some(digits) => match digits.none_from {
+            Some(t) => format!(
+                "none from t = {} s on (shaded): a rounding error, or the error of a time step, has grown as large as the motion",
+                short(t.0)
+            ),
+            None => format!("{:.0} of the end state", digits.at_end.0.floor()),
+        },
+    }
+}

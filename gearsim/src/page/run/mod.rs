@@ -1,0 +1,76 @@
+//! The page of a run. Each section has one file and one entry in [`SECTIONS`].
+
+mod columns;
+mod counts;
+mod energy;
+mod method;
+mod model;
+mod motion;
+mod numbers;
+mod provenance;
+mod rows;
+mod scene;
+mod spectrum;
+
+use super::Page;
+use super::html::Html;
+use crate::output::{OutputError, Summary, Table};
+use crate::run::Outcome;
+use crate::scene::Scene;
+use rows::Rows;
+
+/// The sections, from top to bottom.
+const SECTIONS: &[Section] = &[
+    Section { id: "method", title: "Result", fill: method::fill },
+    Section { id: "motion", title: "Motion", fill: motion::fill },
+    Section { id: "energy", title: "Energy", fill: energy::fill },
+    Section { id: "spectra", title: "Spectra", fill: spectrum::fill },
+    Section { id: "numbers", title: "Numbers", fill: numbers::fill },
+    Section { id: "counts", title: "Counts", fill: counts::fill },
+    Section { id: "scene", title: "Scene", fill: scene::fill },
+    Section { id: "model", title: "Model", fill: model::fill },
+    Section { id: "provenance", title: "Provenance", fill: provenance::fill },
+];
+
+/// A section of the page of a run.
+struct Section {
+    id: &'static str,
+    title: &'static str,
+    /// Writes it; a section in which it writes nothing is left out.
+    fill: fn(&Report<'_>, &mut Html),
+}
+
+/// What the page of a run shows.
+pub struct Run<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its text in TOML, as read.
+    pub text: &'a str,
+    /// The values set on the command line.
+    pub overrides: &'a [String],
+    /// The outcome.
+    pub outcome: &'a Outcome,
+    /// Its summary.
+    pub summary: &'a Summary,
+}
+
+/// What sections are made of: the run, and its table with the rows that the page has of it.
+struct Report<'a> {
+    run: &'a Run<'a>,
+    table: Table,
+    rows: Rows,
+}
+
+/// The page of a run. Errors: [`OutputError::Ragged`] if its columns differ in length.
+pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
+    let table = Table::of_trajectory(&run.outcome.trajectory)?;
+    let rows = Rows::of(&table);
+    let report = Report { run, table, rows };
+    let scene = run.scene;
+    let subtitle = if scene.about.is_empty() { scene.model.title } else { &scene.about };
+    let mut page = Page::new(&scene.name, subtitle);
+    for section in SECTIONS {
+        page.section(section.id, section.title, |html| (section.fill)(&report, html));
+    }
+    Ok(page)
+}

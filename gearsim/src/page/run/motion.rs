@@ -1,0 +1,66 @@
+//! The motion: speeds, signals and deflections against time, a plot for each unit.
+
+use super::Report;
+use super::columns::{self, Group, Kind};
+use crate::page::data::Counts;
+use crate::page::html::Html;
+use crate::page::plot::{Axis, Curve, Plot};
+use crate::trajectory::Moment;
+
+/// Writes the section.
+pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
+    let trajectory = &report.run.outcome.trajectory;
+    if trajectory.is_empty() {
+        return html.note("The run recorded no rows.");
+    }
+    if report.rows.every > 1 {
+        html.note(&format!(
+            "This page has the extremes over every {} of the {} recorded rows. All rows are in trajectory.parquet.",
+            report.rows.every,
+            trajectory.len()
+        ));
+    }
+    for group in columns::groups(report).iter().filter(|group| group.kind != Kind::Energy) {
+        let shown = |i: usize| group.shown(i);
+        plot(report, html, group.title(), group, &shown);
+    }
+}
+
+/// Adds a plot of the columns of `group` over time; `shown` says which of them are drawn at first.
+pub(super) fn plot(
+    report: &Report<'_>,
+    html: &mut Html,
+    title: &str,
+    group: &Group<'_>,
+    shown: &dyn Fn(usize) -> bool,
+) {
+    let outcome = report.run.outcome;
+    let t = html.embed(&report.rows.times(&outcome.trajectory.t), Counts::Long);
+    let curves = group.columns.iter().enumerate().map(|(i, column)| Curve {
+        name: column.name.to_owned(),
+        doc: column.doc.clone(),
+        x: t.clone(),
+        y: html.embed(&report.rows.values(&column.values), Counts::Short),
+        shown: shown(i),
+    });
+    let curves = curves.collect();
+    let events = events(report);
+    let events = (!events.is_empty()).then(|| html.embed(&events, Counts::Long));
+    html.plot(&Plot {
+        title: title.to_owned(),
+        x: Axis::linear("time t", "s"),
+        y: Axis::linear("", group.unit),
+        curves,
+        group: Some("time"),
+        events,
+        lines: vec![],
+        shaded_from: outcome.digits.and_then(|digits| digits.none_from),
+    });
+}
+
+/// The times of the events [s].
+fn events(report: &Report<'_>) -> Vec<f64> {
+    let trajectory = &report.run.outcome.trajectory;
+    let before = trajectory.moment.iter().zip(&trajectory.t).filter(|(moment, _)| **moment == Moment::Before);
+    before.map(|(_, t)| *t).collect()
+}

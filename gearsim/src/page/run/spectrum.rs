@@ -1,0 +1,111 @@
+//! Power spectral densities of speeds, signals and deflections ([`crate::analysis::spectrum`]), a plot for each unit.
+
+use std::f64::consts::TAU;
+
+use super::Report;
+use super::columns::{self, Group, Kind};
+use crate::analysis::spectrum::{SpectrumError, segment_length, uniform_samples, welch};
+use crate::model::Role;
+use crate::output::number::short;
+use crate::page::data::Counts;
+use crate::page::html::Html;
+use crate::page::plot::{Axis, Curve, Line, Plot};
+use crate::plot::rotates;
+
+/// Decades shown below the highest peak. What is lower is rounding errors and leakage.
+const DECADES: f64 = 1e12;
+
+/// Mesh frequency and multiples of it that are marked.
+const MULTIPLES: usize = 3;
+
+/// A phase whose speed varies by less than this fraction of its mean has one mesh frequency.
+const STEADY: f64 = 0.05;
+
+/// Writes the section.
+pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
+    let (rows, rate) = match uniform_samples(&report.run.outcome.trajectory) {
+        Ok(samples) => samples,
+        Err(error) => return html.paragraph(&format!("There are no spectra: {error}.")),
+    };
+    let segment = segment_length(rows.len());
+    let hertz = rate / segment as f64;
+    html.paragraph(&format!(
+        "Power spectral densities by Welch's method: {} samples a second in segments of {segment} with a Hann window, overlapping by \
+         half; resolution {} Hz. The mean is left out.",
+        short(rate),
+        short(hertz),
+    ));
+    let kinds = [Kind::Speed, Kind::Signal, Kind::Deflection];
+    for group in columns::groups(report).iter().filter(|group| kinds.contains(&group.kind)) {
+        if let Err(error) = plot(report, html, group, &rows, rate) {
+            html.note(&format!("There is no spectrum of {}: {error}.", group.title().to_lowercase()));
+        }
+    }
+}
+
+/// Adds the plot of a group.
+fn plot(
+    report: &Report<'_>,
+    html: &mut Html,
+    group: &Group<'_>,
+    rows: &[usize],
+    rate: f64,
+) -> Result<(), SpectrumError> {
+    let (mut curves, mut peak, mut lowest) = (vec![], 0.0_f64, f64::INFINITY);
+    for (i, column) in group.columns.iter().enumerate() {
+        let samples: Vec<f64> = rows.iter().map(|&row| column.values[row]).collect();
+        let spectrum = welch(&samples, rate, segment_length(samples.len()))?;
+        if group.shown(i) {
+            peak = spectrum.density.iter().fold(peak, |m, x| m.max(*x));
+            lowest = spectrum.density.iter().filter(|x| **x > 0.0).fold(lowest, |m, x| m.min(*x));
+        }
+        let x = html.embed(&spectrum.frequency, Counts::Long);
+        let logarithms: Vec<f64> = spectrum.density.iter().map(|x| x.log10()).collect();
+        let y = html.embed(&logarithms, Counts::Short);
+        curves.push(Curve { name: column.name.into(), doc: column.doc.clone(), x, y, shown: group.shown(i) });
+    }
+    let range = (lowest < peak).then(|| (lowest.max(peak / DECADES), 3.0 * peak));
+    html.plot(&Plot {
+        title: format!("{}: power spectral density", group.title()),
+        x: Axis::linear("frequency f", "Hz"),
+        y: Axis { log: true, range, ..Axis::linear("", density_unit(group.unit)) },
+        curves,
+        group: Some("frequency"),
+        events: None,
+        lines: lines(report),
+        shaded_from: None,
+    });
+    Ok(())
+}
+
+/// The unit of the density of a quantity in `unit`.
+fn density_unit(unit: &str) -> String {
+    match unit {
+        "1" => "1/Hz".into(),
+        _ if unit.contains(['/', '*']) => format!("({unit})^2/Hz"),
+        _ => format!("{unit}^2/Hz"),
+    }
+}
+
+/// The damped natural frequency, and the mesh frequencies of phases that rotate steadily.
+fn lines(report: &Report<'_>) -> Vec<Line> {
+    let (scene, outcome) = (report.run.scene, report.run.outcome);
+    let mut lines: Vec<Line> = vec![];
+    if let Some(w) = outcome.reference_frequency {
+        lines.push(Line { x: w / TAU, name: "natural".into() });
+    }
+    let run = &outcome.trajectory;
+    for (law, _) in scene.present().filter(|(law, _)| law.role == Role::Stiffness) {
+        let Some(i) = run.model.coordinates.iter().position(|c| c.name == law.phase) else { continue };
+        let (speed, duration) = (&run.q_dot[i], run.t[run.len() - 1] - run.t[0]);
+        let mean = (run.q[i][run.len() - 1] - run.q[i][0]) / duration;
+        let steady = speed.iter().all(|v| (v - mean).abs() <= STEADY * mean.abs());
+        let mesh = mean.abs() / law.period;
+        let known = lines.iter().any(|line| (line.x - mesh).abs() < 1e-6 * mesh);
+        if steady && rotates(run, law.phase) && !known {
+            let name = |n: usize| if n == 1 { "mesh".to_owned() } else { format!("{n} x mesh") };
+            lines.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * mesh, name: name(n) }));
+        }
+    }
+    lines
+}

@@ -1,0 +1,44 @@
+//! The scripts of a page: plotly.js as the crate `plotly` embeds it, and our own.
+
+use std::io;
+use std::sync::LazyLock;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use sha2::{Digest, Sha256};
+
+/// Our own scripts, in the order in which they run.
+const OWN: [&str; 5] = [
+    include_str!("assets/data.js"),
+    include_str!("assets/plot.js"),
+    include_str!("assets/group.js"),
+    include_str!("assets/table.js"),
+    include_str!("assets/page.js"),
+];
+
+/// The script elements of the crate: plotly.js first, then MathJax, which pages do not need.
+static SOURCES: LazyLock<String> = LazyLock::new(plotly::Plot::offline_js_sources);
+
+/// The text of plotly.js. Errors: if the crate embeds it in another form than the one known here.
+pub(super) fn library() -> io::Result<&'static str> {
+    let first =
+        SOURCES.split_once("<script type=\"text/javascript\">").and_then(|(_, rest)| rest.split_once("</script>"));
+    match first {
+        Some((text, _)) if text.contains("plotly.js v") => Ok(text),
+        _ => Err(io::Error::other("the crate `plotly` does not embed plotly.js as a first script element")),
+    }
+}
+
+/// Our own scripts as one text.
+pub(super) fn own() -> String {
+    format!("\"use strict\";\n{}", OWN.concat())
+}
+
+/// A Content-Security-Policy that allows `scripts`, inline styles and images made by the page itself, and nothing else: no network.
+pub(super) fn policy(scripts: &[&str]) -> String {
+    let hashes = scripts.iter().map(|text| format!(" 'sha256-{}'", STANDARD.encode(Sha256::digest(text))));
+    let hashes: String = hashes.collect();
+    format!(
+        "default-src 'none'; script-src{hashes}; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'"
+    )
+}

@@ -1,0 +1,203 @@
+"""Tests of interactive pages in headless Chromium: python tests/browser/page.py GEARSIM
+
+GEARSIM is the program built with the feature `html`. Needs the Python package in requirements.txt, and Chromium as /usr/bin/chromium or as
+the path in CHROMIUM. Every page is opened from its file and without network; any console message of a level above "info" fails its test.
+"""
+
+import contextlib
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from playwright.sync_api import sync_playwright
+
+SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
+LAPTOP = {"viewport": {"width": 1280, "height": 800}}
+PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+# A file name that is HTML, and quotes.
+HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b' \u2028"
+
+
+def run(gearsim, scene, folder, *sets):
+    """Runs a scene, and returns the path of its page."""
+    arguments = [argument for value in sets for argument in ("--set", value)]
+    subprocess.run([gearsim, "run", scene, "--html", "-q", "--out", folder, "--set", "output.plots=[]", *arguments], check=True)
+    return folder / "page.html"
+
+
+@contextlib.contextmanager
+def opened(browser, path, **settings):
+    """The page at `path` once it is ready. Requests other than for the file itself, and console messages, are failures."""
+    context = browser.new_context(offline=True, **settings)
+    page, messages, requests = context.new_page(), [], []
+    page.on("console", lambda message: messages.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: messages.append(str(error)))
+    page.on("request", lambda request: requests.append(request.url))
+    page.goto(path.as_uri())
+    page.wait_for_selector("body[data-ready]")
+    page.wait_for_selector("figure.plot .main-svg")
+    yield page
+    assert not messages, messages
+    assert [url for url in requests if not url.startswith(("file:", "data:", "blob:"))] == []
+    context.close()
+
+
+def settle(page):
+    """Waits for the frames in which the page draws what was asked."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))")
+
+
+def drawn(page, panel=0):
+    """Abscissae of the points drawn of the first curve of a plot."""
+    return page.evaluate(f"Array.from(panels[{panel}].canvas.data[0].x)")
+
+
+def frame_of_first_plot(page):
+    """The place of the frame of the first plot on the screen, in which it is scrolled into sight."""
+    page.locator("figure.plot").first.scroll_into_view_if_needed()
+    settle(page)
+    return page.locator(".nsewdrag").first.bounding_box()
+
+
+def zoom_shows_detail(browser, path, samples):
+    """A drag zooms all time plots alike, and shows every row once they are few; a double click shows all again."""
+    with opened(browser, path, **LAPTOP) as page:
+        total = page.evaluate("column(panels[0].plot.curves[0].x).values.length")
+        assert total >= samples, (total, samples)
+        before = drawn(page)
+        assert len(before) < 5000
+        box = frame_of_first_plot(page)
+        for _ in range(14):
+            if len(drawn(page)) < 1000:
+                break
+            middle = box["y"] + box["height"] / 2
+            page.mouse.move(box["x"] + 0.45 * box["width"], middle)
+            page.mouse.down()
+            page.mouse.move(box["x"] + 0.62 * box["width"], middle, steps=3)
+            page.mouse.up()
+            settle(page)
+        after, (start, end) = drawn(page), page.evaluate("panels[0].group.range")
+        inside = page.evaluate("(([a, b]) => column(panels[0].plot.curves[0].x).values.filter((t) => t >= a && t <= b).length)(panels[0].group.range)")
+        assert len([t for t in after if start <= t <= end]) == inside > 10, (len(after), inside)
+        # The other plots of the group follow.
+        others = page.evaluate("panels.filter((p) => p.group === panels[0].group && p.drawn).map((p) => p.canvas._fullLayout.xaxis.range)")
+        assert len(others) >= 2 and all(other == [start, end] for other in others), others
+        page.mouse.dblclick(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        settle(page)
+        assert drawn(page) == before
+
+
+def extremes_are_drawn(browser, path):
+    """The highest and the lowest of all rows are among the few points that are drawn."""
+    with opened(browser, path, **LAPTOP) as page:
+        rows, points = page.evaluate(
+            """(() => {
+                const panel = panels[0], ends = (y) => y.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
+                return [ends(column(panel.plot.curves[0].y).values).map((x) => panel.factor * x), ends(panel.canvas.data[0].y)];
+            })()"""
+        )
+        assert rows == points, (rows, points)
+
+
+def cursor_and_keys(browser, path):
+    """The cursor shows values in all plots; keys move it, step through events and zoom."""
+    with opened(browser, path, **LAPTOP) as page:
+        box = frame_of_first_plot(page)
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + 20)
+        settle(page)
+        begin, end = page.evaluate("panels[0].group.all")
+        cursor = page.evaluate("panels[0].group.cursor")
+        assert abs(cursor - (begin + end) / 2) < 0.01 * (end - begin), cursor
+        shown = page.evaluate("panels.filter((p) => p.inSight && p.shown[0] && p.plot.group === 'time').map((p) => [p.values[0].textContent, p.line.hidden])")
+        assert len(shown) >= 2 and all(value and not hidden for value, hidden in shown), shown
+        # The value is that of the row nearest to the cursor.
+        value, row = page.evaluate("[panels[0].values[0].textContent, panels[0].factor * column(panels[0].plot.curves[0].y).values[nearest(column(panels[0].plot.curves[0].x).values, panels[0].group.cursor)]]")
+        assert abs(float(value) / row - 1) < 1e-4, (value, row)
+        page.locator(".frame").first.focus()
+        page.keyboard.press("n")
+        settle(page)
+        events = page.evaluate("Array.from(panels[0].group.events)")
+        assert page.evaluate("panels[0].group.cursor") == min(t for t in events if t > cursor)
+        page.keyboard.press("+")
+        settle(page)
+        start, stop = page.evaluate("panels[0].group.range")
+        assert abs((stop - start) / (end - begin) - 0.5) < 1e-9
+        page.keyboard.press("0")
+        settle(page)
+        assert page.evaluate("panels[0].group.range") == [begin, end]
+
+
+def columns_and_units_are_chosen(browser, path):
+    """A check box adds a curve, a menu changes the unit of its numbers, and a table is sorted."""
+    with opened(browser, path, **LAPTOP) as page:
+        closed = page.locator("figure.plot", has=page.locator(".frame[hidden]")).first
+        closed.locator("input").first.check()
+        closed.locator(".main-svg").first.wait_for()
+        speeds = page.locator("figure.plot").first
+        before = page.evaluate("panels[0].canvas.data[0].y[0]")
+        speeds.locator("select").select_option("rpm")
+        settle(page)
+        after = page.evaluate("panels[0].canvas.data[0].y[0]")
+        assert abs(after / before - 30 / 3.141592653589793) < 1e-9
+        table = page.locator("#numbers table")
+        table.get_by_role("button", name="lowest").click()
+        lowest = [float(cell.get_attribute("data-value")) for cell in table.locator("tbody tr td:nth-child(3)").all()]
+        assert lowest == sorted(lowest) and len(lowest) > 5
+
+
+def every_plot_is_drawn(browser, path, settings, scheme):
+    """Every plot in every section is drawn when it is in sight, and nothing is wider than the screen."""
+    with opened(browser, path, color_scheme=scheme, **settings) as page:
+        for figure in page.locator("figure.plot").all():
+            figure.scroll_into_view_if_needed()
+            if figure.locator(".frame").is_visible():
+                figure.locator(".main-svg").first.wait_for()
+        assert page.evaluate("document.documentElement.scrollWidth") <= settings["viewport"]["width"]
+
+
+def hostile_names_stay_text(browser, gearsim, folder):
+    """HTML and script ends in the name and in the text of a scene are shown, and not executed."""
+    text = (SCENES / "oh2005" / "energy_300rpm.toml").read_text()
+    lines = [line for line in text.splitlines() if not line.startswith("about")]
+    about = "</script><script>document.body.dataset.hurt=2</script><b>bold</b>"
+    scene = folder / f"{HOSTILE}.toml"
+    scene.write_text("\n".join([f'about = "{about}"', "# --> </title></style>", *lines]))
+    path = run(gearsim, scene, folder / "hostile")
+    with opened(browser, path, **LAPTOP) as page:
+        assert page.evaluate("document.body.dataset.hurt") is None
+        assert page.locator("h1").text_content() == HOSTILE
+        assert page.locator(".subtitle").text_content() == about
+        assert page.locator("main img, main b, main script:not([type])").count() == 0
+        assert "</title></style>" in page.locator("#scene code").first.text_content()
+        # A script that were injected nevertheless would be refused.
+        page.evaluate("document.body.append(Object.assign(document.createElement('img'), {src: 'data:,', id: 'late'}))")
+        page.evaluate("document.getElementById('late').setAttribute('onclick', 'document.body.dataset.hurt=3')")
+        assert page.evaluate("document.querySelector('meta[http-equiv]').content").startswith("default-src 'none'; script-src 'sha256-")
+
+
+def main():
+    gearsim = pathlib.Path(sys.argv[1]).resolve()
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        folder = pathlib.Path(folder)
+        browser = playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=FLAGS)
+        small = run(gearsim, SCENES / "gear_pair_bearings.toml", folder / "small")
+        large = run(gearsim, SCENES / "oh2005" / "spectrum_4500rpm_exact.toml", folder / "large", "run.t_end=1 s", "output.rate=1 MHz")
+        tests = [
+            (zoom_shows_detail, (small, 4000)),
+            (zoom_shows_detail, (large, 1_000_000)),
+            (extremes_are_drawn, (large,)),
+            (cursor_and_keys, (small,)),
+            (columns_and_units_are_chosen, (small,)),
+            *((every_plot_is_drawn, (small, size, scheme)) for size in (LAPTOP, PHONE) for scheme in ("light", "dark")),
+            (hostile_names_stay_text, (gearsim, folder)),
+        ]
+        for test, arguments in tests:
+            test(browser, *arguments)
+            print("passed:", test.__name__)
+        browser.close()
+
+
+main()
