@@ -25,7 +25,7 @@ fn load() -> Scene {
 #[test]
 fn help_texts_equal_their_snapshots() {
     assert_snapshot!("help", program().term_width(WIDTH).render_long_help());
-    for command in ["run", "compare", "advise", "sweep", "merge", "modes", "floquet", "models"] {
+    for command in ["run", "compare", "advise", "sweep", "response", "merge", "modes", "floquet", "models"] {
         assert_snapshot!(format!("help_{command}"), help(command));
     }
 }
