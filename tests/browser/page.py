@@ -32,6 +32,8 @@ def run(gearsim, scene, folder, *sets):
 def opened(browser, path, **settings):
     """The page at `path` once it is ready. Requests other than for the file itself, and console messages, are failures."""
     context = browser.new_context(offline=True, **settings)
+    # A busy machine may take long; no test depends on the time.
+    context.set_default_timeout(120_000)
     page, messages, requests = context.new_page(), [], []
     page.on("console", lambda message: messages.append(f"{message.type}: {message.text}"))
     page.on("pageerror", lambda error: messages.append(str(error)))

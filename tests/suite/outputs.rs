@@ -161,7 +161,7 @@ fn a_harmonic_transmission_error_gives_the_amplitudes_of_the_closed_form() {
         .into();
         let still = scene("oh2005/energy_300rpm", &sets);
         let equations = model("gear_pair").equations(&still).unwrap();
-        let mobility = equations.mobility();
+        let mobility = equations.mobility(&[0.0; 2]);
         let w0 = (2.0 * 2e3 * mobility[(1, 1)]).sqrt();
         let speed = r * w0;
         // On the periodic solution from the start: the mean rotation moves by the inertia that couples it to phi.

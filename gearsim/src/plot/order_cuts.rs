@@ -1,6 +1,6 @@
 //! Order cuts of a run-up: the amplitudes of mesh orders over the speed of the first shaft.
 
-use super::outputs::engineering;
+use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 use crate::analysis::orders::{SHAFT, Turning, cuts, first_shaft, mesh_orders};
 use crate::model::Output;
@@ -27,7 +27,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
     let mut panels = vec![];
     for unit in UNITS {
-        let Some((output, _)) = first.outputs.iter().find(|(output, _)| output.unit == unit) else { continue };
+        let Some(output) = of_unit(first, unit).first().copied() else { continue };
         let mut series = vec![];
         for run in runs {
             curves(run, shaft.name, output, runs.len() > 1, &mut series)?;

@@ -1,6 +1,6 @@
 //! Order spectra of the recorded transmission errors and forces, over orders of the first shaft: peak amplitudes.
 
-use super::outputs::engineering;
+use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 use crate::analysis::orders::{Turning, first_shaft, mesh_orders};
 
@@ -25,7 +25,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let mut panels = vec![];
     let (mut end, mut revolutions, mut meshes) = (f64::INFINITY, 0, String::new());
     for unit in UNITS {
-        let Some((output, _)) = first.outputs.iter().find(|(output, _)| output.unit == unit) else { continue };
+        let Some(output) = of_unit(first, unit).first().copied() else { continue };
         let (shown, factor) = engineering(unit);
         let (mut series, mut peak) = (vec![], 0.0_f64);
         for (n, run) in runs.iter().enumerate() {

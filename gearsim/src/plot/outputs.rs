@@ -2,6 +2,7 @@
 
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names, time_axis};
 use crate::model::Output;
+use crate::trajectory::Trajectory;
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
@@ -27,12 +28,21 @@ pub fn engineering(unit: &'static str) -> (&'static str, f64) {
     UNITS.iter().find(|known| known.0 == unit).map_or((unit, 1.0), |known| (known.2, known.3))
 }
 
+/// The recorded outputs with the SI unit `unit`: those of meshes first, components of forces last.
+pub(super) fn of_unit(run: &Trajectory, unit: &str) -> Vec<&'static Output> {
+    let mut all: Vec<&'static Output> = run.outputs.iter().map(|(output, _)| *output).collect();
+    all.retain(|output| output.unit == unit);
+    let component = |name: &str| ["_x", "_y", "_radial", "_tangential"].iter().any(|axis| name.ends_with(axis));
+    all.sort_by_key(|output| (!output.name.starts_with("mesh"), component(output.name)));
+    all
+}
+
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let mut left_out = 0;
     let mut panels = vec![];
     for (unit, quantity, shown, factor) in UNITS {
-        let of_unit: Vec<&Output> = first.outputs.iter().map(|(o, _)| *o).filter(|o| o.unit == unit).collect();
+        let of_unit = of_unit(first, unit);
         // Several runs are compared by the first output of each unit.
         let most = if runs.len() > 1 { 1 } else { MOST };
         left_out += of_unit.len().saturating_sub(most);

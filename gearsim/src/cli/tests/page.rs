@@ -1,10 +1,13 @@
 //! Tests of `gearsim run --html`.
 
-use clap::Parser;
-
-use super::{go, scene};
+use super::go;
 use crate::cli::run::Run;
-use crate::cli::{Failure, Verb};
+#[cfg(feature = "html")]
+use {
+    super::scene,
+    crate::cli::{Failure, Verb},
+    clap::Parser,
+};
 
 /// A program without the feature says how to add it, and runs nothing.
 #[cfg(not(feature = "html"))]

@@ -15,7 +15,6 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 use clap::Parser;
-use gearsim::{engine, model};
 
 use paths::{PATHS, Path};
 use table::Table;

@@ -31,7 +31,7 @@ impl<const N: usize> Side<N> {
         self.assert_agreement();
         let Side { generated, q, q_dot, k, dk, .. } = self;
         // As for `ByHand`: accelerations of pairs, but forces of trains.
-        let mobility = generated.mobility(&[0.0; 2]);
+        let mobility = generated.mobility(&vec![0.0; generated.coordinates()]);
         let force = move |q: &[f64; N], v: &[f64; N], k: &[f64], dk: &[f64]| {
             let mut force = [0.0; N];
             generated.write_force(q, v, k, dk, &mut force);
