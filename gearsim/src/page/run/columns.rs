@@ -37,6 +37,9 @@ pub(super) struct Named<'a> {
     pub values: Cow<'a, [f64]>,
 }
 
+/// Units of outputs in the order in which people look at them: forces, transmission errors, speeds, torques. Others follow.
+const UNITS: [&str; 4] = ["N", "m", "rad/s", "N*m"];
+
 /// Curves of a group that are drawn at first.
 const FIRST: usize = 4;
 
@@ -76,7 +79,7 @@ impl Group<'_> {
     }
 }
 
-/// The columns of the run's table in groups of one kind and unit, in the order of [`Kind`].
+/// The columns of the run's table in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first.
 pub(super) fn groups<'a>(report: &'a Report<'_>) -> Vec<Group<'a>> {
     let mut groups: Vec<Group<'a>> = vec![];
     for column in report.table.columns() {
@@ -87,7 +90,9 @@ pub(super) fn groups<'a>(report: &'a Report<'_>) -> Vec<Group<'a>> {
             None => groups.push(Group { kind, unit: &column.unit, columns: vec![named] }),
         }
     }
-    groups.sort_by_key(|group| group.kind);
+    let unit = |group: &Group<'_>| UNITS.iter().position(|unit| *unit == group.unit).unwrap_or(UNITS.len());
+    groups.sort_by_key(|group| (group.kind, if group.kind == Kind::Signal { unit(group) } else { 0 }));
+    groups.iter_mut().for_each(|group| group.columns.sort_by_key(|column| !column.name.starts_with("mesh_")));
     groups
 }
 
