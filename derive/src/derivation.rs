@@ -59,8 +59,8 @@ impl Derivation<'_> {
         &self.proofs
     }
 
-    /// The acceleration of coordinate `i`, or its generalised force if M was not inverted or depends on coordinates, in the model's parameters and without
-    /// the terms of the effects and conditions in `absent`.
+    /// The acceleration of coordinate `i`, or its generalised force if M was not inverted or depends on coordinates. It is written in the
+    /// model's parameters, without the terms of the effects and conditions in `absent`.
     pub fn equation(&self, i: usize, absent: &[&str]) -> Expr {
         let all = self.motion.acceleration.as_ref().unwrap_or(&self.motion.force);
         self.in_parameters(&all[i], absent)

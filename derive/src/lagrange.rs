@@ -1,8 +1,8 @@
 //! Euler-Lagrange: mass matrix, generalised forces, accelerations, Jacobian.
 //!
 //! d/dt dT/dq' - dT/dq + dV/dq + dD/dq' = Q becomes M q'' = F(q, q', k), with F_i = Q_i - dV/dq_i - dD/dq'_i - c_i. Where M depends on
-//! the coordinates, c_i = sum_j d(dT/dq'_i)/dq_j q'_j - dT/dq_i are the centrifugal and gyroscopic forces; else they are zero. dV/dq_i includes the derivative through the mesh stiffness, (dV/dk) (dk/ds) (ds/dq_i): the
-//! jump terms.
+//! the coordinates, c_i = sum_j d(dT/dq'_i)/dq_j q'_j - dT/dq_i are the centrifugal and gyroscopic forces; else they are zero. dV/dq_i
+//! includes the derivative through the mesh stiffness, (dV/dk) (dk/ds) (ds/dq_i): the jump terms.
 
 use symbolica::atom::{Atom, AtomCore};
 

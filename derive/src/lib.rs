@@ -5,8 +5,8 @@
 //!
 //! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`
 //! (derivatives), `lagrange` and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and
-//! `squares` (identities, definiteness of M; `trigonometry`), `tree` and `print` (sorted expressions as text), `text` and `file` (the generated
-//! file). `wrong` makes mistakes for the tests of the proofs.
+//! `squares` (identities, definiteness of M; `trigonometry`), `tree` and `print` (sorted expressions as text), `text` and `file` (the
+//! generated file). `wrong` makes mistakes for the tests of the proofs.
 
 mod cell;
 mod check;

@@ -42,7 +42,7 @@ fn law_values(scene: &Scene, equations: &dyn Equations, x: &[f64]) -> Vec<f64> {
     k
 }
 
-/// The power that dampers and switches take, from the dissipation function and the lost forces.
+/// The power that dampers and switches dissipate, from the dissipation function and the lost forces.
 fn taken(scene: &Scene, equations: &dyn Equations, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
     let mut power = 2.0 * equations.dissipation(q_dot, k);
     for i in (0..scene.model.switches.len()).filter(|&i| equations.mode(i, 0).is_some()) {
@@ -190,6 +190,13 @@ fn a_harmonic_transmission_error_gives_the_amplitudes_of_the_closed_form() {
         let torque = turning.orders(run.output("mesh_torque").unwrap()).unwrap().at(n1).unwrap();
         let expected = n1 * 2e3 * (E * r * r / (1.0 - r * r)).abs();
         assert!(relative(torque, expected, 0.0) < 1e-4, "r = {r}: {torque} N*m, not {expected}");
+    }
+}
+
+#[test]
+fn every_model_declares_outputs() {
+    for model in common::models() {
+        assert!(model.outputs.iter().any(|output| output.unit == "rad/s"), "{} has no speed of a rotor", model.name);
     }
 }
 

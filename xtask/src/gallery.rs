@@ -48,28 +48,23 @@ impl Gallery {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
         let (scenes, plots) = (root.join("models/scenes"), root.join("models/scenes/plots"));
         fs::create_dir_all(&plots).with_context(|| format!("cannot make the folder {}", plots.display()))?;
-        for (scene, plot) in SCENES {
-            let out = root.join("out/gallery").join(scene);
-            let mut run = Command::new(env!("CARGO"));
-            run.args(["run", "--quiet", "--release", "--", "run"]).arg(scenes.join(scene).with_extension("toml"));
-            run.arg("--set").arg(format!("output.plots=[\"{plot}\"]")).arg("--out").arg(&out);
-            let status = run.current_dir(root).status().context("cannot start cargo")?;
+        let draw = |command: &str, scene: &str, arguments: &[&str], plot: &str, name: &str| {
+            let out = root.join("out/gallery").join(name);
+            let mut gearsim = Command::new(env!("CARGO"));
+            gearsim.args(["run", "--quiet", "--release", "--", command]);
+            gearsim.arg(scenes.join(scene).with_extension("toml")).args(arguments).arg("--out").arg(&out);
+            let status = gearsim.current_dir(root).status().context("cannot start cargo")?;
             if !status.success() {
-                bail!("the scene {scene} failed; its message is above");
+                bail!("{command} of the scene {scene} failed; its message is above");
             }
-            let (from, to) = (out.join(plot), plots.join(scene.replace('/', "_")));
+            let (from, to) = (out.join(plot), plots.join(name));
             let (from, to) = (from.with_extension("png"), to.with_extension("png"));
-            fs::copy(&from, &to).with_context(|| format!("cannot copy {} to {}", from.display(), to.display()))?;
+            fs::copy(&from, &to).with_context(|| format!("cannot copy {} to {}", from.display(), to.display()))
+        };
+        for (scene, plot) in SCENES {
+            draw("run", scene, &["--set", &format!("output.plots=[\"{plot}\"]")], plot, &scene.replace('/', "_"))?;
         }
-        let out = root.join("out/gallery/response");
-        let mut response = Command::new(env!("CARGO"));
-        response.args(["run", "--quiet", "--release", "--", "response", "models/scenes/response.toml", "--quiet"]);
-        response.args(RESPONSE).arg("--out").arg(&out);
-        let status = response.current_dir(root).status().context("cannot start cargo")?;
-        if !status.success() {
-            bail!("the response failed; its message is above");
-        }
-        fs::copy(out.join("response.png"), plots.join("response.png")).context("cannot copy the response")?;
+        draw("response", "response", &RESPONSE, "response", "response")?;
         println!("{}", plots.display());
         Ok(())
     }

@@ -134,7 +134,8 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all
 }
 
-/// Each output; nothing if the model has none. A sum without terms is -0.0, which is written as 0.
+/// The function that computes an output from its number; none if the model has no outputs. The sum with 0.0 turns the -0.0 of a sum
+/// without terms into 0.0.
 fn output(m: &Model) -> Option<Cold> {
     let outputs = m.outputs.iter().map(|output| with_lets(m, block(&output.value.sum))).map(|value| quote!({ #value }));
     let output = by_index("output", format_ident!("i"), outputs);

@@ -5,7 +5,7 @@ use syn::punctuated::Punctuated;
 use syn::{Ident, LitStr, Result, Token, braced, parenthesized};
 
 use crate::model::*;
-use crate::tokens::{choice, doc, list, number, peek_word, word};
+use crate::tokens::{choice, doc, list, number, peek_word, with, word};
 
 impl Parse for Coordinate {
     fn parse(input: ParseStream) -> Result<Self> {
@@ -23,12 +23,7 @@ impl Parse for Parameter {
             0 => Some(number(input)?),
             _ => None,
         };
-        let with = if default.is_none() && input.peek(Ident) {
-            word(input, "with")?;
-            Some(input.parse()?)
-        } else {
-            None
-        };
+        let with = if default.is_none() { with(input)? } else { None };
         input.parse::<Token![,]>()?;
         let low_included = choice(input, &["open", "from"])? == 1;
         let low = number(input)?;
@@ -53,12 +48,7 @@ impl Parse for Law {
         if rolling {
             word(input, "rolling")?;
         }
-        let with = if input.peek(Ident) {
-            word(input, "with")?;
-            Some(input.parse()?)
-        } else {
-            None
-        };
+        let with = with(input)?;
         let role = match (&with, input.parse::<Option<Token![as]>>()?) {
             (None, _) => Role::Stiffness,
             (_, None) => Role::Error,
@@ -192,12 +182,7 @@ impl Parse for Torque {
 impl Parse for Output {
     fn parse(input: ParseStream) -> Result<Self> {
         let (name, unit) = (input.parse()?, input.parse()?);
-        let with = if peek_word(input, "with") {
-            word(input, "with")?;
-            Some(input.parse()?)
-        } else {
-            None
-        };
+        let with = with(input)?;
         input.parse::<Token![,]>()?;
         let doc = input.parse()?;
         Ok(Self { unit, with, doc, value: Row { name, sum: list(input)? } })

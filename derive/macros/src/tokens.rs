@@ -44,6 +44,15 @@ pub fn doc(input: ParseStream) -> Result<LitStr> {
     Ok(doc)
 }
 
+/// `with EFFECT`, or nothing.
+pub fn with(input: ParseStream) -> Result<Option<Ident>> {
+    if !input.peek(Ident) {
+        return Ok(None);
+    }
+    word(input, "with")?;
+    input.parse().map(Some)
+}
+
 /// A number or `inf`, either with or without a minus.
 pub fn number(input: ParseStream) -> Result<f64> {
     let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1.0 } else { 1.0 };

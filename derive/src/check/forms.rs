@@ -46,8 +46,8 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The speed along which a torque works must be linear in the speeds, or it would have no generalised forces. A deflection must be a linear form without a constant term, less edges and
-/// transmission errors, or its rate would not be the same form of the speeds.
+/// The speed along which a torque works must be linear in the speeds, or it would have no generalised forces. A deflection must be a
+/// linear form without a constant term, less edges and transmission errors, or its rate would not be the same form of the speeds.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
     let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
     let slopes = |e: &Atom| -> Vec<(Atom, Atom)> {

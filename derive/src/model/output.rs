@@ -1,6 +1,6 @@
 //! Outputs: what can be observed of a model besides its coordinates, such as forces and losses.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Model;
 use super::switch::set;
@@ -55,11 +55,26 @@ impl Model {
         of(Kind::Spring, x)
     }
 
+    /// dV/dx of the named deflection `x`.
+    pub(super) fn spring_force(&self, x: &str) -> Atom {
+        slope(&self.potential, symbol(Kind::Deflection, x))
+    }
+
+    /// dD/dx' of the named deflection `x`.
+    pub(super) fn damper_force(&self, x: &str) -> Atom {
+        slope(&self.dissipation, symbol(Kind::Rate, &speed_name(x)))
+    }
+
     /// For outputs: the force of all that takes energy along the named deflection `x`: dampers, dD/dx', and the force of a switch
     /// whose work is lost.
     pub fn damper(&self, x: Expr) -> Expr {
         of(Kind::Damper, x)
     }
+}
+
+/// The derivative of a sum of energies by a symbol.
+fn slope(pieces: &[Expr], by: Symbol) -> Atom {
+    total(pieces.iter().map(|piece| piece.atom().derivative(by)).collect()).expand()
 }
 
 /// The symbol of a force along a deflection. Of what is no deflection it is undeclared, and is refused.
@@ -72,21 +87,16 @@ fn of(kind: Kind, x: Expr) -> Expr {
 
 /// Replaces the forces of springs and dampers in outputs by the derivatives of V and D.
 pub(super) fn complete(model: &mut Model) {
-    let by = |pieces: &[Expr], kind, name: &str| {
-        total(pieces.iter().map(|piece| piece.atom().derivative(symbol(kind, name))).collect())
-    };
     let written = |value: Expr| {
         let mut value = value.atom();
         for (kind, name) in symbols(&value) {
             let lost = model.switches.iter().filter(|switch| switch.over == name).map(|switch| switch.lost());
             let force = match kind {
-                Kind::Spring => by(&model.potential, Kind::Deflection, &name),
-                Kind::Damper => {
-                    by(&model.dissipation, Kind::Rate, &speed_name(&name)) + total(lost.collect::<Vec<Atom>>())
-                }
+                Kind::Spring => model.spring_force(&name),
+                Kind::Damper => model.damper_force(&name) + total(lost.collect()),
                 _ => continue,
             };
-            value = set(&value, symbol(kind, &name), &force.expand());
+            value = set(&value, symbol(kind, &name), &force);
         }
         Expr::new(value)
     };

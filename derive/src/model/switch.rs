@@ -2,7 +2,7 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, number, speed_name, symbol, total};
+use crate::expr::{Expr, Kind, number, symbol};
 use crate::model::{Deflection, Model};
 
 /// A switch: a deflection x, and a finite number of modes. In each mode the symbols of the switch are constant, and what ends it
@@ -214,11 +214,8 @@ impl Switch {
 pub(super) fn complete(model: &mut Model) {
     let mut switches = model.switches.clone();
     for switch in &mut switches {
-        let by = |pieces: &[Expr], kind, name: &str| {
-            total(pieces.iter().map(|piece| piece.atom().derivative(symbol(kind, name))).collect()).expand()
-        };
-        let spring = by(&model.potential, Kind::Deflection, &switch.over);
-        let damper = switch.neutral(&by(&model.dissipation, Kind::Rate, &speed_name(&switch.over)));
+        let spring = model.spring_force(&switch.over);
+        let damper = switch.neutral(&model.damper_force(&switch.over));
         let over = switch.over.clone();
         let written = |e: Expr| {
             let e = set(&e.atom(), symbol(Kind::Spring, &over), &spring);

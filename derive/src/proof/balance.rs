@@ -63,7 +63,7 @@ fn displacement_rate(model: &Model, through: &Atom) -> Atom {
     })
 }
 
-/// The rate of a named function or of a derivative of it: the next derivative times the rate of its position.
+/// The rate of a named function, or of one of its derivatives. It is the next derivative times the rate of the position.
 fn function_rate(model: &Model, name: &str) -> Option<Atom> {
     model.functions.iter().find_map(|function| {
         let order = (0..Function::ORDERS - 1).find(|order| function.derivative(*order) == name)?;

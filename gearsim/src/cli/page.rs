@@ -1,7 +1,6 @@
 //! `--html`: the interactive page of a result. A program built without the feature `html` says how to add it.
 
 use super::failure::Failure;
-use super::simulate::Source;
 
 /// Name of the page in the folder of a result.
 #[cfg(feature = "html")]
@@ -9,10 +8,7 @@ const FILE: &str = "page.html";
 
 /// The page asked for on the command line.
 #[cfg(feature = "html")]
-pub(super) struct Asked {
-    /// The text of the scene, as read before the run.
-    text: String,
-}
+pub(super) struct Asked;
 
 /// There is no value of this type: this program writes no pages.
 #[cfg(not(feature = "html"))]
@@ -20,7 +16,7 @@ pub(super) enum Asked {}
 
 /// The page, if `html` asks for it. Errors: [`Failure::Impossible`] if this program cannot write pages.
 #[cfg(not(feature = "html"))]
-pub(super) fn asked(html: bool, _source: &Source) -> Result<Option<Asked>, Failure> {
+pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
     if !html {
         return Ok(None);
     }
@@ -32,8 +28,8 @@ pub(super) fn asked(html: bool, _source: &Source) -> Result<Option<Asked>, Failu
 
 /// The page, if `html` asks for it. Errors: none with the feature `html`.
 #[cfg(feature = "html")]
-pub(super) fn asked(html: bool, source: &Source) -> Result<Option<Asked>, Failure> {
-    Ok(html.then(|| Asked { text: source.text() }))
+pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
+    Ok(html.then_some(Asked))
 }
 
 impl Asked {
@@ -47,7 +43,7 @@ impl Asked {
         summary: &crate::output::Summary,
     ) -> Result<(), Failure> {
         use crate::page;
-        let page = page::run::page(&page::run::Run { scene, text: &self.text, overrides, outcome, summary })?;
+        let page = page::run::page(&page::run::Run { scene, overrides, outcome, summary })?;
         folder.write(FILE, |sink| Ok(page.write(sink)?))?;
         Ok(())
     }

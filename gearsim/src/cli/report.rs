@@ -54,7 +54,7 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
     let lines = [
         ("method", method),
         ("simulated", reached),
-        ("end state", state(scene, summary)),
+        ("end state", summary.state_in_words(scene.model)),
         ("digits left", digits(summary)),
         ("cell changes", summary.cell_changes.to_string()),
         ("reflections", summary.reflections.to_string()),
@@ -142,14 +142,6 @@ fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
 /// The files written.
 pub(super) fn files(folder: &Path, files: &[String], width: usize) -> String {
     line("written to", &format!("{}: {}", folder.display(), files.join(", ")), width)
-}
-
-/// The coordinates and speeds at the end, with units.
-fn state(scene: &Scene, summary: &Summary) -> String {
-    let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
-    let entries = summary.state.0.iter().zip(units);
-    let entries = entries.map(|((name, x), unit)| format!("{name} = {} {unit}", number::short(x.0)));
-    entries.collect::<Vec<_>>().join(", ")
 }
 
 /// The number of digits left of the end state, or the time from which on none is left.

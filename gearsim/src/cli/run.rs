@@ -39,7 +39,7 @@ pub(super) struct Run {
 
 impl Verb for Run {
     fn run(self) -> Result<(), Failure> {
-        let page = page::asked(self.html, &self.source)?;
+        let page = page::asked(self.html)?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
         let outcome = simulate(&scene, self.quiet)?;

@@ -33,12 +33,6 @@ impl Source {
         Ok(scene)
     }
 
-    /// The text of the scene. It was read when the scene was loaded; a file that was removed since has the text "".
-    #[cfg(feature = "html")]
-    pub(super) fn text(&self) -> String {
-        std::fs::read_to_string(&self.scene).unwrap_or_default()
-    }
-
     /// Loads and checks the scene with `further` values set.
     pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
         let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();

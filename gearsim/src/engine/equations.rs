@@ -1,7 +1,8 @@
 //! The interface between a model and the engine. Its implementations are written by the `equations!` macro, never by hand.
 //!
 //! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by T =
-//! q'ᵀM(q) q'/2, V(q; k), D(q') and Q. In most models M is constant ([`Equations::is_inertia_constant`]); linear cells have constant M. Terms of effects that the set does not contain are not executed.
+//! q'ᵀM(q) q'/2, V(q; k), D(q') and Q. In most models M is constant ([`Equations::is_inertia_constant`]); linear cells have constant M.
+//! Terms of effects that the set does not contain are not executed.
 
 use nalgebra::{DMatrix, DVector, Scalar};
 use smallvec::SmallVec;
@@ -77,8 +78,8 @@ pub trait Equations: Send + Sync {
     fn inertia(&self, q: &[f64], _q_ddot: &[f64]) -> Matrix {
         Matrix::zeros(q.len(), q.len())
     }
-    /// Inverse of the mass matrix M⁻¹ at the coordinates `q` (n x n). If inertias differ by a factor of 1e10, the entries of M have lost ten digits of
-    /// the smaller ones. Small models override this function with a closed form that loses none.
+    /// Inverse of the mass matrix M⁻¹ at the coordinates `q` (n x n). If inertias differ by a factor of 1e10, the entries of M have lost
+    /// ten digits of the smaller ones. Small models override this function with a closed form that loses none.
     fn mobility(&self, q: &[f64]) -> Matrix {
         mobility(&self.mass(q))
     }

@@ -1,7 +1,7 @@
 //! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and what damping takes.
 //!
-//! P = M⁻¹, or what held phases leave of it; where M depends on q, so does P. The modes of switches do not change within a step: it may go beyond the end of its
-//! mode, and the forces go on smoothly there.
+//! P = M⁻¹, or what held phases leave of it; where M depends on q, so does P. The modes of switches do not change within a step: it may
+//! go beyond the end of its mode, and the forces go on smoothly there.
 
 use std::sync::Arc;
 

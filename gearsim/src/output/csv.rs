@@ -1,4 +1,5 @@
-//! A table as CSV: one header line with the names and, in brackets, the SI units, `theta [rad]`; numbers in the shortest form that reads back bit for bit.
+//! A table as CSV: one header line with the names and, in brackets, the SI units, `theta [rad]`; numbers in the shortest form that reads
+//! back bit for bit.
 //!
 //! Numbers that are not finite are written as `inf`, `-inf`, `NaN`.
 

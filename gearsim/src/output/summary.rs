@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use indexmap::IndexMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::OutputError;
+use super::{OutputError, number};
+use crate::model::Model;
 use crate::trajectory::Trajectory;
 
 mod observed;
@@ -160,6 +161,14 @@ pub struct Provenance {
 }
 
 impl Summary {
+    /// The coordinates and speeds at the end with their units, in words.
+    pub fn state_in_words(&self, model: &Model) -> String {
+        let units = model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
+        let entries = self.state.0.iter().zip(units);
+        let entries = entries.map(|((name, x), unit)| format!("{name} = {} {unit}", number::short(x.0)));
+        entries.collect::<Vec<_>>().join(", ")
+    }
+
     /// Fills `missing`: the reason for every number that is not finite.
     pub fn note_missing(&mut self) {
         let Energy { kinetic, strain, work, dissipated, residual, at_start, largest } = self.energy;

@@ -1,5 +1,6 @@
 //! Order cuts of a run-up: the amplitudes of mesh orders over the speed of the first shaft.
 
+use super::orders::{of, turnings};
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 use crate::analysis::orders::{SHAFT, Turning, cuts, first_shaft, mesh_orders};
@@ -25,12 +26,13 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let nothing = |why: &str| PlotError::Nothing { plot: PLOT.name, why: why.into() };
     let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+    let turning = turnings(runs, shaft)?;
     let mut panels = vec![];
     for unit in UNITS {
         let Some(output) = of_unit(first, unit).first().copied() else { continue };
         let mut series = vec![];
-        for run in runs {
-            curves(run, shaft.name, output, runs.len() > 1, &mut series)?;
+        for (run, turning) in runs.iter().zip(&turning) {
+            curves(run, (shaft, turning), output, runs.len() > 1, &mut series)?;
         }
         panels.push(Panel { y: Axis::linear(output.name, engineering(unit).0), series });
     }
@@ -46,23 +48,21 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
 /// Adds the curves of a run: one for each order, or for the lowest alone where runs are `compared`.
 fn curves(
     run: &Run<'_>,
-    shaft: &'static str,
+    (shaft, turning): (&Output, &Turning),
     output: &'static Output,
     compared: bool,
     series: &mut Vec<Series>,
 ) -> Result<(), PlotError> {
     let Some(column) = run.trajectory.output(output.name) else { return Ok(()) };
-    let failed = |source| PlotError::Spectrum { coordinate: output.name, run: run.label.to_owned(), source };
-    let turning = Turning::of(run.trajectory, shaft, 0.0).map_err(failed)?;
-    let mut wanted = wanted(run, &turning);
+    let mut wanted = wanted(run, turning);
     if compared {
         wanted.truncate(1);
         wanted[0].0 = run.label.to_owned();
     }
     let orders: Vec<f64> = wanted.iter().map(|(_, order)| *order).collect();
-    let cuts = cuts(&turning, column, &orders, WINDOW).map_err(failed)?;
+    let cuts = cuts(turning, column, &orders, WINDOW).map_err(of(run, output))?;
     if cuts.len() < LEAST {
-        let why = format!("the run has {} revolutions of {shaft}, and needs ten", turning.revolutions());
+        let why = format!("the run has {} revolutions of {}, and needs ten", turning.revolutions(), shaft.name);
         return Err(PlotError::Nothing { plot: PLOT.name, why });
     }
     let ((_, to_rpm), (_, factor)) = (engineering(SHAFT), engineering(output.unit));

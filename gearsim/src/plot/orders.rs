@@ -3,6 +3,8 @@
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 use crate::analysis::orders::{Turning, first_shaft, mesh_orders};
+use crate::analysis::spectrum::SpectrumError;
+use crate::model::Output;
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
@@ -18,22 +20,32 @@ const LONGEST: f64 = 4.5;
 /// Decades shown below the highest line.
 const DECADES: f64 = 1e-6;
 
+/// The samples of each run at the angles of a shaft.
+pub(super) fn turnings(runs: &[Run<'_>], shaft: &'static Output) -> Result<Vec<Turning>, PlotError> {
+    let turning = |run: &Run<'_>| Turning::of(run.trajectory, shaft.name, 0.0).map_err(of(run, shaft));
+    runs.iter().map(turning).collect()
+}
+
+/// Why an output of a run has no spectrum.
+pub(super) fn of(run: &Run<'_>, output: &'static Output) -> impl Fn(SpectrumError) -> PlotError {
+    move |source| PlotError::Spectrum { coordinate: output.name, run: run.label.to_owned(), source }
+}
+
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
     let mut panels = vec![];
+    let turning = turnings(runs, shaft)?;
     let (mut end, mut revolutions, mut meshes) = (f64::INFINITY, 0, String::new());
     for unit in UNITS {
         let Some(output) = of_unit(first, unit).first().copied() else { continue };
         let (shown, factor) = engineering(unit);
         let (mut series, mut peak) = (vec![], 0.0_f64);
-        for (n, run) in runs.iter().enumerate() {
+        for (n, (run, turning)) in runs.iter().zip(&turning).enumerate() {
             let Some(column) = run.trajectory.output(output.name) else { continue };
-            let spectrum = |source| PlotError::Spectrum { coordinate: output.name, run: run.label.to_owned(), source };
-            let turning = Turning::of(run.trajectory, shaft.name, 0.0).map_err(spectrum)?;
-            let orders = turning.orders(column).map_err(spectrum)?;
-            let of_meshes = mesh_orders(run.trajectory, &turning);
+            let orders = turning.orders(column).map_err(of(run, output))?;
+            let of_meshes = mesh_orders(run.trajectory, turning);
             let highest = of_meshes.iter().map(|(_, order)| *order).fold(0.0, f64::max);
             let longest = orders.order.last().copied().unwrap_or(0.0);
             end = end.min(if highest > 0.0 { longest.min(LONGEST * highest) } else { longest });

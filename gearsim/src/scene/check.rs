@@ -7,7 +7,7 @@ use crate::model::Model;
 
 const KEYS: [&str; 8] = ["about", "model", "effects", "parameters", "laws", "start", "run", "output"];
 
-/// Reads a scene without name and hash. `end` is the place where a missing table would be added. Returns `None` only if a mistake was
+/// Reads a scene without name, hash and text. `end` is the place where a missing table would be added. Returns `None` only if a mistake was
 /// reported.
 pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report: &mut Report) -> Option<Scene> {
     let entries = field::table("", root, report)?;
@@ -50,6 +50,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         solver: solver?,
         output: output?,
         hash: String::new(),
+        text: "".into(),
         warnings: vec![],
     };
     gear_data::check(&scene, entries, report);

@@ -110,6 +110,8 @@ pub use solver::{Precision, Solver};
 pub use template::Template;
 pub use time_history::TimeHistory;
 
+use std::sync::Arc;
+
 use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
 
@@ -143,6 +145,8 @@ pub struct Scene {
     pub output: Output,
     /// SHA-256 of the scene's text and overrides, in hexadecimal. It identifies the scene in every output.
     pub hash: String,
+    /// Its text in TOML, as read, without overrides.
+    pub text: Arc<str>,
     /// What is allowed, but odd: a sentence each.
     pub warnings: Vec<String>,
 }

@@ -1,6 +1,7 @@
 //! A scene that is parsed but not yet checked. Each point of a sweep applies its values to it.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
@@ -19,6 +20,7 @@ pub struct Template {
     end: Place,
     report: Report,
     hash: Sha256,
+    text: Arc<str>,
 }
 
 impl Template {
@@ -57,7 +59,8 @@ impl Template {
         };
         let end = text.trim_end().len();
         let hash = Sha256::new_with_prefix(text);
-        let mut template = Template { name: name.to_string(), root, end: origin.place(end..end), report, hash };
+        let (name, end, text) = (name.to_string(), origin.place(end..end), text.into());
+        let mut template = Template { name, root, end, report, hash, text };
         template.set("--set ", overrides);
         Ok(template)
     }
@@ -70,10 +73,10 @@ impl Template {
     pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         let mut all = self.clone();
         all.set("--vary ", values);
-        let Template { name, root, end, mut report, hash } = all;
+        let Template { name, root, end, mut report, hash, text } = all;
         match check::scene(&root, &end, models, &mut report) {
             Some(scene) if report.is_empty() => {
-                Ok(Scene { name, hash: hexadecimal(hash), warnings: report.into_warnings(), ..scene })
+                Ok(Scene { name, hash: hexadecimal(hash), text, warnings: report.into_warnings(), ..scene })
             }
             _ => Err(report.into_mistakes(&name)),
         }

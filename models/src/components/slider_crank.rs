@@ -8,7 +8,7 @@ use gearsim_derive::{Expr, Model, Range, half};
 use super::named;
 use super::observed::of_part;
 
-/// A piston that a crank moves by a rigid connecting rod. `theta` [rad] is the angle of the crank from the line of the piston.
+/// A piston that is driven by a crank through a rigid connecting rod. `theta` [rad] is the angle of the crank from the line of the piston.
 /// Declares the radius of the crank `r`, the length of the rod `l`, which must be longer, and the mass of the piston `m`. The mass of
 /// the rod is divided, as usual, between the piston and the crank pin, where it is part of the crank's inertia. Adds the kinetic
 /// energy of the piston, and its weight in the effect `gravity`. Returns its distance from the crank's axis [m].

@@ -33,7 +33,10 @@ pub enum Way {
 pub fn base(scene: &Scene) -> Scene {
     let mut names = scene.effects.names(scene.model);
     names.retain(|name| !DROPPING.contains(name));
-    with(scene, &names)
+    let mut base = with(scene, &names);
+    // Advice is about coordinates and energies: outputs would only cost time.
+    base.output.record.clear();
+    base
 }
 
 /// The candidates of `base`, a scene without effects that drop terms.

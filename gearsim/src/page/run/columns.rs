@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::Report;
+use crate::output::Table;
 use crate::output::table::{Column, Values};
 use crate::plot::rotates;
+use crate::trajectory::Trajectory;
 
 /// What a column is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,6 +32,7 @@ pub(super) struct Group<'a> {
 }
 
 /// A column with its numbers and its description, which may be empty.
+#[derive(Clone)]
 pub(super) struct Named<'a> {
     pub name: &'a str,
     pub doc: String,
@@ -80,10 +82,12 @@ impl Group<'_> {
 }
 
 /// The columns of the run's table in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first.
-pub(super) fn groups<'a>(report: &'a Report<'_>) -> Vec<Group<'a>> {
+pub(super) fn groups<'a>(trajectory: &Trajectory, table: &'a Table) -> Vec<Group<'a>> {
     let mut groups: Vec<Group<'a>> = vec![];
-    for column in report.table.columns() {
-        let (Values::Number(values), Some((kind, doc))) = (&column.values, describe(report, column)) else { continue };
+    for column in table.columns() {
+        let (Values::Number(values), Some((kind, doc))) = (&column.values, describe(trajectory, column)) else {
+            continue;
+        };
         let named = Named { name: &column.name, doc, values: Cow::Borrowed(values) };
         match groups.iter_mut().find(|group| (group.kind, group.unit) == (kind, &*column.unit)) {
             Some(group) => group.columns.push(named),
@@ -97,18 +101,18 @@ pub(super) fn groups<'a>(report: &'a Report<'_>) -> Vec<Group<'a>> {
 }
 
 /// The kind and the description of a column; `None` for the time.
-fn describe(report: &Report<'_>, column: &Column) -> Option<(Kind, String)> {
+fn describe(trajectory: &Trajectory, column: &Column) -> Option<(Kind, String)> {
     let name = &*column.name;
-    let trajectory = &report.run.outcome.trajectory;
     if name == "t" {
         return None;
     }
     for coordinate in trajectory.model.coordinates {
-        let rotates = rotates(trajectory, coordinate.name);
         if name == coordinate.name {
+            let rotates = rotates(trajectory, name);
             return Some((if rotates { Kind::Rotation } else { Kind::Deflection }, coordinate.doc.to_owned()));
         }
         if name.strip_suffix("_dot") == Some(coordinate.name) {
+            let rotates = rotates(trajectory, coordinate.name);
             return Some((if rotates { Kind::Speed } else { Kind::Rate }, format!("rate of: {}", coordinate.doc)));
         }
     }

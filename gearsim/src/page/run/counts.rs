@@ -20,7 +20,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         ("rejected steps", summary.method.rejected, "tried again with a shorter step"),
         ("evaluations", counts.function_evaluations, "of the solution, or of the right-hand side"),
         ("steps of root finding", counts.root_steps, "to locate events"),
-        ("recorded rows", report.table.rows() as u64, "samples, and both sides of events"),
+        ("recorded rows", report.run.outcome.trajectory.len() as u64, "samples, and both sides of events"),
     ];
     let row =
         |(name, count, what): (&str, u64, &str)| vec![Cell::text(name), Cell::Number(count as f64), Cell::text(what)];

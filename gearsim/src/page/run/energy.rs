@@ -1,7 +1,7 @@
 //! The energy account: its parts against time, and their values at the start and at the end.
 
 use super::Report;
-use super::columns::{self, Group, Kind};
+use super::columns::{Group, Kind};
 use super::motion;
 use crate::output::number::short;
 use crate::page::html::{Cell, Html};
@@ -11,8 +11,8 @@ const SHOWN: [&str; 5] = ["energy", "kinetic", "strain", "work", "dissipated"];
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
-    let Some(all) = columns::groups(report).into_iter().find(|group| group.kind == Kind::Energy) else { return };
-    if report.table.rows() == 0 {
+    let Some(all) = report.groups.iter().find(|group| group.kind == Kind::Energy) else { return };
+    if report.run.outcome.trajectory.is_empty() {
         return;
     }
     let energy = &report.run.summary.energy;
@@ -30,9 +30,9 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     if let Some(refuted) = &report.run.summary.refuted {
         html.note(&format!("The account does not close, so the result is wrong: {refuted}"));
     }
-    table(&all, html);
-    let Group { kind, unit, columns } = all;
-    let (residual, mut parts): (Vec<_>, Vec<_>) = columns.into_iter().partition(|c| c.name == "residual");
+    table(all, html);
+    let Group { kind, unit, ref columns } = *all;
+    let (residual, mut parts): (Vec<_>, Vec<_>) = columns.iter().cloned().partition(|c| c.name == "residual");
     for part in &mut parts {
         let start = part.values.first().copied().unwrap_or(0.0);
         part.values = part.values.iter().map(|x| x - start).collect();

@@ -1,4 +1,4 @@
-//! What the run came to, how it was solved, and what a reader has to know.
+//! The result of the run, the method that solved it, and the notes that a reader must see.
 
 use super::Report;
 use crate::output::number::{short, time};
@@ -17,8 +17,6 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         [] => "none".to_owned(),
         effects => effects.join(", "),
     };
-    let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
-    let state = summary.state.0.iter().zip(units).map(|((name, x), unit)| format!("{name} = {} {unit}", short(x.0)));
     let method = format!("{}: {}", summary.method.name, summary.method.why);
     html.pairs([
         ("model", format!("{}, {}", scene.model.name, scene.model.title)),
@@ -26,7 +24,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         ("method", method),
         ("solver", summary.provenance.solver.clone()),
         ("simulated", format!("{} s of {} s", short(summary.t_end.0), short(scene.t_end))),
-        ("end state", state.collect::<Vec<_>>().join(", ")),
+        ("end state", summary.state_in_words(scene.model)),
         ("digits left", digits(report)),
         ("processor time", time(summary.cpu_seconds.0)),
     ]);

@@ -17,6 +17,7 @@ use super::html::Html;
 use crate::output::{OutputError, Summary, Table};
 use crate::run::Outcome;
 use crate::scene::Scene;
+use columns::Group;
 use rows::Rows;
 
 /// The sections, from top to bottom.
@@ -44,8 +45,6 @@ struct Section {
 pub struct Run<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Its text in TOML, as read.
-    pub text: &'a str,
     /// The values set on the command line.
     pub overrides: &'a [String],
     /// The outcome.
@@ -54,10 +53,10 @@ pub struct Run<'a> {
     pub summary: &'a Summary,
 }
 
-/// What sections are made of: the run, and its table with the rows that the page has of it.
+/// What sections are made of: the run, the columns of its table, and the rows that the page has of them.
 struct Report<'a> {
     run: &'a Run<'a>,
-    table: Table,
+    groups: Vec<Group<'a>>,
     rows: Rows,
 }
 
@@ -65,7 +64,8 @@ struct Report<'a> {
 pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
     let table = Table::of_trajectory(&run.outcome.trajectory)?;
     let rows = Rows::of(&table);
-    let report = Report { run, table, rows };
+    let groups = columns::groups(&run.outcome.trajectory, &table);
+    let report = Report { run, groups, rows };
     let scene = run.scene;
     let subtitle = if scene.about.is_empty() { scene.model.title } else { &scene.about };
     let mut page = Page::new(&scene.name, subtitle);

@@ -1,7 +1,7 @@
 //! The motion: speeds, signals and deflections against time, a plot for each unit.
 
 use super::Report;
-use super::columns::{self, Group, Kind};
+use super::columns::{Group, Kind};
 use crate::page::data::Counts;
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Plot};
@@ -20,7 +20,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
             trajectory.len()
         ));
     }
-    for group in columns::groups(report).iter().filter(|group| group.kind != Kind::Energy) {
+    for group in report.groups.iter().filter(|group| group.kind != Kind::Energy) {
         let shown = |i: usize| group.shown(i);
         plot(report, html, group.title(), group, &shown);
     }

@@ -1,21 +1,20 @@
 //! Extremes, mean and rms of every column.
 
 use super::Report;
-use super::columns;
+use super::columns::Named;
 use crate::page::html::{Cell, Html};
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let t = &report.run.outcome.trajectory.t;
-    let row = |unit: &str, column: &columns::Named<'_>| {
+    let row = |unit: &str, column: &Named<'_>| {
         let finite = || column.values.iter().copied().filter(|x| x.is_finite());
         let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let (mean, rms) = means(t, &column.values);
         let numbers = [low, high, mean, rms, column.values.last().copied().unwrap_or(f64::NAN)].map(Cell::Number);
         [Cell::text(column.name), Cell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>()
     };
-    let groups = columns::groups(report);
-    let rows = groups.iter().flat_map(|group| group.columns.iter().map(|column| row(group.unit, column)));
+    let rows = report.groups.iter().flat_map(|group| group.columns.iter().map(|column| row(group.unit, column)));
     let rows: Vec<_> = rows.collect();
     if !t.is_empty() {
         html.paragraph("Over the recorded rows. Mean, and rms about the mean, weigh each interval by its length.");

@@ -1,4 +1,4 @@
-//! The rows that a page has of a table: all of them, or of a very long run the extremes over every few rows.
+//! The rows of a table that a page contains: all rows or, if the run is very long, the smallest and the largest value of every few rows.
 
 use crate::output::Table;
 use crate::output::table::Values;

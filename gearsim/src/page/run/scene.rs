@@ -6,7 +6,7 @@ use crate::page::html::{Cell, Html};
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = report.run;
-    html.code(&format!("{}.toml, as read", run.scene.name), run.text, true);
+    html.code(&format!("{}.toml, as read", run.scene.name), &run.scene.text, true);
     if !run.overrides.is_empty() {
         html.code("Values set on the command line", &run.overrides.join("\n"), true);
     }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::Report;
-use super::columns::{self, Group, Kind};
+use super::columns::{Group, Kind};
 use crate::analysis::spectrum::{SpectrumError, segment_length, uniform_samples, welch};
 use crate::model::Role;
 use crate::output::number::short;
@@ -36,7 +36,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         short(hertz),
     ));
     let kinds = [Kind::Speed, Kind::Signal, Kind::Deflection];
-    for group in columns::groups(report).iter().filter(|group| kinds.contains(&group.kind)) {
+    for group in report.groups.iter().filter(|group| kinds.contains(&group.kind)) {
         if let Err(error) = plot(report, html, group, &rows, rate) {
             html.note(&format!("There is no spectrum of {}: {error}.", group.title().to_lowercase()));
         }

@@ -1,4 +1,4 @@
-//! Response curves against closed forms, and where two steady motions exist.
+//! Tests of response curves: against closed forms, and at speeds where two steady motions exist.
 
 use std::f64::consts::TAU;
 
