@@ -77,7 +77,7 @@ impl Verdict {
 impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
         let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
-        let scene = Scene::load(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
+        let scene = Scene::load_with(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let base = advise::base(&scene);
         let advice = of(&base)?;

@@ -10,7 +10,7 @@ fn advice(name: &str, set: &[&str]) -> advise::Advice {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{name}.toml"));
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let set: Vec<_> = set.iter().map(ToString::to_string).collect();
-    let scene = Scene::load(&path, &set, &models).unwrap();
+    let scene = Scene::load_with(&path, &set, &models).unwrap();
     advise::of(&crate::analysis::advise::base(&scene)).unwrap()
 }
 
