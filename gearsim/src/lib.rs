@@ -63,6 +63,6 @@ pub mod trajectory;
 
 pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
-pub use library::{Error, Results, SceneBuilder, Value, Variation};
+pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation};
 pub use run::{Entry, Outcome};
 pub use scene::Scene;

@@ -19,6 +19,7 @@ mod analyses;
 mod build;
 mod error;
 pub(crate) mod files;
+mod job;
 pub(crate) mod provenance;
 mod results;
 mod value;
@@ -26,6 +27,7 @@ mod vary;
 
 pub use build::SceneBuilder;
 pub use error::Error;
+pub use job::{Gathering, Job, Rows};
 pub use results::Results;
 pub use value::Value;
 pub use vary::Variation;
