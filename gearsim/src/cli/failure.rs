@@ -1,7 +1,6 @@
 //! The errors of commands, and their exit codes.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use super::terminal;
 use crate::engine::{Refusal, Stop};
@@ -93,7 +92,7 @@ impl Failure {
     }
 
     /// Prints the message, and returns the exit code.
-    pub(super) fn report(&self) -> ExitCode {
+    pub(super) fn report(&self) -> u8 {
         match self {
             // If the help cannot be printed because the pipe is closed, that is no further error.
             Failure::Usage(error) => terminal::note(error.print()),
@@ -103,17 +102,17 @@ impl Failure {
         if self.code() == 0 {
             return done();
         }
-        ExitCode::from(self.code())
+        self.code()
     }
 }
 
 /// The exit code of a command that is done: 1 if its output could not be written.
-pub(super) fn done() -> ExitCode {
+pub(super) fn done() -> u8 {
     match terminal::failed() {
-        None => ExitCode::SUCCESS,
+        None => 0,
         Some(why) => {
             terminal::error(&format!("cannot write to stdout: {why}"));
-            ExitCode::from(1)
+            1
         }
     }
 }

@@ -114,6 +114,11 @@ pub fn run(own: &[Entry]) -> ExitCode {
 
 /// The same with other arguments; the first is the name of the program.
 pub fn run_with(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    ExitCode::from(status(own, arguments))
+}
+
+/// The same; the exit code as a number.
+pub fn status(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> u8 {
     known::add(own);
     let result = program().try_get_matches_from(arguments).map_err(Failure::Usage).and_then(|matches| {
         let given = |command: &&Command| matches.subcommand_name() == Some((command.describe)().get_name());

@@ -23,6 +23,15 @@ impl Scene {
         Ok(Scene::parse(name, name, text, &[], &known::descriptions())?)
     }
 
+    /// The same with values set on top of the text, each as `KEY=VALUE`. A scene travels to another process as its name, text and
+    /// overrides.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn from_toml_with(name: &str, text: &str, overrides: &[String]) -> Result<Scene, Error> {
+        Ok(Template::parse(name, name, text, &[])?.edited(overrides).scene(&[], &known::descriptions())?)
+    }
+
     /// Begins a scene of a model without a file. Its values are set one by one; all that a scene file may state can be set.
     ///
     /// ```
