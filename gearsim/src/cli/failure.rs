@@ -48,6 +48,22 @@ pub(super) enum Failure {
     Refuted { run: String, account: Account, folder: PathBuf },
 }
 
+impl From<crate::library::Error> for Failure {
+    fn from(error: crate::library::Error) -> Failure {
+        use crate::library::Error;
+        match error {
+            Error::Scene(mistakes) => Failure::Scene(mistakes),
+            Error::Refused { scene, refusal } => Failure::Refused { scene, refusal },
+            Error::Impossible { what, help } => Failure::Impossible { what, help },
+            Error::Output(error) => Failure::Output(error),
+            Error::Plot(error) => Failure::Output(OutputError::format("plot", error)),
+            Error::Floquet(error) => {
+                Failure::Impossible { what: "the scene has no Floquet multipliers".into(), help: error.to_string() }
+            }
+        }
+    }
+}
+
 impl From<crate::sweep::Error> for Failure {
     fn from(error: crate::sweep::Error) -> Failure {
         match error {

@@ -15,6 +15,7 @@
 //! The methods of a [`Scene`] are here, not beside its definition, because they use all that is below: the engine, the analyses, the
 //! plots. The command line is made of them too.
 
+pub mod advise;
 mod analyses;
 mod build;
 mod error;
