@@ -42,10 +42,11 @@ impl Verb for Advise {
         let width = terminal::width();
         let dropped = scene.effects != advise::base(&scene).effects;
         terminal::print_out(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
-        match advice.refuted {
+        match (advice.stopped, advice.refuted) {
+            (Some(stop), _) => Err(Failure::StoppedAdvice { scene: scene.name, stop }),
             // The deviations are those from a wrong result.
-            Some(account) => Err(Failure::RefutedAdvice { scene: scene.name, account }),
-            None => Ok(()),
+            (None, Some(account)) => Err(Failure::RefutedAdvice { scene: scene.name, account }),
+            (None, None) => Ok(()),
         }
     }
 }
