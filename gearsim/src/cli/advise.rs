@@ -26,7 +26,7 @@ Examples:
   gearsim advise models/scenes/oh2005/spectrum_4500rpm_exact.toml --set parameters.T0=\"50 N*m\""
 )]
 pub(super) struct Advise {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// Sets a value of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]

@@ -25,7 +25,7 @@ pub(super) use report::{Progress, summary_text};
 #[derive(Parser)]
 #[command(name = "sweep", after_help = after_help())]
 pub(super) struct SweepCommand {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// A key of the scene and its values, e.g. --vary parameters.T0="1 N*m:100 N*m:50"; may be repeated
     #[arg(long, value_name = "KEY=VALUES", required = true)]

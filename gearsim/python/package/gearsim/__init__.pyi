@@ -62,6 +62,7 @@ class Gathering:
     """The folder of a sweep under way."""
 
     def finish(self) -> Table: ...
+    def close(self) -> None: ...
 
 class Job:
     """The points of a sweep, which can be run in parts."""
