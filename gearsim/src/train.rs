@@ -41,6 +41,8 @@ pub struct Part {
     pub values: Vec<usize>,
     /// Number of laws among `values`.
     pub laws: usize,
+    /// Number of switches.
+    pub switches: usize,
     /// Torques.
     pub torques: Vec<usize>,
     /// Outputs.

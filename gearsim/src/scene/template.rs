@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 use super::document::{self, Node, Origin, Place, Value};
 use super::mistake::Report;
 use super::overrides::{CODE, SET, Setting, VARY};
-use super::{Scene, SceneMistakes, check, keys, overrides};
+use super::{Scene, SceneMistakes, check, keys, overrides, train};
 use crate::model::Model;
 use crate::tolerance::scene::SCENE_BYTES;
 
@@ -119,7 +119,14 @@ impl Template {
     pub fn model(&self, models: &[&'static Model]) -> Option<&'static Model> {
         let Value::Table(entries) = &self.root.value else { return None };
         match &keys::get(entries, "model")?.value {
-            Value::Text(name) => models.iter().copied().find(|model| model.name == name),
+            Value::Text(name) => {
+                let model = models.iter().copied().find(|model| model.name == name)?;
+                match model.elements.is_empty() {
+                    true => Some(model),
+                    // Mistakes are reported where the scene is read.
+                    false => Some(train::read(model, &mut entries.clone(), &self.root, &mut self.report())?.0),
+                }
+            }
             _ => None,
         }
     }

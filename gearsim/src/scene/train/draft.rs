@@ -1,6 +1,6 @@
 //! What the tables of a train say, by names.
 
-use crate::scene::document::{Entry, Node, Place};
+use crate::scene::document::{Node, Place};
 
 /// A product of powers of parameters, by their names.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,8 +98,6 @@ pub(super) struct Draft {
     pub values: Vec<(String, Node)>,
     /// Laws that stand in the tables.
     pub laws: Vec<(String, Node)>,
-    /// The tables, by their places.
-    pub tables: Vec<Entry>,
 }
 
 /// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.

@@ -21,7 +21,6 @@ use super::document::{Entry, Node};
 use super::mistake::Report;
 use crate::model::Model;
 use crate::train::Train;
-use draft::Draft;
 use std::sync::Arc;
 
 /// Reads the train that a scene lists. `elements` are the descriptions of the elements. The values in its tables are moved to `[parameters]`

@@ -286,8 +286,10 @@ impl Reader<'_> {
         let gears = [0, 1].map(|i| Gear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
         let psi = gears.iter().filter_map(|gear| gear.rotor).map(|rotor| Term::new(rotor, 1.0, &[])).collect();
         let element = if internal { "element_mesh" } else { "element_mesh_with_friction" };
-        let first = ends[0].map_or(GROUND.into(), |i| self.draft.rotors[i].name.clone());
-        self.geared(item.name.to_string(), item, element, gears, 1.0, &first, (!internal).then_some(psi));
+        let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
+        let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
+        let radius = Geometry { name: radius, unit: "m", doc: format!("base radius of gear {first}") };
+        self.geared(item.name.to_string(), item, element, gears, radius, (!internal).then_some(psi));
         self.radius(item, &teeth[0]);
     }
 
@@ -364,18 +366,15 @@ impl Reader<'_> {
     }
 
     /// Adds a mesh of two gears with the deflection h (Q_1 + sense Q_2), where Q are the pitch counts.
-    #[allow(clippy::too_many_arguments, reason = "what a mesh is")]
     pub fn geared(
         &mut self,
         name: String,
         item: &Item<'_>,
         element: &'static str,
         gears: [Gear; 2],
-        planet: f64,
-        first: &str,
+        radius: Geometry,
         psi: Option<Terms>,
     ) -> usize {
-        let _ = planet;
         let same = |a: &Gear, b: &Gear| a.rotor == b.rotor && a.carrier == b.carrier && a.teeth == b.teeth;
         let has = |group: &Group, gear: &Gear| group.gears.iter().any(|g| gear.rotor.is_some() && same(g, gear));
         let found: Vec<usize> = (0..self.draft.groups.len())
@@ -383,13 +382,10 @@ impl Reader<'_> {
             .collect();
         let group = match found[..] {
             [] => {
-                let radius = named("r", if gears[0].teeth == named("N", first) { first } else { &name });
-                let doc = format!("base radius of gear {first}");
-                self.draft.geometry.push(Geometry { name: radius.clone(), unit: "m", doc });
-                let group = Group {
-                    mesh: name.clone(), phases: vec![], gears: vec![], radius, meshes: vec![], parts: vec![],
-                };
-                self.draft.groups.push(group);
+                let mesh = name.clone();
+                let (phases, gears, meshes, parts) = (vec![], vec![], vec![], vec![]);
+                self.draft.groups.push(Group { mesh, phases, gears, radius: radius.name.clone(), meshes, parts });
+                self.draft.geometry.push(radius);
                 self.draft.groups.len() - 1
             }
             [only] => only,
