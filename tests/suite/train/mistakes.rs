@@ -18,17 +18,18 @@ fn refused(tables: &str) -> String {
 fn each_is_named_with_its_place() {
     let shaft = "[shafts.s]\nbetween = [\"a\", \"b\"]\nstiffness = \"1 kN*m/rad\"\n";
     for (tables, said) in [
-        ("".to_string(), "lacks [rotors]"),
+        ("".to_string(), "lacks `[rotors]`"),
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"x\"]\n"), "there is no rotor `x`"),
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"a\"]\n"), "joins a rotor with itself"),
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\"]\n"), "must have two names, not 1"),
-        (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"b\"]\n"), "lacks k_s"),
+        (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"b\"]\n"), "lacks `k_s`"),
         (format!("{ROTORS}{shaft}stifness = 1\n"), "did you mean `stiffness`?"),
         (format!("{ROTORS}{shaft}[supports.s]\nrotor = \"c\"\nstiffness = \"1 N*m/rad\"\n"), "would both have the parameter `k_s`"),
         ("[rotors]\na = \"-1 kg*m^2\"\n".into(), "must be positive"),
         ("[rotors]\na = \"1 kg\"\n".into(), "kg*m^2"),
         ("[rotors]\n\"a b\" = \"1 kg*m^2\"\n".into(), "cannot be a name"),
         ("[rotors]\nground = \"1 kg*m^2\"\n".into(), "cannot be a name"),
+        (format!("{ROTORS}{shaft}"), "rotor `c` is joined to nothing"),
         (format!("{ROTORS}[bearings.x]\nrotor = \"a\"\n"), "has no friction"),
         (format!("{ROTORS}[parameters]\nI_a = \"1 kg*m^2\"\n"), "is stated twice"),
         (

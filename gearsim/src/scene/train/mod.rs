@@ -32,8 +32,9 @@ pub(super) fn read(
     report: &mut Report,
 ) -> Option<(&'static Model, Arc<Train>)> {
     let draft = read::draft(entries, root, report)?;
-    senses::check(&draft, report)?;
+    let (joined, agree) = (senses::joined(&draft, report), senses::check(&draft, report));
     let draft = tables::fill(draft, entries, report)?;
+    joined.and(agree)?;
     let values = tables::numbers(&draft, entries);
     compose::model(bare, &draft, &values, report)
 }

@@ -1,7 +1,25 @@
-//! The directions of rotation in a train: along every loop of shafts and meshes they must agree.
+//! What joins the rotors of a train: each is joined to something, and along every loop of shafts and meshes the directions of rotation agree.
 
-use super::draft::Draft;
+use super::draft::{Draft, DraftPart};
 use crate::scene::mistake::Report;
+
+/// Reports rotors on which nothing acts but their own inertia.
+pub(super) fn joined(draft: &Draft, report: &mut Report) -> Option<()> {
+    let before = report.len();
+    for part in draft.parts.iter().filter(|part| part.element == "element_rotor") {
+        let Some(rotor) = draft.rotors.iter().position(|rotor| rotor.name == part.name) else { continue };
+        let acts = |other: &DraftPart| {
+            other.element != "element_rotor" && other.rows.iter().flatten().any(|term| term.rotor == rotor)
+        };
+        let rigid = draft.joints.iter().any(|joint| joint.ends.contains(&rotor));
+        if draft.rotors.len() > 1 && !rigid && !draft.parts.iter().any(acts) {
+            let message = format!("rotor `{}` is joined to nothing", part.name);
+            let help = "name it in a shaft, mesh, clutch, support, bearing, drive or load, or leave it out";
+            report.add(&part.place, message, "no part acts on it", help);
+        }
+    }
+    (report.len() == before).then_some(())
+}
 
 /// Reports loops in which a rotor would turn in both directions at once.
 pub(super) fn check(draft: &Draft, report: &mut Report) -> Option<()> {
