@@ -194,3 +194,18 @@ fn write_a_table_writes_the_same_rows_twice_and_a_plot() {
     let last = csv.lines().last().unwrap().split(',').next().unwrap();
     assert_eq!(last.parse::<f64>().unwrap(), *table.numbers("t").unwrap().last().unwrap());
 }
+
+#[test]
+fn the_examples_are_as_many_and_as_short_as_the_readme_says() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let files: Vec<_> =
+        std::fs::read_dir(format!("{root}/gearsim/examples")).unwrap().map(|f| f.unwrap().path()).collect();
+    let readme = std::fs::read_to_string(format!("{root}/README.md")).unwrap();
+    assert!(files.len() == 11 && readme.contains("Eleven programs of less than 40 lines"), "{} examples", files.len());
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.lines().count() < 40, "{} has {} lines", file.display(), text.lines().count());
+        let name = file.file_stem().unwrap().to_str().unwrap();
+        assert!(include_str!("examples.rs").contains(&format!("\nmod {name};")), "{name} is not tested");
+    }
+}

@@ -38,7 +38,7 @@ impl Tutorial {
             fs::remove_dir_all(&folder).context("cannot remove the crate of an earlier run")?;
         }
         let mut new = Command::new(env!("CARGO"));
-        new.args(["run", "--quiet", "--locked", "--package", "gearsim", "--", "new"])
+        new.args(["run", "--quiet", "--release", "--locked", "--package", "gearsim", "--", "new"])
             .arg(&folder)
             .arg("--gearsim")
             .arg(&root);

@@ -1,9 +1,12 @@
 //! The command line. Each command has one file and one entry in [`COMMANDS`].
 
 mod advise;
+mod check;
 mod compare;
+mod completions;
 mod failure;
 mod floquet;
+mod man;
 mod merge;
 mod models;
 mod modes;
@@ -13,6 +16,7 @@ mod progress;
 mod report;
 mod response;
 mod run;
+mod scene;
 mod simulate;
 mod sweep;
 mod terminal;
@@ -42,8 +46,12 @@ const COMMANDS: &[Command] = &[
     Command::of::<modes::Modes>(),
     Command::of::<floquet::FloquetCommand>(),
     Command::of::<work_precision::WorkPrecision>(),
+    Command::of::<check::Check>(),
+    Command::of::<scene::SceneCommand>(),
     Command::of::<models::Models>(),
     Command::of::<new::New>(),
+    Command::of::<completions::Completions>(),
+    Command::of::<man::ManCommand>(),
 ];
 
 /// A command: its description for clap, and the function that runs it.
@@ -114,6 +122,11 @@ pub fn run(own: &[Entry]) -> ExitCode {
 
 /// The same with other arguments; the first is the name of the program.
 pub fn run_with(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    ExitCode::from(status(own, arguments))
+}
+
+/// The same; the exit code as a number.
+pub fn status(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> u8 {
     known::add(own);
     let result = program().try_get_matches_from(arguments).map_err(Failure::Usage).and_then(|matches| {
         let given = |command: &&Command| matches.subcommand_name() == Some((command.describe)().get_name());

@@ -15,7 +15,7 @@ use crate::scene::Scene;
 /// The scene to simulate, and the folder for the results.
 #[derive(Args)]
 pub(super) struct Source {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// Folder for the results; created if missing, older results in it are replaced
     #[arg(long, value_name = "DIR")]

@@ -23,6 +23,15 @@ impl Scene {
         Ok(Scene::parse(name, name, text, &[], &known::descriptions())?)
     }
 
+    /// The same with values set on top of the text, each as `KEY=VALUE`. A scene travels to another process as its name, text and
+    /// overrides.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn from_toml_with(name: &str, text: &str, overrides: &[String]) -> Result<Scene, Error> {
+        Ok(Template::parse(name, name, text, &[])?.edited(overrides).scene(&[], &known::descriptions())?)
+    }
+
     /// Begins a scene of a model without a file. Its values are set one by one; all that a scene file may state can be set.
     ///
     /// ```
@@ -48,8 +57,16 @@ impl Scene {
     /// # Errors
     /// If there is no such key, or the value is not valid for it.
     pub fn with(&self, key: &str, value: impl Into<Value>) -> Result<Scene, Error> {
+        self.with_all([(key, value.into())])
+    }
+
+    /// The same scene with several other values; it is checked once, with all of them.
+    ///
+    /// # Errors
+    /// As [`Scene::with`].
+    pub fn with_all<'a>(&self, values: impl IntoIterator<Item = (&'a str, Value)>) -> Result<Scene, Error> {
         let mut overrides = self.overrides.clone();
-        overrides.push(value.into().set(key, Some(self.model)));
+        overrides.extend(values.into_iter().map(|(key, value)| value.set(key, Some(self.model))));
         Ok(Template::again(self, &overrides)?.scene(&[], &known::descriptions())?)
     }
 }

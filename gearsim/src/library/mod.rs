@@ -15,17 +15,22 @@
 //! The methods of a [`Scene`] are here, not beside its definition, because they use all that is below: the engine, the analyses, the
 //! plots. The command line is made of them too.
 
+pub mod advise;
 mod analyses;
 mod build;
 mod error;
 pub(crate) mod files;
+mod job;
 pub(crate) mod provenance;
 mod results;
+mod starter;
 mod value;
 mod vary;
 
 pub use build::SceneBuilder;
 pub use error::Error;
+pub use job::{Gathering, Job, Rows};
 pub use results::Results;
+pub use starter::starter;
 pub use value::Value;
 pub use vary::Variation;

@@ -1,13 +1,13 @@
 //! A scene at many values: sweeps and response curves.
 
-use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 
-use super::Error;
+use super::{Error, Job};
 use crate::known;
 use crate::output::Table;
 use crate::scene::{Scene, Template};
 use crate::sweep::response::Response;
-use crate::sweep::{Request, Sweep, row};
+use crate::sweep::{Request, Sweep};
 
 impl Scene {
     /// Begins a sweep over an axis, written as for the option `--vary`: `start.speed=100 rpm:6000 rpm:200`,
@@ -64,19 +64,17 @@ impl Variation {
     ///
     /// # Errors
     /// All mistakes in the axes and the request. No point has run then.
-    pub fn run(self) -> Result<Table, Error> {
-        let sweep = self.sweep()?;
-        let points: Vec<usize> = (0..sweep.points).collect();
-        let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-        let mut rows = Vec::with_capacity(points.len());
-        let keep = |new| {
-            rows.extend(new);
-            Ok(())
-        };
-        sweep.run(&points, threads, keep, |_| {})?;
-        rows.sort_by_key(|row: &row::Row| row.point);
-        let units = row::units(&sweep.plan, sweep.entry.model);
-        Ok(row::table(&sweep.plan, &sweep.columns(), &units, &rows.iter().collect::<Vec<_>>())?)
+    pub fn run(&self) -> Result<Table, Error> {
+        let job = self.job()?;
+        job.table(&job.run(0..job.points(), |_| ControlFlow::Continue(()))?)
+    }
+
+    /// The checked sweep, whose points can be run in parts, on other machines too.
+    ///
+    /// # Errors
+    /// As [`Variation::run`].
+    pub fn job(&self) -> Result<Job, Error> {
+        Job::new(self.sweep()?, &self.request)
     }
 
     /// The response curve over the only axis: every point starts from the settled state before it, upward, then downward. Statistics
@@ -84,7 +82,7 @@ impl Variation {
     ///
     /// # Errors
     /// If there is more than one axis, its values do not rise, or the scene records no output.
-    pub fn response(self) -> Result<Response, Error> {
+    pub fn response(&self) -> Result<Response, Error> {
         Ok(self.sweep()?.response(true, &mut |_| {})?)
     }
 

@@ -53,6 +53,11 @@ impl Table {
         &self.columns
     }
 
+    /// The columns, in order, for who needs the table no longer.
+    pub fn into_columns(self) -> Vec<Column> {
+        self.columns
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |c| c.values.len())

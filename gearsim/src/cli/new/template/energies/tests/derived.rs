@@ -8,7 +8,8 @@ use gearsim_derive::{Model, derive};
 fn the_derived_files_are_current() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/generated");
     for (name, describe) in energies::MODELS {
-        let derivation = derive(&Model::new(name, describe)).unwrap_or_else(|slip| panic!("{slip}"));
+        let model = Model::new(name, describe);
+        let derivation = derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
         for (file, derived) in derivation.files(energies::HOME) {
             let committed = std::fs::read_to_string(folder.join(&file)).unwrap_or_default();
             assert!(derived == committed, "{file} is not current: run `cargo derive {name}`");
