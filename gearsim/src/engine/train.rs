@@ -54,8 +54,7 @@ impl Source for Elements {
         let n = train.coordinates.len();
         let square = || nalgebra::DMatrix::from_element(n, n, zero);
         let load = nalgebra::DVector::from_element(n, zero);
-        let mut all =
-            Matrices { mass: square(), mobility: None, damping: square(), stiffness: square(), load };
+        let mut all = Matrices { mass: square(), mobility: None, damping: square(), stiffness: square(), load };
         for (part, rows) in train.parts.iter().zip(&geometry.rows) {
             let own: Vec<Df64> = part.parameters.iter().map(|i| i.map_or(zero, |i| parameters[i])).collect();
             let of_laws: Vec<Df64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
@@ -175,8 +174,18 @@ impl Assembly {
         let varying = (0..parts.len()).filter(|&i| !parts[i].is_linear).collect();
         let mobility = mobility(&mass);
         Assembly {
-            n, parts, varying, linear, laws: of_laws, switches, deflections, torques: of_torques, outputs: of_outputs,
-            mass, mobility, motions,
+            n,
+            parts,
+            varying,
+            linear,
+            laws: of_laws,
+            switches,
+            deflections,
+            torques: of_torques,
+            outputs: of_outputs,
+            mass,
+            mobility,
+            motions,
         }
     }
 

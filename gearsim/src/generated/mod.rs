@@ -3,7 +3,7 @@
 mod train;
 
 use crate::run::Entry;
-pub use train::{ELEMENTS, TRAIN};
+pub use train::{ELEMENTS, TRAIN, TRAIN_SCENE};
 
 #[rustfmt::skip]
 pub mod backlash_oscillator;

@@ -42,7 +42,7 @@ pub static TRAIN: Model = Model {
     switches: &[],
     nonlinear: "",
     nonlinear_with: &[],
-    equations: include_str!("train.txt"),
+    equations: concat!(include_str!("train.txt"), include_str!("train.toml")),
     latex: "",
     elements: &[
         &super::element_rotor::ElementRotor::MODEL,
@@ -62,3 +62,6 @@ pub static TRAIN: Model = Model {
         &super::element_clutch::ElementClutch::MODEL,
     ],
 };
+
+/// A scene to start from.
+pub const TRAIN_SCENE: &str = include_str!("train.toml");

@@ -124,6 +124,11 @@ impl Template {
         &self.name
     }
 
+    /// Its text, without overrides.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// SHA-256 of the text and of the overrides, each after a zero byte. Without overrides it is the hash of the file.
     pub fn hash(&self) -> String {
         hexadecimal(self.hash.clone())

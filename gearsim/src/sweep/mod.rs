@@ -144,6 +144,11 @@ impl Sweep {
         self.template.name()
     }
 
+    /// The text of the scene, without overrides.
+    pub fn text(&self) -> &str {
+        self.template.text()
+    }
+
     /// SHA-256 of the scene with its overrides, without the values of a point.
     pub fn hash(&self) -> String {
         self.template.hash()

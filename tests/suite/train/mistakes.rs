@@ -24,7 +24,10 @@ fn each_is_named_with_its_place() {
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\"]\n"), "must have two names, not 1"),
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"b\"]\n"), "lacks `k_s`"),
         (format!("{ROTORS}{shaft}stifness = 1\n"), "did you mean `stiffness`?"),
-        (format!("{ROTORS}{shaft}[supports.s]\nrotor = \"c\"\nstiffness = \"1 N*m/rad\"\n"), "would both have the parameter `k_s`"),
+        (
+            format!("{ROTORS}{shaft}[supports.s]\nrotor = \"c\"\nstiffness = \"1 N*m/rad\"\n"),
+            "would both have the parameter `k_s`",
+        ),
         ("[rotors]\na = \"-1 kg*m^2\"\n".into(), "must be positive"),
         ("[rotors]\na = \"1 kg\"\n".into(), "kg*m^2"),
         ("[rotors]\n\"a b\" = \"1 kg*m^2\"\n".into(), "cannot be a name"),
@@ -33,12 +36,16 @@ fn each_is_named_with_its_place() {
         (format!("{ROTORS}[bearings.x]\nrotor = \"a\"\n"), "has no friction"),
         (format!("{ROTORS}[parameters]\nI_a = \"1 kg*m^2\"\n"), "is stated twice"),
         (
-            format!("{ROTORS}{shaft}[meshes.m]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nmodule = \"2 mm\"\nstiffness = \"1e8 N/m\"\n"),
+            format!(
+                "{ROTORS}{shaft}[meshes.m]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nmodule = \"2 mm\"\nstiffness = \"1e8 N/m\"\n"
+            ),
             "block one another",
         ),
         (
-            format!("{ROTORS}[meshes.m]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nstiffness = \"rigid\"\n\
-                     [meshes.n]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nstiffness = \"rigid\"\n"),
+            format!(
+                "{ROTORS}[meshes.m]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nstiffness = \"rigid\"\n\
+                     [meshes.n]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nstiffness = \"rigid\"\n"
+            ),
             "closes a loop of rigid gears",
         ),
         (

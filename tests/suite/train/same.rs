@@ -48,9 +48,18 @@ const PLANETARY: Pair = Pair {
     tables: "[rotors]\ns={}\nc={}\nr={}\n[planets.p]\nsun='s'\ncarrier='c'\nring='r'\ncount=3\nteeth=[27,99]\n\
              [supports]\nr={rotor='r'}\n[drives]\nmotor={rotor='s'}\n[loads]\nload={rotor='c'}\n",
     renamed: &[
-        ("Z_s = 27\n", ""), ("Z_r = 99\n", ""), ("r_s =", "rs_p ="), ("alpha =", "alpha_p ="), ("I_p =", "Ip_p ="),
-        ("m_p =", "mp_p ="), ("k_s1.", "k_p_s1."), ("k_s2.", "k_p_s2."), ("k_s3.", "k_p_s3."), ("k_r1.", "k_p_r1."),
-        ("k_r2.", "k_p_r2."), ("k_r3.", "k_p_r3."),
+        ("Z_s = 27\n", ""),
+        ("Z_r = 99\n", ""),
+        ("r_s =", "rs_p ="),
+        ("alpha =", "alpha_p ="),
+        ("I_p =", "Ip_p ="),
+        ("m_p =", "mp_p ="),
+        ("k_s1.", "k_p_s1."),
+        ("k_s2.", "k_p_s2."),
+        ("k_s3.", "k_p_s3."),
+        ("k_r1.", "k_p_r1."),
+        ("k_r2.", "k_p_r2."),
+        ("k_r3.", "k_p_r3."),
     ],
 };
 
@@ -105,7 +114,10 @@ fn events(run: &Outcome) -> [u64; 5] {
 fn columns(run: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
     let outputs = run.trajectory.outputs.iter().map(|(output, values)| (output.name, values.clone()));
     let energies = [("kinetic", &run.trajectory.kinetic), ("strain", &run.trajectory.strain)];
-    outputs.chain(energies.map(|(name, values)| (name, values.clone()))).filter(|(name, _)| !name.contains("loss")).collect()
+    outputs
+        .chain(energies.map(|(name, values)| (name, values.clone())))
+        .filter(|(name, _)| !name.contains("loss"))
+        .collect()
 }
 
 #[test]

@@ -131,8 +131,7 @@ fn inverse<R: Sized64>(rows: &[Vec<R>]) -> Vec<Vec<R>> {
 pub(super) fn add<R: Real>(sum: &mut DMatrix<R>, m: &DMatrix<R>, rows: &DMatrix<R>) {
     let zero = R::from(0.0);
     let (own, n) = (rows.nrows(), rows.ncols());
-    let present: Vec<Vec<usize>> =
-        (0..own).map(|i| (0..n).filter(|&j| rows[(i, j)] != zero).collect()).collect();
+    let present: Vec<Vec<usize>> = (0..own).map(|i| (0..n).filter(|&j| rows[(i, j)] != zero).collect()).collect();
     for a in 0..own {
         for b in 0..own {
             let x = m[(a, b)];

@@ -57,7 +57,9 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
         }
         let doc = match &group.parts[..] {
             [_] => format!("mean rotation of the gears of mesh {}, in which one pitch is 2 pi", group.mesh),
-            _ => format!("rotation of the gears that mesh with those of mesh {}, in which one pitch is 2 pi", group.mesh),
+            _ => {
+                format!("rotation of the gears that mesh with those of mesh {}, in which one pitch is 2 pi", group.mesh)
+            }
         };
         let name = super::draft::named("phase", &group.mesh);
         coordinates.push(Chosen { form, name, unit: "rad", doc, fixed: false, rolling: false });
@@ -90,7 +92,14 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
         if span.add(&dense(&form)) {
             let name = &draft.rotors[rotor].name;
             let doc = format!("rotation of rotor {name}");
-            coordinates.push(Chosen { form, name: super::draft::named("theta", name), unit: "rad", doc, fixed: false, rolling: false });
+            coordinates.push(Chosen {
+                form,
+                name: super::draft::named("theta", name),
+                unit: "rad",
+                doc,
+                fixed: false,
+                rolling: false,
+            });
         }
     }
     // Springs determine all but the rigid motions. Of the coordinates, one for each rigid motion has a place of its own at the start.
@@ -114,7 +123,8 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
         free.iter().copied().filter(|&rotor| held.add(&dense(&vec![Term::new(rotor, 1.0, &[])]))).collect();
     let motion = |&input: &usize| {
         let still = independent.iter().map(|form| (form.clone(), 0.0));
-        let turning = inputs.iter().map(|&rotor| (vec![Term::new(rotor, 1.0, &[])], f64::from(u8::from(rotor == input))));
+        let turning =
+            inputs.iter().map(|&rotor| (vec![Term::new(rotor, 1.0, &[])], f64::from(u8::from(rotor == input))));
         (input, still.chain(turning).collect())
     };
     let motions = inputs.iter().map(motion).collect();
@@ -129,7 +139,8 @@ fn candidates(group: &Group) -> Vec<Terms> {
     gears.sort_by_key(|&i| std::cmp::Reverse(meshes(i)));
     let count = |&i: &usize| {
         let gear = &group.gears[i];
-        let term = |rotor: Option<usize>, sign: f64| rotor.map(|r| Term::new(r, sign * gear.sense, &[(&gear.teeth, 1)]));
+        let term =
+            |rotor: Option<usize>, sign: f64| rotor.map(|r| Term::new(r, sign * gear.sense, &[(&gear.teeth, 1)]));
         [term(gear.rotor, 1.0), term(gear.carrier, -1.0)].into_iter().flatten().collect::<Terms>()
     };
     let counts = gears.iter().map(count);

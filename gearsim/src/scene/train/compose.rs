@@ -33,7 +33,8 @@ pub(super) fn model(
             let group = &draft.groups[group];
             let part = &draft.parts[group.parts[0]];
             let message = format!("the gears of mesh {} have no phase of their own", group.mesh);
-            let help = "their rotation follows from that of other gears; leave out one of the meshes, or make a shaft elastic";
+            let help =
+                "their rotation follows from that of other gears; leave out one of the meshes, or make a shaft elastic";
             report.add(&part.place, message, "no phase", help);
             return None;
         }
@@ -91,7 +92,18 @@ impl<'a> Composer<'a> {
         let (parameters, owners, effects, laws) = (vec![], HashMap::new(), vec![], vec![]);
         let (switches, torques, outputs, nonlinear_with) = (vec![], vec![], vec![], vec![]);
         Composer {
-            bare, draft, basis, parameters, owners, effects, merged, laws, switches, torques, outputs, nonlinear_with,
+            bare,
+            draft,
+            basis,
+            parameters,
+            owners,
+            effects,
+            merged,
+            laws,
+            switches,
+            torques,
+            outputs,
+            nonlinear_with,
         }
     }
 
@@ -100,7 +112,15 @@ impl<'a> Composer<'a> {
         for g in &self.draft.geometry {
             let range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
             let (name, doc) = (leak(g.name.as_str()), leak(g.doc.as_str()));
-            self.parameters.push(Parameter { name, unit: g.unit, default: None, with: None, varies: false, range, doc });
+            self.parameters.push(Parameter {
+                name,
+                unit: g.unit,
+                default: None,
+                with: None,
+                varies: false,
+                range,
+                doc,
+            });
         }
         let mut parts = vec![];
         let mut symbols = 0;
@@ -219,7 +239,17 @@ impl<'a> Composer<'a> {
         }
         let torques = (first..self.torques.len()).collect();
         let outputs = model.outputs.iter().map(|output| self.output(part, output)).collect();
-        Part { element, rows: vec![], parameters, effects, values, laws: model.laws.len(), switches: model.switches.len(), torques, outputs }
+        Part {
+            element,
+            rows: vec![],
+            parameters,
+            effects,
+            values,
+            laws: model.laws.len(),
+            switches: model.switches.len(),
+            torques,
+            outputs,
+        }
     }
 
     fn parameter(&mut self, part: &DraftPart, p: &Parameter, report: &mut Report) -> Option<usize> {

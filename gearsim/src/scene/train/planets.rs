@@ -7,8 +7,21 @@ use crate::scene::{field, keys};
 use crate::tolerance::scene::PLANETS;
 
 const KEYS: [&str; 15] = [
-    "sun", "ring", "carrier", "teeth", "planet_teeth", "count", "at", "base_radius", "module", "pressure_angle", "mass",
-    "inertia", "sun_stiffness", "ring_stiffness", "backlash",
+    "sun",
+    "ring",
+    "carrier",
+    "teeth",
+    "planet_teeth",
+    "count",
+    "at",
+    "base_radius",
+    "module",
+    "pressure_angle",
+    "mass",
+    "inertia",
+    "sun_stiffness",
+    "ring_stiffness",
+    "backlash",
 ];
 
 impl Reader<'_> {
@@ -58,7 +71,10 @@ impl Reader<'_> {
         self.radius_of_sun(item, z_s, r_s);
         let Some(carrier) = carrier else { return };
         self.value(named("mp", set), item.get("mass"));
-        self.value(named("np", set), Some(&Node { value: Value::Number(places.len() as f64), place: item.place.clone() }));
+        self.value(
+            named("np", set),
+            Some(&Node { value: Value::Number(places.len() as f64), place: item.place.clone() }),
+        );
         self.value(named("alpha", set), item.get("pressure_angle"));
         let renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
         let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
@@ -76,7 +92,14 @@ impl Reader<'_> {
         let (rows, place) = (vec![vec![Term::new(rotor, 1.0, &[])]], item.place.clone());
         self.draft.rotors.push(Rotor { name: name.clone(), of: None });
         let renamed = vec![("I_x", inertia)];
-        self.draft.parts.push(DraftPart { element: "element_rotor", name, place, renamed, rows, called: String::new() });
+        self.draft.parts.push(DraftPart {
+            element: "element_rotor",
+            name,
+            place,
+            renamed,
+            rows,
+            called: String::new(),
+        });
         rotor
     }
 
@@ -93,7 +116,12 @@ impl Reader<'_> {
         let [Some(s), Some(r)] = numbers else { return None };
         if r <= s {
             let help = "the ring has more teeth than the sun: teeth = [27, 99]";
-            self.report.add(&ring.place, format!("`{path}` has a ring of {r} teeth round a sun of {s}"), "too few", help);
+            self.report.add(
+                &ring.place,
+                format!("`{path}` has a ring of {r} teeth round a sun of {s}"),
+                "too few",
+                help,
+            );
             return None;
         }
         let planet = item.get("planet_teeth").cloned();

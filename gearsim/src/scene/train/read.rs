@@ -135,7 +135,12 @@ impl Reader<'_> {
         let items = field::array(&path, node, "[\"motor\", \"1\"]", self.report)?;
         let [a, b] = items else {
             let help = "a part is between two rotors: between = [\"motor\", \"1\"]";
-            self.report.add(&node.place, format!("`{path}` must have two names, not {}", items.len()), "two names", help);
+            self.report.add(
+                &node.place,
+                format!("`{path}` must have two names, not {}", items.len()),
+                "two names",
+                help,
+            );
             return None;
         };
         let ends = [self.end(&path, a, ground), self.end(&path, b, ground)];
@@ -308,7 +313,8 @@ impl Reader<'_> {
             }
         };
         let names = [0, 1].map(|i| {
-            let rotor = ends[i].map_or_else(|| format!("{}_{GROUND}", item.name), |i| self.draft.rotors[i].name.clone());
+            let rotor =
+                ends[i].map_or_else(|| format!("{}_{GROUND}", item.name), |i| self.draft.rotors[i].name.clone());
             let own = named("N", &rotor);
             let (Some(given), Some(before)) = (given, self.draft.values.iter().find(|value| value.0 == own)) else {
                 return own;
@@ -409,7 +415,8 @@ impl Reader<'_> {
         let [first, second] = [of.gears[0].teeth.clone(), of.radius.clone()];
         let count = |gear: &Gear, number: f64, powers: &[(&str, i32)]| {
             let all = [&[(gear.teeth.as_str(), 1)], powers].concat();
-            let of = |rotor: Option<usize>, sign: f64| rotor.map(|rotor| Term::new(rotor, sign * number * gear.sense, &all));
+            let of =
+                |rotor: Option<usize>, sign: f64| rotor.map(|rotor| Term::new(rotor, sign * number * gear.sense, &all));
             [of(gear.rotor, 1.0), of(gear.carrier, -1.0)].into_iter().flatten().collect::<Terms>()
         };
         let h = [(second.as_str(), 1), (first.as_str(), -1)];
@@ -474,7 +481,10 @@ const DRIVES: Kinds = &[
         &[("breakdown_torque", "Tb"), ("breakdown_slip", "sb"), ("synchronous_speed", "ns")],
     ),
 ];
-const LOADS: Kinds = &[("torque", "element_load", &[("", "T")]), ("fan", "element_fan", &[("coefficient", "cf"), ("corner_speed", "w0")])];
+const LOADS: Kinds = &[
+    ("torque", "element_load", &[("", "T")]),
+    ("fan", "element_fan", &[("coefficient", "cf"), ("corner_speed", "w0")]),
+];
 
 /// The rotation of the first rotor relative to the second.
 fn difference([a, b]: [Option<usize>; 2]) -> Terms {
