@@ -35,7 +35,7 @@ pub(super) struct Advise {
 
 impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
-        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
+        let models = known::descriptions();
         let scene = Scene::load_with(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let advice = scene.advise()?;

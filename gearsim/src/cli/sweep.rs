@@ -50,7 +50,8 @@ pub(super) struct SweepCommand {
     from: String,
     #[command(flatten)]
     plots: PlotOptions,
-    /// Runs only shard I of N of the points; `gearsim merge` joins the shards
+    /// Runs only shard I of N of the points; `gearsim merge` joins the shards. auto: that of
+    /// this task in a job array of Slurm; auto/N: in one of Kubernetes
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
     shard: Shard,
     /// Number of threads, at most 1024 [default: one per core]
