@@ -9,13 +9,18 @@
 //! directions, and both rotations are positive. Sun, ring, carrier and planets of one set have the same positive direction.
 
 mod basis;
+mod bodies;
 mod compose;
 mod draft;
+mod gears;
+mod groups;
+mod merge;
 mod planets;
 mod read;
 mod senses;
 mod tables;
 mod text;
+mod torques;
 
 use super::document::{Entry, Node};
 use super::mistake::Report;
