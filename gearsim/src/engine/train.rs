@@ -76,6 +76,10 @@ impl Source for Elements {
     }
 }
 
+/// Largest numbers of coordinates and values of an element whose forces are computed without a vector of any length.
+const COORDINATES: usize = 3;
+const VALUES: usize = 8;
+
 /// A part with its equations.
 struct Placed {
     part: Part,
@@ -115,6 +119,29 @@ impl Placed {
     #[inline]
     fn slopes(&self, dk: &[f64]) -> Vector {
         Vector::from_fn(self.part.laws, |i| dk.get(self.part.values[i]).copied().unwrap_or(0.0))
+    }
+
+    /// Adds its forces; called at every step, so that its numbers are in arrays.
+    #[inline]
+    fn add_force(&self, [q, q_dot, k, dk]: [&[f64]; 4], force: &mut [f64]) {
+        let (n, values, laws) = (self.rows.len(), &self.part.values[..], self.part.laws);
+        if n > COORDINATES || values.len() > VALUES {
+            let mut own = Vector::zeros(n);
+            self.equations.write_force(&self.at(q), &self.at(q_dot), &self.values(k), &self.slopes(dk), &mut own);
+            self.rows.iter().zip(own.iter()).for_each(|(row, f)| row.add_to(*f, force));
+            return;
+        }
+        let (mut x, mut x_dot, mut own) = ([0.0; COORDINATES], [0.0; COORDINATES], [0.0; COORDINATES]);
+        let (mut of_k, mut of_dk) = ([0.0; VALUES], [0.0; VALUES]);
+        for (i, row) in self.rows.iter().enumerate() {
+            (x[i], x_dot[i]) = row.dot_both(q, q_dot);
+        }
+        values.iter().zip(&mut of_k).for_each(|(&i, x)| *x = k[i]);
+        values[..laws].iter().zip(&mut of_dk).for_each(|(&i, x)| *x = dk.get(i).copied().unwrap_or(0.0));
+        self.equations.write_force(&x[..n], &x_dot[..n], &of_k[..values.len()], &of_dk[..laws], &mut own[..n]);
+        for (row, f) in self.rows.iter().zip(own).filter(|(_, f)| *f != 0.0) {
+            row.add_to(f, force);
+        }
     }
 
     /// A gradient by its coordinates as one by those of the train.
@@ -250,9 +277,7 @@ impl Equations for Assembly {
     fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
         self.linear.write_force(q, q_dot, force);
         for p in self.varying() {
-            let mut own = Vector::zeros(p.rows.len());
-            p.equations.write_force(&p.at(q), &p.at(q_dot), &p.values(k), &p.slopes(dk), &mut own);
-            p.rows.iter().zip(own.iter()).for_each(|(row, f)| row.add_to(*f, force));
+            p.add_force([q, q_dot, k, dk], force);
         }
     }
 

@@ -39,3 +39,23 @@ fn losses_sum_to_the_account() {
     let account = run.trajectory.dissipated.last().copied().expect("rows");
     assert!((sum - account).abs() < 1e-3 * account, "losses {sum} J, account {account} J");
 }
+
+/// A set of effects has 64 bits: of more parts the effects are those of the train.
+#[test]
+fn seventy_bearings_share_their_effect() {
+    let mut text = String::from("model = \"train\"\neffects = [\"viscous_friction\"]\n[start]\nspeed = \"100 rpm\"\n");
+    text += "[run]\nt_end = \"10 ms\"\n[rotors]\n";
+    (0..70).for_each(|i| text += &format!("r{i} = \"0.1 kg*m^2\"\n"));
+    (0..70).for_each(|i| text += &format!("[bearings.b{i}]\nrotor = \"r{i}\"\nviscous = \"0.5 N*m*s/rad\"\n"));
+    (1..70).for_each(|i| {
+        text += &format!("[shafts.s{i}]\nbetween = [\"r{}\", \"r{i}\"]\nstiffness = \"1 kN*m/rad\"\n", i - 1);
+    });
+    let scene = gearsim::scene::Scene::parse("train", "train.toml", &text, &[], &common::models())
+        .unwrap_or_else(|mistakes| panic!("{}", mistakes.render(100, false)));
+    assert!(scene.model.effects.len() < 64 && scene.model.coordinates.len() == 70);
+    let run = common::run(&scene);
+    // Without a load all rotors slow down alike: omega = omega_0 exp(-c t/I).
+    let speed = run.trajectory.output("rotor_speed_r69").expect("a speed").last().copied().expect("rows");
+    let expected = 100.0 * std::f64::consts::TAU / 60.0 * (-0.5f64 * 0.01 / 0.1).exp();
+    assert!((speed - expected).abs() < 1e-12 * expected, "{speed}, not {expected}");
+}

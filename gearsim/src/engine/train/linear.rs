@@ -19,6 +19,17 @@ impl Sparse {
         self.0.iter().map(|&(i, x)| x * q[i as usize]).sum()
     }
 
+    /// The products with two vectors.
+    #[inline]
+    pub fn dot_both(&self, q: &[f64], q_dot: &[f64]) -> (f64, f64) {
+        let (mut x, mut x_dot) = (0.0, 0.0);
+        for &(i, factor) in &self.0 {
+            x += factor * q[i as usize];
+            x_dot += factor * q_dot[i as usize];
+        }
+        (x, x_dot)
+    }
+
     /// Adds a multiple of the row.
     #[inline]
     pub fn add_to(&self, factor: f64, sum: &mut [f64]) {
@@ -70,8 +81,8 @@ impl Linear {
     pub fn write_force(&self, q: &[f64], q_dot: &[f64], force: &mut [f64]) {
         force.copy_from_slice(&self.load);
         for Spring { row, stiffness, damping } in &self.springs {
-            let f = stiffness * row.dot(q) + damping * row.dot(q_dot);
-            row.add_to(-f, force);
+            let (x, x_dot) = row.dot_both(q, q_dot);
+            row.add_to(-(stiffness * x + damping * x_dot), force);
         }
     }
 }

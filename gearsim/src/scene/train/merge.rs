@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::compose::{Composer, element, leak, own, said, shown};
-use super::draft::DraftPart;
+use super::draft::{DraftPart, named};
 use crate::model::{Effect, Law, Output, Parameter, Switch, Torque};
 use crate::scene::mistake::Report;
 use crate::train::Part;
@@ -48,7 +48,8 @@ impl Composer<'_> {
         for (effect, term) in model.nonlinear_with {
             let with = self.renamed(part, effect);
             if !self.nonlinear_with.iter().any(|known| known.0 == with) {
-                self.nonlinear_with.push((with, term));
+                let joint = named("", &part.name);
+                self.nonlinear_with.push((with, leak(term.replace("_x", &joint))));
             }
         }
         let torques = (first..self.torques.len()).collect();

@@ -37,9 +37,10 @@ pub(super) fn read(
     report: &mut Report,
 ) -> Option<(&'static Model, Arc<Train>)> {
     let draft = read::draft(entries, root, report)?;
-    let (joined, agree) = (senses::joined(&draft, report), senses::check(&draft, report));
+    senses::joined(&draft, report);
+    let agree = senses::check(&draft, report);
     let draft = tables::fill(draft, entries, report)?;
-    joined.and(agree)?;
+    agree?;
     let values = tables::numbers(&draft, entries);
     compose::model(bare, &draft, &values, report)
 }

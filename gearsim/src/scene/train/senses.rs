@@ -4,8 +4,7 @@ use super::draft::{Draft, DraftPart};
 use crate::scene::mistake::Report;
 
 /// Reports rotors on which nothing acts but their own inertia.
-pub(super) fn joined(draft: &Draft, report: &mut Report) -> Option<()> {
-    let before = report.len();
+pub(super) fn joined(draft: &Draft, report: &mut Report) {
     for part in draft.parts.iter().filter(|part| part.element == "element_rotor") {
         let Some(rotor) = draft.rotors.iter().position(|rotor| rotor.name == part.name) else { continue };
         let acts = |other: &DraftPart| {
@@ -18,7 +17,6 @@ pub(super) fn joined(draft: &Draft, report: &mut Report) -> Option<()> {
             report.add(&part.place, message, "no part acts on it", help);
         }
     }
-    (report.len() == before).then_some(())
 }
 
 /// Reports loops in which a rotor would turn in both directions at once.
