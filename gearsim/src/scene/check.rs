@@ -23,7 +23,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let (model, train) = match model {
         Some(bare) if !bare.elements.is_empty() => {
             let entries = listed.insert(entries.to_vec());
-            let (model, train) = train::read(bare, entries, root, report)?;
+            let (model, train) = train::read(bare, entries, [&root.place, end], report)?;
             (Some(model), Some(train))
         }
         derived => (derived, None),

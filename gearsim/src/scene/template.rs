@@ -143,7 +143,9 @@ impl Template {
                 match model.elements.is_empty() {
                     true => Some(model),
                     // Mistakes are reported where the scene is read.
-                    false => Some(train::read(model, &mut entries.clone(), &self.root, &mut self.report())?.0),
+                    false => Some(
+                        train::read(model, &mut entries.clone(), [&self.root.place, &self.end], &mut self.report())?.0,
+                    ),
                 }
             }
             _ => None,

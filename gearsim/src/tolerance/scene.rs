@@ -76,6 +76,9 @@ pub(crate) const SWEEP_POINTS: usize = 10_000_000;
 /// Largest number of planets of a set \[1\]: more do not fit between a sun and a ring of usual gears. A larger number is refused.
 pub const PLANETS: f64 = 24.0;
 
+/// Largest number of rotors of a train \[1\]: the cost of a cell grows with its cube. A larger number is refused.
+pub const ROTORS: usize = 512;
+
 /// Coordinates of trains are independent if what one has beyond the others is more than this part of it \[1\]. A smaller part is taken as a
 /// rounding error of radii and ratios.
 pub const INDEPENDENT: f64 = 1e-9;

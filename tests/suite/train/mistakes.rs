@@ -32,6 +32,7 @@ fn each_is_named_with_its_place() {
         ("[rotors]\na = \"1 kg\"\n".into(), "kg*m^2"),
         ("[rotors]\n\"a b\" = \"1 kg*m^2\"\n".into(), "cannot be a name"),
         ("[rotors]\nground = \"1 kg*m^2\"\n".into(), "cannot be a name"),
+        ("[rotors]\n".into(), "at least one rotor"),
         (format!("{ROTORS}{shaft}"), "rotor `c` is joined to nothing"),
         (format!("{ROTORS}[bearings.x]\nrotor = \"a\"\n"), "has no friction"),
         (format!("{ROTORS}[parameters]\nI_a = \"1 kg*m^2\"\n"), "is stated twice"),

@@ -107,7 +107,7 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
     let independent: Vec<Terms> =
         elastic.into_iter().filter(|(_, vector)| held.add(vector)).map(|(form, _)| form).collect();
     let vectors: Vec<Vec<f64>> = coordinates.iter().map(|chosen: &Chosen| dense(&chosen.form)).collect();
-    for i in 0..coordinates.len() {
+    for i in 0..draft.groups.len() {
         // Along a phase that rolls, all other coordinates and all deflections stay as they are.
         let mut others = held.clone();
         vectors.iter().enumerate().filter(|(j, _)| *j != i).for_each(|(_, vector)| {

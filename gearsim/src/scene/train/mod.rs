@@ -22,24 +22,24 @@ mod tables;
 mod text;
 mod torques;
 
-use super::document::{Entry, Node};
+use super::document::{Entry, Place};
 use super::mistake::Report;
 use crate::model::Model;
 use crate::train::Train;
 use std::sync::Arc;
 
-/// Reads the train that a scene lists. `elements` are the descriptions of the elements. The values in its tables are moved to `[parameters]`
-/// and `[laws]` of `entries`. `None` if a mistake was reported.
+/// Reads the train that a scene lists; `bare` has the elements. The values in its tables are moved to `[parameters]` and `[laws]` of
+/// `entries`. The places are those of the scene's begin, and of its end, where tables would be added. `None` if a mistake was reported.
 pub(super) fn read(
     bare: &'static Model,
     entries: &mut Vec<Entry>,
-    root: &Node,
+    [root, end]: [&Place; 2],
     report: &mut Report,
 ) -> Option<(&'static Model, Arc<Train>)> {
     let draft = read::draft(entries, root, report)?;
     senses::joined(&draft, report);
     let agree = senses::check(&draft, report);
-    let draft = tables::fill(draft, entries, report)?;
+    let draft = tables::fill(draft, entries, end, report)?;
     agree?;
     let values = tables::numbers(&draft, entries);
     compose::model(bare, &draft, &values, report)

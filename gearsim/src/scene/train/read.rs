@@ -5,16 +5,17 @@ use super::draft::{Draft, DraftPart, Joint, Terms};
 use crate::scene::document::{Entry, Node, Place};
 use crate::scene::mistake::Report;
 use crate::scene::{field, keys};
+use crate::tolerance::scene::ROTORS;
 
 /// The name of what does not turn.
 pub(super) const GROUND: &str = "ground";
 
 /// Reads all tables. `None` if a mistake was reported that leaves no train.
-pub(super) fn draft(entries: &[Entry], root: &Node, report: &mut Report) -> Option<Draft> {
+pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Option<Draft> {
     let before = report.len();
     if keys::get(entries, "rotors").is_none() {
         let lines = "[rotors]\nmotor = \"... kg*m^2\"  # name = moment of inertia".to_string();
-        keys::missing(&[("[rotors]", lines)], "a scene of the model `train`", &root.place, report);
+        keys::missing(&[("[rotors]", lines)], "a scene of the model `train`", root, report);
         return None;
     }
     let mut reader = Reader { draft: Draft::default(), report };
@@ -31,6 +32,14 @@ pub(super) fn draft(entries: &[Entry], root: &Node, report: &mut Report) -> Opti
         }
     }
     let draft = reader.draft;
+    if draft.rotors.is_empty() && report.len() == before {
+        let place = keys::get(entries, "rotors").map_or(root, |node| &node.place);
+        report.add(place, "a train has at least one rotor", "no rotor", "add for example motor = \"0.1 kg*m^2\"");
+    }
+    if draft.rotors.len() > ROTORS {
+        let message = format!("a train has at most {ROTORS} rotors, not {}", draft.rotors.len());
+        report.add(root, message, "too many rotors", "join neighbouring discs");
+    }
     (report.len() == before).then_some(draft)
 }
 

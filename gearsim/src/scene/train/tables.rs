@@ -9,7 +9,7 @@ use crate::scene::mistake::Report;
 use crate::scene::quantity::Quantity;
 
 /// Moves the values, and removes the tables of the train from `entries`. `None` if a value is stated twice.
-pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, report: &mut Report) -> Option<Draft> {
+pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) -> Option<Draft> {
     entries.retain(|entry| !TABLES.contains(&entry.key.as_str()));
     let before = report.len();
     let values = std::mem::take(&mut draft.values);
@@ -17,7 +17,7 @@ pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, report: &mut Repo
     let laws = laws.into_iter().map(|(name, node)| (name, law(node))).collect();
     for (table, given) in [("parameters", values), ("laws", laws)] {
         if !given.is_empty() {
-            add(table, given, entries, report);
+            add(table, given, entries, end, report);
         }
     }
     (report.len() == before).then_some(draft)
@@ -37,11 +37,10 @@ fn law(node: Node) -> Node {
     table("steps", Node { value: Value::Array(vec![step]), place: place.clone() })
 }
 
-fn add(table: &str, given: Vec<(String, Node)>, entries: &mut Vec<Entry>, report: &mut Report) {
-    let Some(first) = given.first().map(|(_, node)| node.place.clone()) else { return };
+fn add(table: &str, given: Vec<(String, Node)>, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) {
     let at = entries.iter().position(|entry| entry.key == table).unwrap_or_else(|| {
-        let node = Node { value: Value::Table(vec![]), place: first.clone() };
-        entries.push(Entry { key: table.into(), place: first, node });
+        let node = Node { value: Value::Table(vec![]), place: end.clone() };
+        entries.push(Entry { key: table.into(), place: end.clone(), node });
         entries.len() - 1
     });
     // Another type of value is reported where the table is read.
