@@ -100,6 +100,7 @@ pub mod template;
 #[cfg(test)]
 mod tests;
 pub mod time_history;
+mod train;
 mod transmission_error;
 pub mod unit;
 
@@ -114,6 +115,7 @@ use std::sync::Arc;
 
 use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
+use crate::train::Train;
 
 /// Plots that a scene may ask for.
 pub const PLOTS: &[&str] = &["outputs", "orders", "energy", "spectrum", "motion", "order_cuts"];
@@ -127,6 +129,8 @@ pub struct Scene {
     pub about: String,
     /// The model it simulates.
     pub model: &'static Model,
+    /// How the model is put together, if the scene lists its parts.
+    pub train: Option<Arc<Train>>,
     /// Active effects.
     pub effects: Effects,
     /// Parameter values [SI], in the order of `model.parameters`; for a parameter that varies in time, its value at t = 0.
