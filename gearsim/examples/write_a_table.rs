@@ -24,7 +24,8 @@ pub fn write(path: &str, out: &Path) -> anyhow::Result<OutputFolder> {
     let outcome = entry.run(&scene, &mut |_| {})?;
     let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
     let (label, none_from) = (scene.name.as_str(), None);
-    let run = plot::Run { label, trajectory, reference_frequency, scene: label, none_from };
+    let asked = &scene.output;
+    let run = plot::Run { label, trajectory, reference_frequency, scene: label, asked, none_from };
     let table = Table::of_trajectory(trajectory)?;
 
     let mut folder = OutputFolder::create(out)?;

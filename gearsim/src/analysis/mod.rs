@@ -5,6 +5,7 @@ pub mod digits;
 pub mod floquet;
 pub mod modes;
 pub mod orders;
+pub mod rainflow;
 pub mod spectrum;
 pub mod statistics;
 pub mod steady;

@@ -65,7 +65,8 @@ impl Run {
         files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
         let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
         let none_from = outcome.digits.and_then(|digits| digits.none_from);
-        let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name, none_from };
+        let (name, asked) = (&scene.name, &scene.output);
+        let run = plot::Run { label: name, trajectory, reference_frequency, scene: name, asked, none_from };
         for warning in files::plots(folder, scene, &[run])? {
             terminal::warn(&warning);
         }

@@ -2,12 +2,23 @@
 
 use super::*;
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
+use crate::scene::Spectrum;
 use crate::sweep::row::{Row, Status};
 use crate::sweep::spectra::NamedSpectrum;
 use crate::sweep::{Manifest, Request, Sweep};
 
+static ASKED: Output = Output {
+    rate: 2e4,
+    events: true,
+    plots: vec![],
+    record: vec![],
+    spectrum: Spectrum::DEFAULT,
+    csv: false,
+    most_rows: 1_000_000,
+};
+
 fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
-    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", none_from: None }
+    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", asked: &ASKED, none_from: None }
 }
 
 #[test]

@@ -68,7 +68,11 @@
 //! [output]
 //! rate = "20 kHz"                             # samples per second; default: 10000 samples over the run
 //! events = true                               # record both sides of each event; default
-//! plots = ["energy", "motion", "spectrum"]    # default
+//! record = ["mesh_force_12", "dte_12"]        # outputs of the model; default: all that the effects of the scene have
+//! plots = ["outputs", "orders", "spectrum"]   # default: the plots for which the scene records something, without order_cuts
+//! spectrum = { of = ["mesh_force_12"], kind = "amplitude", scale = "dB", reference = "1 N", from = "0.1 s" }
+//! # of: recorded outputs and coordinates; kind: "psd" (default), "amplitude" (peak) or "rms"; scale: "log" (default) or "dB";
+//! # reference: of levels in dB, one or several: ["1 N", "1 um"]; from: where the transformed record begins, default 0
 //! csv = false                                 # default
 //! most_rows = 1e7                             # the run stops when this many rows are recorded; default: as many as fit in 1 GB
 //! ```
@@ -93,6 +97,7 @@ pub mod quantity;
 mod read;
 mod smooth;
 pub mod solver;
+mod spectrum;
 mod start;
 mod symbol;
 mod teeth;
@@ -107,6 +112,7 @@ pub use key_unit::unit_of;
 pub use mistake::{Mistake, SceneMistakes};
 pub(crate) use mistake::{did_you_mean, list, shown};
 pub use solver::{Precision, Solver};
+pub use spectrum::{Kind as SpectrumKind, Reference, Spectrum};
 pub use template::Template;
 pub use time_history::TimeHistory;
 
@@ -199,6 +205,8 @@ pub struct Output {
     pub plots: Vec<String>,
     /// The outputs of the model that are recorded, by their numbers.
     pub record: Vec<usize>,
+    /// Which spectra are drawn, and their scale.
+    pub spectrum: Spectrum,
     /// Whether the trajectory is also written as CSV.
     pub csv: bool,
     /// Largest number of rows. A run that reaches it stops and keeps its rows.

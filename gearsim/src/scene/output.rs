@@ -2,14 +2,14 @@
 
 use super::document::{Entry, Node};
 use super::mistake::Report;
-use super::{Output, PLOTS, Solver, field, keys, solver};
+use super::{Output, PLOTS, Solver, Spectrum, field, keys, solver, spectrum};
 use crate::model::{self, Model};
 use crate::scene::Effects;
 use crate::tolerance::scene::{MOST_ROW_MEMORY, ROW_MEMORY, SHORTEST_RUN};
 use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
-pub(super) const KEYS: [&str; 6] = ["rate", "events", "plots", "record", "csv", "most_rows"];
+pub(super) const KEYS: [&str; 7] = ["rate", "events", "plots", "record", "spectrum", "csv", "most_rows"];
 
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
@@ -52,7 +52,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
 /// Reads `[output]`. The table and all its keys may be left out.
 pub(super) fn read(
     entries: &[Entry],
-    (model, effects): (Option<&Model>, Option<Effects>),
+    (model, effects): (Option<&'static Model>, Option<Effects>),
     t_end: Option<f64>,
     report: &mut Report,
 ) -> Option<Output> {
@@ -68,6 +68,10 @@ pub(super) fn read(
         Some(node) => read_record(node, model, effects, report),
         None => model.map(|model| available(model, effects)),
     };
+    let spectrum = match keys::get(given, "spectrum") {
+        Some(node) => spectrum::read(node, (model, record.as_deref()), t_end, report),
+        None => Some(Spectrum::DEFAULT),
+    };
     let plots = match keys::get(given, "plots") {
         Some(node) => field::names("output.plots", node, "plot", PLOTS, report),
         None => Some(default_plots(model, record.as_deref())),
@@ -82,7 +86,8 @@ pub(super) fn read(
         None => t_end.map(|t_end| DEFAULT_SAMPLES / t_end),
     };
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
-    Some(Output { rate: rate?, events: events?, plots, record: record?, csv: csv?, most_rows: most_rows? as u64 })
+    let (record, spectrum, most_rows) = (record?, spectrum?, most_rows? as u64);
+    Some(Output { rate: rate?, events: events?, plots, record, spectrum, csv: csv?, most_rows })
 }
 
 /// What is drawn if the scene does not say: the outputs and, of a model with meshes, their orders; the motion if there are no outputs.
