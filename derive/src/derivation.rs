@@ -11,7 +11,7 @@ use crate::lagrange::Motion;
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::print::Style;
 use crate::symbols::Symbols;
-use crate::{expr, file, markers, proof, text};
+use crate::{Home, expr, file, markers, proof, text};
 pub use stages::derive;
 pub(crate) use stages::{Formulas, derive_with};
 
@@ -34,14 +34,14 @@ pub struct Derivation<'a> {
 
 impl Derivation<'_> {
     /// The generated files: the path of each and its text. The first is what runs.
-    pub fn files(&self) -> [(String, String); 3] {
+    pub fn files(&self, home: Home<'_>) -> [(String, String); 3] {
         let [file, text, latex] = file::paths(&self.model.name);
-        [(file, self.file()), (text, self.text()), (latex, self.latex())]
+        [(file, file::write(self, home)), (text, self.text()), (latex, self.latex())]
     }
 
-    /// The text of the file that runs.
+    /// The text of the file that runs, for a model of gearsim.
     pub fn file(&self) -> String {
-        file::write(self)
+        file::write(self, Home::default())
     }
 
     /// The derived equations in readable form.

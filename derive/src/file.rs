@@ -15,11 +15,12 @@ mod operations;
 mod outputs;
 pub(crate) mod wrap;
 
+use crate::Home;
 use crate::derivation::Derivation;
 use block::Block;
 
 /// The text of `<model>.rs`.
-pub(crate) fn write(d: &Derivation) -> String {
+pub(crate) fn write(d: &Derivation, home: Home<'_>) -> String {
     let mut equations = Block::new(d.order());
     names::write(&mut equations, d);
     energies::write(&mut equations, d);
@@ -37,8 +38,8 @@ pub(crate) fn write(d: &Derivation) -> String {
     let [_, text, latex] = paths(&d.model.name);
     block.line(1, &format!("text {text:?};"));
     block.line(1, &format!("latex {latex:?};"));
-    let (head, block, end) = (head::head(d), block.text(), head::end(d));
-    format!("{head}\n\nuse gearsim_macros::equations;\n\nequations! {{\n{block}}}\n\n{end}\n")
+    let (head, block, end) = (head::head(d, home), block.text(), head::end(d));
+    format!("{head}\n\nuse gearsim::equations;\n\nequations! {{\n{block}}}\n\n{end}\n")
 }
 
 /// Where the files of a model are, beside each other.

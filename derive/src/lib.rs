@@ -6,19 +6,21 @@
 //! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`
 //! (derivatives), `lagrange` and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and
 //! `squares` (identities, definiteness of M; `trigonometry`), `tree` and `print` (sorted expressions as text), `text` and `file` (the
-//! generated file). `wrong` makes mistakes for the tests of the proofs.
+//! generated file). `program` derives the models of a crate. `wrong` makes mistakes for the tests of the proofs.
 
 mod cell;
 mod check;
 mod derivation;
 mod expr;
 mod file;
+mod home;
 mod jump;
 mod lagrange;
 mod markers;
 mod mobility;
 mod model;
 mod print;
+mod program;
 mod proof;
 mod slip;
 mod squares;
@@ -30,6 +32,8 @@ mod wrong;
 
 pub use derivation::{Derivation, derive};
 pub use expr::{Expr, half};
+pub use home::Home;
 pub use model::{Describing, Friction, MeshError, MeshStiffness, Model, Range, Start, Switching};
+pub use program::{Entry, program};
 pub use slip::Slip;
 pub use wrong::{Wrong, derive_wrong};

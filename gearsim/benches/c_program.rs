@@ -103,7 +103,7 @@ fn run_c(program: &PathBuf, rpm: f64, torque: f64, t_end: f64, events: f64) -> (
 /// Loads a scene with changes.
 fn scene(file: &str, changes: &[String]) -> Scene {
     let path = format!("{}/../models/scenes/oh2005/{file}.toml", env!("CARGO_MANIFEST_DIR"));
-    Scene::load(path.as_ref(), changes, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::load_with(path.as_ref(), changes, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
 fn equations(scene: &Scene) -> Box<dyn Equations> {

@@ -24,7 +24,8 @@ fn scene(extra: &[&str]) -> Scene {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/oh2005/spectrum_4500rpm_exact.toml");
     let mut overrides = vec!["run.t_end=1.0 s".to_string()];
     overrides.extend(extra.iter().map(|s| s.to_string()));
-    Scene::load(path.as_ref(), &overrides, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::load_with(path.as_ref(), &overrides, &[&GearPair::MODEL])
+        .unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
 fn engine(bencher: Bencher, extra: &[&str]) {

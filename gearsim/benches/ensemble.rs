@@ -30,7 +30,7 @@ fn scenes() -> Vec<(Scene, Box<dyn Equations>)> {
             format!("parameters.T0={} N*m", 5.0 + 0.2 * f64::from(i)),
             format!("start.speed={} rpm", 4000 + 20 * i),
         ];
-        let scene = Scene::load(path.as_ref(), &overrides, &[&GearPair::MODEL]);
+        let scene = Scene::load_with(path.as_ref(), &overrides, &[&GearPair::MODEL]);
         let scene = scene.unwrap_or_else(|e| panic!("{}", e.render(100, false)));
         let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
         (scene, equations.expect("the scene was checked"))

@@ -23,7 +23,8 @@ fn main() {
 fn scene(name: &str, span: &str) -> Scene {
     let path = format!("{}/../models/scenes/oh2005/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides = [format!("run.t_end={span}"), "output.rate=1 kHz".to_string()];
-    Scene::load(path.as_ref(), &overrides, &[&GearPair::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::load_with(path.as_ref(), &overrides, &[&GearPair::MODEL])
+        .unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
 /// The start of a flight: its cell, the state, and the boundaries of the phase.

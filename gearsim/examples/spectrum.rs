@@ -2,14 +2,12 @@
 //!
 //! `cargo run --release --example spectrum`, from the root of the repository.
 
-use std::path::Path;
+use std::error::Error;
 
-use anyhow::{Context, anyhow};
+use gearsim::Scene;
 use gearsim::analysis::spectrum::{Spectrum, segment_length, uniform_samples, welch};
-use gearsim::generated::MODELS;
-use gearsim::scene::Scene;
 
-fn main() -> anyhow::Result<()> {
+fn main() -> Result<(), Box<dyn Error>> {
     let spectrum = spectrum("models/scenes/oh2005/spectrum_4500rpm_exact.toml", "phi")?;
     for i in lines(&spectrum).into_iter().take(5) {
         println!("{:8.1} Hz  {:.3e} rad^2/Hz", spectrum.frequency[i], spectrum.density[i]);
@@ -17,15 +15,13 @@ fn main() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The power spectral density of a coordinate of the scene in the file `path`.
-pub fn spectrum(path: &str, coordinate: &str) -> anyhow::Result<Spectrum> {
-    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
-    let scene = Scene::load(Path::new(path), &[], &models).map_err(|errors| anyhow!(errors.render(100, false)))?;
-    let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
-    let run = entry.run(&scene, &mut |_| {})?.trajectory;
-    let i = run.model.coordinates.iter().position(|c| c.name == coordinate).context("no such coordinate")?;
-    let (rows, rate) = uniform_samples(&run)?;
-    let x: Vec<f64> = rows.iter().map(|&row| run.q[i][row]).collect();
+/// The power spectral density of a column of the scene in the file `path`.
+pub fn spectrum(path: &str, column: &str) -> Result<Spectrum, Box<dyn Error>> {
+    let results = Scene::load(path)?.run()?;
+    let column = results.column(column)?;
+    // Rows at events are left out, so that the samples are at equal distances in time.
+    let (rows, rate) = uniform_samples(results.trajectory())?;
+    let x: Vec<f64> = rows.iter().map(|&row| column[row]).collect();
     Ok(welch(&x, rate, segment_length(x.len()))?)
 }
 

@@ -1,11 +1,31 @@
 //! gearsim: energy-conserving simulation of gear systems.
 //!
-//! A scene ([`scene`]) names a derived model ([`generated`], described by [`model`]) and its effects. Three solvers run scenes, and
-//! [`run`] chooses among them: the [`engine`] solves linear cells exactly from event to event, the [`methods`] integrate nonlinear
-//! cells numerically, and [`ensemble`] runs many scenes at once. A [`trajectory`] holds the recorded rows. [`analysis`] and [`plot`]
-//! evaluate and draw it, [`output`] writes files, `page` (with the feature `html`) writes
-//! interactive pages, [`sweep`] runs a scene at many parameter values. `cli` is the command-line program.
-//! `tolerance` is the table of all numerical tolerances.
+//! A [`Scene`] names a model of a drivetrain, the effects that it has, and its numbers. It is read from a file, or built in code. It runs,
+//! and gives [`Results`]: named columns, an energy account, plots, files.
+//!
+//! ```
+//! use gearsim::Scene;
+//!
+//! # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))?;
+//! let scene = Scene::load("models/scenes/two_stage.toml")?;
+//! let results = scene.with("run.t_end", "0.02 s")?.run()?;
+//! let force = results.column("mesh_force_12")?;
+//! println!("{} rows, the last force is {:?} N", force.len(), force.last());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | to | use |
+//! | --- | --- |
+//! | read a scene, build one, change a value | [`Scene::load`], [`Scene::of_model`], [`Scene::with`] |
+//! | run it; columns, summary, plots, files | [`Scene::run`], [`Results`] |
+//! | run it at many values | [`Scene::vary`], [`Variation::run`], [`Variation::response`] |
+//! | natural frequencies, stability | [`Scene::modes`], [`Scene::floquet`] |
+//! | find out which effects matter | [`Scene::advise`] |
+//! | evaluate a run: spectra, orders, statistics | [`analysis`] |
+//! | use models of your own | [`add_models`], [`equations!`], [`cli::run`] |
+//!
+//! The modules that are not listed here are for the equations that [`equations!`] writes and for the tests of gearsim. They change
+//! without notice.
 
 // Units in square brackets are not links.
 #![allow(rustdoc::broken_intra_doc_links)]
@@ -15,16 +35,26 @@ extern crate self as gearsim;
 
 pub mod analysis;
 pub mod cli;
+#[doc(hidden)]
 pub mod engine;
+#[doc(hidden)]
 pub mod ensemble;
+#[doc(hidden)]
 pub mod gear;
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod generated;
+mod known;
+mod library;
+#[doc(hidden)]
 pub mod methods;
 pub mod model;
 pub mod output;
 #[cfg(feature = "html")]
+#[doc(hidden)]
 pub mod page;
 pub mod plot;
+#[doc(hidden)]
 pub mod profile;
 pub mod run;
 pub mod scene;
@@ -33,3 +63,8 @@ mod tolerance;
 pub mod trajectory;
 
 pub use gearsim_macros::equations;
+pub use known::{add as add_models, models};
+pub use library::advise::Advice;
+pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation};
+pub use run::{Entry, Outcome};
+pub use scene::Scene;

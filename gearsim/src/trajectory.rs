@@ -1,5 +1,8 @@
 //! The recorded rows of a run, in SI units: time, state and energy account.
 
+use std::borrow::Cow;
+use std::ops::Range;
+
 use crate::model::{Model, Output};
 
 /// The kind of instant that a row belongs to.
@@ -100,10 +103,53 @@ impl Trajectory {
         self.kinetic[i] + self.strain[i] - self.work[i]
     }
 
+    /// The same, where the columns may differ in length.
+    fn checked_energy(&self, i: usize) -> Option<f64> {
+        Some(self.kinetic.get(i)? + self.strain.get(i)? - self.work.get(i)?)
+    }
+
     /// The largest magnitude of T, V, the dissipated energy and the work of each torque, over all rows \[J\].
     pub fn largest_energy(&self) -> f64 {
         let parts = [&self.kinetic, &self.strain, &self.dissipated];
         parts.into_iter().chain(&self.torque_work).flatten().fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
+    /// The columns with numbers, in the order of files: time, each coordinate and its speed, the recorded outputs, the energy account.
+    pub fn columns(&self) -> impl Iterator<Item = Series<'_>> {
+        let series = |name: Cow<'static, str>, unit: Cow<'static, str>, values| Series { name, unit, of: self, values };
+        let plain =
+            move |name: &'static str, unit: &'static str, values| series(name.into(), unit.into(), Some(values));
+        let states = self.model.coordinates.iter().zip(&self.q).zip(&self.q_dot);
+        let states = states.flat_map(move |((coordinate, q), q_dot): ((&'static _, _), _)| {
+            let (name, unit): (&'static str, &'static str) = (coordinate.name, coordinate.unit);
+            let speed = series(format!("{name}_dot").into(), format!("{unit}/s").into(), Some(q_dot));
+            [plain(name, unit, q), speed]
+        });
+        let outputs = self.outputs.iter().map(move |(output, values)| plain(output.name, output.unit, values));
+        let torques = self.model.torques.iter().zip(&self.torque_work);
+        let torques =
+            torques.map(move |(torque, work)| series(format!("work_{}", torque.name).into(), "J".into(), Some(work)));
+        let energies = [("kinetic", &self.kinetic), ("strain", &self.strain), ("work", &self.work)];
+        let account = [("dissipated", &self.dissipated), ("residual", &self.residual)];
+        std::iter::once(plain("t", "s", &self.t))
+            .chain(states)
+            .chain(outputs)
+            .chain(energies.into_iter().map(move |(name, values)| plain(name, "J", values)))
+            .chain(torques)
+            .chain(account.into_iter().map(move |(name, values)| plain(name, "J", values)))
+            .chain(std::iter::once(series("energy".into(), "J".into(), None)))
+    }
+
+    /// The column with this name [SI]; `None` if there is none.
+    pub fn column(&self, name: &str) -> Option<Cow<'_, [f64]>> {
+        let series = self.columns().find(|series| series.name == name)?;
+        series.part(0..self.len())
+    }
+
+    /// For each recorded event, its row before and its row after.
+    pub fn events(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let pair = |i: &usize| self.moment[*i] == Moment::Before && self.moment.get(i + 1) == Some(&Moment::After);
+        (0..self.len()).filter(pair).map(|i| (i, i + 1))
     }
 
     /// The column of the recorded output `name`.
@@ -124,5 +170,32 @@ impl Trajectory {
     /// Indices of the rows of kind [`Moment::Sample`], in order.
     pub fn samples(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.len()).filter(|&i| self.moment[i] == Moment::Sample)
+    }
+}
+
+/// A column of a trajectory.
+#[derive(Debug, Clone)]
+pub struct Series<'a> {
+    /// Name, e.g. `theta_dot`.
+    pub name: Cow<'static, str>,
+    /// SI unit, e.g. `rad/s`.
+    pub unit: Cow<'static, str>,
+    of: &'a Trajectory,
+    /// Its numbers; `None` for the energy T + V - W, which is not stored.
+    values: Option<&'a Vec<f64>>,
+}
+
+impl<'a> Series<'a> {
+    /// The numbers of some rows [SI]; `None` if the column has not exactly one number a row, or has no such rows.
+    pub fn part(&self, rows: Range<usize>) -> Option<Cow<'a, [f64]>> {
+        match self.values {
+            Some(values) => values.get(rows).filter(|_| values.len() == self.of.len()).map(Cow::Borrowed),
+            None => rows.map(|i| self.of.checked_energy(i)).collect::<Option<Vec<_>>>().map(Cow::Owned),
+        }
+    }
+
+    /// Number of numbers.
+    pub fn rows(&self) -> usize {
+        self.values.map_or(self.of.len(), Vec::len)
     }
 }

@@ -74,10 +74,7 @@ pub mod planetary;
 pub mod two_stage;
 pub mod wind_turbine;
 
-use gearsim_derive::Model;
-
-/// A model's name and the function that describes it.
-pub type Entry = (&'static str, fn(&mut Model));
+pub use gearsim_derive::Entry;
 
 /// All models, one line each.
 pub const MODELS: &[Entry] = &[

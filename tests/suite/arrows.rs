@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules, from the bottom up. A module may use those before it. Unit tests may use any module.
-const LAYERS: [&str; 17] = [
+const LAYERS: [&str; 19] = [
     "tolerance",
     "model",
     "profile",
@@ -16,11 +16,13 @@ const LAYERS: [&str; 17] = [
     "ensemble",
     "run",
     "generated",
+    "known",
     "analysis",
     "output",
     "sweep",
     "plot",
     "page",
+    "library",
     "cli",
 ];
 

@@ -49,6 +49,7 @@ fn main() -> ExitCode {
         ("a_named_deflection_gives_the_same_equations", models::a_named_deflection_gives_the_same_equations),
         ("energies_may_contain_mid_values", models::energies_may_contain_mid_values),
         ("files_of_the_newcomer_models_match_a_new_derivation", newcomer::files_are_current),
+        ("files_of_a_new_crate_match_a_new_derivation", newcomer::files_of_a_new_crate_are_current),
         ("nonlinear_terms_are_reported", newcomer::nonlinear_terms_are_reported),
         ("torques_that_depend_on_speeds_are_reported", newcomer::torques_that_depend_on_speeds_are_reported),
         ("a_model_with_three_coordinates_is_proved", newcomer::a_model_with_three_coordinates_is_proved),

@@ -11,6 +11,7 @@ mod oh2005;
 mod peers;
 mod published;
 mod soak;
+mod tutorial;
 mod work_precision;
 
 use std::process::ExitCode;
@@ -47,6 +48,8 @@ enum Verb {
     Peers(peers::Peers),
     /// Run very many events without damping; write how the energy error grows to out/soak.
     Soak(soak::Soak),
+    /// Make a crate for models of one's own, and follow its README word for word.
+    Tutorial(tutorial::Tutorial),
     /// Measure time against error on the scenes of the paper; write plots and tables into the READMEs.
     WorkPrecision(work_precision::WorkPrecision),
 }
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
         Verb::Oh2005(verb) => verb.run(),
         Verb::Peers(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),
+        Verb::Tutorial(verb) => verb.run(),
         Verb::WorkPrecision(verb) => verb.run(),
     };
     match done {

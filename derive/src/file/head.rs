@@ -2,19 +2,19 @@
 
 use super::operations;
 use super::wrap::prose;
+use crate::Home;
 use crate::derivation::Derivation;
 
 /// The comment at the head of the file: what it is and where it comes from.
-pub(super) fn head(d: &Derivation) -> String {
+pub(super) fn head(d: &Derivation, home: Home<'_>) -> String {
     let (name, title) = (&d.model.name, one_line(&d.model.title));
+    let (energies, command) = (home.described_in(name), home.command);
     let says = [
         format!("Equations of motion of `{name}`: {title}."),
         String::new(),
-        format!(
-            "Derived from the energies in `models/src/{}.rs` by `cargo xtask derive {name}`. Do not edit: change the energies and \
-             derive again. For reading: `text/{name}.txt`, `latex/{name}.tex`. What is proved: at the end.",
-            described_in(name)
-        ),
+        format!("Derived from the energies in `{energies}` by `{command} {name}`."),
+        "Do not edit: change the energies and derive again.".into(),
+        format!("For reading: `text/{name}.txt`, `latex/{name}.tex`. What is proved: at the end."),
     ];
     says.map(|text| prose(&text, "//!", "//!").trim_end().to_string()).join("\n")
 }
@@ -26,12 +26,6 @@ pub(super) fn end(d: &Derivation) -> String {
     lines.extend(["//".into(), "// Operations, all effects present:".into(), "//".into()]);
     lines.extend(operations::table(d).iter().map(|row| format!("// {row}")));
     lines.join("\n")
-}
-
-/// The file stem in `models/src` of a model: `planetary_3` is the function of `planetary.rs` with 3 planets.
-fn described_in(name: &str) -> &str {
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    if stem.len() < name.len() { stem.strip_suffix('_').unwrap_or(name) } else { name }
 }
 
 /// The text without line breaks and other control characters, which would end the comment.

@@ -7,13 +7,8 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::failure::Failure;
-use super::simulate::{entry, simulate};
 use super::{Verb, known, report, terminal};
-use crate::analysis::advise::groups::Groups;
-use crate::analysis::advise::measures::coordinates;
-use crate::analysis::advise::orbit::{Steady, Unknown};
-use crate::analysis::advise::{self, Apart, Bands, Candidate, LIMITS, Measures, Way, expected, short_run};
-use crate::run::{Account, Outcome};
+use crate::analysis::advise;
 use crate::scene::Scene;
 
 /// Which effects matter to a scene, and which may be left out; checked by runs with and without each
@@ -38,51 +33,14 @@ pub(super) struct Advise {
     overrides: Vec<String>,
 }
 
-/// The result for a candidate.
-pub(super) struct Verdict {
-    candidate: Candidate,
-    /// The estimated deviation from the scene.
-    estimate: Estimate,
-    /// The deviation between the two full runs, or why the candidate cannot be run.
-    truth: Result<Apart, String>,
-    /// Processor time of the run without the effect, over that of the scene.
-    time: f64,
-}
-
-/// The estimated deviation of a candidate from the scene, without full runs of both.
-pub(super) enum Estimate {
-    /// From the settled motion.
-    Settled(Apart),
-    /// From short runs.
-    Short(Apart),
-    /// Steps will reflect the motion. Only the full equations describe that.
-    TurnedBack,
-    /// There is no estimate, for this reason.
-    None(String),
-}
-
-impl Verdict {
-    /// Whether the effect is negligible: by the estimate, and by the full runs; `None` where that is unknown.
-    fn negligible(&self) -> (Option<bool>, Option<bool>) {
-        let within = |apart: &Apart| apart.within(&LIMITS);
-        let estimate = match &self.estimate {
-            Estimate::Settled(apart) | Estimate::Short(apart) => Some(within(apart)),
-            Estimate::TurnedBack => Some(false),
-            Estimate::None(_) => None,
-        };
-        (estimate, self.truth.as_ref().ok().map(within))
-    }
-}
-
 impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
         let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
-        let scene = Scene::load(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
+        let scene = Scene::load_with(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
-        let base = advise::base(&scene);
-        let advice = of(&base)?;
+        let advice = scene.advise()?;
         let width = terminal::width();
-        let dropped = scene.effects != base.effects;
+        let dropped = scene.effects != advise::base(&scene).effects;
         terminal::print_out(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
         match advice.refuted {
             // The deviations are those from a wrong result.
@@ -90,171 +48,4 @@ impl Verb for Advise {
             None => Ok(()),
         }
     }
-}
-
-/// The results for a scene.
-pub(super) struct Advice {
-    /// Its dimensionless groups, or why there are none.
-    groups: Result<Groups, String>,
-    /// Why there is no settled motion, so that the estimates come from short runs.
-    no_orbit: Option<String>,
-    verdicts: Vec<Verdict>,
-    /// Processor time of the scene [s].
-    seconds: f64,
-    bands: Bands,
-    /// Why its run stopped early, if it did.
-    stopped: Option<String>,
-    /// Its energy account, where that refutes it.
-    refuted: Option<Account>,
-    reflections: u64,
-    t_end: f64,
-}
-
-#[cfg(test)]
-impl Advice {
-    /// What each candidate leaves out, and whether that is negligible: by the estimate, and by the full runs.
-    pub(super) fn negligible(&self) -> Vec<(&str, Option<bool>, Option<bool>)> {
-        let each = |v: &'_ Verdict| v.negligible();
-        self.verdicts.iter().map(|v| (v.candidate.without.as_str(), each(v).0, each(v).1)).collect()
-    }
-
-    /// The deviation of the speed of candidate `i`: by the settled motion, and by the full runs.
-    pub(super) fn speeds(&self, i: usize) -> Option<(f64, f64)> {
-        match (&self.verdicts[i].estimate, &self.verdicts[i].truth) {
-            (Estimate::Settled(estimate), Ok(truth)) => Some((estimate.speed, truth.speed)),
-            _ => None,
-        }
-    }
-
-    /// Why there is no settled motion.
-    pub(super) fn no_orbit(&self) -> Option<&str> {
-        self.no_orbit.as_deref()
-    }
-}
-
-/// The advice on `base`, a scene without effects that drop terms.
-pub(super) fn of(base: &Scene) -> Result<Advice, Failure> {
-    let candidates = advise::candidates(base);
-    if candidates.is_empty() {
-        let what = format!("scene {} has no effects: there is nothing to leave out", base.name);
-        return Err(Failure::Impossible { what, help: "add effects to its list `effects`".into() });
-    }
-    let (outcome, seconds) = timed(base)?;
-    let system = entry(base)?.system(base).map_err(|refusal| refusal.to_string());
-    let groups = system.as_ref().map_err(Clone::clone);
-    let groups = groups.and_then(|system| Groups::of(base, system).map_err(|e| e.to_string()));
-    let steady = match &system {
-        Ok(system) => Steady::of(base, system),
-        Err(_) => Err(Unknown::Rigid),
-    };
-    let bands = bands(base, &outcome, groups.as_ref().ok());
-    let no_orbit = match (&system, &steady) {
-        (Err(why), _) => Some(why.clone()),
-        (_, Err(why)) => Some(why.to_string()),
-        _ => None,
-    };
-    let context = Context {
-        base,
-        here: Measures::of(&outcome, &bands),
-        mesh: groups.as_ref().map_or(0.0, Groups::mesh),
-        expected: steady.as_ref().ok().and_then(|s| expected(base, s, &bands, None).ok()),
-        steady: steady.ok(),
-        bands: &bands,
-        seconds,
-    };
-    let verdicts = candidates.into_iter().map(|candidate| context.verdict(candidate)).collect::<Result<_, _>>()?;
-    Ok(Advice {
-        groups,
-        no_orbit,
-        verdicts,
-        seconds,
-        stopped: outcome.stopped_by.as_ref().map(ToString::to_string),
-        refuted: outcome.refuted,
-        reflections: outcome.counts.reflections,
-        t_end: base.t_end,
-        bands,
-    })
-}
-
-/// The scene that candidates are compared with.
-struct Context<'a> {
-    base: &'a Scene,
-    here: Measures,
-    mesh: f64,
-    expected: Option<advise::expect::Expected>,
-    steady: Option<Steady<'a>>,
-    bands: &'a Bands,
-    seconds: f64,
-}
-
-impl Context<'_> {
-    fn verdict(&self, candidate: Candidate) -> Result<Verdict, Failure> {
-        let estimate = self.estimate(&candidate)?;
-        let (truth, time) = match timed(&candidate.scene) {
-            Ok((outcome, seconds)) => {
-                let there = Measures::of(&outcome, self.bands);
-                (Ok(self.here.apart(&there, &self.units())), seconds / self.seconds)
-            }
-            Err(Failure::Refused { refusal, .. }) => (Err(refusal.to_string()), f64::NAN),
-            Err(other) => return Err(other),
-        };
-        Ok(Verdict { candidate, estimate, truth, time })
-    }
-
-    fn estimate(&self, candidate: &Candidate) -> Result<Estimate, Failure> {
-        if let (Some(steady), Some(here), true) = (&self.steady, &self.expected, candidate.way != Way::Run) {
-            let there = expected(self.base, steady, self.bands, Some(candidate.way));
-            return Ok(match there {
-                _ if here.turned_back => Estimate::TurnedBack,
-                Ok(there) => Estimate::Settled(here.measures.apart(&there.measures, &self.units())),
-                Err(why) => Estimate::None(why.to_string()),
-            });
-        }
-        let short = short_run(self.base, self.mesh);
-        let shortened = |scene: &Scene| Scene { t_end: short, ..scene.clone() };
-        let measures = |scene: &Scene| simulate(&shortened(scene), true).map(|o| Measures::of(&o, self.bands));
-        match (measures(self.base), measures(&candidate.scene)) {
-            (Ok(here), Ok(there)) => {
-                Ok(Estimate::Short(here.apart(&there, &self.units()).over(short, self.base.t_end)))
-            }
-            (Err(Failure::Refused { refusal, .. }), _) | (_, Err(Failure::Refused { refusal, .. })) => {
-                Ok(Estimate::None(refusal.to_string()))
-            }
-            (Err(other), _) | (_, Err(other)) => Err(other),
-        }
-    }
-
-    /// SI units of the elastic coordinates.
-    fn units(&self) -> Vec<&'static str> {
-        let model = self.base.model;
-        coordinates(model).0.into_iter().map(|i| model.coordinates[i].unit).collect()
-    }
-}
-
-/// Frequency bands of whole mesh orders. They end at four times the lowest natural frequency or above the highest one, whichever is
-/// more, but at most at 0.4 of the sampling rate.
-fn bands(base: &Scene, outcome: &Outcome, groups: Option<&Groups>) -> Bands {
-    let limit = 0.4 * base.output.rate;
-    let natural: Vec<f64> = groups.map_or(vec![], |g| g.modes.iter().map(|m| m.0).filter(|f| *f > 0.0).collect());
-    let low = natural.first().copied().or(outcome.reference_frequency.map(|w| w / std::f64::consts::TAU));
-    let low = low.unwrap_or(limit / 4.0);
-    let high = natural.last().copied().unwrap_or(low);
-    let mesh = groups.map_or(0.0, Groups::mesh);
-    let mesh = if mesh > 0.0 { mesh } else { low };
-    Bands::of(mesh, low, limit.min((4.0 * low).max(1.2 * high)))
-}
-
-/// Runs shorter than this [s] are timed three times, and the smallest time counts.
-const QUICK: f64 = 0.2;
-
-/// Runs a scene; the outcome, and its processor time [s].
-fn timed(scene: &Scene) -> Result<(Outcome, f64), Failure> {
-    let outcome = simulate(scene, true)?;
-    let mut seconds = outcome.cpu_seconds;
-    if seconds < QUICK {
-        for _ in 0..2 {
-            seconds = seconds.min(simulate(scene, true)?.cpu_seconds);
-        }
-    }
-    Ok((outcome, seconds))
 }

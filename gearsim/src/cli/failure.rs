@@ -1,7 +1,6 @@
 //! The errors of commands, and their exit codes.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use super::terminal;
 use crate::engine::{Refusal, Stop};
@@ -49,6 +48,22 @@ pub(super) enum Failure {
     Refuted { run: String, account: Account, folder: PathBuf },
 }
 
+impl From<crate::library::Error> for Failure {
+    fn from(error: crate::library::Error) -> Failure {
+        use crate::library::Error;
+        match error {
+            Error::Scene(mistakes) => Failure::Scene(mistakes),
+            Error::Refused { scene, refusal } => Failure::Refused { scene, refusal },
+            Error::Impossible { what, help } => Failure::Impossible { what, help },
+            Error::Output(error) => Failure::Output(error),
+            Error::Plot(error) => Failure::Output(OutputError::format("plot", error)),
+            Error::Floquet(error) => {
+                Failure::Impossible { what: "the scene has no Floquet multipliers".into(), help: error.to_string() }
+            }
+        }
+    }
+}
+
 impl From<crate::sweep::Error> for Failure {
     fn from(error: crate::sweep::Error) -> Failure {
         match error {
@@ -93,7 +108,7 @@ impl Failure {
     }
 
     /// Prints the message, and returns the exit code.
-    pub(super) fn report(&self) -> ExitCode {
+    pub(super) fn report(&self) -> u8 {
         match self {
             // If the help cannot be printed because the pipe is closed, that is no further error.
             Failure::Usage(error) => terminal::note(error.print()),
@@ -103,17 +118,17 @@ impl Failure {
         if self.code() == 0 {
             return done();
         }
-        ExitCode::from(self.code())
+        self.code()
     }
 }
 
 /// The exit code of a command that is done: 1 if its output could not be written.
-pub(super) fn done() -> ExitCode {
+pub(super) fn done() -> u8 {
     match terminal::failed() {
-        None => ExitCode::SUCCESS,
+        None => 0,
         Some(why) => {
             terminal::error(&format!("cannot write to stdout: {why}"));
-            ExitCode::from(1)
+            1
         }
     }
 }

@@ -3,15 +3,13 @@
 mod advise;
 mod compare;
 mod failure;
-mod files;
 mod floquet;
-mod known;
 mod merge;
 mod models;
 mod modes;
+mod new;
 mod page;
 mod progress;
-mod provenance;
 mod report;
 mod response;
 mod run;
@@ -27,6 +25,8 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, Parser};
 
+use crate::known;
+use crate::library::{files, provenance};
 use crate::output::number;
 use crate::run::Entry;
 use failure::Failure;
@@ -43,6 +43,7 @@ const COMMANDS: &[Command] = &[
     Command::of::<floquet::FloquetCommand>(),
     Command::of::<work_precision::WorkPrecision>(),
     Command::of::<models::Models>(),
+    Command::of::<new::New>(),
 ];
 
 /// A command: its description for clap, and the function that runs it.
@@ -113,6 +114,11 @@ pub fn run(own: &[Entry]) -> ExitCode {
 
 /// The same with other arguments; the first is the name of the program.
 pub fn run_with(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    ExitCode::from(status(own, arguments))
+}
+
+/// The same; the exit code as a number.
+pub fn status(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> u8 {
     known::add(own);
     let result = program().try_get_matches_from(arguments).map_err(Failure::Usage).and_then(|matches| {
         let given = |command: &&Command| matches.subcommand_name() == Some((command.describe)().get_name());

@@ -37,7 +37,7 @@ impl Source {
     pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
         let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
         let overrides: Vec<String> = self.overrides.iter().chain(further).cloned().collect();
-        Scene::load(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
+        Scene::load_with(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
     }
 
     /// The folder for the results, `out/<scene><suffix>` if none is given. It is not created yet, but a folder that cannot be written

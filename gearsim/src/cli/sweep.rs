@@ -4,6 +4,7 @@ mod plots;
 mod report;
 
 use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -116,7 +117,7 @@ impl Verb for SweepCommand {
         OutputFolder::probe(&path)?;
 
         let begin = Instant::now();
-        let mut folder = Folder::open(&path, &manifest, &layout)?;
+        let mut folder = Folder::open(&path, manifest.clone(), layout.clone())?;
         let there = folder.rows()?;
         let mine = |point: &usize| self.shard.has(*point);
         let todo: Vec<usize> = (0..sweep.points).filter(|point| mine(point) && !there.contains_key(point)).collect();
@@ -125,7 +126,11 @@ impl Verb for SweepCommand {
         let threads = self.threads.and_then(|n| NonZeroUsize::new(n.into()));
         let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
         let mut bar = PointsBar::new(todo.len(), self.quiet);
-        sweep.run(&todo, threads, |rows| Ok(folder.keep(&rows)?), |count| bar.at(count))?;
+        let watch = |count| {
+            bar.at(count);
+            ControlFlow::Continue(())
+        };
+        sweep.run(&todo, threads, |rows| Ok(folder.keep(&rows)?), watch)?;
         drop(bar);
         let rows = folder.finish()?;
 

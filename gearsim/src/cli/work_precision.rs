@@ -51,7 +51,7 @@ impl Verb for WorkPrecision {
     fn run(self) -> Result<(), Failure> {
         let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
         let load = |path: &PathBuf| {
-            Scene::load(path, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
+            Scene::load_with(path, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
         };
         let scenes = self.scenes.iter().map(load).collect::<Result<Vec<_>, _>>()?;
         let folders: Vec<_> = scenes.iter().map(|scene| self.folder(scene)).collect();

@@ -1,9 +1,10 @@
 //! Equations of motion of `backlash_oscillator`: a rotor on a spring and damper with play.
 //!
-//! Derived from the energies in `models/src/backlash_oscillator.rs` by `cargo xtask derive backlash_oscillator`. Do not edit: change the
-//! energies and derive again. For reading: `text/backlash_oscillator.txt`, `latex/backlash_oscillator.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/backlash_oscillator.rs` by `cargo xtask derive backlash_oscillator`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/backlash_oscillator.txt`, `latex/backlash_oscillator.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model backlash_oscillator "a rotor on a spring and damper with play";

@@ -1,9 +1,10 @@
 //! Equations of motion of `belt_drive`: a belt drive with a sprung tensioner.
 //!
-//! Derived from the energies in `models/src/belt_drive.rs` by `cargo xtask derive belt_drive`. Do not edit: change the energies and derive
-//! again. For reading: `text/belt_drive.txt`, `latex/belt_drive.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/belt_drive.rs` by `cargo xtask derive belt_drive`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/belt_drive.txt`, `latex/belt_drive.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model belt_drive "a belt drive with a sprung tensioner";

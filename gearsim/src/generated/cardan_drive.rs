@@ -1,9 +1,10 @@
 //! Equations of motion of `cardan_drive`: a gear pair that turns a load through a universal joint.
 //!
-//! Derived from the energies in `models/src/cardan_drive.rs` by `cargo xtask derive cardan_drive`. Do not edit: change the energies and
-//! derive again. For reading: `text/cardan_drive.txt`, `latex/cardan_drive.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/cardan_drive.rs` by `cargo xtask derive cardan_drive`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/cardan_drive.txt`, `latex/cardan_drive.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model cardan_drive "a gear pair that turns a load through a universal joint";

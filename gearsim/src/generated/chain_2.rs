@@ -1,9 +1,10 @@
 //! Equations of motion of `chain_2`: a torsional chain of 2 discs.
 //!
-//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_2`. Do not edit: change the energies and derive again.
+//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_2`.
+//! Do not edit: change the energies and derive again.
 //! For reading: `text/chain_2.txt`, `latex/chain_2.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model chain_2 "a torsional chain of 2 discs";

@@ -1,9 +1,10 @@
 //! Equations of motion of `chain_32`: a torsional chain of 32 discs.
 //!
-//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_32`. Do not edit: change the energies and derive again.
+//! Derived from the energies in `models/src/chain.rs` by `cargo xtask derive chain_32`.
+//! Do not edit: change the energies and derive again.
 //! For reading: `text/chain_32.txt`, `latex/chain_32.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model chain_32 "a torsional chain of 32 discs";

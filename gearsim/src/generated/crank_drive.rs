@@ -1,9 +1,10 @@
 //! Equations of motion of `crank_drive`: a gear pair that turns a slider-crank.
 //!
-//! Derived from the energies in `models/src/crank_drive.rs` by `cargo xtask derive crank_drive`. Do not edit: change the energies and
-//! derive again. For reading: `text/crank_drive.txt`, `latex/crank_drive.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/crank_drive.rs` by `cargo xtask derive crank_drive`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/crank_drive.txt`, `latex/crank_drive.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model crank_drive "a gear pair that turns a slider-crank";

@@ -1,9 +1,10 @@
 //! Equations of motion of `electric_axle`: an electric axle with an overrunning clutch and two stages.
 //!
-//! Derived from the energies in `models/src/electric_axle.rs` by `cargo xtask derive electric_axle`. Do not edit: change the energies and
-//! derive again. For reading: `text/electric_axle.txt`, `latex/electric_axle.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/electric_axle.rs` by `cargo xtask derive electric_axle`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/electric_axle.txt`, `latex/electric_axle.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model electric_axle "an electric axle with an overrunning clutch and two stages";

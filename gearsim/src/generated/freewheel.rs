@@ -1,9 +1,10 @@
 //! Equations of motion of `freewheel`: a motor, an overrunning clutch and a rotor with dry friction.
 //!
-//! Derived from the energies in `models/src/freewheel.rs` by `cargo xtask derive freewheel`. Do not edit: change the energies and derive
-//! again. For reading: `text/freewheel.txt`, `latex/freewheel.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/freewheel.rs` by `cargo xtask derive freewheel`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/freewheel.txt`, `latex/freewheel.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model freewheel "a motor, an overrunning clutch and a rotor with dry friction";

@@ -1,9 +1,10 @@
 //! Equations of motion of `friction_oscillator`: a rotor on a spring with dry friction.
 //!
-//! Derived from the energies in `models/src/friction_oscillator.rs` by `cargo xtask derive friction_oscillator`. Do not edit: change the
-//! energies and derive again. For reading: `text/friction_oscillator.txt`, `latex/friction_oscillator.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/friction_oscillator.rs` by `cargo xtask derive friction_oscillator`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/friction_oscillator.txt`, `latex/friction_oscillator.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model friction_oscillator "a rotor on a spring with dry friction";

@@ -1,9 +1,10 @@
 //! Equations of motion of `gear_pair`: two spur gears on rigid shafts.
 //!
-//! Derived from the energies in `models/src/gear_pair.rs` by `cargo xtask derive gear_pair`. Do not edit: change the energies and derive
-//! again. For reading: `text/gear_pair.txt`, `latex/gear_pair.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/gear_pair.rs` by `cargo xtask derive gear_pair`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/gear_pair.txt`, `latex/gear_pair.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model gear_pair "two spur gears on rigid shafts";

@@ -1,9 +1,10 @@
 //! Equations of motion of `gear_pair_bearings`: a gear pair on bearings, with x, y and rotation of each gear.
 //!
-//! Derived from the energies in `models/src/gear_pair_bearings.rs` by `cargo xtask derive gear_pair_bearings`. Do not edit: change the
-//! energies and derive again. For reading: `text/gear_pair_bearings.txt`, `latex/gear_pair_bearings.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/gear_pair_bearings.rs` by `cargo xtask derive gear_pair_bearings`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/gear_pair_bearings.txt`, `latex/gear_pair_bearings.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model gear_pair_bearings "a gear pair on bearings, with x, y and rotation of each gear";

@@ -1,9 +1,10 @@
 //! Equations of motion of `gear_pair_shafts`: a gear pair between motor and load, on torsional shafts.
 //!
-//! Derived from the energies in `models/src/gear_pair_shafts.rs` by `cargo xtask derive gear_pair_shafts`. Do not edit: change the energies
-//! and derive again. For reading: `text/gear_pair_shafts.txt`, `latex/gear_pair_shafts.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/gear_pair_shafts.rs` by `cargo xtask derive gear_pair_shafts`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/gear_pair_shafts.txt`, `latex/gear_pair_shafts.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model gear_pair_shafts "a gear pair between motor and load, on torsional shafts";

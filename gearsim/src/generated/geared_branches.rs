@@ -1,9 +1,10 @@
 //! Equations of motion of `geared_branches`: two shafts geared rigidly, with a motor and two discs.
 //!
-//! Derived from the energies in `models/src/geared_branches.rs` by `cargo xtask derive geared_branches`. Do not edit: change the energies
-//! and derive again. For reading: `text/geared_branches.txt`, `latex/geared_branches.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/geared_branches.rs` by `cargo xtask derive geared_branches`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/geared_branches.txt`, `latex/geared_branches.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model geared_branches "two shafts geared rigidly, with a motor and two discs";

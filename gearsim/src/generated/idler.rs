@@ -1,9 +1,10 @@
 //! Equations of motion of `idler`: two gears with an idler between them.
 //!
-//! Derived from the energies in `models/src/idler.rs` by `cargo xtask derive idler`. Do not edit: change the energies and derive again. For
-//! reading: `text/idler.txt`, `latex/idler.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/idler.rs` by `cargo xtask derive idler`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/idler.txt`, `latex/idler.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model idler "two gears with an idler between them";

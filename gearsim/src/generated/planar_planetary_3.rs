@@ -1,9 +1,10 @@
 //! Equations of motion of `planar_planetary_3`: a planetary stage with 3 planets, in the plane.
 //!
-//! Derived from the energies in `models/src/planar_planetary.rs` by `cargo xtask derive planar_planetary_3`. Do not edit: change the
-//! energies and derive again. For reading: `text/planar_planetary_3.txt`, `latex/planar_planetary_3.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/planar_planetary.rs` by `cargo xtask derive planar_planetary_3`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/planar_planetary_3.txt`, `latex/planar_planetary_3.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model planar_planetary_3 "a planetary stage with 3 planets, in the plane";

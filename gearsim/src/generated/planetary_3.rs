@@ -1,9 +1,10 @@
 //! Equations of motion of `planetary_3`: a planetary stage with 3 planets, torsional.
 //!
-//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_3`. Do not edit: change the energies and derive
-//! again. For reading: `text/planetary_3.txt`, `latex/planetary_3.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_3`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/planetary_3.txt`, `latex/planetary_3.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model planetary_3 "a planetary stage with 3 planets, torsional";

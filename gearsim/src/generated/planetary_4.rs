@@ -1,9 +1,10 @@
 //! Equations of motion of `planetary_4`: a planetary stage with 4 planets, torsional.
 //!
-//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_4`. Do not edit: change the energies and derive
-//! again. For reading: `text/planetary_4.txt`, `latex/planetary_4.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_4`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/planetary_4.txt`, `latex/planetary_4.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model planetary_4 "a planetary stage with 4 planets, torsional";

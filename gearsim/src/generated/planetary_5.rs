@@ -1,9 +1,10 @@
 //! Equations of motion of `planetary_5`: a planetary stage with 5 planets, torsional.
 //!
-//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_5`. Do not edit: change the energies and derive
-//! again. For reading: `text/planetary_5.txt`, `latex/planetary_5.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_5`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/planetary_5.txt`, `latex/planetary_5.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model planetary_5 "a planetary stage with 5 planets, torsional";

@@ -1,9 +1,10 @@
 //! Equations of motion of `planetary_6`: a planetary stage with 6 planets, torsional.
 //!
-//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_6`. Do not edit: change the energies and derive
-//! again. For reading: `text/planetary_6.txt`, `latex/planetary_6.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/planetary.rs` by `cargo xtask derive planetary_6`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/planetary_6.txt`, `latex/planetary_6.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model planetary_6 "a planetary stage with 6 planets, torsional";

@@ -1,9 +1,10 @@
 //! Equations of motion of `two_stage`: a two-stage gearbox with a countershaft.
 //!
-//! Derived from the energies in `models/src/two_stage.rs` by `cargo xtask derive two_stage`. Do not edit: change the energies and derive
-//! again. For reading: `text/two_stage.txt`, `latex/two_stage.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/two_stage.rs` by `cargo xtask derive two_stage`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/two_stage.txt`, `latex/two_stage.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model two_stage "a two-stage gearbox with a countershaft";

@@ -1,9 +1,10 @@
 //! Equations of motion of `wind_turbine`: a wind turbine's train: rotor, planetary stage, parallel stage, generator.
 //!
-//! Derived from the energies in `models/src/wind_turbine.rs` by `cargo xtask derive wind_turbine`. Do not edit: change the energies and
-//! derive again. For reading: `text/wind_turbine.txt`, `latex/wind_turbine.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/wind_turbine.rs` by `cargo xtask derive wind_turbine`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/wind_turbine.txt`, `latex/wind_turbine.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model wind_turbine "a wind turbine's train: rotor, planetary stage, parallel stage, generator";

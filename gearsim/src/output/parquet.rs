@@ -8,17 +8,18 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write;
 use std::ops::Range;
-use std::panic::catch_unwind;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
+use bytes::Bytes;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as PhysicalType};
 use parquet::column::reader::ColumnReader;
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
@@ -161,13 +162,22 @@ pub type TableAndProvenance = (Table, Vec<(String, String)>);
 /// Reads a file written by [`write()`], and verifies its checksum. Errors: [`OutputError::Read`].
 pub fn read(path: &Path) -> Result<TableAndProvenance, OutputError> {
     let failed = |why: String| OutputError::Read { path: path.to_owned(), why };
-    // The reader may panic on damaged bytes.
-    catch_unwind(|| read_unverified(path)).unwrap_or_else(|_| Err("it is damaged".into())).map_err(failed)
+    let file = File::open(path).map_err(|error| failed(error.to_string()))?;
+    read_any(file).map_err(failed)
 }
 
-fn read_unverified(path: &Path) -> Result<TableAndProvenance, String> {
+/// Reads the bytes of such a file. Errors: [`OutputError::Read`].
+pub fn read_bytes(bytes: Vec<u8>) -> Result<TableAndProvenance, OutputError> {
+    read_any(Bytes::from(bytes)).map_err(|why| OutputError::Read { path: "bytes of rows".into(), why })
+}
+
+fn read_any(file: impl ChunkReader + 'static) -> Result<TableAndProvenance, String> {
+    // The reader may panic on damaged bytes.
+    catch_unwind(AssertUnwindSafe(|| read_checked(file))).unwrap_or_else(|_| Err("it is damaged".into()))
+}
+
+fn read_checked(file: impl ChunkReader + 'static) -> Result<TableAndProvenance, String> {
     let text = |e: &dyn std::fmt::Display| e.to_string();
-    let file = File::open(path).map_err(|e| text(&e))?;
     let file = SerializedFileReader::new(file).map_err(|e| text(&e))?;
     let metadata = file.metadata().file_metadata();
     let pairs = metadata.key_value_metadata().into_iter().flatten();

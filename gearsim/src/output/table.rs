@@ -53,6 +53,11 @@ impl Table {
         &self.columns
     }
 
+    /// The columns, in order, for who needs the table no longer.
+    pub fn into_columns(self) -> Vec<Column> {
+        self.columns
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |c| c.values.len())
@@ -100,39 +105,18 @@ impl Table {
 
     /// The table of some rows of a trajectory. Errors: [`OutputError::Ragged`].
     fn of_rows(run: &Trajectory, rows: Range<usize>) -> Result<Self, OutputError> {
-        let part = |name: &str, v: &[f64]| match v.get(rows.clone()) {
-            Some(part) => Ok(part.to_vec()),
-            None => Err(OutputError::Ragged { column: name.to_owned(), rows: v.len(), expected: run.len() }),
-        };
-        let number = |name: &str, v: &[f64]| part(name, v).map(Values::Number);
-        let moment = run.moment.iter().skip(rows.start).take(rows.len()).map(|m| Cow::Borrowed(m.name())).collect();
-
         let mut table = Table::default();
-        table.push("t", "s", number("t", &run.t)?)?;
-        table.push("moment", "", Values::Text(moment))?;
-        for ((coordinate, q), q_dot) in run.model.coordinates.iter().zip(&run.q).zip(&run.q_dot) {
-            let (name, unit) = (coordinate.name, coordinate.unit);
-            table.push(name, unit, number(name, q)?)?;
-            let speed = format!("{name}_dot");
-            table.push(&speed, &format!("{unit}/s"), number(&speed, q_dot)?)?;
+        for (i, series) in run.columns().enumerate() {
+            let part = series.part(rows.clone()).ok_or_else(|| {
+                let (column, rows) = (series.name.to_string(), series.rows());
+                OutputError::Ragged { column, rows, expected: run.len() }
+            })?;
+            table.push(&series.name, &series.unit, Values::Number(part.into_owned()))?;
+            if i == 0 {
+                let moments = run.moment.iter().skip(rows.start).take(rows.len());
+                table.push("moment", "", Values::Text(moments.map(|m| Cow::Borrowed(m.name())).collect()))?;
+            }
         }
-        for (output, values) in &run.outputs {
-            table.push(output.name, output.unit, number(output.name, values)?)?;
-        }
-        let (kinetic, strain) = (part("kinetic", &run.kinetic)?, part("strain", &run.strain)?);
-        let work = part("work", &run.work)?;
-        let energy = kinetic.iter().zip(&strain).zip(&work).map(|((kinetic, strain), work)| kinetic + strain - work);
-        let energy = energy.collect();
-        table.push("kinetic", "J", Values::Number(kinetic))?;
-        table.push("strain", "J", Values::Number(strain))?;
-        table.push("work", "J", Values::Number(work))?;
-        for (torque, work) in run.model.torques.iter().zip(&run.torque_work) {
-            let name = format!("work_{}", torque.name);
-            table.push(&name, "J", number(&name, work)?)?;
-        }
-        table.push("dissipated", "J", number("dissipated", &run.dissipated)?)?;
-        table.push("residual", "J", number("residual", &run.residual)?)?;
-        table.push("energy", "J", Values::Number(energy))?;
         Ok(table)
     }
 }

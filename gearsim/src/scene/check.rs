@@ -51,6 +51,8 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         output: output?,
         hash: String::new(),
         text: "".into(),
+        source: "".into(),
+        overrides: vec![],
         warnings: vec![],
     };
     gear_data::check(&scene, entries, report);

@@ -153,6 +153,10 @@ pub struct Scene {
     pub hash: String,
     /// Its text in TOML, as read, without overrides.
     pub text: Arc<str>,
+    /// What messages call this text: the path of its file.
+    pub source: Arc<str>,
+    /// The values set on top of the text, each as `KEY=VALUE`.
+    pub overrides: Vec<String>,
     /// What is allowed, but odd: a sentence each.
     pub warnings: Vec<String>,
 }

@@ -6,10 +6,27 @@ use super::mistake::Report;
 /// Largest depth of a key, more than any scene has. The tree is walked recursively, so its depth must be limited.
 const MAX_DEPTH: usize = 16;
 
+/// Where overrides come from, as messages show them.
+#[derive(Clone, Copy)]
+pub(super) struct Setting {
+    /// What messages call the text.
+    source: &'static str,
+    /// What stands before it.
+    option: &'static str,
+}
+
+/// Options of the command line.
+pub(super) const SET: Setting = Setting { source: "command line", option: "--set " };
+/// A point of a sweep.
+pub(super) const VARY: Setting = Setting { source: "command line", option: "--vary " };
+/// A program that uses the library.
+pub(super) const CODE: Setting = Setting { source: "values set in code", option: "" };
+
 /// Writes an override into the tree. Mistakes in its form are reported here; its value is checked with the scene.
-/// Messages quote `option` followed by `text`, as the user typed it.
-pub(super) fn apply(root: &mut Node, option: &str, text: &str, report: &mut Report) {
-    let source = report.source("command line", &format!("{option}{text}"));
+/// Messages quote it as the user typed it.
+pub(super) fn apply(root: &mut Node, from: Setting, text: &str, report: &mut Report) {
+    let Setting { source, option } = from;
+    let source = report.source(source, &format!("{option}{text}"));
     let origin = Origin { source, offset: option.len() };
     let Some((path, value)) = text.split_once('=') else {
         let help = "write --set KEY=VALUE, e.g. --set run.t_end=\"1 s\"";

@@ -8,7 +8,7 @@ use crate::model::Model;
 
 impl Scene {
     /// Reads the scene in a file. Its name is the file's stem. See [`Scene::parse`] for the errors.
-    pub fn load(path: &Path, overrides: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
+    pub fn load_with(path: &Path, overrides: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         Template::load(path, overrides)?.scene(&[], models)
     }
 

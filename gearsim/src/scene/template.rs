@@ -7,6 +7,7 @@ use sha2::{Digest, Sha256};
 
 use super::document::{self, Node, Origin, Place, Value};
 use super::mistake::Report;
+use super::overrides::{CODE, SET, Setting, VARY};
 use super::{Scene, SceneMistakes, check, keys, overrides};
 use crate::model::Model;
 use crate::tolerance::scene::SCENE_BYTES;
@@ -21,6 +22,9 @@ pub struct Template {
     report: Report,
     hash: Sha256,
     text: Arc<str>,
+    /// What messages call the text.
+    source: Arc<str>,
+    overrides: Vec<String>,
 }
 
 impl Template {
@@ -52,6 +56,26 @@ impl Template {
     ///
     /// If the text is not TOML. All other mistakes are reported by [`Template::scene`].
     pub fn parse(name: &str, source_name: &str, text: &str, overrides: &[String]) -> Result<Template, SceneMistakes> {
+        let mut template = Template::read(name, source_name, text)?;
+        template.set(SET, overrides);
+        Ok(template)
+    }
+
+    /// The scene as it was read, with `overrides` in place of those that it had.
+    ///
+    /// # Errors
+    /// As [`Template::parse`].
+    pub fn again(scene: &Scene, overrides: &[String]) -> Result<Template, SceneMistakes> {
+        Ok(Template::read(&scene.name, &scene.source, &scene.text)?.edited(overrides))
+    }
+
+    /// With values that a program sets.
+    pub fn edited(mut self, values: &[String]) -> Template {
+        self.set(CODE, values);
+        self
+    }
+
+    fn read(name: &str, source_name: &str, text: &str) -> Result<Template, SceneMistakes> {
         let mut report = Report::new();
         let origin = Origin { source: report.source(source_name, text), offset: 0 };
         let Some(root) = document::read(text, origin, &mut report) else {
@@ -60,9 +84,7 @@ impl Template {
         let end = text.trim_end().len();
         let hash = Sha256::new_with_prefix(text);
         let (name, end, text) = (name.to_string(), origin.place(end..end), text.into());
-        let mut template = Template { name, root, end, report, hash, text };
-        template.set("--set ", overrides);
-        Ok(template)
+        Ok(Template { name, root, end, report, hash, text, source: source_name.into(), overrides: vec![] })
     }
 
     /// Checks the scene with `values` (`run.t_end=1 s`, from options `--vary`) applied. Its model must be one of `models`.
@@ -72,11 +94,12 @@ impl Template {
     /// All mistakes in the scene, its overrides and the values.
     pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         let mut all = self.clone();
-        all.set("--vary ", values);
-        let Template { name, root, end, mut report, hash, text } = all;
+        all.set(VARY, values);
+        let Template { name, root, end, mut report, hash, text, source, overrides } = all;
         match check::scene(&root, &end, models, &mut report) {
             Some(scene) if report.is_empty() => {
-                Ok(Scene { name, hash: hexadecimal(hash), text, warnings: report.into_warnings(), ..scene })
+                let (hash, warnings) = (hexadecimal(hash), report.into_warnings());
+                Ok(Scene { name, hash, text, source, overrides, warnings, ..scene })
             }
             _ => Err(report.into_mistakes(&name)),
         }
@@ -106,12 +129,13 @@ impl Template {
         self.report.clone()
     }
 
-    fn set(&mut self, option: &str, texts: &[String]) {
+    fn set(&mut self, from: Setting, texts: &[String]) {
         for text in texts {
-            overrides::apply(&mut self.root, option, text, &mut self.report);
+            overrides::apply(&mut self.root, from, text, &mut self.report);
             self.hash.update([0]);
             self.hash.update(text);
         }
+        self.overrides.extend_from_slice(texts);
     }
 }
 

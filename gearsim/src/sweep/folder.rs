@@ -25,22 +25,22 @@ const PROVENANCE: &str = "sweep";
 pub type Rows = BTreeMap<usize, Row>;
 
 /// The folder of a running sweep.
-pub struct Folder<'a> {
+pub struct Folder {
     path: PathBuf,
     parts: WholeFiles,
-    manifest: &'a Manifest,
-    layout: &'a Layout,
+    manifest: Manifest,
+    layout: Layout,
     /// File lock, held while this process writes to the folder.
     _lock: File,
 }
 
-impl<'a> Folder<'a> {
+impl Folder {
     /// Opens the folder at `path` for the sweep of `manifest`. The folder is new, or holds finished points of the same sweep.
     ///
     /// # Errors
     /// If the folder holds another sweep, if another process writes to it, or if it cannot be written to.
-    pub fn open(path: &Path, manifest: &'a Manifest, layout: &'a Layout) -> Result<Self, Error> {
-        refuse_another(path, manifest)?;
+    pub fn open(path: &Path, manifest: Manifest, layout: Layout) -> Result<Self, Error> {
+        refuse_another(path, &manifest)?;
         let mut folder = WholeFiles::create(path)?;
         let parts = WholeFiles::create(path.join(PARTS))?;
         let lock = path.join(PARTS).join("lock");
@@ -66,7 +66,7 @@ impl<'a> Folder<'a> {
     /// # Errors
     /// [`OutputError::Read`].
     pub fn rows(&self) -> Result<Rows, OutputError> {
-        rows(&self.path, self.manifest, self.layout)
+        rows(&self.path, &self.manifest, &self.layout)
     }
 
     /// Writes rows to a new part.
@@ -78,7 +78,8 @@ impl<'a> Folder<'a> {
         let Some(first) = rows.keys().next() else { return Ok(()) };
         // No other part has this point, so the name is free.
         let name = format!("{first:08}.parquet");
-        write(&mut self.parts, (&format!("rows-{name}"), &format!("spectra-{name}")), self.manifest, self.layout, &rows)
+        let names = (&*format!("rows-{name}"), &*format!("spectra-{name}"));
+        write(&mut self.parts, names, &self.manifest, &self.layout, &rows)
     }
 
     /// Joins the parts to one file and removes them.
@@ -88,7 +89,7 @@ impl<'a> Folder<'a> {
     pub fn finish(self) -> Result<Rows, OutputError> {
         let rows = self.rows()?;
         let mut folder = WholeFiles::create(&self.path)?;
-        write(&mut folder, (ROWS, SPECTRA), self.manifest, self.layout, &rows)?;
+        write(&mut folder, (ROWS, SPECTRA), &self.manifest, &self.layout, &rows)?;
         let parts = self.path.join(PARTS);
         std::fs::remove_dir_all(&parts).map_err(|source| OutputError::Write { path: parts, source })?;
         Ok(rows)

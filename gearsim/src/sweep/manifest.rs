@@ -148,6 +148,7 @@ impl Manifest {
 }
 
 /// The points of a sweep and the columns of its results.
+#[derive(Debug, Clone)]
 pub struct Layout {
     /// The model.
     pub model: &'static Model,

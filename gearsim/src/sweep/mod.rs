@@ -107,7 +107,14 @@ impl Sweep {
     /// # Errors
     /// All mistakes in the scene, the axes and the request. No point has run then.
     pub fn load(path: &Path, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
-        let template = Template::load(path, &request.overrides)?;
+        Sweep::of(Template::load(path, &request.overrides)?, entries, request)
+    }
+
+    /// The sweep of a scene that is read, with the overrides of the request.
+    ///
+    /// # Errors
+    /// Those of [`Sweep::load`].
+    pub fn of(template: Template, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
         let models: Vec<_> = entries.iter().map(|entry| entry.model).collect();
         let model = template.model(&models);
         let Some(&entry) = entries.iter().find(|entry| model.is_some_and(|model| model.name == entry.model.name))

@@ -2,6 +2,7 @@
 //! order in which points finish.
 
 use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
@@ -28,7 +29,7 @@ const LOOK_EVERY: Duration = Duration::from_millis(2);
 
 impl Sweep {
     /// Runs `points` on `threads` threads, in any order. From time to time it calls `keep` with the new rows, and `watch` with the
-    /// number of points finished.
+    /// number of points finished, which ends the sweep by `Break`.
     ///
     /// # Errors
     /// An error of `keep`, which ends the sweep; and if the threads cannot be started.
@@ -37,7 +38,7 @@ impl Sweep {
         points: &[usize],
         threads: NonZeroUsize,
         mut keep: impl FnMut(Vec<Row>) -> Result<(), Error>,
-        mut watch: impl FnMut(usize),
+        mut watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<(), Error> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
         let pool = pool.map_err(|error| Error::Impossible {
@@ -69,15 +70,15 @@ impl Sweep {
                     let before = rows.len();
                     rows.extend(receive.try_iter());
                     count += rows.len() - before;
-                    watch(count);
+                    let broken = watch(count).is_break();
                     let often = (0.02 * begin.elapsed().as_secs_f64()).clamp(KEEP_EVERY.0, KEEP_EVERY.1);
-                    if ended || rows.len() >= KEEP_ROWS || kept.elapsed().as_secs_f64() > often {
+                    if ended || broken || rows.len() >= KEEP_ROWS || kept.elapsed().as_secs_f64() > often {
                         if !rows.is_empty() {
                             keep(std::mem::take(&mut rows))?;
                         }
                         kept = Instant::now();
                     }
-                    if ended {
+                    if ended || broken {
                         return Ok(());
                     }
                     std::thread::sleep(LOOK_EVERY);

@@ -32,7 +32,7 @@ pub fn models() -> Vec<&'static Model> {
 /// Loads a scene from `models/scenes`, with overrides (`key=value`).
 pub fn scene(name: &str, overrides: &[String]) -> Scene {
     let path = root().join("models/scenes").join(format!("{name}.toml"));
-    Scene::load(&path, overrides, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::load_with(&path, overrides, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
 /// Runs a scene to its end; panics if the run stops early.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use gearsim_derive::{Expr, Model, Range, Start, derive};
+use gearsim_derive::{Expr, Home, Model, Range, Start, derive};
 use gearsim_models::MODELS;
 
 /// Environment variable that makes this program derive the gear pair, print its file and end. Its value, one of `CHILDREN`, says
@@ -68,7 +68,7 @@ pub fn fresh_processes_agree(afresh: &[String]) {
 pub fn committed_files_are_current() {
     for (name, describe) in MODELS {
         let model = Model::new(name, describe);
-        let files = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).files();
+        let files = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).files(Home::default());
         for (path, derived) in &files {
             let committed = std::fs::read_to_string(generated(path)).unwrap_or_default();
             if let Some((line, (a, b))) = first_difference(derived, &committed) {

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use gearsim_derive::{Model, Range, Start, derive, half};
+use gearsim_derive::{Home, Model, Range, Start, derive, half};
 
 use crate::files::first_difference;
 
@@ -13,6 +13,8 @@ mod cracked;
 mod model;
 #[path = "../newcomer/moving.rs"]
 mod moving;
+#[path = "../../../gearsim/src/cli/new/template/energies/src/my_axle.rs"]
+mod my_axle;
 #[path = "../newcomer/well.rs"]
 mod well;
 
@@ -30,20 +32,31 @@ pub fn files_are_current() {
         ("linkage", moving::linkage),
     ];
     for (name, describe) in models {
-        let files = derive(&Model::new(name, describe)).expect("the model is sound").files();
-        for (file, derived) in files {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("suite/newcomer").join(&file);
-            if std::env::var_os(ACCEPT).is_some() {
-                path.parent().map_or(Ok(()), std::fs::create_dir_all).expect("its folder can be made");
-                std::fs::write(&path, &derived).expect("the file can be written");
-            }
-            let committed = std::fs::read_to_string(&path).unwrap_or_default();
-            if let Some((line, (a, b))) = first_difference(&derived, &committed) {
-                panic!(
-                    "tests/suite/newcomer/{file}, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
-                     Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
-                );
-            }
+        compare(name, describe, "suite/newcomer", Home::default());
+    }
+}
+
+/// The derived files of the crate that `gearsim new` writes equal a new derivation.
+pub fn files_of_a_new_crate_are_current() {
+    let home = Home { energies: "energies/src", command: "cargo derive" };
+    compare("my_axle", my_axle::my_axle, "../gearsim/src/cli/new/template/src/generated", home);
+}
+
+/// Compares the files of a model in a folder with a new derivation.
+fn compare(name: &'static str, describe: fn(&mut Model), folder: &str, home: Home<'_>) {
+    let files = derive(&Model::new(name, describe)).expect("the model is sound").files(home);
+    for (file, derived) in files {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(&file);
+        if std::env::var_os(ACCEPT).is_some() {
+            path.parent().map_or(Ok(()), std::fs::create_dir_all).expect("its folder can be made");
+            std::fs::write(&path, &derived).expect("the file can be written");
+        }
+        let committed = std::fs::read_to_string(&path).unwrap_or_default();
+        if let Some((line, (a, b))) = first_difference(&derived, &committed) {
+            panic!(
+                "{folder}/{file}, line {line}, derived:\n{a}\ncommitted:\n{b}\n\
+                 Mend with: {ACCEPT}=1 cargo test --workspace --test derivation"
+            );
         }
     }
 }

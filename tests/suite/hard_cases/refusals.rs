@@ -72,7 +72,7 @@ const BAD: [(&str, &str); 35] = [
 
 pub fn load(overrides: &[String]) -> Result<Scene, String> {
     let path = common::root().join("models/scenes/oh2005/energy_300rpm.toml");
-    Scene::load(&path, overrides, &common::models()).map_err(|errors| errors.render(100, false))
+    Scene::load_with(&path, overrides, &common::models()).map_err(|errors| errors.render(100, false))
 }
 
 fn scenes(note: &mut String) -> f64 {

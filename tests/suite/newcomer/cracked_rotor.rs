@@ -1,9 +1,10 @@
 //! Equations of motion of `cracked_rotor`: a rotor on a spring that another rotor switches, with a cracked tooth.
 //!
-//! Derived from the energies in `models/src/cracked_rotor.rs` by `cargo xtask derive cracked_rotor`. Do not edit: change the energies and
-//! derive again. For reading: `text/cracked_rotor.txt`, `latex/cracked_rotor.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/cracked_rotor.rs` by `cargo xtask derive cracked_rotor`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/cracked_rotor.txt`, `latex/cracked_rotor.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model cracked_rotor "a rotor on a spring that another rotor switches, with a cracked tooth";

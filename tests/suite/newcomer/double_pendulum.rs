@@ -1,9 +1,10 @@
 //! Equations of motion of `double_pendulum`: a double pendulum.
 //!
-//! Derived from the energies in `models/src/double_pendulum.rs` by `cargo xtask derive double_pendulum`. Do not edit: change the energies
-//! and derive again. For reading: `text/double_pendulum.txt`, `latex/double_pendulum.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/double_pendulum.rs` by `cargo xtask derive double_pendulum`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/double_pendulum.txt`, `latex/double_pendulum.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model double_pendulum "a double pendulum";

@@ -1,9 +1,10 @@
 //! Equations of motion of `double_well`: a mass in a potential with two wells.
 //!
-//! Derived from the energies in `models/src/double_well.rs` by `cargo xtask derive double_well`. Do not edit: change the energies and
-//! derive again. For reading: `text/double_well.txt`, `latex/double_well.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/double_well.rs` by `cargo xtask derive double_well`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/double_well.txt`, `latex/double_well.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model double_well "a mass in a potential with two wells";

@@ -1,9 +1,10 @@
 //! Equations of motion of `linkage`: a flywheel that turns a slider-crank and a universal joint.
 //!
-//! Derived from the energies in `models/src/linkage.rs` by `cargo xtask derive linkage`. Do not edit: change the energies and derive again.
+//! Derived from the energies in `models/src/linkage.rs` by `cargo xtask derive linkage`.
+//! Do not edit: change the energies and derive again.
 //! For reading: `text/linkage.txt`, `latex/linkage.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model linkage "a flywheel that turns a slider-crank and a universal joint";
@@ -129,8 +130,8 @@ equations! {
         }
     }
     nonlinear_with {
-        joint "M(theta) in the kinetic energy";
         crank "M(theta) in the kinetic energy";
+        joint "M(theta) in the kinetic energy";
         gravity "g_p*m_p*x_p in the potential energy";
     }
     jump k { step { _ => dk*psi.powi(2)/2.0; } }

@@ -1,9 +1,10 @@
 //! Equations of motion of `pendulum`: a pendulum in its horizontal displacement.
 //!
-//! Derived from the energies in `models/src/pendulum.rs` by `cargo xtask derive pendulum`. Do not edit: change the energies and derive
-//! again. For reading: `text/pendulum.txt`, `latex/pendulum.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/pendulum.rs` by `cargo xtask derive pendulum`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/pendulum.txt`, `latex/pendulum.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model pendulum "a pendulum in its horizontal displacement";

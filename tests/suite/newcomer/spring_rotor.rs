@@ -1,9 +1,10 @@
 //! Equations of motion of `spring_rotor`: a rotor on a spring that another rotor switches.
 //!
-//! Derived from the energies in `models/src/spring_rotor.rs` by `cargo xtask derive spring_rotor`. Do not edit: change the energies and
-//! derive again. For reading: `text/spring_rotor.txt`, `latex/spring_rotor.tex`. What is proved: at the end.
+//! Derived from the energies in `models/src/spring_rotor.rs` by `cargo xtask derive spring_rotor`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/spring_rotor.txt`, `latex/spring_rotor.tex`. What is proved: at the end.
 
-use gearsim_macros::equations;
+use gearsim::equations;
 
 equations! {
     model spring_rotor "a rotor on a spring that another rotor switches";

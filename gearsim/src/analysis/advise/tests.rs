@@ -15,7 +15,7 @@ fn scene(rpm: f64, effects: &str, more: &[&str]) -> Scene {
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let mut set = vec![format!("effects=[{effects}]"), format!("start.speed={rpm} rpm")];
     set.extend(more.iter().map(ToString::to_string));
-    Scene::load(&path, &set, &models).unwrap()
+    Scene::load_with(&path, &set, &models).unwrap()
 }
 
 const ALL: &str = "\"stiffness_step\", \"damping\", \"torques\"";

@@ -65,7 +65,7 @@ fn measured(scene: &str, overrides: &[&str]) -> WorkPrecision {
     let models: Vec<&'static Model> = MODELS.iter().map(|m| m.model).collect();
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(scene).with_extension("toml");
     let overrides: Vec<String> = overrides.iter().map(|set| set.to_string()).collect();
-    let exact = Scene::load(&path, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+    let exact = Scene::load_with(&path, &overrides, &models).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
     let entry = MODELS.iter().find(|m| m.model.name == exact.model.name).unwrap();
     let run = |scene: &Scene| entry.run(scene, &mut |_| {});
     super::measure(&Scenes { exact, cheaper: vec![] }, &run, 1, &mut |_| {}).unwrap()

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::{Advice, Estimate, Verdict};
 use crate::analysis::advise::groups::Groups;
 use crate::analysis::advise::{Apart, LIMITS};
 use crate::cli::{number, report};
+use crate::library::advise::{Advice, Estimate, Verdict};
 
 const HEAD: [&str; 6] = ["rms", "peak", "bands", "speed", "energy", "events"];
 

@@ -2,16 +2,16 @@
 
 use std::path::Path;
 
-use crate::cli::advise;
 use crate::generated::MODELS;
+use crate::library::advise::Advice;
 use crate::scene::Scene;
 
-fn advice(name: &str, set: &[&str]) -> advise::Advice {
+fn advice(name: &str, set: &[&str]) -> Advice {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{name}.toml"));
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let set: Vec<_> = set.iter().map(ToString::to_string).collect();
-    let scene = Scene::load(&path, &set, &models).unwrap();
-    advise::of(&crate::analysis::advise::base(&scene)).unwrap()
+    let scene = Scene::load_with(&path, &set, &models).unwrap();
+    scene.advise().unwrap()
 }
 
 /// At 4500 rpm the jump terms and the moving phase are negligible, at 600 rpm they are needed, as in the paper. No other effect is
@@ -44,7 +44,7 @@ fn a_stall_is_predicted_without_a_full_run() {
 fn scenes_without_a_settled_motion_are_estimated_by_short_runs() {
     for (name, set) in [("oh2005/energy_300rpm", "laws.k.ramp=0.1 rad"), ("idler", "run.t_end=0.02 s")] {
         let advice = advice(name, &[set]);
-        assert!(advice.no_orbit().is_some(), "{name}");
+        assert!(advice.no_orbit.is_some(), "{name}");
         assert!(advice.negligible().iter().all(|(_, estimate, truth)| estimate.is_some() && truth.is_some()), "{name}");
     }
 }

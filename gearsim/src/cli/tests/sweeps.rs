@@ -1,6 +1,7 @@
 //! Tests of `gearsim sweep` and `gearsim merge`: results that do not depend on threads, shards and interruptions, and refusals.
 
 use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use clap::Parser;
@@ -116,9 +117,11 @@ fn an_interrupted_sweep_that_is_continued_equals_an_uninterrupted_one() {
         let sweep = Sweep::load(&scene(), MODELS, &request).unwrap();
         let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);
         let layout = manifest.layout(MODELS).unwrap();
-        let mut folder = Folder::open(&cut, &manifest, &layout).unwrap();
+        let mut folder = Folder::open(&cut, manifest.clone(), layout.clone()).unwrap();
         for points in [&[3, 1, 2][..], &[14], &[7, 9, 12]] {
-            sweep.run(points, NonZeroUsize::MIN, |rows| Ok(folder.keep(&rows)?), |_| {}).unwrap();
+            sweep
+                .run(points, NonZeroUsize::MIN, |rows| Ok(folder.keep(&rows)?), |_| ControlFlow::Continue(()))
+                .unwrap();
         }
         assert_eq!(folder.rows().unwrap().len(), 7);
         // While the folder is open, another process is refused.

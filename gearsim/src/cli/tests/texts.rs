@@ -19,7 +19,7 @@ fn help(command: &str) -> String {
 }
 
 fn load() -> Scene {
-    Scene::load(&scene(), &[], &MODELS.iter().map(|entry| entry.model).collect::<Vec<_>>()).unwrap()
+    Scene::load_with(&scene(), &[], &MODELS.iter().map(|entry| entry.model).collect::<Vec<_>>()).unwrap()
 }
 
 #[test]

@@ -10,7 +10,7 @@ use crate::scene::Scene;
 fn load(name: &str, set: &[String]) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{name}.toml"));
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
-    Scene::load(&path, set, &models).map_err(|e| e.render(160, false)).unwrap()
+    Scene::load_with(&path, set, &models).map_err(|e| e.render(160, false)).unwrap()
 }
 
 fn run(scene: &Scene) -> Outcome {

@@ -9,7 +9,7 @@ fn load(name: &str, set: &[&str]) -> Result<Scene, String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{name}.toml"));
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let set: Vec<_> = set.iter().map(ToString::to_string).collect();
-    Scene::load(&path, &set, &models).map_err(|mistakes| mistakes.render(200, false))
+    Scene::load_with(&path, &set, &models).map_err(|mistakes| mistakes.render(200, false))
 }
 
 #[test]

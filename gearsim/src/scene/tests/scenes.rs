@@ -89,10 +89,10 @@ fn effect_sets_come_from_names() {
 fn a_scene_file_gives_its_stem_as_name_and_a_missing_file_is_reported() {
     let path = std::env::temp_dir().join(format!("gearsim-{}.scene.toml", std::process::id()));
     std::fs::write(&path, SCENE).unwrap();
-    let scene = Scene::load(&path, &[], &[&GEAR_PAIR]);
+    let scene = Scene::load_with(&path, &[], &[&GEAR_PAIR]);
     std::fs::remove_file(&path).unwrap();
     assert!(scene.unwrap().name.ends_with(".scene"));
-    let error = Scene::load(&path, &[], &[&GEAR_PAIR]).unwrap_err();
+    let error = Scene::load_with(&path, &[], &[&GEAR_PAIR]).unwrap_err();
     assert!(error.render(80, false).contains("cannot read"));
 }
 

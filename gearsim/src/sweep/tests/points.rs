@@ -78,7 +78,7 @@ fn a_point_equals_a_single_run_with_its_values() {
     for point in [0, 17, 34] {
         let row = sweep.point(point);
         let overrides = [request.overrides.clone(), sweep.plan.overrides(point)].concat();
-        let scene = Scene::load(&super::scene(), &overrides, &[MODELS[0].model]).unwrap();
+        let scene = Scene::load_with(&super::scene(), &overrides, &[MODELS[0].model]).unwrap();
         let outcome: Outcome = MODELS[0].run(&scene, &mut |_| {}).unwrap();
         assert_eq!(row.status, Status::Done);
         let column = |name: &str| row.numbers[sweep.columns().iter().position(|(n, _)| n == name).unwrap()];

@@ -1,6 +1,7 @@
 //! The gain of a second core: elapsed times of the same sweeps on one thread and on two.
 
 use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
@@ -48,7 +49,12 @@ fn gain(what: &'static str, record: &[&str]) -> anyhow::Result<Gain> {
     for _ in 0..TURNS {
         for (threads, least) in (1..).zip(&mut elapsed) {
             let begun = Instant::now();
-            sweep.run(&all, NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN), |_| Ok(()), |_| {})?;
+            sweep.run(
+                &all,
+                NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN),
+                |_| Ok(()),
+                |_| ControlFlow::Continue(()),
+            )?;
             *least = least.min(begun.elapsed().as_secs_f64());
         }
     }

@@ -46,7 +46,7 @@ impl Train {
     /// If the scene of the gear pair does not load.
     pub fn scene(&self) -> anyhow::Result<Scene> {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/scenes/oh2005/spectrum_4500rpm_exact.toml");
-        let scene = Scene::load(path.as_ref(), &[], &[&GearPair::MODEL]);
+        let scene = Scene::load_with(path.as_ref(), &[], &[&GearPair::MODEL]);
         let mut scene = scene.map_err(|e| anyhow::anyhow!("{}", e.render(100, false)))?;
         let coordinates = (0..self.n).map(|i| Coordinate {
             name: if i == 0 { "theta" } else { "x" },

@@ -122,7 +122,7 @@ fn of_model<D: Derived>(name: &str, t_end: &str, overrides: &[&str]) -> Scene {
     let path = format!("{}/../../models/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let mut all = vec![format!("run.t_end={t_end}")];
     all.extend(overrides.iter().map(|text| text.to_string()));
-    Scene::load(path.as_ref(), &all, &[&D::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    Scene::load_with(path.as_ref(), &all, &[&D::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
 /// A run by a method by steps; its items are the steps.

@@ -66,7 +66,7 @@ impl Case {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/scenes/oh2005");
         let path = std::path::Path::new(folder).join(self.file).with_extension("toml");
         let set: Vec<_> = self.changes(quick).map(str::to_string).collect();
-        Scene::load(&path, &set, &[&gear_pair::GearPair::MODEL]).map_err(|e| anyhow!(e.render(100, false)))
+        Scene::load_with(&path, &set, &[&gear_pair::GearPair::MODEL]).map_err(|e| anyhow!(e.render(100, false)))
     }
 
     /// All changes of the file.

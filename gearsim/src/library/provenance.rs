@@ -5,10 +5,10 @@ use crate::run::Outcome;
 use crate::scene::{Precision, Scene, Solver};
 
 /// The commit that the program was built from, if known.
-pub(super) const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
+pub(crate) const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
 
 /// The provenance of results of `scene`, loaded with `overrides` and computed by `solver`.
-pub(super) fn of(scene: &Scene, overrides: &[String], solver: String) -> Provenance {
+pub(crate) fn of(scene: &Scene, overrides: &[String], solver: String) -> Provenance {
     Provenance {
         program: "gearsim".into(),
         version: env!("CARGO_PKG_VERSION").into(),
@@ -20,7 +20,7 @@ pub(super) fn of(scene: &Scene, overrides: &[String], solver: String) -> Provena
 }
 
 /// The provenance as pairs of name and value, with the scene, the model and its effects.
-pub(super) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> Vec<(&'static str, String)> {
+pub(crate) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> Vec<(&'static str, String)> {
     let provenance = of(scene, overrides, solver(scene, outcome));
     vec![
         ("program", provenance.program),
@@ -36,7 +36,7 @@ pub(super) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> V
 }
 
 /// The solver that computed `outcome` from `scene`, in words.
-pub(super) fn solver(scene: &Scene, outcome: &Outcome) -> String {
+pub(crate) fn solver(scene: &Scene, outcome: &Outcome) -> String {
     let Solver { tolerance, step, precision, .. } = scene.solver;
     match (outcome.solver.method, step) {
         ("exact", _) if precision == Precision::Compensated => {

@@ -14,7 +14,7 @@ use super::provenance;
 const ROWS: usize = 1 << 16;
 
 /// Writes the trajectory as `<name>.parquet`, and also as `<name>.csv` if `as_csv`.
-pub(super) fn trajectory(
+pub(crate) fn trajectory(
     folder: &mut OutputFolder,
     name: &str,
     as_csv: bool,
@@ -32,7 +32,7 @@ pub(super) fn trajectory(
 
 /// Writes the plots of `scene` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a warning
 /// for each.
-pub(super) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
+pub(crate) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
     let mut warnings = vec![];
     for name in &scene.output.plots {
         match draw(name, runs) {
@@ -47,7 +47,7 @@ pub(super) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) 
 }
 
 /// Writes a figure as SVG and PNG. If it cannot be drawn, it only calls `warn`.
-pub(super) fn figure(
+pub(crate) fn figure(
     folder: &mut OutputFolder,
     name: &str,
     figure: Result<Figure, PlotError>,
@@ -77,7 +77,7 @@ fn shares(times: &[(&str, f64)]) -> Named {
 }
 
 /// The summary of a run that wrote `files`.
-pub(super) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
+pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
     let none = Number(f64::NAN);
     let no_energy = Energy {

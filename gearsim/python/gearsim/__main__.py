@@ -1,0 +1,5 @@
+"""`python -m gearsim`: the command line."""
+
+from gearsim import _command_line
+
+_command_line()

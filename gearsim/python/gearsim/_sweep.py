@@ -1,0 +1,80 @@
+"""Sweeps, on this machine or by any executor."""
+
+from __future__ import annotations
+
+import tempfile
+from concurrent.futures import FIRST_COMPLETED, Executor, wait
+
+#: How often the points of a lost worker run again.
+RETRIES = 3
+
+
+def _part(scene, definition, first, end):
+    """Run points in a worker, and return their rows as bytes."""
+    return scene.job(**definition).run(first, end)
+
+
+def sweep(
+    scene,
+    *axes,
+    record=(),
+    start=0.0,
+    samples=None,
+    seed=0,
+    out=None,
+    executor: Executor | None = None,
+    points_per_task=10_000,
+    progress=None,
+):
+    """Run a scene at many values, and return a table with one row a point.
+
+    scene: a Scene.
+    axes: as for the option `--vary`, e.g. "start.speed=100 rpm:6000 rpm:200".
+    record: groups of quantities, e.g. ["outputs"].
+    start: begin of the time over which extremes and means are taken [s].
+    samples, seed: number of random points for random axes.
+    out: folder for the results. Finished points in it do not run again; its file `sweep.parquet` has the bytes of `gearsim sweep`.
+    executor: any concurrent.futures.Executor, for example of processes, Dask or MPI; without it, the threads of this machine.
+    points_per_task: at most so many points go to a worker at once. A point takes some 0.1 ms, so that small tasks are mostly overhead.
+    progress: called with the number of finished points.
+    """
+    definition = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed)
+    job = scene.job(**definition)
+    with tempfile.TemporaryDirectory() as temporary:
+        gathering = job.gather(out if out is not None else temporary)
+        missing = job.missing(gathering, len(job) if executor is None else points_per_task)
+        done = len(job) - sum(end - first for first, end in missing)
+        if executor is None:
+            for first, end in missing:
+                told = progress and (lambda count, before=done: progress(before + int(count)))
+                job.keep(gathering, job.run(first, end, told))
+                done += end - first
+        else:
+            _gather(executor, scene, definition, job, gathering, missing, done, progress)
+        return gathering.finish()
+
+
+def _gather(executor, scene, definition, job, gathering, missing, done, progress):
+    """Let the executor run ranges of points, and keep their rows as they come. The range of a lost worker runs again."""
+    submit = lambda part: executor.submit(_part, scene, definition, *part)
+    running = {submit(part): (part, 0) for part in missing}
+    try:
+        while running:
+            finished, _ = wait(running, return_when=FIRST_COMPLETED)
+            for future in finished:
+                part, tries = running.pop(future)
+                try:
+                    rows = future.result()
+                except Exception:
+                    # What is wrong with the scene was found before; this worker was lost, or its machine has a fault.
+                    if tries + 1 >= RETRIES:
+                        raise
+                    running[submit(part)] = (part, tries + 1)
+                    continue
+                job.keep(gathering, rows)
+                done += part[1] - part[0]
+                if progress:
+                    progress(done)
+    finally:
+        for future in running:
+            future.cancel()

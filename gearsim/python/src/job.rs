@@ -1,0 +1,107 @@
+//! Sweeps whose points are run in parts.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::error::{GearsimError, raised};
+use crate::interrupt::detached;
+use crate::scene::{Definition, Scene};
+use crate::table::Table;
+
+/// The points of a sweep. A part of them is a range of numbers; its rows travel as bytes with a checksum.
+#[pyclass(frozen, module = "gearsim")]
+pub struct Job {
+    inner: gearsim::Job,
+}
+
+impl Job {
+    pub fn new(scene: &Scene, axes: &[String], definition: &Definition) -> PyResult<Job> {
+        let variation = scene.variation(axes, definition);
+        let variation = variation.ok_or_else(|| PyValueError::new_err("nothing is varied: give an axis"))?;
+        Ok(Job { inner: variation.job().map_err(raised)? })
+    }
+}
+
+#[pymethods]
+impl Job {
+    fn __len__(&self) -> usize {
+        self.inner.points()
+    }
+
+    /// Runs the points from `first` to before `end` on all cores of this machine, and returns their rows as bytes. `progress` is called
+    /// with the number of finished points.
+    #[pyo3(signature = (first, end, progress=None))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        first: usize,
+        end: usize,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let bytes = detached(py, progress, |watch| {
+            let mut raised_by_watch = None;
+            let rows = self.inner.run(first..end, |count| match watch.now(count as f64) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => {
+                    raised_by_watch = Some(error);
+                    ControlFlow::Break(())
+                }
+            });
+            match raised_by_watch {
+                Some(error) => Err(error),
+                None => rows.and_then(|rows| self.inner.pack(&rows)).map_err(raised),
+            }
+        })?;
+        Ok(PyBytes::new(py, &bytes?))
+    }
+
+    /// Opens the folder in which finished rows are kept; the points of an earlier run of the same sweep are there already.
+    fn gather(&self, folder: PathBuf) -> PyResult<Gathering> {
+        Ok(Gathering { inner: Mutex::new(Some(self.inner.gather(folder).map_err(raised)?)) })
+    }
+
+    /// Ranges of at most `most` points that are not in the folder yet.
+    fn missing(&self, gathering: &Gathering, most: usize) -> PyResult<Vec<(usize, usize)>> {
+        gathering.with(|inner| {
+            let ranges = self.inner.missing(inner, most)?;
+            Ok(ranges.into_iter().map(|range| (range.start, range.end)).collect())
+        })
+    }
+
+    /// Keeps rows in the folder.
+    fn keep(&self, py: Python<'_>, gathering: &Gathering, rows: &Bound<'_, PyBytes>) -> PyResult<()> {
+        let bytes = rows.as_bytes().to_vec();
+        py.detach(|| gathering.with(|inner| inner.keep(&self.inner.unpack(bytes)?)))
+    }
+}
+
+/// The folder of a sweep under way.
+#[pyclass(frozen, module = "gearsim")]
+pub struct Gathering {
+    inner: Mutex<Option<gearsim::Gathering>>,
+}
+
+impl Gathering {
+    fn with<T>(&self, work: impl FnOnce(&mut gearsim::Gathering) -> Result<T, gearsim::Error>) -> PyResult<T> {
+        let mut inner = self.inner.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        work(inner.as_mut().ok_or_else(finished)?).map_err(raised)
+    }
+}
+
+#[pymethods]
+impl Gathering {
+    /// Joins all rows to `sweep.parquet`, and returns their table. Its bytes are those of `gearsim sweep`.
+    fn finish(&self, py: Python<'_>) -> PyResult<Table> {
+        let inner = self.inner.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take().ok_or_else(finished)?;
+        Table::new(py.detach(|| inner.finish()).map_err(raised)?)
+    }
+}
+
+fn finished() -> PyErr {
+    GearsimError::new_err("this folder is finished: open it again by `job.gather`")
+}

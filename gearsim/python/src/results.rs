@@ -1,0 +1,101 @@
+//! Results of runs, and figures.
+
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::error::raised;
+use crate::scene::Scene;
+use crate::table::Table;
+
+/// What a run came to: its recorded columns by name, its summary, plots and files.
+#[pyclass(frozen, module = "gearsim")]
+pub struct Results {
+    inner: gearsim::Results,
+    table: Py<Table>,
+}
+
+impl Results {
+    pub fn new(inner: gearsim::Results) -> PyResult<Results> {
+        let table = Table::new(inner.table())?;
+        Ok(Results { inner, table: Python::attach(|py| Py::new(py, table))? })
+    }
+}
+
+#[pymethods]
+impl Results {
+    /// A recorded column [SI]: `results["mesh_force_12"]`.
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        self.table.get().__getitem__(py, name)
+    }
+
+    /// All recorded columns.
+    #[getter]
+    fn table(&self, py: Python<'_>) -> Py<Table> {
+        self.table.clone_ref(py)
+    }
+
+    /// The scene that was run.
+    #[getter]
+    fn scene(&self) -> Scene {
+        Scene { inner: self.inner.scene.clone() }
+    }
+
+    /// The summary, as the text of `summary.json`.
+    fn _summary(&self) -> PyResult<String> {
+        self.inner.summary().json().map_err(|error| raised(error.into()))
+    }
+
+    /// For each recorded event, the numbers of its row before and its row after.
+    #[getter]
+    fn events(&self) -> Vec<(usize, usize)> {
+        self.inner.events().collect()
+    }
+
+    /// Raises if the run stopped early, or its energy account does not close.
+    fn check(&self) -> PyResult<()> {
+        self.inner.check().map_err(raised)
+    }
+
+    /// Draws a plot: `outputs`, `orders`, `energy`, `spectrum`, `motion`, ...
+    #[pyo3(signature = (name="outputs"))]
+    fn plot(&self, py: Python<'_>, name: &str) -> PyResult<Figure> {
+        py.detach(|| self.inner.plot(name)).map(|inner| Figure { inner }).map_err(raised)
+    }
+
+    /// Writes the files that `gearsim run` writes to a folder, and returns their paths.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
+        py.detach(|| self.inner.write(folder)).map_err(raised)
+    }
+
+    fn __repr__(&self) -> String {
+        let run = self.inner.trajectory();
+        let (scene, rows) = (&self.inner.scene.name, run.len());
+        format!("gearsim.Results of {scene}: {rows} rows to t = {} s", run.t.last().copied().unwrap_or_default())
+    }
+}
+
+/// A figure.
+#[pyclass(frozen, module = "gearsim")]
+pub struct Figure {
+    inner: gearsim::plot::Figure,
+}
+
+#[pymethods]
+impl Figure {
+    /// The figure as SVG.
+    fn svg(&self) -> PyResult<String> {
+        self.inner.svg().map_err(|error| raised(error.into()))
+    }
+
+    /// The figure as PNG.
+    fn png<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let png = py.detach(|| self.inner.png()).map_err(|error| raised(error.into()))?;
+        Ok(PyBytes::new(py, &png))
+    }
+
+    fn _repr_svg_(&self) -> PyResult<String> {
+        self.svg()
+    }
+}

@@ -1,0 +1,218 @@
+//! Scenes.
+
+use std::path::PathBuf;
+
+use gearsim::{Scene as Inner, Value};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::raised;
+use crate::interrupt::detached;
+use crate::job::Job;
+use crate::results::Results;
+use crate::table::Table;
+use crate::value;
+
+/// A scene: a model, its active effects, its numbers, and an end time.
+#[pyclass(frozen, module = "gearsim", from_py_object)]
+#[derive(Clone)]
+pub struct Scene {
+    pub inner: Inner,
+}
+
+/// How a sweep is defined, beside its axes.
+pub struct Definition {
+    pub record: Vec<String>,
+    pub start: f64,
+    pub samples: Option<(usize, u64)>,
+}
+
+impl Scene {
+    /// The sweep over axes as for `--vary`.
+    pub fn variation(&self, axes: &[String], definition: &Definition) -> Option<gearsim::Variation> {
+        let mut axes = axes.iter();
+        let first = self.inner.vary(axes.next()?);
+        let record: Vec<&str> = definition.record.iter().map(String::as_str).collect();
+        let mut variation = axes.fold(first, |variation, axis| variation.vary(axis)).from(definition.start);
+        if !record.is_empty() {
+            variation = variation.record(&record);
+        }
+        Some(match definition.samples {
+            Some((samples, seed)) => variation.samples(samples, seed),
+            None => variation,
+        })
+    }
+
+    fn changed(&self, values: Vec<(String, Value)>) -> PyResult<Scene> {
+        let mut inner = self.inner.clone();
+        for (key, value) in values {
+            inner = inner.with(&key, value).map_err(raised)?;
+        }
+        Ok(Scene { inner })
+    }
+}
+
+#[pymethods]
+impl Scene {
+    /// Builds a scene of a model from keyword arguments: the tables of a scene file, e.g. `parameters={"I1": "0.5 kg*m^2"}`. Numbers
+    /// are in SI units.
+    #[new]
+    #[pyo3(signature = (model, effects=vec![], name=None, **tables))]
+    fn new(
+        model: &str,
+        effects: Vec<String>,
+        name: Option<&str>,
+        tables: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
+        let mut builder = Inner::of_model(model).name(name.unwrap_or(model)).effects(&effects);
+        for (key, value) in tables.map_or(Ok(vec![]), |tables| value::flat(tables, ""))? {
+            builder = builder.set(&key, value);
+        }
+        Ok(Scene { inner: builder.build().map_err(raised)? })
+    }
+
+    /// Reads a scene file.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        Ok(Scene { inner: Inner::load(path).map_err(raised)? })
+    }
+
+    /// Reads a scene from its text in TOML.
+    #[staticmethod]
+    #[pyo3(signature = (text, name="scene"))]
+    fn from_toml(text: &str, name: &str) -> PyResult<Self> {
+        Ok(Scene { inner: Inner::from_toml(name, text).map_err(raised)? })
+    }
+
+    /// The same scene with other values: `scene.replace({"parameters.T0": 20.0})`, `scene.replace(run={"t_end": "1 s"})`.
+    #[pyo3(signature = (values=None, **tables))]
+    fn replace(&self, values: Option<&Bound<'_, PyDict>>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let mut all = vec![];
+        for table in [values, tables].into_iter().flatten() {
+            all.extend(value::flat(table, "")?);
+        }
+        self.changed(all)
+    }
+
+    /// Runs the scene. `progress` is called with the time reached [s] now and then.
+    #[pyo3(signature = (progress=None))]
+    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Results> {
+        let run = detached(py, progress, |watch| self.inner.run_watched(&mut |t| watch.at_or_unwind(t)))?;
+        Results::new(run.map_err(raised)?)
+    }
+
+    /// Natural frequencies and shapes at the mid stiffnesses, or at `levels`: a dict a mode.
+    #[pyo3(signature = (levels=None))]
+    fn modes<'py>(&self, py: Python<'py>, levels: Option<Vec<f64>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let cell = match levels {
+            Some(levels) => self.inner.modes_at(&levels),
+            None => self.inner.modes(),
+        };
+        let mode = |mode: gearsim::analysis::modes::Vibration| {
+            let dict = PyDict::new(py);
+            dict.set_item("natural_frequency", mode.natural)?;
+            dict.set_item("damped_frequency", mode.damped)?;
+            dict.set_item("damping_factor", mode.zeta)?;
+            dict.set_item("shape", mode.shape)?;
+            dict.set_item("strain_energy", mode.strain)?;
+            dict.set_item("kinetic_energy", mode.kinetic)?;
+            Ok(dict)
+        };
+        cell.map_err(raised)?.modes.into_iter().map(mode).collect()
+    }
+
+    /// Stability of the steady rotation: Floquet multipliers, period [s], verdict.
+    fn floquet<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let floquet = self.inner.floquet().map_err(raised)?;
+        let dict = PyDict::new(py);
+        dict.set_item("period", floquet.period)?;
+        dict.set_item("growth", floquet.growth())?;
+        dict.set_item("unstable", floquet.verdict.is_unstable())?;
+        dict.set_item("multipliers", floquet.multipliers)?;
+        Ok(dict)
+    }
+
+    /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on.
+    #[pyo3(signature = (axis, start=0.0))]
+    fn response(&self, py: Python<'_>, axis: String, start: f64) -> PyResult<Table> {
+        let variation = self.inner.vary(&axis).from(start);
+        let table = py.detach(|| variation.response().and_then(|response| Ok(response.table()?)));
+        Table::new(table.map_err(raised)?)
+    }
+
+    /// The points of a sweep over `axes`, each as for the option `--vary`, to be run here or elsewhere.
+    #[pyo3(signature = (axes, record=vec![], start=0.0, samples=None, seed=0))]
+    fn job(
+        &self,
+        axes: Vec<String>,
+        record: Vec<String>,
+        start: f64,
+        samples: Option<usize>,
+        seed: u64,
+    ) -> PyResult<Job> {
+        let definition = Definition { record, start, samples: samples.map(|samples| (samples, seed)) };
+        Job::new(self, &axes, &definition)
+    }
+
+    /// Accelerations at a state and law values [SI], every play closed: to check equations against those written by hand.
+    fn acceleration(&self, q: Vec<f64>, q_dot: Vec<f64>, laws: Vec<f64>) -> PyResult<Vec<f64>> {
+        self.inner.acceleration(&q, &q_dot, &laws).map_err(raised)
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.inner.name
+    }
+
+    #[getter]
+    fn model(&self) -> &str {
+        self.inner.model.name
+    }
+
+    #[getter]
+    fn about(&self) -> &str {
+        &self.inner.about
+    }
+
+    #[getter]
+    fn effects(&self) -> Vec<&'static str> {
+        self.inner.effects.names(self.inner.model)
+    }
+
+    /// Values of the parameters [SI].
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (parameter, value) in self.inner.model.parameters.iter().zip(&self.inner.parameters) {
+            if !value.is_nan() {
+                dict.set_item(parameter.name, value)?;
+            }
+        }
+        Ok(dict)
+    }
+
+    /// End time [s].
+    #[getter]
+    fn t_end(&self) -> f64 {
+        self.inner.t_end
+    }
+
+    fn __repr__(&self) -> String {
+        let effects = self.effects().join(", ");
+        format!("gearsim.Scene: {}, model {}, effects [{effects}]", self.inner.name, self.inner.model.name)
+    }
+
+    /// Text, name and values set: what `_restore` needs. Scenes travel to other processes in this way.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, String, Vec<String>))> {
+        let restore = py.import("gearsim._gearsim")?.getattr("Scene")?.getattr("_restore")?;
+        Ok((restore, (self.inner.name.clone(), self.inner.text.to_string(), self.inner.overrides.clone())))
+    }
+
+    #[staticmethod]
+    fn _restore(name: &str, text: &str, overrides: Vec<String>) -> PyResult<Self> {
+        let mut inner = Inner::from_toml_with(name, text, &overrides).map_err(raised)?;
+        inner.name = name.into();
+        Ok(Scene { inner })
+    }
+}

@@ -1,0 +1,100 @@
+//! Tables: columns with units, as NumPy arrays and, without a copy, as Arrow.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray};
+use arrow_schema::{DataType, Field, Schema};
+use gearsim::output::table::Values;
+use numpy::PyArray1;
+use pyo3::exceptions::{PyKeyError, PyRuntimeError};
+use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
+
+/// Key of the unit in the metadata of an Arrow field.
+const UNIT: &str = "unit";
+
+/// A table. Its columns are NumPy arrays by name; as a whole it is an Arrow stream: `pyarrow.table(table)`, `polars.from_arrow(table)`,
+/// `pandas.DataFrame.from_arrow(table)`.
+#[pyclass(frozen, module = "gearsim")]
+pub struct Table {
+    batch: RecordBatch,
+}
+
+impl Table {
+    /// The columns of a table; they are moved, not copied.
+    pub fn new(table: gearsim::output::Table) -> PyResult<Table> {
+        let (mut fields, mut arrays) = (vec![], Vec::<ArrayRef>::new());
+        for column in table.into_columns() {
+            let (kind, array): (_, ArrayRef) = match column.values {
+                Values::Number(numbers) => (DataType::Float64, Arc::new(Float64Array::from(numbers))),
+                Values::Text(texts) => (DataType::Utf8, Arc::new(StringArray::from_iter_values(texts))),
+            };
+            let metadata = HashMap::from([(UNIT.to_string(), column.unit)]);
+            fields.push(Field::new(column.name, kind, false).with_metadata(metadata));
+            arrays.push(array);
+        }
+        let batch = RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays);
+        Ok(Table { batch: batch.map_err(|error| PyRuntimeError::new_err(error.to_string()))? })
+    }
+}
+
+#[pymethods]
+impl Table {
+    /// Names of the columns.
+    #[getter]
+    fn columns(&self) -> Vec<String> {
+        self.batch.schema().fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    /// SI unit of each column; empty for text.
+    #[getter]
+    fn units(&self) -> HashMap<String, String> {
+        let unit = |field: &Arc<Field>| (field.name().clone(), field.metadata().get(UNIT).cloned().unwrap_or_default());
+        self.batch.schema().fields().iter().map(unit).collect()
+    }
+
+    fn __len__(&self) -> usize {
+        self.batch.num_rows()
+    }
+
+    fn keys(&self) -> Vec<String> {
+        self.columns()
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        self.batch.column_by_name(name).is_some()
+    }
+
+    /// A column: a NumPy array of numbers, or a list of texts.
+    pub fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let array = self.batch.column_by_name(name).ok_or_else(|| {
+            PyKeyError::new_err(format!("there is no column `{name}`; the columns are {}", self.columns().join(", ")))
+        })?;
+        match array.as_any().downcast_ref::<Float64Array>() {
+            Some(numbers) => Ok(PyArray1::from_slice(py, numbers.values()).into_any()),
+            None => {
+                let texts = array.as_any().downcast_ref::<StringArray>().into_iter().flatten();
+                texts.map(Option::unwrap_or_default).collect::<Vec<_>>().into_pyobject(py)
+            }
+        }
+    }
+
+    /// The table as an Arrow stream (PyCapsule interface).
+    #[pyo3(signature = (requested_schema=None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // A request is best effort by the specification; the columns have one type each.
+        drop(requested_schema);
+        let batches = RecordBatchIterator::new([Ok(self.batch.clone())], self.batch.schema());
+        PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(batches)), c"arrow_array_stream")
+    }
+
+    fn __repr__(&self) -> String {
+        format!("gearsim.Table: {} rows of {}", self.batch.num_rows(), self.columns().join(", "))
+    }
+}

@@ -1,0 +1,123 @@
+"""Scenes and runs: closed forms, errors, and the same numbers as the command line."""
+
+import json
+import math
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import gearsim
+import numpy as np
+import pytest
+
+SCENES = pathlib.Path(__file__).parents[3] / "models" / "scenes"
+
+
+def struck(**run):
+    return gearsim.Scene(
+        "chain_2",
+        name="struck",
+        parameters={"I1": 0.5, "I2": np.float64(0.25), "k1": "10 kN*m/rad"},
+        start={"theta1_dot": 2, "theta2": 0},
+        run={"t_end": "0.1 s"} | run,
+    )
+
+
+def test_two_discs_swing_as_their_closed_form():
+    results = struck().run()
+    omega = math.sqrt(1e4 * (1 / 0.5 + 1 / 0.25))
+    expected = 2 / omega * np.sin(omega * results["t"])
+    assert np.abs(results["shaft_twist_1"] - expected).max() < 1e-12
+    frequencies = [mode["natural_frequency"] for mode in struck().modes()]
+    assert frequencies[0] == 0 and abs(frequencies[1] * 2 * math.pi / omega - 1) < 1e-12
+
+
+def test_columns_have_names_and_units():
+    results = struck().run()
+    assert results.table.units["theta1_dot"] == "rad/s"
+    assert set(results["moment"]) == {"sample"}
+    with pytest.raises(KeyError, match="there is no column `twist`"):
+        results["twist"]
+
+
+def test_arrow_needs_no_copy():
+    pyarrow = pytest.importorskip("pyarrow")
+    polars = pytest.importorskip("polars")
+    table = struck().run().table
+    arrow = pyarrow.table(table)
+    assert arrow.schema.field("t").metadata == {b"unit": b"s"}
+    again = pyarrow.table(table)
+    address = lambda t: t.column("t").chunk(0).buffers()[1].address
+    assert address(arrow) == address(again)
+    assert polars.DataFrame(arrow)["t"].to_numpy().tolist() == table["t"].tolist()
+
+
+def test_mistakes_show_their_line():
+    with pytest.raises(gearsim.SceneError) as error:
+        struck(t_end="0.1 sec")
+    assert "run.t_end=0.1 sec" in str(error.value) and "unit" in str(error.value)
+    with pytest.raises(gearsim.SceneError, match="`I2`"):
+        gearsim.Scene("chain_2", parameters={"I1": 1.0})
+    with pytest.raises(TypeError, match="not object"):
+        struck(t_end=object())
+
+
+def test_the_files_are_those_of_the_command_line(tmp_path):
+    scene = gearsim.load(SCENES / "two_stage.toml").replace({"run.t_end": "5 ms", "output.csv": True})
+    scene.run().write(tmp_path / "here")
+    command = [sys.executable, "-m", "gearsim", "run", str(SCENES / "two_stage.toml")]
+    command += ["--set", "run.t_end=5 ms", "--set", "output.csv=true", "--out", str(tmp_path / "there"), "--quiet"]
+    subprocess.run(command, check=True)
+    there = sorted(path.name for path in (tmp_path / "there").iterdir())
+    assert "trajectory.parquet" in there and "trajectory.csv" in there
+    for name in there:
+        here, other = (tmp_path / "here" / name).read_bytes(), (tmp_path / "there" / name).read_bytes()
+        if name == "summary.json":  # the processor time differs
+            here, other = ({**json.loads(text), "cpu_seconds": 0} for text in (here, other))
+        assert here == other, name
+
+
+def test_a_scene_travels_by_pickle():
+    scene = gearsim.load(SCENES / "two_stage.toml").replace(run={"t_end": "2 ms"})
+    other = pickle.loads(pickle.dumps(scene))
+    assert other.run().summary["provenance"] == scene.run().summary["provenance"]
+
+
+def test_ctrl_c_ends_a_run():
+    scene = gearsim.load(SCENES / "two_stage.toml").replace({"run.t_end": "1000 s", "output.rate": "1 Hz", "output.events": False})
+    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        scene.run()
+    assert time.monotonic() - begin < 10
+
+
+def test_other_threads_run_meanwhile():
+    scene = gearsim.load(SCENES / "two_stage.toml").replace({"run.t_end": "3 s", "output.rate": "1 kHz", "output.events": False})
+    thread = threading.Thread(target=scene.run)
+    thread.start()
+    turns = 0
+    while thread.is_alive():
+        turns += 1
+        time.sleep(0.001)
+    assert turns > 10
+
+
+def test_progress_is_told():
+    told = []
+    scene = gearsim.load(SCENES / "two_stage.toml").replace({"run.t_end": "3 s", "output.rate": "1 kHz", "output.events": False})
+    scene.run(progress=told.append)
+    assert told and told == sorted(told) and told[-1] <= 3
+
+
+def test_a_notebook_shows_results():
+    results = gearsim.load(SCENES / "two_stage.toml").replace(run={"t_end": "5 ms"}).run()
+    shown = results._repr_html_()
+    assert "mesh_force_12" in shown and "<svg" in shown
+    assert "<th>theta1 [rad]</th>" in results.table._repr_html_() or "[rad]" in results.table._repr_html_()
+    assert "T_motor" in results.scene._repr_html_()
+    assert results.plot("energy").png().startswith(b"\x89PNG")

@@ -1,0 +1,107 @@
+"""Sweeps: the same bytes for threads, processes, lost workers, interruptions, and the command line."""
+
+import os
+import pathlib
+import subprocess
+import sys
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+
+import gearsim
+import pytest
+
+SCENE = pathlib.Path(__file__).parents[3] / "models" / "scenes" / "oh2005" / "energy_300rpm.toml"
+AXES = ["start.speed=100 rpm:900 rpm:9", "parameters.zeta=0.05,0.1"]
+
+
+@pytest.fixture
+def scene():
+    return gearsim.load(SCENE).replace({"run.t_end": "20 ms"})
+
+
+@pytest.fixture
+def bytes_of_the_command_line(tmp_path):
+    command = [sys.executable, "-m", "gearsim", "sweep", str(SCENE), "--quiet", "--set", "run.t_end=20 ms"]
+    command += ["--record", "outputs", "--out", str(tmp_path / "cli")]
+    subprocess.run(command + [part for axis in AXES for part in ("--vary", axis)], check=True)
+    return (tmp_path / "cli" / "sweep.parquet").read_bytes()
+
+
+def test_threads_give_the_bytes_of_the_command_line(scene, tmp_path, bytes_of_the_command_line):
+    told = []
+    table = gearsim.sweep(scene, *AXES, record=["outputs"], out=tmp_path / "here", progress=told.append)
+    assert len(table) == 18 and set(table["status"]) == {"done"}
+    assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
+    assert told == sorted(told)
+
+
+def test_processes_give_the_same_bytes(scene, tmp_path, bytes_of_the_command_line):
+    with ProcessPoolExecutor(2) as executor:
+        gearsim.sweep(scene, *AXES, record=["outputs"], out=tmp_path / "here", executor=executor, points_per_task=4)
+    assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
+
+
+class Unreliable(Executor):
+    """Runs tasks at once, and loses every third."""
+
+    def __init__(self):
+        self.count = 0
+
+    def submit(self, task, *arguments):
+        self.count += 1
+        future = Future()
+        if self.count % 3 == 0:
+            future.set_exception(OSError("the worker was lost"))
+        else:
+            future.set_result(task(*arguments))
+        return future
+
+
+def test_the_points_of_a_lost_worker_run_again(scene, tmp_path, bytes_of_the_command_line):
+    executor = Unreliable()
+    gearsim.sweep(scene, *AXES, record=["outputs"], out=tmp_path / "here", executor=executor, points_per_task=2)
+    assert executor.count > 9
+    assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
+
+
+class Broken(Unreliable):
+    """Loses every task after the second."""
+
+    def submit(self, task, *arguments):
+        self.count = 2 if self.count >= 2 else self.count
+        return super().submit(task, *arguments)
+
+
+def test_what_was_finished_is_kept(scene, tmp_path, bytes_of_the_command_line):
+    with pytest.raises(OSError, match="the worker was lost"):
+        gearsim.sweep(scene, *AXES, record=["outputs"], out=tmp_path / "here", executor=Broken(), points_per_task=3)
+    parts = [name for name in os.listdir(tmp_path / "here" / "parts") if name.startswith("rows-")]
+    assert len(parts) == 2
+    executor = Unreliable()
+    gearsim.sweep(scene, *AXES, record=["outputs"], out=tmp_path / "here", executor=executor, points_per_task=100)
+    assert executor.count == 1
+    assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
+
+
+def test_damaged_rows_are_refused(scene, tmp_path):
+    job = scene.job(AXES, ["outputs"])
+    gathering = job.gather(tmp_path / "here")
+    rows = bytearray(job.run(0, 2))
+    rows[len(rows) // 3] ^= 1
+    with pytest.raises(gearsim.GearsimError):
+        job.keep(gathering, bytes(rows))
+    other = scene.replace({"run.t_end": "10 ms"}).job(AXES, ["outputs"])
+    with pytest.raises(gearsim.GearsimError, match="another sweep"):
+        job.keep(gathering, other.run(0, 2))
+
+
+def test_mistakes_are_found_before_a_point_runs(scene):
+    with pytest.raises(gearsim.SceneError, match="start.spead"):
+        gearsim.sweep(scene, "start.spead=1 rpm:2 rpm:2")
+    with pytest.raises(ValueError, match="nothing is varied"):
+        gearsim.sweep(scene)
+
+
+def test_a_response_goes_up_and_down():
+    scene = gearsim.load(SCENE.parents[1] / "response.toml")
+    table = scene.response("start.speed=5000 rpm:5100 rpm:3", start=0.05)
+    assert len(table) == 6

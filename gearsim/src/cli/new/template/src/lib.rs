@@ -1,0 +1,3 @@
+//! The models of this crate, for its program and its tests.
+
+pub mod generated;

@@ -1,0 +1,39 @@
+//! The models that scenes may name: those of gearsim, and those that a program adds.
+
+use std::sync::RwLock;
+
+#[cfg(feature = "models")]
+use crate::generated::MODELS;
+use crate::run::Entry;
+use crate::scene::Scene;
+
+#[cfg(not(feature = "models"))]
+static MODELS: &[Entry] = &[];
+
+static KNOWN: RwLock<&'static [Entry]> = RwLock::new(MODELS);
+
+/// Adds the models of another crate, for example `add(&[Entry::new::<my_axle::MyAxle>()])`. Call it once, before any scene is read. Of
+/// two models of one name the last one added counts.
+pub fn add(own: &[Entry]) {
+    if own.is_empty() {
+        return;
+    }
+    // Scenes refer to their models for as long as the program runs.
+    let mut known = KNOWN.write().unwrap_or_else(|poisoned| poisoned.into_inner());
+    *known = Box::leak([own, *known].concat().into_boxed_slice());
+}
+
+/// All models.
+pub fn models() -> &'static [Entry] {
+    *KNOWN.read().unwrap_or_else(|poisoned| poisoned.into_inner())
+}
+
+/// The descriptions of all models.
+pub(crate) fn descriptions() -> Vec<&'static crate::model::Model> {
+    models().iter().map(|entry| entry.model).collect()
+}
+
+/// The entry of the model of a scene; `None` if the scene was read with other models.
+pub fn of(scene: &Scene) -> Option<&'static Entry> {
+    models().iter().find(|entry| entry.model.name == scene.model.name)
+}

@@ -1,0 +1,63 @@
+//! Analyses of a scene's equations, without a run.
+
+use super::Error;
+use crate::analysis::floquet::Floquet;
+use crate::analysis::modes::{self, CellModes, springs};
+use crate::engine::Refusal;
+use crate::scene::Scene;
+
+impl Scene {
+    /// Natural frequencies, damping, mode shapes and shares of energy of the cell of the mid stiffnesses, (max + min)/2 of each law.
+    ///
+    /// # Errors
+    /// If the equations are not linear in a cell.
+    pub fn modes(&self) -> Result<CellModes, Error> {
+        let levels: Vec<f64> = self.stiffnesses().map(|(_, law)| law.mid()).collect();
+        self.modes_at(&levels)
+    }
+
+    /// The same of the cell with the stiffnesses `levels` [SI], in the order of the model's laws.
+    ///
+    /// # Errors
+    /// As [`Scene::modes`].
+    pub fn modes_at(&self, levels: &[f64]) -> Result<CellModes, Error> {
+        let entry = self.entry()?;
+        let laws = self.stiffnesses().count();
+        if levels.len() != laws {
+            let what = format!("{} stiffnesses are given, but the scene has {laws}", levels.len());
+            return Err(Error::impossible(what, "give one number for each stiffness of the model"));
+        }
+        let system = entry.system(self).map_err(|refusal| self.refused(refusal))?;
+        let springs = springs::of(self, entry).map_err(|refusal| self.refused(refusal))?;
+        modes::of(&system, levels, &springs).map_err(|refusal| self.refused(refusal))
+    }
+
+    /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers.
+    ///
+    /// # Errors
+    /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
+    pub fn floquet(&self) -> Result<Floquet, Error> {
+        let system = self.entry()?.system(self).map_err(|refusal| self.refused(refusal))?;
+        Ok(Floquet::of(self, &system)?)
+    }
+
+    /// Accelerations at a state [SI/s^2], in the order of the coordinates: to check a model against equations written by hand. `laws` are
+    /// the values of the model's laws [SI]; laws that are left out are 0. Switches are as without their effects: every play is closed.
+    ///
+    /// # Errors
+    /// If the effects of the scene contradict one another, or a length does not match the model.
+    pub fn acceleration(&self, q: &[f64], q_dot: &[f64], laws: &[f64]) -> Result<Vec<f64>, Error> {
+        let (n, most) = (self.model.coordinates.len(), self.model.laws.len());
+        if q.len() != n || q_dot.len() != n || laws.len() > most {
+            let what = format!("{} coordinates, {} speeds, {} laws are given", q.len(), q_dot.len(), laws.len());
+            return Err(Error::impossible(what, format!("the model has {n} coordinates and {most} laws")));
+        }
+        let equations = self.entry()?.equations(self).map_err(|refusal| self.refused(refusal))?;
+        let laws = self.model.in_contact(laws.iter().copied());
+        Ok(equations.acceleration(q, q_dot, &laws, &vec![0.0; most]).to_vec())
+    }
+
+    fn refused(&self, refusal: Refusal) -> Error {
+        Error::Refused { scene: self.name.clone(), refusal }
+    }
+}

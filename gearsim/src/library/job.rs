@@ -1,0 +1,141 @@
+//! A sweep whose points are run in parts: by threads, by processes, by machines.
+
+use std::num::NonZeroUsize;
+use std::ops::{ControlFlow, Range};
+use std::path::Path;
+
+use super::{Error, provenance};
+use crate::known;
+use crate::output::{Table, parquet};
+use crate::sweep::folder::Folder;
+use crate::sweep::manifest::Layout;
+use crate::sweep::row::{self, Row};
+use crate::sweep::{Manifest, Request, Sweep};
+
+/// A checked sweep. The result of a point depends on its number alone, so that the parts of any division make the same table.
+pub struct Job {
+    sweep: Sweep,
+    manifest: Manifest,
+    layout: Layout,
+}
+
+/// The rows of some points.
+#[derive(Debug, Clone)]
+pub struct Rows(Vec<Row>);
+
+/// The folder of a sweep under way: what is finished stays there, also if the program ends.
+pub struct Gathering {
+    folder: Folder,
+    layout: Layout,
+}
+
+impl Job {
+    pub(super) fn new(sweep: Sweep, request: &Request) -> Result<Job, Error> {
+        let manifest = Manifest::new(&sweep, request, provenance::COMMIT);
+        let layout = manifest.layout(known::models())?;
+        Ok(Job { sweep, manifest, layout })
+    }
+
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        self.sweep.points
+    }
+
+    /// Runs some points on all cores. `watch` is told how many are finished, and ends the part by `Break`; the rows are then fewer.
+    ///
+    /// # Errors
+    /// If there are no such points, or threads cannot be started.
+    pub fn run(&self, points: Range<usize>, watch: impl FnMut(usize) -> ControlFlow<()>) -> Result<Rows, Error> {
+        if points.end > self.points() {
+            let what = format!("the sweep has {} points, not {}", self.points(), points.end);
+            return Err(Error::impossible(what, "points are counted from 0"));
+        }
+        let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let mut rows = Vec::with_capacity(points.len());
+        let keep = |new| {
+            rows.extend(new);
+            Ok(())
+        };
+        self.sweep.run(&points.collect::<Vec<_>>(), threads, keep, watch)?;
+        rows.sort_by_key(|row: &Row| row.point);
+        Ok(Rows(rows))
+    }
+
+    /// The table of rows.
+    ///
+    /// # Errors
+    /// If the rows are those of another sweep.
+    pub fn table(&self, rows: &Rows) -> Result<Table, Error> {
+        let Layout { plan, columns, units, .. } = &self.layout;
+        Ok(row::table(plan, columns, units, &rows.0.iter().collect::<Vec<_>>())?)
+    }
+
+    /// Rows as bytes, to be sent elsewhere: a Parquet file with a checksum.
+    ///
+    /// # Errors
+    /// As [`Job::table`].
+    pub fn pack(&self, rows: &Rows) -> Result<Vec<u8>, Error> {
+        let (table, mut bytes) = (self.table(rows)?, vec![]);
+        parquet::write(&table, [("scene_sha256", self.manifest.scene_sha256.as_str())], &mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// The rows in bytes of [`Job::pack`].
+    ///
+    /// # Errors
+    /// If the bytes are damaged, or those of another sweep.
+    pub fn unpack(&self, bytes: Vec<u8>) -> Result<Rows, Error> {
+        let (table, provenance) = parquet::read_bytes(bytes)?;
+        let ours =
+            provenance.iter().any(|(name, value)| name == "scene_sha256" && *value == self.manifest.scene_sha256);
+        let rows = row::read(&table, &self.layout.columns).filter(|_| ours);
+        rows.map(Rows).ok_or_else(|| {
+            Error::impossible("these rows are those of another sweep", "unpack rows with the job that packed them")
+        })
+    }
+
+    /// Opens the folder of the sweep, as `gearsim sweep --out` does. It may hold finished points of an earlier run of the same sweep.
+    ///
+    /// # Errors
+    /// If it holds another sweep, if another process writes to it, or if it cannot be written to.
+    pub fn gather(&self, folder: impl AsRef<Path>) -> Result<Gathering, Error> {
+        let folder = Folder::open(folder.as_ref(), self.manifest.clone(), self.layout.clone())?;
+        Ok(Gathering { folder, layout: self.layout.clone() })
+    }
+
+    /// The points that are not in the folder yet, as ranges of at most `most` points.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn missing(&self, gathering: &Gathering, most: usize) -> Result<Vec<Range<usize>>, Error> {
+        let there = gathering.folder.rows()?;
+        let mut ranges: Vec<Range<usize>> = vec![];
+        for point in (0..self.points()).filter(|point| !there.contains_key(point)) {
+            match ranges.last_mut() {
+                Some(last) if last.end == point && last.len() < most.max(1) => last.end += 1,
+                _ => ranges.push(point..point + 1),
+            }
+        }
+        Ok(ranges)
+    }
+}
+
+impl Gathering {
+    /// Keeps rows in the folder. They are there whole, or not at all.
+    ///
+    /// # Errors
+    /// If they cannot be written.
+    pub fn keep(&mut self, rows: &Rows) -> Result<(), Error> {
+        Ok(self.folder.keep(&rows.0)?)
+    }
+
+    /// Joins all rows to the file `sweep.parquet`, whose bytes depend on the sweep alone, and returns their table.
+    ///
+    /// # Errors
+    /// If a file cannot be read or written.
+    pub fn finish(self) -> Result<Table, Error> {
+        let rows = self.folder.finish()?;
+        let Layout { plan, columns, units, .. } = &self.layout;
+        Ok(row::table(plan, columns, units, &rows.values().collect::<Vec<_>>())?)
+    }
+}

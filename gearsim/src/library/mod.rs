@@ -1,0 +1,34 @@
+//! What programs use: read or build a scene, change it, run it, analyse it, and write or draw its results.
+//!
+//! ```no_run
+//! use gearsim::Scene;
+//!
+//! fn main() -> Result<(), gearsim::Error> {
+//!     let scene = Scene::load("models/scenes/two_stage.toml")?;
+//!     let results = scene.with("parameters.T_motor", "120 N*m")?.run()?;
+//!     println!("{:?}", results.column("mesh_force_12"));
+//!     results.write("out/two_stage")?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! The methods of a [`Scene`] are here, not beside its definition, because they use all that is below: the engine, the analyses, the
+//! plots. The command line is made of them too.
+
+pub mod advise;
+mod analyses;
+mod build;
+mod error;
+pub(crate) mod files;
+mod job;
+pub(crate) mod provenance;
+mod results;
+mod value;
+mod vary;
+
+pub use build::SceneBuilder;
+pub use error::Error;
+pub use job::{Gathering, Job, Rows};
+pub use results::Results;
+pub use value::Value;
+pub use vary::Variation;

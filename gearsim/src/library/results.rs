@@ -1,0 +1,160 @@
+//! The results of a run: named columns, events, summary, plots and files.
+
+use std::path::{Path, PathBuf};
+
+use super::{Error, files};
+use crate::analysis::digits;
+use crate::known;
+use crate::output::summary::Observed;
+use crate::output::{OutputFolder, Summary, Table};
+use crate::plot::{self, Figure};
+use crate::run::{Entry, Outcome};
+use crate::scene::Scene;
+use crate::trajectory::Trajectory;
+
+impl Scene {
+    /// The entry of its model.
+    pub(crate) fn entry(&self) -> Result<&'static Entry, Error> {
+        known::of(self).ok_or_else(|| {
+            let what = format!("this program does not have the model `{}`", self.model.name);
+            Error::impossible(what, "add it with `gearsim::add_models`, or see `gearsim models` for those that it has")
+        })
+    }
+
+    /// Runs the scene to its end.
+    ///
+    /// # Errors
+    /// If it cannot be run. A run that stops early, or whose energy account does not close, has results:
+    /// [`Results::check`] tells.
+    pub fn run(&self) -> Result<Results, Error> {
+        self.run_watched(&mut |_| {})
+    }
+
+    /// The same; as it goes, it calls `watch` with the time reached \[s\].
+    ///
+    /// # Errors
+    /// As [`Scene::run`].
+    pub fn run_watched(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
+        let entry = self.entry()?;
+        let refused = |refusal| Error::Refused { scene: self.name.clone(), refusal };
+        let outcome = entry.run(self, watch).map_err(refused)?;
+        let outcome = digits::noted(self, outcome, &|companion| entry.run(companion, &mut |_| {}));
+        Ok(Results { scene: self.clone(), outcome })
+    }
+}
+
+/// What a run of a scene came to.
+#[derive(Debug, Clone)]
+pub struct Results {
+    /// The scene that was run.
+    pub scene: Scene,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+impl Results {
+    /// The recorded rows.
+    pub fn trajectory(&self) -> &Trajectory {
+        &self.outcome.trajectory
+    }
+
+    /// A recorded column by the name that it has in files, e.g. `t`, `theta1_dot`, `mesh_force_12`, `kinetic` [SI]; one number a row.
+    ///
+    /// # Errors
+    /// If there is no such column; the text names those that there are.
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
+        self.trajectory().column(name).map(|column| column.into_owned()).ok_or_else(|| {
+            let names: Vec<_> = self.trajectory().columns().map(|column| column.name.into_owned()).collect();
+            Error::impossible(format!("there is no column `{name}`"), format!("the columns are {}", names.join(", ")))
+        })
+    }
+
+    /// Extremes, mean, rms and percentiles of a recorded output.
+    ///
+    /// # Errors
+    /// If it is not recorded; the text names those that are.
+    pub fn observed(&self, output: &str) -> Result<Observed, Error> {
+        let mut all = Observed::all(self.trajectory());
+        all.swap_remove(output).ok_or_else(|| {
+            let names: Vec<_> = self.trajectory().outputs.iter().map(|(output, _)| output.name).collect();
+            Error::impossible(format!("no output `{output}` is recorded"), format!("recorded are {}", names.join(", ")))
+        })
+    }
+
+    /// All columns with their units: what the files `trajectory.parquet` and `trajectory.csv` contain.
+    pub fn table(&self) -> Table {
+        // The columns of a run have one entry a row.
+        Table::of_trajectory(self.trajectory()).unwrap_or_default()
+    }
+
+    /// For each recorded event, its row before and its row after.
+    pub fn events(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.trajectory().events()
+    }
+
+    /// End state, energy account, statistics of the outputs, method and provenance: what the file `summary.json` contains.
+    pub fn summary(&self) -> Summary {
+        files::summary(&self.scene, &self.scene.overrides, &self.outcome, vec![])
+    }
+
+    /// Draws a plot by its name, e.g. `outputs`, `orders`, `energy`.
+    ///
+    /// # Errors
+    /// If there is no such plot, or the run has nothing to show in it.
+    pub fn plot(&self, name: &str) -> Result<Figure, Error> {
+        Ok((plot::find(name)?.draw)(&[self.drawn()])?)
+    }
+
+    /// The run as plots take it.
+    pub(crate) fn drawn(&self) -> plot::Run<'_> {
+        let Results { scene, outcome } = self;
+        plot::Run {
+            label: &scene.name,
+            trajectory: &outcome.trajectory,
+            reference_frequency: outcome.reference_frequency,
+            scene: &scene.name,
+            none_from: outcome.digits.and_then(|digits| digits.none_from),
+        }
+    }
+
+    /// Writes the files that `gearsim run` writes to a folder, and returns their paths. An earlier result in the folder is replaced
+    /// when all files are whole.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn write(&self, folder: impl AsRef<Path>) -> Result<Vec<PathBuf>, Error> {
+        let mut folder = OutputFolder::create(folder.as_ref())?;
+        self.write_to(&mut folder, self.scene.output.csv, |_| {})?;
+        self.finish(&mut folder)?;
+        Ok(folder.files().iter().map(|name| folder.path().join(name)).collect())
+    }
+
+    /// Writes the trajectory and the plots. `warn` is told of plots that cannot be drawn.
+    pub(crate) fn write_to(&self, folder: &mut OutputFolder, csv: bool, warn: impl FnMut(&str)) -> Result<(), Error> {
+        let Results { scene, outcome } = self;
+        files::trajectory(folder, "trajectory", csv, (scene, &scene.overrides), outcome)?;
+        files::plots(folder, scene, &[self.drawn()])?.iter().map(String::as_str).for_each(warn);
+        Ok(())
+    }
+
+    /// Writes the summary, which names all other files, and puts the result in its place.
+    pub(crate) fn finish(&self, folder: &mut OutputFolder) -> Result<Summary, Error> {
+        let summary = Summary { files: folder.files().to_vec(), ..self.summary() };
+        folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
+        folder.commit("summary.json")?;
+        Ok(summary)
+    }
+
+    /// Whether the run reached its end and its energy account closes.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn check(&self) -> Result<(), Error> {
+        let what = match (&self.outcome.stopped_by, &self.outcome.refuted) {
+            (Some(stop), _) => format!("the run of scene {} stopped early: {stop}", self.scene.name),
+            (None, Some(account)) => format!("the result of scene {} is wrong: {account}", self.scene.name),
+            (None, None) => return Ok(()),
+        };
+        Err(Error::impossible(what, "the rows until then are in the results"))
+    }
+}

@@ -1,0 +1,63 @@
+//! Values that a program sets in a scene.
+
+use crate::model::Model;
+use crate::scene::unit_of;
+
+/// A value of a scene: a number, a switch, or a text as in a scene file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number [SI unit of its key].
+    Number(f64),
+    /// A text with a unit, `20 N*m`, or anything else in TOML, `[{ value = "1 kN*m" }]`.
+    Text(String),
+}
+
+impl Value {
+    /// The override of `key`, as for the option `--set`.
+    pub(super) fn set(&self, key: &str, model: Option<&Model>) -> String {
+        match self {
+            Value::Text(text) => format!("{key}={text}"),
+            Value::Number(number) => match model.and_then(|model| unit_of(key, model)) {
+                Some(unit) if !["", "1"].contains(&unit.as_str()) => format!("{key}={number:?} {unit}"),
+                _ => format!("{key}={number}"),
+            },
+        }
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Value {
+        Value::Number(number)
+    }
+}
+
+impl From<i32> for Value {
+    fn from(number: i32) -> Value {
+        Value::Number(f64::from(number))
+    }
+}
+
+impl From<bool> for Value {
+    fn from(value: bool) -> Value {
+        Value::Text(value.to_string())
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Value {
+        Value::Text(text.into())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Value {
+        Value::Text(text)
+    }
+}
+
+/// A list, for example of effects.
+impl From<&[&str]> for Value {
+    fn from(texts: &[&str]) -> Value {
+        Value::Text(format!("{texts:?}"))
+    }
+}
