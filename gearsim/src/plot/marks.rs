@@ -33,6 +33,7 @@ pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64
             x: places.iter().flat_map(|x| [*x, *x, *x]).collect(),
             y: places.iter().flat_map(|_| [low, high, f64::NAN]).collect(),
             style: Style { colour, dashes, width: 0.9, marker: Marker::None },
+            note: String::new(),
         });
         for (r, rotor) in mesh.rotors.iter().enumerate() {
             let apart = rotor.frequency / unit;
@@ -46,7 +47,8 @@ pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64
             let y = x.iter().map(|x| value(curve, x / step)).collect();
             let (colour, marker) = SYMBOLS[(all.len() + r) % SYMBOLS.len()];
             let label = format!("sidebands ± {}", rotor.name);
-            all.push(Series { label, x, y, style: Style { colour, dashes: &[], width: 0.0, marker } });
+            let style = Style { colour, dashes: &[], width: 0.0, marker };
+            all.push(Series { label, x, y, style, note: String::new() });
         }
     }
     all
