@@ -48,10 +48,15 @@ impl Spectrum {
         self.density.iter().map(move |density| (density * bandwidth).sqrt())
     }
 
-    /// The highest frequency with a density above a fraction `share` of the largest one [Hz].
+    /// The frequency above which less than a fraction `share` of the power lies [Hz].
     pub fn highest(&self, share: f64) -> f64 {
-        let floor = share * self.density.iter().copied().fold(0.0, f64::max);
-        self.density.iter().rposition(|p| *p > floor).map_or(0.0, |i| self.frequency[i])
+        let mut left = share * self.density.iter().sum::<f64>();
+        let above = self.density.iter().rev().take_while(|p| {
+            left -= **p;
+            left > 0.0
+        });
+        let above = above.count();
+        self.frequency.iter().rev().nth(above).copied().unwrap_or(0.0)
     }
 
     /// Power [unit^2] between two frequencies [Hz], both included.

@@ -2,6 +2,7 @@
 
 mod advise;
 mod compare;
+mod evaluate;
 mod failure;
 mod floquet;
 mod merge;

@@ -7,6 +7,7 @@ mod energy;
 pub mod figure;
 pub mod floquet;
 mod heat;
+mod load_duration;
 pub mod map;
 mod marks;
 pub mod modes;
@@ -15,7 +16,9 @@ mod order_cuts;
 mod orders;
 pub mod outputs;
 mod picture;
+mod rainflow;
 pub mod response;
+mod run_up;
 mod spectrum;
 mod text;
 mod ticks;
@@ -32,7 +35,17 @@ use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
 
 /// All plots, in the order in which they are listed.
-pub const PLOTS: &[Plot] = &[outputs::PLOT, orders::PLOT, energy::PLOT, spectrum::PLOT, motion::PLOT, order_cuts::PLOT];
+pub const PLOTS: &[Plot] = &[
+    outputs::PLOT,
+    orders::PLOT,
+    energy::PLOT,
+    spectrum::PLOT,
+    motion::PLOT,
+    order_cuts::PLOT,
+    run_up::PLOT,
+    rainflow::PLOT,
+    load_duration::PLOT,
+];
 
 /// All plots of sweeps.
 pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];

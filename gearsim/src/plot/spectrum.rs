@@ -27,8 +27,8 @@ pub const PLOT: Plot = Plot {
 const LONGEST: f64 = 5.0;
 /// End of the frequency axis in multiples of the highest mesh frequency.
 const MESHES: f64 = 4.5;
-/// Content of a spectrum: densities above this fraction of the highest.
-const CONTENT: f64 = 1e-5;
+/// The axis in Hz reaches so far that less than this fraction of the power lies beyond it.
+const CONTENT: f64 = 1e-3;
 /// Most forces of meshes if the scene does not choose.
 const FORCES: usize = 2;
 /// Most panels if the scene does not choose.

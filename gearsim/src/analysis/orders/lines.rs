@@ -17,8 +17,8 @@ use super::{Mesh, Turning};
 const HARMONICS: usize = 5;
 /// Sidebands on either side of a mesh order that are listed.
 const SIDEBANDS: i32 = 3;
-/// Revolutions of a rotor in a record from which on its sidebands are apart from the mesh order.
-const APART: f64 = 2.0;
+/// Revolutions of a rotor in a record from which on its sidebands are listed: the main lobe of the Hann window is 4 lines wide.
+const APART: f64 = 4.0;
 /// Samples in a period of the highest line that is listed: above half the sampling rate there are none.
 const SAMPLES: f64 = 2.5;
 
@@ -70,7 +70,7 @@ impl Turning {
     pub fn amplitudes(&self, columns: &[&[f64]], lines: &[Line]) -> Vec<Vec<f64>> {
         let (last, end) = (self.angle.len() - 1, self.angle[self.angle.len() - 1]);
         // Whole revolutions, so that the sidebands of the shaft lie where the transform of the window is zero.
-        let length = if end >= APART { end.floor() } else { end };
+        let length = if end >= 2.0 { end.floor() } else { end };
         let inside = self.angle.partition_point(|angle| *angle < length);
         let weight = |i: usize| {
             let step = 0.5 * (self.angle[(i + 1).min(last)] - self.angle[i.saturating_sub(1)]);
