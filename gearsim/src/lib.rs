@@ -16,7 +16,7 @@
 //!
 //! | to | use |
 //! | --- | --- |
-//! | read a scene, build one, change a value | [`Scene::load`], [`Scene::of_model`], [`Scene::with`] |
+//! | read a scene, build one, change a value | [`Scene::load`], [`Scene::of_model`], [`Scene::with`], [`starter`] |
 //! | run it; columns, summary, plots, files | [`Scene::run`], [`Results`] |
 //! | run it at many values | [`Scene::vary`], [`Variation::run`], [`Variation::response`] |
 //! | natural frequencies, stability | [`Scene::modes`], [`Scene::floquet`] |
@@ -65,6 +65,6 @@ pub mod trajectory;
 pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
 pub use library::advise::Advice;
-pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation};
-pub use run::{Entry, Outcome};
+pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
+pub use run::{Entry, Outcome, Prospect};
 pub use scene::Scene;

@@ -79,6 +79,19 @@ pub struct Solver {
     pub rejected: u64,
 }
 
+/// How a scene would be run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prospect {
+    /// The method, by its name in scenes.
+    pub method: &'static str,
+    /// Why it is this one.
+    pub why: String,
+    /// Coordinates at the start [SI] (n).
+    pub q: Vec<f64>,
+    /// Speeds at the start [SI] (n).
+    pub q_dot: Vec<f64>,
+}
+
 /// A model as the program knows it: its description, and how to run a scene of it.
 #[derive(Clone, Copy)]
 pub struct Entry {
@@ -100,6 +113,17 @@ impl Entry {
     pub fn run(&self, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
         let equations = self.equations(scene)?;
         Ok(Prepared::new(&self.derived, scene, &*equations)?.run(watch))
+    }
+
+    /// How a scene would be run, and from where; it is not run.
+    ///
+    /// # Errors
+    /// Those of [`Entry::run`].
+    pub fn check(&self, scene: &Scene) -> Result<Prospect, Refusal> {
+        let equations = self.equations(scene)?;
+        let Prepared { simulation, plan } = Prepared::new(&self.derived, scene, &*equations)?;
+        let (method, why) = (plan.choice.method.name(), plan.choice.why);
+        Ok(Prospect { method, why, q: simulation.now.state.q.to_vec(), q_dot: simulation.now.state.q_dot.to_vec() })
     }
 
     /// Runs scenes side by side ([`ensemble`]); of those with linear cells and constant torques, the start and the end are recorded

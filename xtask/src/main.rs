@@ -2,6 +2,7 @@
 
 mod chore;
 mod costs;
+mod coverage;
 mod derive;
 mod fuzz;
 mod gallery;
@@ -30,6 +31,8 @@ struct Arguments {
 enum Verb {
     /// Measure run time, memory and compile time against the number of coordinates; write them to tests/costs.md.
     Costs(costs::Costs),
+    /// Run every effect of every model under every command; write the table to tests/coverage.md.
+    Coverage(coverage::Coverage),
     /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
     }
     let done = match Arguments::parse().verb {
         Verb::Costs(verb) => verb.run(),
+        Verb::Coverage(verb) => verb.run(),
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
         Verb::Published(verb) => verb.run(),

@@ -95,6 +95,11 @@ impl Gathering {
 
 #[pymethods]
 impl Gathering {
+    /// Lets go of the folder, so that another process can go on from what it holds.
+    fn close(&self) {
+        self.inner.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
+    }
+
     /// Joins all rows to `sweep.parquet`, and returns their table. Its bytes are those of `gearsim sweep`.
     fn finish(&self, py: Python<'_>) -> PyResult<Table> {
         let inner = self.inner.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take().ok_or_else(finished)?;

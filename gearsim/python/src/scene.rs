@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use gearsim::{Scene as Inner, Value};
+use gearsim::Scene as Inner;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -41,14 +41,6 @@ impl Scene {
             Some((samples, seed)) => variation.samples(samples, seed),
             None => variation,
         })
-    }
-
-    fn changed(&self, values: Vec<(String, Value)>) -> PyResult<Scene> {
-        let mut inner = self.inner.clone();
-        for (key, value) in values {
-            inner = inner.with(&key, value).map_err(raised)?;
-        }
-        Ok(Scene { inner })
     }
 }
 
@@ -92,7 +84,8 @@ impl Scene {
         for table in [values, tables].into_iter().flatten() {
             all.extend(value::flat(table, "")?);
         }
-        self.changed(all)
+        let all = all.iter().map(|(key, value)| (key.as_str(), value.clone()));
+        Ok(Scene { inner: self.inner.with_all(all).map_err(raised)? })
     }
 
     /// Runs the scene. `progress` is called with the time reached [s] now and then.

@@ -105,3 +105,28 @@ def test_a_response_goes_up_and_down():
     scene = gearsim.load(SCENE.parents[1] / "response.toml")
     table = scene.response("start.speed=5000 rpm:5100 rpm:3", start=0.05)
     assert len(table) == 6
+
+
+def test_dask_gives_the_same_bytes_though_a_worker_is_killed(scene, tmp_path, bytes_of_the_command_line):
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            pids = list(client.run(os.getpid).values())
+            killed = []
+
+            def kill(_):
+                if not killed:
+                    killed.append(pids[0])
+                    os.kill(pids[0], 9)
+
+            gearsim.sweep(
+                scene,
+                *AXES,
+                record=["outputs"],
+                out=tmp_path / "here",
+                executor=client.get_executor(),
+                points_per_task=1,
+                progress=kill,
+            )
+    assert killed
+    assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line

@@ -26,7 +26,7 @@ Examples:
   gearsim advise models/scenes/oh2005/spectrum_4500rpm_exact.toml --set parameters.T0=\"50 N*m\""
 )]
 pub(super) struct Advise {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// Sets a value of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -35,17 +35,18 @@ pub(super) struct Advise {
 
 impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
-        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
+        let models = known::descriptions();
         let scene = Scene::load_with(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let advice = scene.advise()?;
         let width = terminal::width();
         let dropped = scene.effects != advise::base(&scene).effects;
         terminal::print_out(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
-        match advice.refuted {
+        match (advice.stopped, advice.refuted) {
+            (Some(stop), _) => Err(Failure::StoppedAdvice { scene: scene.name, stop }),
             // The deviations are those from a wrong result.
-            Some(account) => Err(Failure::RefutedAdvice { scene: scene.name, account }),
-            None => Ok(()),
+            (None, Some(account)) => Err(Failure::RefutedAdvice { scene: scene.name, account }),
+            (None, None) => Ok(()),
         }
     }
 }

@@ -34,6 +34,9 @@ pub(super) enum Failure {
     /// Advice is based on a run whose energy account does not close.
     #[error("the advice is worth nothing, because the result of scene {scene} is wrong: {account}")]
     RefutedAdvice { scene: String, account: Account },
+    /// Advice is based on a run that stopped before its end.
+    #[error("the advice is that of the beginning only, because the run of scene {scene} stopped early: {stop}")]
+    StoppedAdvice { scene: String, stop: String },
     /// Runs of some points of a sweep reached their ends, but their energy accounts do not close.
     #[error(
         "the results of {count} points are wrong: their energy accounts do not close\n  the rows with the status `refuted` in {folder}",
@@ -103,6 +106,7 @@ impl Failure {
             | Failure::Refuted { .. }
             | Failure::RefutedPoints { .. }
             | Failure::Points { .. }
+            | Failure::StoppedAdvice { .. }
             | Failure::RefutedAdvice { .. } => 3,
         }
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::failure::Failure;
 use super::number::short;
-use super::simulate::{Source, entry};
+use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::floquet::{Chart, Floquet, FloquetError, Spot, Varied, Verdict};
 use crate::output::summary::Provenance;
@@ -114,7 +114,7 @@ impl Verb for FloquetCommand {
 impl FloquetCommand {
     fn of(&self, scene: &Scene) -> Result<Floquet, Failure> {
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = entry(scene)?.system(scene).map_err(refused)?;
+        let system = scene.entry()?.system(scene).map_err(refused)?;
         Floquet::of(scene, &system).map_err(|error| match error {
             FloquetError::Refused(refusal) => refused(refusal),
             other => Failure::Impossible {

@@ -1,10 +1,13 @@
 //! The command line. Each command has one file and one entry in [`COMMANDS`].
 
 mod advise;
+mod check;
 mod compare;
+mod completions;
 mod evaluate;
 mod failure;
 mod floquet;
+mod man;
 mod merge;
 mod models;
 mod modes;
@@ -14,6 +17,7 @@ mod progress;
 mod report;
 mod response;
 mod run;
+mod scene;
 mod simulate;
 mod sweep;
 mod terminal;
@@ -43,8 +47,12 @@ const COMMANDS: &[Command] = &[
     Command::of::<modes::Modes>(),
     Command::of::<floquet::FloquetCommand>(),
     Command::of::<work_precision::WorkPrecision>(),
+    Command::of::<check::Check>(),
+    Command::of::<scene::SceneCommand>(),
     Command::of::<models::Models>(),
     Command::of::<new::New>(),
+    Command::of::<completions::Completions>(),
+    Command::of::<man::ManCommand>(),
 ];
 
 /// A command: its description for clap, and the function that runs it.

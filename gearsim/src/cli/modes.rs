@@ -6,7 +6,7 @@ use clap::Parser;
 use serde::Serialize;
 
 use super::failure::Failure;
-use super::simulate::{Source, entry};
+use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
@@ -110,9 +110,9 @@ impl Verb for Modes {
     fn run(self) -> Result<(), Failure> {
         let scene = self.source.load()?;
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = entry(&scene)?.system(&scene).map_err(refused)?;
+        let system = scene.entry()?.system(&scene).map_err(refused)?;
         let courses = steady::courses(&scene, &system).map_err(refused)?;
-        let springs = springs::of(&scene, entry(&scene)?).map_err(refused)?;
+        let springs = springs::of(&scene, scene.entry()?).map_err(refused)?;
         let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
         let cells = modes::combinations(&courses);
         let cells = cells.iter().map(|k| modes::of(&system, k, &springs)).collect::<Result<Vec<_>, _>>();

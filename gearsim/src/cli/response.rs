@@ -31,7 +31,7 @@ Examples:
       --output dte_12,mesh_force_34 --measure peak_to_peak --settle \"0.2 s\""
 )]
 pub(super) struct ResponseCommand {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// A key of the scene and its rising values, e.g. --over start.speed="1000 rpm:5000 rpm:81"
     #[arg(long, value_name = "KEY=VALUES")]

@@ -7,15 +7,14 @@ use clap::Args;
 use super::failure::Failure;
 use super::progress::Progress;
 use super::{known, terminal};
-use crate::analysis::digits;
 use crate::output::OutputFolder;
-use crate::run::{Entry, Outcome};
+use crate::run::Outcome;
 use crate::scene::Scene;
 
 /// The scene to simulate, and the folder for the results.
 #[derive(Args)]
 pub(super) struct Source {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// Folder for the results; created if missing, older results in it are replaced
     #[arg(long, value_name = "DIR")]
@@ -35,7 +34,7 @@ impl Source {
 
     /// Loads and checks the scene with `further` values set.
     pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
-        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
+        let models = known::descriptions();
         let overrides: Vec<String> = self.overrides.iter().chain(further).cloned().collect();
         Scene::load_with(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
     }
@@ -50,20 +49,8 @@ impl Source {
     }
 }
 
-/// The entry of the scene's model in [`known::models`].
-pub(super) fn entry(scene: &Scene) -> Result<&'static Entry, Failure> {
-    let unknown = || Failure::Impossible {
-        what: format!("this program does not have the model `{}`", scene.model.name),
-        help: "`gearsim models` lists the models that it has".into(),
-    };
-    known::models().iter().find(|entry| entry.model.name == scene.model.name).ok_or_else(unknown)
-}
-
 /// Runs a scene and its companion run, which gives the number of digits left. Shows a progress bar if the run takes long, unless `quiet`.
 pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
-    let entry = entry(scene)?;
     let mut progress = Progress::new(scene.t_end, quiet);
-    let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-    let outcome = entry.run(scene, &mut |t| progress.at(t)).map_err(refused)?;
-    Ok(digits::noted(scene, outcome, &|companion| entry.run(companion, &mut |_| {})))
+    Ok(scene.run_watched(&mut |t| progress.at(t))?.outcome)
 }

@@ -25,7 +25,7 @@ pub(super) use report::{Progress, summary_text};
 #[derive(Parser)]
 #[command(name = "sweep", after_help = after_help())]
 pub(super) struct SweepCommand {
-    /// The scene: a TOML file
+    /// The scene: a TOML file, or - for the standard input
     scene: PathBuf,
     /// A key of the scene and its values, e.g. --vary parameters.T0="1 N*m:100 N*m:50"; may be repeated
     #[arg(long, value_name = "KEY=VALUES", required = true)]
@@ -50,7 +50,8 @@ pub(super) struct SweepCommand {
     from: String,
     #[command(flatten)]
     plots: PlotOptions,
-    /// Runs only shard I of N of the points; `gearsim merge` joins the shards
+    /// Runs only shard I of N of the points; `gearsim merge` joins the shards. auto: that of
+    /// this task in a job array of Slurm; auto/N: in one of Kubernetes
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
     shard: Shard,
     /// Number of threads, at most 1024 [default: one per core]

@@ -5,6 +5,7 @@ mod faults;
 mod page;
 mod refusals;
 mod runs;
+mod starters;
 mod sweeps;
 mod texts;
 

@@ -49,7 +49,7 @@ pub(super) struct WorkPrecision {
 
 impl Verb for WorkPrecision {
     fn run(self) -> Result<(), Failure> {
-        let models: Vec<_> = known::models().iter().map(|entry| entry.model).collect();
+        let models = known::descriptions();
         let load = |path: &PathBuf| {
             Scene::load_with(path, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
         };

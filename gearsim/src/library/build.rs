@@ -57,8 +57,16 @@ impl Scene {
     /// # Errors
     /// If there is no such key, or the value is not valid for it.
     pub fn with(&self, key: &str, value: impl Into<Value>) -> Result<Scene, Error> {
+        self.with_all([(key, value.into())])
+    }
+
+    /// The same scene with several other values; it is checked once, with all of them.
+    ///
+    /// # Errors
+    /// As [`Scene::with`].
+    pub fn with_all<'a>(&self, values: impl IntoIterator<Item = (&'a str, Value)>) -> Result<Scene, Error> {
         let mut overrides = self.overrides.clone();
-        overrides.push(value.into().set(key, Some(self.model)));
+        overrides.extend(values.into_iter().map(|(key, value)| value.set(key, Some(self.model))));
         Ok(Template::again(self, &overrides)?.scene(&[], &known::descriptions())?)
     }
 }

@@ -24,6 +24,7 @@ pub(crate) mod files;
 mod job;
 pub(crate) mod provenance;
 mod results;
+mod starter;
 mod value;
 mod vary;
 
@@ -31,5 +32,6 @@ pub use build::SceneBuilder;
 pub use error::Error;
 pub use job::{Gathering, Job, Rows};
 pub use results::Results;
+pub use starter::starter;
 pub use value::Value;
 pub use vary::Variation;

@@ -9,7 +9,7 @@ use crate::known;
 use crate::output::summary::Observed;
 use crate::output::{OutputFolder, Summary, Table};
 use crate::plot::{self, Figure};
-use crate::run::{Entry, Outcome};
+use crate::run::{Entry, Outcome, Prospect};
 use crate::scene::Scene;
 use crate::trajectory::Trajectory;
 
@@ -20,6 +20,15 @@ impl Scene {
             let what = format!("this program does not have the model `{}`", self.model.name);
             Error::impossible(what, "add it with `gearsim::add_models`, or see `gearsim models` for those that it has")
         })
+    }
+
+    /// Finds the start of the scene and chooses its method, without running it.
+    ///
+    /// # Errors
+    /// If it cannot be run.
+    pub fn check(&self) -> Result<Prospect, Error> {
+        let refused = |refusal| Error::Refused { scene: self.name.clone(), refusal };
+        self.entry()?.check(self).map_err(refused)
     }
 
     /// Runs the scene to its end.

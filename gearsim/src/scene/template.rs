@@ -1,5 +1,6 @@
 //! A scene that is parsed but not yet checked. Each point of a sweep applies its values to it.
 
+use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -28,8 +29,21 @@ pub struct Template {
 }
 
 impl Template {
-    /// Reads the file of a scene. See [`Template::parse`].
+    /// Reads the file of a scene, or the standard input if the path is `-`. See [`Template::parse`].
     pub fn load(path: &Path, overrides: &[String]) -> Result<Template, SceneMistakes> {
+        if path == Path::new("-") {
+            let mut text = String::new();
+            let read = std::io::stdin().lock().take(SCENE_BYTES + 1).read_to_string(&mut text);
+            let wrong = match read {
+                Ok(length) if length as u64 <= SCENE_BYTES => None,
+                Ok(_) => Some(format!("the standard input is longer than a scene, {} MB", SCENE_BYTES >> 20)),
+                Err(error) => Some(format!("cannot read the standard input: {error}")),
+            };
+            return match wrong {
+                Some(message) => Err(SceneMistakes::unreadable("stdin", message, "give a scene, in TOML")),
+                None => Template::parse("stdin", "standard input", &text, overrides),
+            };
+        }
         let shown = path.display().to_string();
         let name = path.file_stem().map_or_else(|| shown.clone(), |stem| stem.to_string_lossy().into_owned());
         let unreadable = |message| SceneMistakes::unreadable(&name, message, "give the path of a scene, a TOML file");

@@ -99,8 +99,11 @@ fn by_steps(scene: &Scene, why: String, run: Runner<'_>) -> Result<Reference, St
 
 fn complete(outcome: Result<Outcome, Refusal>) -> Result<Outcome, String> {
     let outcome = outcome.map_err(|refusal| refusal.to_string())?;
-    outcome.stopped_by.as_ref().map_or(Ok(()), |stop| Err(stop.to_string()))?;
-    Ok(outcome)
+    match (&outcome.stopped_by, &outcome.refuted) {
+        (Some(stop), _) => Err(stop.to_string()),
+        (None, Some(account)) => Err(account.to_string()),
+        (None, None) => Ok(outcome),
+    }
 }
 
 /// The scene with the samples and events recorded that errors are computed from.

@@ -196,7 +196,7 @@ mod tests {
     use super::*;
     use crate::analysis::modes::{self, springs};
     use crate::analysis::steady;
-    use crate::cli::simulate::entry;
+    use crate::known;
     use crate::plot::{campbell, modes as shapes};
 
     /// A mode has the same number in the advice, in the table of modes, and in both figures: its place in `CellModes`.
@@ -204,11 +204,11 @@ mod tests {
     fn modes_have_the_same_numbers_everywhere() {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/two_stage.toml");
         let scene = crate::scene::Scene::load(&path).unwrap();
-        let system = entry(&scene).unwrap().system(&scene).unwrap();
+        let system = known::of(&scene).unwrap().system(&scene).unwrap();
         let groups = Groups::of(&scene, &system).unwrap();
         let courses = steady::courses(&scene, &system).unwrap();
         let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
-        let springs = springs::of(&scene, entry(&scene).unwrap()).unwrap();
+        let springs = springs::of(&scene, known::of(&scene).unwrap()).unwrap();
         let cell = modes::of(&system, &mids, &springs).unwrap();
         let (law, meeting) = *groups.meetings.first().expect("a harmonic of the meshes is near a mode");
         let mesh = courses.iter().find(|course| course.name == law).unwrap().mesh_frequency();

@@ -86,6 +86,14 @@ fn a_refuted_result_is_a_failure_of_every_command() {
     assert_eq!(code(Advise::try_parse_from(advise).map_err(Failure::Usage).and_then(Advise::run)), 3);
 }
 
+#[test]
+fn advice_from_a_run_that_stopped_early_is_a_failure() {
+    let arguments = ["gearsim".into(), scene().display().to_string(), "--set".into(), "output.most_rows=200".into()];
+    let failure = Advise::try_parse_from(arguments).map_err(Failure::Usage).and_then(Advise::run).unwrap_err();
+    assert_eq!(failure.code(), 3);
+    assert!(failure.to_string().contains("stopped early"), "{failure}");
+}
+
 /// A command that cannot print has failed.
 #[test]
 #[cfg(unix)]

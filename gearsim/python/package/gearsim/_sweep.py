@@ -42,16 +42,20 @@ def sweep(
     job = scene.job(**definition)
     with tempfile.TemporaryDirectory() as temporary:
         gathering = job.gather(out if out is not None else temporary)
-        missing = job.missing(gathering, len(job) if executor is None else points_per_task)
-        done = len(job) - sum(end - first for first, end in missing)
-        if executor is None:
-            for first, end in missing:
-                told = progress and (lambda count, before=done: progress(before + int(count)))
-                job.keep(gathering, job.run(first, end, told))
-                done += end - first
-        else:
-            _gather(executor, scene, definition, job, gathering, missing, done, progress)
-        return gathering.finish()
+        try:
+            missing = job.missing(gathering, len(job) if executor is None else points_per_task)
+            done = len(job) - sum(end - first for first, end in missing)
+            if executor is None:
+                for first, end in missing:
+                    told = progress and (lambda count, before=done: progress(before + int(count)))
+                    job.keep(gathering, job.run(first, end, told))
+                    done += end - first
+            else:
+                _gather(executor, scene, definition, job, gathering, missing, done, progress)
+            return gathering.finish()
+        finally:
+            # An exception may live on, and with it this frame; the folder must be free.
+            gathering.close()
 
 
 def _gather(executor, scene, definition, job, gathering, missing, done, progress):

@@ -1,0 +1,71 @@
+//! `gearsim check`: reads scenes and prepares their runs, without running them.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+
+use super::failure::Failure;
+use super::{Verb, report, terminal};
+use crate::known;
+use crate::scene::Scene;
+
+/// Check scenes without running them: mistakes, start, method
+#[derive(Parser)]
+#[command(
+    name = "check",
+    after_help = "\
+Reads each scene, finds its static start, computes its first cell, and chooses its method. The exit
+code is 0 if all can be run, and 2 if one cannot.
+
+Examples:
+  gearsim check models/scenes/two_stage.toml
+  gearsim check models/scenes/*.toml --set run.precision=compensated"
+)]
+pub(super) struct Check {
+    /// The scenes: TOML files
+    #[arg(required = true, value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// Sets a value of every scene, e.g. --set run.t_end="1 s"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Print nothing but warnings and errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+impl Verb for Check {
+    fn run(self) -> Result<(), Failure> {
+        let mut first_failure = None;
+        for path in &self.scenes {
+            match self.check(path) {
+                Ok(text) if self.quiet => drop(text),
+                Ok(text) => terminal::print_out(&text),
+                // All scenes are checked; the last failure is reported by the program.
+                Err(failure) => {
+                    if let Some(before) = first_failure.replace(failure) {
+                        Failure::report(&before);
+                    }
+                }
+            }
+        }
+        first_failure.map_or(Ok(()), Err)
+    }
+}
+
+impl Check {
+    fn check(&self, path: &std::path::Path) -> Result<String, Failure> {
+        let models = known::descriptions();
+        let scene = Scene::load_with(path, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
+        scene.warnings.iter().for_each(|warning| terminal::warn(warning));
+        let prospect = scene.check()?;
+        let width = terminal::width();
+        let method = format!("{}: {}", prospect.method, prospect.why);
+        let start = scene.model.coordinates.iter().zip(&prospect.q);
+        let start: Vec<_> =
+            start.map(|(c, q)| format!("{} = {} {}", c.name, super::number::short(*q), c.unit)).collect();
+        Ok(report::scene(&scene, width)
+            + &report::line("method", &method, width)
+            + &report::line("starts at", &start.join(", "), width)
+            + "\n")
+    }
+}
