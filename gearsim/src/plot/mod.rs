@@ -13,7 +13,7 @@ mod marks;
 pub mod modes;
 mod motion;
 mod order_cuts;
-mod orders;
+pub(crate) mod orders;
 pub mod outputs;
 mod picture;
 mod rainflow;

@@ -17,9 +17,9 @@ pub const PLOT: Plot = Plot {
 /// The units of the outputs that are drawn; the first output of each.
 const UNITS: [&str; 4] = ["m", "rad", "N", "N*m"];
 /// The axis ends at this multiple of the highest mesh order.
-const LONGEST: f64 = 4.5;
-/// Decades shown below the highest line.
-const DECADES: f64 = 1e-6;
+pub(crate) const LONGEST: f64 = 4.5;
+/// The axis of amplitudes begins at this part of the highest line.
+pub(crate) const DECADES: f64 = 1e-6;
 
 /// The samples of each run at the angles of a shaft.
 pub(super) fn turnings(runs: &[Run<'_>], shaft: &'static Output) -> Result<Vec<Turning>, PlotError> {

@@ -41,7 +41,7 @@ fn a_page_shows_the_run_and_escapes_the_scene() {
         .unwrap();
     let page = std::fs::read_to_string(out.join("page.html")).unwrap();
     let (content, _) = page.split_once("</main>").unwrap();
-    for id in ["method", "motion", "energy", "spectra", "numbers", "counts", "scene", "model", "provenance"] {
+    for id in ["method", "motion", "energy", "spectra", "orders", "numbers", "counts", "scene", "model", "provenance"] {
         assert!(content.contains(&format!("<section id=\"{id}\"")), "no section {id}");
     }
     let (table, _) = crate::output::parquet::read(&out.join("trajectory.parquet")).unwrap();

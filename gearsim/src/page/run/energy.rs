@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::columns::{Group, Kind};
-use super::motion;
+use super::{losses, motion};
 use crate::output::number::short;
 use crate::page::html::{Cell, Html};
 
@@ -31,6 +31,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         html.note(&format!("The account does not close, so the result is wrong: {refuted}"));
     }
     table(all, html);
+    losses::table(report, html);
     let Group { kind, unit, ref columns } = *all;
     let (residual, mut parts): (Vec<_>, Vec<_>) = columns.iter().cloned().partition(|c| c.name == "residual");
     for part in &mut parts {

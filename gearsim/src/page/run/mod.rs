@@ -3,14 +3,18 @@
 mod columns;
 mod counts;
 mod energy;
+mod losses;
 mod method;
 mod model;
 mod motion;
 mod numbers;
+mod orders;
 mod provenance;
 mod rows;
 mod scene;
 mod spectrum;
+
+use std::cell::OnceCell;
 
 use super::Page;
 use super::html::Html;
@@ -26,6 +30,7 @@ const SECTIONS: &[Section] = &[
     Section { id: "motion", title: "Motion", fill: motion::fill },
     Section { id: "energy", title: "Energy", fill: energy::fill },
     Section { id: "spectra", title: "Spectra", fill: spectrum::fill },
+    Section { id: "orders", title: "Orders", fill: orders::fill },
     Section { id: "numbers", title: "Numbers", fill: numbers::fill },
     Section { id: "counts", title: "Counts", fill: counts::fill },
     Section { id: "scene", title: "Scene", fill: scene::fill },
@@ -58,6 +63,8 @@ struct Report<'a> {
     run: &'a Run<'a>,
     groups: Vec<Group<'a>>,
     rows: Rows,
+    /// The times of the rows and of the events, once a plot has them.
+    times: OnceCell<motion::Times>,
 }
 
 /// The page of a run. Errors: [`OutputError::Ragged`] if its columns differ in length.
@@ -65,7 +72,7 @@ pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
     let table = Table::of_trajectory(&run.outcome.trajectory)?;
     let rows = Rows::of(&table);
     let groups = columns::groups(&run.outcome.trajectory, &table);
-    let report = Report { run, groups, rows };
+    let report = Report { run, groups, rows, times: OnceCell::new() };
     let scene = run.scene;
     let subtitle = if scene.about.is_empty() { scene.model.title } else { &scene.about };
     let mut page = Page::new(&scene.name, subtitle);

@@ -2,10 +2,18 @@
 
 use super::Report;
 use super::columns::{Group, Kind};
-use crate::page::data::Counts;
+use crate::page::data::{Column, Counts};
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Plot};
 use crate::trajectory::Moment;
+
+/// Times in the page, embedded once for all plots.
+pub(super) struct Times {
+    /// Those of the rows [s].
+    rows: Column,
+    /// Those of the events [s]; `None` without events.
+    events: Option<Column>,
+}
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
@@ -35,24 +43,26 @@ pub(super) fn plot(
     shown: &dyn Fn(usize) -> bool,
 ) {
     let outcome = report.run.outcome;
-    let t = html.embed(&report.rows.times(&outcome.trajectory.t), Counts::Long);
+    let times = report.times.get_or_init(|| {
+        let events = events(report);
+        let rows = html.embed(&report.rows.times(&outcome.trajectory.t), Counts::Long);
+        Times { rows, events: (!events.is_empty()).then(|| html.embed(&events, Counts::Long)) }
+    });
     let curves = group.columns.iter().enumerate().map(|(i, column)| Curve {
         name: column.name.to_owned(),
         doc: column.doc.clone(),
-        x: t.clone(),
+        x: times.rows.clone(),
         y: html.embed(&report.rows.values(&column.values), Counts::Short),
         shown: shown(i),
     });
     let curves = curves.collect();
-    let events = events(report);
-    let events = (!events.is_empty()).then(|| html.embed(&events, Counts::Long));
     html.plot(&Plot {
         title: title.to_owned(),
         x: Axis::linear("time t", "s"),
         y: Axis::linear("", group.unit),
         curves,
         group: Some("time"),
-        events,
+        events: times.events.clone(),
         lines: vec![],
         shaded_from: outcome.digits.and_then(|digits| digits.none_from),
     });

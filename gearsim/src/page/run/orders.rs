@@ -1,0 +1,119 @@
+//! Order spectra of signals and deflections ([`crate::analysis::orders`]), a plot for each unit, and a table of the mesh orders.
+
+use super::Report;
+use super::columns::{Group, Kind};
+use crate::analysis::orders::{self, Mesh, Turning, first_shaft, meshes};
+use crate::analysis::spectrum::SpectrumError;
+use crate::page::data::Counts;
+use crate::page::html::{Cell, Html};
+use crate::page::plot::{Axis, Curve, Line, Plot};
+use crate::plot::orders::{DECADES, LONGEST};
+
+/// Multiples of a mesh order that are marked.
+const MULTIPLES: usize = 4;
+
+/// Writes the section.
+pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
+    let run = &report.run.outcome.trajectory;
+    let Some(shaft) = first_shaft(run) else {
+        return html.paragraph("There are no orders: the run recorded no speed of a rotor.");
+    };
+    let turning = match Turning::of(run, shaft.name, 0.0) {
+        Ok(turning) => turning,
+        Err(error) => return html.paragraph(&format!("There are no orders of {}: {error}.", shaft.name)),
+    };
+    html.paragraph(&format!(
+        "Peak amplitudes over orders of the shaft with the speed {} ({}): {} whole revolutions, interpolated at equal angles, \
+         Hann window. The mean is left out.",
+        shaft.name,
+        shaft.doc,
+        turning.revolutions(),
+    ));
+    let meshes = meshes(run, 0.0);
+    for group in report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection)) {
+        if let Err(error) = plot(html, group, (shaft.name, &turning), &meshes) {
+            html.note(&format!("There are no orders of {}: {error}.", group.title().to_lowercase()));
+        }
+    }
+    table(report, html, &turning, &meshes);
+}
+
+/// Adds the plot of a group.
+fn plot(
+    html: &mut Html,
+    group: &Group<'_>,
+    (shaft, turning): (&str, &Turning),
+    meshes: &[Mesh],
+) -> Result<(), SpectrumError> {
+    let (mut curves, mut peak, mut longest) = (vec![], 0.0_f64, 0.0_f64);
+    for (i, column) in group.columns.iter().enumerate() {
+        let spectrum = turning.orders(&column.values)?;
+        if group.shown(i) {
+            peak = spectrum.amplitude.iter().skip(1).fold(peak, |m, x| m.max(*x));
+        }
+        longest = longest.max(spectrum.order.last().copied().unwrap_or(0.0));
+        let x = html.embed(&spectrum.order, Counts::Long);
+        let logarithms: Vec<f64> = spectrum.amplitude.iter().map(|x| x.log10()).collect();
+        let y = html.embed(&logarithms, Counts::Short);
+        curves.push(Curve { name: column.name.into(), doc: column.doc.clone(), x, y, shown: group.shown(i) });
+    }
+    let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
+    let end = if highest > 0.0 { longest.min(LONGEST * highest) } else { longest };
+    html.plot(&Plot {
+        title: format!("{}: amplitudes of orders", group.title()),
+        x: Axis { range: (end > 0.0).then_some((0.0, end)), ..Axis::linear(format!("order of {shaft}"), "") },
+        y: Axis {
+            log: true,
+            range: (peak > 0.0).then_some((DECADES * peak, 2.0 * peak)),
+            ..Axis::linear("", group.unit)
+        },
+        curves,
+        group: Some("order"),
+        events: None,
+        lines: marks(meshes, turning),
+        shaded_from: None,
+    });
+    Ok(())
+}
+
+/// Vertical lines at the orders of steady meshes. Meshes of the same order have one line.
+fn marks(meshes: &[Mesh], turning: &Turning) -> Vec<Line> {
+    let mut marks: Vec<Line> = vec![];
+    for mesh in meshes.iter().filter(|mesh| mesh.steady) {
+        let order = mesh.frequency / turning.frequency();
+        if marks.iter().any(|mark| (mark.x - order).abs() < 1e-6 * order) {
+            continue;
+        }
+        let name = |n: usize| if n == 1 { mesh.name.to_owned() } else { format!("{n} x {}", mesh.name) };
+        marks.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * order, name: name(n) }));
+    }
+    marks
+}
+
+/// The table of the lines of steady meshes, with the amplitudes of the curves that are drawn at first.
+fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh]) {
+    let steady: Vec<Mesh> = meshes.iter().filter(|mesh| mesh.steady).cloned().collect();
+    let lines = orders::lines(turning, &steady);
+    let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
+    let shown = groups.flat_map(|group| {
+        let columns = group.columns.iter().enumerate().filter(|(i, _)| group.shown(*i));
+        columns.map(|(_, column)| (group.unit, column))
+    });
+    let shown: Vec<_> = shown.collect();
+    let columns: Vec<&[f64]> = shown.iter().map(|(_, column)| &*column.values).collect();
+    let mut rows = vec![];
+    for (line, amplitudes) in lines.iter().zip(turning.amplitudes(&columns, &lines)) {
+        for ((unit, column), amplitude) in shown.iter().zip(amplitudes) {
+            let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(Cell::Number);
+            let rest = [line.order, line.frequency, amplitude].map(Cell::Number);
+            let mut row = vec![Cell::text(column.name), Cell::text(line.mesh)];
+            row.extend(numbers);
+            row.push(Cell::text(line.rotor.unwrap_or("-")));
+            row.extend(rest);
+            row.push(Cell::text(*unit));
+            rows.push(row);
+        }
+    }
+    let head = ["column", "mesh", "multiple", "sideband", "of rotor", "order", "frequency [Hz]", "amplitude", "unit"];
+    html.table("Mesh orders and their sidebands", &head, &rows);
+}
