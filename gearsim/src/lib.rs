@@ -60,6 +60,7 @@ pub mod run;
 pub mod scene;
 pub mod sweep;
 mod tolerance;
+pub mod train;
 pub mod trajectory;
 
 pub use gearsim_macros::equations;

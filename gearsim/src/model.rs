@@ -36,6 +36,8 @@ pub struct Model {
     pub equations: &'static str,
     /// The derived equations in LaTeX, one group of terms per line.
     pub latex: &'static str,
+    /// The elements of which a scene puts the model together; empty for a model whose equations are derived as a whole.
+    pub elements: &'static [&'static Model],
 }
 
 /// A generalised coordinate.

@@ -22,6 +22,7 @@ use crate::engine::simulate::Simulation;
 use crate::engine::start;
 use crate::engine::switch::Switch;
 use crate::engine::system::System;
+use crate::engine::train::Elements;
 use crate::methods::choice::{self, Choice};
 use crate::methods::steps::BySteps;
 use crate::model::Model;
@@ -106,6 +107,16 @@ impl Entry {
         Entry { model: &D::MODEL, derived: DerivedModel::of::<D>() }
     }
 
+    /// The entry of trains, whose parts a scene lists. `elements` are the elements of `model`, in its order.
+    pub const fn train(model: &'static Model, elements: &'static Elements) -> Entry {
+        Entry { model, derived: DerivedModel { model, source: elements } }
+    }
+
+    /// The entry with the description of a scene's model: that of a train has its parts.
+    pub fn described(self, model: &'static Model) -> Entry {
+        Entry { model, ..self }
+    }
+
     /// Runs a scene, telling the model time [s] to `watch` as it goes.
     ///
     /// # Errors
@@ -172,7 +183,7 @@ fn compensate<'a>(
 ) -> Result<Simulation<'a>, Refusal> {
     let parameters: Vec<Df64> = scene.parameters.iter().copied().map(Df64::from).collect();
     let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
-    simulation.compensate(&|k| (derived.exactly)(scene.effects.0, &parameters, &mids, k))
+    simulation.compensate(&|k| derived.source.exactly(scene, &parameters, &mids, k))
 }
 
 /// A scene that is ready to be run.

@@ -62,6 +62,7 @@ pub mod chain;
 pub mod components;
 pub mod crank_drive;
 pub mod electric_axle;
+pub mod elements;
 pub mod freewheel;
 pub mod friction_oscillator;
 pub mod gear_pair;
@@ -74,6 +75,7 @@ pub mod planetary;
 pub mod two_stage;
 pub mod wind_turbine;
 
+pub use elements::ELEMENTS;
 pub use gearsim_derive::Entry;
 
 /// All models, one line each.

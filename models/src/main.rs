@@ -4,8 +4,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use gearsim_derive::{Home, program};
-use gearsim_models::MODELS;
+use gearsim_models::{ELEMENTS, MODELS};
 
 fn main() -> ExitCode {
-    program(MODELS, &Path::new(env!("CARGO_MANIFEST_DIR")).join("../gearsim/src/generated"), Home::default())
+    let models = [MODELS, ELEMENTS].concat();
+    program(&models, &Path::new(env!("CARGO_MANIFEST_DIR")).join("../gearsim/src/generated"), Home::default())
 }

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules, from the bottom up. A module may use those before it. Unit tests may use any module.
-const LAYERS: [&str; 19] = [
+const LAYERS: [&str; 20] = [
     "tolerance",
     "model",
+    "train",
     "profile",
     "gear",
     "trajectory",

@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 22] = [
+const SCENES: [(&str, &str); 24] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "outputs"),
@@ -30,6 +30,8 @@ const SCENES: [(&str, &str); 22] = [
     ("freewheel", "motion"),
     ("damaged_tooth", "orders"),
     ("electric_axle", "outputs"),
+    ("train_branches", "outputs"),
+    ("train_turbine", "outputs"),
 ];
 
 /// The response curve of the README.

@@ -62,6 +62,7 @@ pub fn describe(m: &Model) -> TokenStream {
             nonlinear_with: &[#(#nonlinear_with),*],
             equations: #equations,
             latex: #latex,
+            elements: &[],
         }
     }
 }

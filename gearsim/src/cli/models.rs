@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::terminal;
 use super::{Verb, known};
 use crate::model::Model;
-use crate::scene::{Effects, did_you_mean, list};
+use crate::scene::{Effects, Scene, did_you_mean, list};
 
 /// List the models, or describe one in full
 #[derive(Parser)]
@@ -18,10 +18,11 @@ use crate::scene::{Effects, did_you_mean, list};
 Examples:
   gearsim models
   gearsim models gear_pair
-  gearsim models gear_pair --latex"
+  gearsim models gear_pair --latex
+  gearsim models models/scenes/train_branches.toml    the train that a scene lists"
 )]
 pub(super) struct Models {
-    /// The model to describe
+    /// The model to describe, or a scene whose model is described
     name: Option<String>,
     /// Print only its equations, in LaTeX
     #[arg(long, requires = "name")]
@@ -33,7 +34,13 @@ impl Verb for Models {
         match &self.name {
             None => terminal::print_out(&all()),
             Some(name) => {
-                let model = find(name)?;
+                let model = if name.ends_with(".toml") { of_scene(name)? } else { find(name)? };
+                if self.latex && model.latex.is_empty() {
+                    let what =
+                        format!("the equations of `{}` are put together from tables, and are not in LaTeX", model.name);
+                    let help = "leave out --latex, or name an element: gearsim_models::ELEMENTS are in gearsim/src/generated/latex".into();
+                    return Err(Failure::Impossible { what, help });
+                }
                 terminal::print_out(&if self.latex {
                     format!("{}\n", model.latex.trim_end())
                 } else {
@@ -43,6 +50,12 @@ impl Verb for Models {
         }
         Ok(())
     }
+}
+
+/// The model of the scene in a file: that of a train with its parts.
+fn of_scene(path: &str) -> Result<&'static Model, Failure> {
+    let scene = Scene::load_with(path.as_ref(), &[], &known::descriptions());
+    Ok(scene.map_err(|mistakes| Failure::Scene(Box::new(mistakes)))?.model)
 }
 
 /// The model called `name`.
@@ -62,6 +75,10 @@ pub(super) fn all() -> String {
     for model in known::models().iter().map(|entry| entry.model) {
         let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
         text += &format!("{}  {}\n", model.name, model.title);
+        if !model.elements.is_empty() {
+            text += "  coordinates and effects follow from the parts that a scene lists\n\n";
+            continue;
+        }
         text += &format!("  coordinates  {}\n", names(model.coordinates.iter().map(|c| c.name).collect()));
         text += &format!("  effects      {}\n\n", names(Effects(u64::MAX).names(model)));
     }

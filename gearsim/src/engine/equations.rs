@@ -260,21 +260,54 @@ pub type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
 /// [`Derived::matrices`] of a model, in numbers of type R.
 pub type MatricesOf<R> = fn(u64, &[R], &[R], &[R]) -> Matrices<R>;
 
-/// A derived model as a value. The engine is compiled once and calls the functions of each model by pointer.
+/// The functions of a derived model as values. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]
-pub struct DerivedModel {
-    /// The description of the model.
-    pub model: &'static Model,
+pub struct Functions {
     /// [`Derived::equations`].
     pub equations: EquationsOf,
     /// [`Derived::matrices`] in double-double numbers.
     pub exactly: MatricesOf<Df64>,
 }
 
+impl Functions {
+    /// The functions of model `D`.
+    pub const fn of<D: Derived>() -> Functions {
+        Functions { equations: D::equations, exactly: D::matrices::<Df64> }
+    }
+}
+
+/// Where the equations of a scene come from: a derived model, or parts that are put together ([`train`](crate::engine::train)).
+pub trait Source: Sync {
+    /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
+    /// another.
+    fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
+    /// The matrices of a cell with law values `k`, in double-double numbers.
+    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64>;
+}
+
+impl Source for Functions {
+    fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>> {
+        (self.equations)(scene.effects.0, parameters, mids)
+    }
+
+    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64> {
+        (self.exactly)(scene.effects.0, parameters, mids, k)
+    }
+}
+
+/// A model as the engine knows it: its description, and the source of its equations.
+#[derive(Clone, Copy)]
+pub struct DerivedModel {
+    /// The description of the model; of a train without its parts, which the description of a scene has.
+    pub model: &'static Model,
+    /// Where its equations come from.
+    pub source: &'static dyn Source,
+}
+
 impl DerivedModel {
     /// The functions of model `D`.
     pub const fn of<D: Derived>() -> DerivedModel {
-        DerivedModel { model: &D::MODEL, equations: D::equations, exactly: D::matrices::<Df64> }
+        DerivedModel { model: &D::MODEL, source: const { &Functions::of::<D>() } }
     }
 
     /// The equations of a scene.
@@ -283,8 +316,8 @@ impl DerivedModel {
     /// If its effects contradict one another.
     pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
         let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-        let which = || scene.effects.contradictions(self.model);
-        (self.equations)(scene.effects.0, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
+        let which = || scene.effects.contradictions(scene.model);
+        self.source.equations(scene, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
     }
 }
 

@@ -53,8 +53,8 @@ impl Forcing {
             // The forces are linear in it: those of a unit less those of nothing.
             let mut unit = bare.clone();
             unit[*p] = 1.0;
-            let unit = (derived.equations)(scene.effects.0, &unit, &mids)?;
-            let none = (derived.equations)(scene.effects.0, &bare, &mids)?;
+            let unit = derived.source.equations(scene, &unit, &mids)?;
+            let none = derived.source.equations(scene, &bare, &mids)?;
             let n = unit.coordinates();
             let still = Vector::zeros(n);
             let force = |e: &dyn Equations| e.force(&still, &still, &k, &flat);

@@ -43,6 +43,7 @@ pub mod simulate;
 pub(crate) mod start;
 pub mod switch;
 pub mod system;
+pub mod train;
 pub mod vector;
 pub mod watch;
 

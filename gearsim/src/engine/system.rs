@@ -22,11 +22,11 @@ impl System {
     /// # Errors
     /// If the model's cells are not linear, or its effects contradict one another.
     pub fn of(derived: &DerivedModel, scene: &Scene) -> Result<System, Refusal> {
-        let terms = scene.effects.nonlinear(derived.model);
+        let terms = scene.effects.nonlinear(scene.model);
         if !terms.is_empty() {
             return Err(Refusal::Nonlinear { terms });
         }
-        Ok(System { equations: derived.equations(scene)?, model: derived.model })
+        Ok(System { equations: derived.equations(scene)?, model: scene.model })
     }
 
     /// V at the coordinates `q` (n) [J].

@@ -1,6 +1,9 @@
 //! The derived models. Every file beside this one is written by `cargo xtask derive`; only this list is by hand.
 
+mod train;
+
 use crate::run::Entry;
+pub use train::{ELEMENTS, TRAIN, TRAIN_SCENE};
 
 #[rustfmt::skip]
 pub mod backlash_oscillator;
@@ -18,6 +21,36 @@ pub mod chain_5;
 pub mod crank_drive;
 #[rustfmt::skip]
 pub mod electric_axle;
+#[rustfmt::skip]
+pub mod element_clutch;
+#[rustfmt::skip]
+pub mod element_dc_motor;
+#[rustfmt::skip]
+pub mod element_drive;
+#[rustfmt::skip]
+pub mod element_dry_friction;
+#[rustfmt::skip]
+pub mod element_fan;
+#[rustfmt::skip]
+pub mod element_governor;
+#[rustfmt::skip]
+pub mod element_induction_motor;
+#[rustfmt::skip]
+pub mod element_load;
+#[rustfmt::skip]
+pub mod element_mesh;
+#[rustfmt::skip]
+pub mod element_mesh_with_friction;
+#[rustfmt::skip]
+pub mod element_planets;
+#[rustfmt::skip]
+pub mod element_rotor;
+#[rustfmt::skip]
+pub mod element_shaft;
+#[rustfmt::skip]
+pub mod element_support;
+#[rustfmt::skip]
+pub mod element_viscous;
 #[rustfmt::skip]
 pub mod freewheel;
 #[rustfmt::skip]
@@ -80,4 +113,5 @@ pub static MODELS: &[Entry] = &[
     Entry::new::<chain_2::Chain2>(),
     Entry::new::<chain_5::Chain5>(),
     Entry::new::<chain_32::Chain32>(),
+    Entry::train(&TRAIN, &ELEMENTS),
 ];

@@ -28,6 +28,7 @@ pub(crate) static MODEL: Model = Model {
         Torque { name: "load", doc: "on the driven gear" },
     ],
     equations: "",
+    elements: &[],
     latex: "",
 };
 

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Place};
 use super::mistake::{Report, did_you_mean};
-use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, start};
+use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, start, train};
 use crate::model::Model;
 
 const KEYS: [&str; 8] = ["about", "model", "effects", "parameters", "laws", "start", "run", "output"];
@@ -19,6 +19,16 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let mut absent = Vec::new();
     let about = keys::get(entries, "about").and_then(|node| field::text("about", node, report));
     let model = keys::get(entries, "model").and_then(|node| read_model(node, models, report));
+    let mut listed = None;
+    let (model, train) = match model {
+        Some(bare) if !bare.elements.is_empty() => {
+            let entries = listed.insert(entries.to_vec());
+            let (model, train) = train::read(bare, entries, [&root.place, end], report)?;
+            (Some(model), Some(train))
+        }
+        derived => (derived, None),
+    };
+    let entries = listed.as_deref().unwrap_or(entries);
     stray_keys(entries, model, report);
     let of_model = model.map(|model| {
         let effects = keys::get(entries, "effects");
@@ -42,6 +52,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
+        train,
         effects: effects?,
         parameters,
         time_histories,

@@ -155,6 +155,11 @@ impl Report {
         self.mistakes.is_empty()
     }
 
+    /// Number of mistakes found so far.
+    pub(crate) fn len(&self) -> usize {
+        self.mistakes.len() + self.more
+    }
+
     pub(crate) fn into_mistakes(mut self, scene: &str) -> SceneMistakes {
         self.mistakes.sort_by_key(|(place, _)| (place.source, place.span.start));
         let more = self.more;

@@ -108,6 +108,7 @@ pub mod template;
 #[cfg(test)]
 mod tests;
 pub mod time_history;
+mod train;
 mod transmission_error;
 pub mod unit;
 
@@ -125,6 +126,7 @@ use std::sync::Arc;
 use crate::gear::Gears;
 use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
+use crate::train::Train;
 
 /// Plots that a scene may ask for.
 pub const PLOTS: &[&str] =
@@ -139,6 +141,8 @@ pub struct Scene {
     pub about: String,
     /// The model it simulates.
     pub model: &'static Model,
+    /// How the model is put together, if the scene lists its parts.
+    pub train: Option<Arc<Train>>,
     /// Active effects.
     pub effects: Effects,
     /// Parameter values [SI], in the order of `model.parameters`; for a parameter that varies in time, its value at t = 0.

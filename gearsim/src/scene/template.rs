@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 use super::document::{self, Node, Origin, Place, Value};
 use super::mistake::Report;
 use super::overrides::{CODE, SET, Setting, VARY};
-use super::{Scene, SceneMistakes, check, keys, overrides};
+use super::{Scene, SceneMistakes, check, keys, overrides, train};
 use crate::model::Model;
 use crate::tolerance::scene::SCENE_BYTES;
 
@@ -124,6 +124,11 @@ impl Template {
         &self.name
     }
 
+    /// Its text, without overrides.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// SHA-256 of the text and of the overrides, each after a zero byte. Without overrides it is the hash of the file.
     pub fn hash(&self) -> String {
         hexadecimal(self.hash.clone())
@@ -133,7 +138,16 @@ impl Template {
     pub fn model(&self, models: &[&'static Model]) -> Option<&'static Model> {
         let Value::Table(entries) = &self.root.value else { return None };
         match &keys::get(entries, "model")?.value {
-            Value::Text(name) => models.iter().copied().find(|model| model.name == name),
+            Value::Text(name) => {
+                let model = models.iter().copied().find(|model| model.name == name)?;
+                match model.elements.is_empty() {
+                    true => Some(model),
+                    // Mistakes are reported where the scene is read.
+                    false => Some(
+                        train::read(model, &mut entries.clone(), [&self.root.place, &self.end], &mut self.report())?.0,
+                    ),
+                }
+            }
             _ => None,
         }
     }

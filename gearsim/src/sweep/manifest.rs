@@ -48,6 +48,9 @@ pub struct Manifest {
     pub record: Vec<String>,
     /// Whether the spectra are stored.
     pub spectra: bool,
+    /// The text of the scene, if it lists the parts of its model: the columns follow from it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene_text: Option<String>,
 }
 
 impl Manifest {
@@ -68,6 +71,7 @@ impl Manifest {
             from: Number(sweep.from),
             record: sweep.groups.iter().map(|group| group.name.into()).collect(),
             spectra: sweep.spectra,
+            scene_text: (!sweep.entry.model.elements.is_empty()).then(|| sweep.text().into()),
         }
     }
 
@@ -96,7 +100,10 @@ impl Manifest {
             let help = "use the version of gearsim that ran the sweep";
             return impossible(format!("this gearsim does not have the model `{}` of the sweep", self.model), help);
         };
-        let template = Template::parse(&self.scene, super::manifest::FILE, "", &[])?;
+        let text = self.scene_text.as_deref().unwrap_or_default();
+        let template = Template::parse(&self.scene, super::manifest::FILE, text, &self.overrides)?;
+        let listed = template.model(&[entry.model]).filter(|_| self.scene_text.is_some());
+        let entry = entry.described(listed.unwrap_or(entry.model));
         let request = Request {
             vary: self.vary.clone(),
             overrides: vec![],
@@ -106,7 +113,7 @@ impl Manifest {
             record: self.record.clone(),
             spectra: self.spectra,
         };
-        let plan = super::plan(&template, *entry, &request)?;
+        let plan = super::plan(&template, entry, &request)?;
         if plan.points() != Some(self.points) || self.points > SWEEP_POINTS {
             return impossible(
                 format!("the number of points in {FILE}, {}, does not agree with its axes", self.points),

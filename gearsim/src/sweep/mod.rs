@@ -117,14 +117,15 @@ impl Sweep {
     pub fn of(template: Template, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
         let models: Vec<_> = entries.iter().map(|entry| entry.model).collect();
         let model = template.model(&models);
-        let Some(&entry) = entries.iter().find(|entry| model.is_some_and(|model| model.name == entry.model.name))
-        else {
+        let found = entries.iter().find(|entry| model.is_some_and(|model| model.name == entry.model.name));
+        let Some((model, entry)) = model.zip(found) else {
             // Without a model the scene has at least one error, which names it.
             return match template.scene(&[], &models) {
                 Err(errors) => Err(errors.into()),
                 Ok(scene) => impossible(format!("scene {} has no model", scene.name), "give it one"),
             };
         };
+        let entry = entry.described(model);
         let plan = plan(&template, entry, request)?;
         let Some(points) = plan.points().filter(|&points| points > 0) else {
             return impossible(
@@ -141,6 +142,11 @@ impl Sweep {
     /// Name of the scene.
     pub fn scene(&self) -> &str {
         self.template.name()
+    }
+
+    /// The text of the scene, without overrides.
+    pub fn text(&self) -> &str {
+        self.template.text()
     }
 
     /// SHA-256 of the scene with its overrides, without the values of a point.

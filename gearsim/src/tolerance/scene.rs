@@ -72,3 +72,17 @@ pub(crate) const SLOPE_STEP: f64 = 1e-4;
 
 /// Largest number of points of a sweep, and of values on one axis [1]. The rows of more would not fit in memory.
 pub(crate) const SWEEP_POINTS: usize = 10_000_000;
+
+/// Largest number of planets of a set \[1\]: more do not fit between a sun and a ring of usual gears. A larger number is refused.
+pub const PLANETS: f64 = 24.0;
+
+/// Largest number of rotors of a train \[1\]: the cost of a cell grows with its cube. A larger number is refused.
+pub const ROTORS: usize = 512;
+
+/// Coordinates of trains are independent if what one has beyond the others is more than this part of it \[1\]. A smaller part is taken as a
+/// rounding error of radii and ratios.
+pub const INDEPENDENT: f64 = 1e-9;
+
+/// A factor of a coordinate in a deflection of a train is zero if it is less than this part of the terms that it is the sum of \[1\]: some
+/// hundred rounding errors, since the companion run changes radii by a few.
+pub const CANCELLED: f64 = 1e-13;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use gearsim_derive::{Expr, Home, Model, Range, Start, derive};
-use gearsim_models::MODELS;
+use gearsim_models::{ELEMENTS, MODELS};
 
 /// Environment variable that makes this program derive the gear pair, print its file and end. Its value, one of `CHILDREN`, says
 /// what to do before.
@@ -66,7 +66,7 @@ pub fn fresh_processes_agree(afresh: &[String]) {
 }
 
 pub fn committed_files_are_current() {
-    for (name, describe) in MODELS {
+    for (name, describe) in MODELS.iter().chain(ELEMENTS) {
         let model = Model::new(name, describe);
         let files = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).files(Home::default());
         for (path, derived) in &files {

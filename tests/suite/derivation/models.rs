@@ -1,7 +1,7 @@
 //! The models made of components: snapshots of their equations, and what is proved about them.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
-use gearsim_models::MODELS;
+use gearsim_models::{ELEMENTS, MODELS};
 
 use crate::slips::oscillator;
 
@@ -22,7 +22,7 @@ const MOVING: [&str; 2] = ["crank_drive", "cardan_drive"];
 /// The mass matrix of every model is proved positive definite for all parameters, so no scene's numbers need a check. No model
 /// of constant inertia has nonlinear terms without effects.
 pub fn every_mass_matrix_is_proved_positive_definite() {
-    for (name, describe) in MODELS {
+    for (name, describe) in MODELS.iter().chain(ELEMENTS) {
         let model = Model::new(name, describe);
         let derivation = derive(&model).unwrap_or_else(|slip| panic!("{slip}"));
         let proved = derivation.proofs().iter().filter(|proof| proof.starts_with("M is positive definite"));

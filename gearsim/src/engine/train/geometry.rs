@@ -1,0 +1,148 @@
+//! The kinematics of a train: R of each part, and its rigid motions.
+//!
+//! With the rotations theta of the rotors, the coordinates are q = B theta, and the coordinates of a part x = D theta, so that R = D B⁻¹. Two
+//! numbers that cancel but for rounding are zero: a deflection that does not depend on a phase keeps its digits however large the phase is.
+
+use nalgebra::DMatrix;
+
+use crate::engine::real::Real;
+use crate::engine::vector::Vector;
+use crate::tolerance::scene::CANCELLED;
+use crate::train::{Factor, Form, Row, Train};
+
+/// R of each part (its coordinates x those of the train), and the speeds of each rigid motion, in numbers of type R.
+pub(super) struct Geometry<R> {
+    pub rows: Vec<DMatrix<R>>,
+    pub motions: Vec<Vector>,
+}
+
+/// Numbers that can be compared.
+pub(super) trait Sized64: Real {
+    /// The number rounded to f64.
+    fn rounded(self) -> f64;
+}
+
+impl Sized64 for f64 {
+    fn rounded(self) -> f64 {
+        self
+    }
+}
+
+impl Sized64 for xprec::Df64 {
+    fn rounded(self) -> f64 {
+        self.hi()
+    }
+}
+
+impl<R: Sized64> Geometry<R> {
+    /// The kinematics for these values of the parameters. Where they leave a coordinate undetermined, the numbers are NaN, and the engine
+    /// refuses the inertia.
+    pub fn of(train: &Train, parameters: &[R]) -> Geometry<R> {
+        let n = train.coordinates.len();
+        let dense = |form: &Form| dense(form, n, parameters);
+        let b: Vec<Vec<R>> = train.coordinates.iter().map(&dense).collect();
+        let inverse = inverse(&b);
+        let row = |row: &Row| match row {
+            Row::Coordinate(j) => (0..n).map(|i| R::from(f64::from(u8::from(i == *j)))).collect::<Vec<R>>(),
+            Row::Form(form) => {
+                let d = dense(form);
+                (0..n).map(|j| product(&d, |i| inverse[i][j])).collect()
+            }
+        };
+        let rows = |rows: &Vec<Row>| {
+            let rows: Vec<Vec<R>> = rows.iter().map(row).collect();
+            DMatrix::from_fn(rows.len(), n, |i, j| rows[i][j])
+        };
+        let motion = |forms: &Vec<(Form, f64)>| {
+            let system: Vec<Vec<R>> = forms.iter().map(|(form, _)| dense(form)).collect();
+            let solved = self::inverse(&system);
+            let values: Vec<R> = forms.iter().map(|(_, value)| R::from(*value)).collect();
+            let theta: Vec<R> = solved.iter().map(|row| product(&values, |i| row[i])).collect();
+            Vector::from_fn(n, |j| product(&b[j], |i| theta[i]).rounded())
+        };
+        Geometry {
+            rows: train.parts.iter().map(|part| rows(&part.rows)).collect(),
+            motions: train.motions.iter().map(motion).collect(),
+        }
+    }
+}
+
+/// A form as a vector of n numbers.
+fn dense<R: Real>(form: &Form, n: usize, parameters: &[R]) -> Vec<R> {
+    let mut vector = vec![R::from(0.0); n];
+    for (rotor, Factor { number, powers }) in form {
+        let value = powers.iter().fold(R::from(*number), |value, &(p, power)| value * parameters[p].powi(power));
+        vector[*rotor] += value;
+    }
+    vector
+}
+
+/// A scalar product, zero where its terms cancel.
+fn product<R: Sized64>(a: &[R], b: impl Fn(usize) -> R) -> R {
+    let (mut sum, mut size) = (R::from(0.0), 0.0);
+    for (i, a) in a.iter().enumerate() {
+        let term = *a * b(i);
+        sum += term;
+        size += term.rounded().abs();
+    }
+    if sum.rounded().abs() <= CANCELLED * size { R::from(0.0) } else { sum }
+}
+
+/// The inverse of a square matrix, by Gauss and Jordan with the largest pivot of each column, rows scaled to 1.
+fn inverse<R: Sized64>(rows: &[Vec<R>]) -> Vec<Vec<R>> {
+    let n = rows.len();
+    let (zero, one) = (R::from(0.0), R::from(1.0));
+    let mut left: Vec<Vec<R>> = rows.to_vec();
+    let mut right: Vec<Vec<R>> = (0..n).map(|i| (0..n).map(|j| if i == j { one } else { zero }).collect()).collect();
+    for i in 0..n {
+        let size = left[i].iter().map(|x| x.rounded().abs()).fold(0.0, f64::max);
+        let scale = R::from(2f64.powi(-(size.log2().round() as i32)));
+        left[i].iter_mut().chain(&mut right[i]).for_each(|x| *x = *x * scale);
+    }
+    for column in 0..n {
+        let size = |i: &usize| left[*i][column].rounded().abs();
+        let pivot = (column..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(column);
+        left.swap(column, pivot);
+        right.swap(column, pivot);
+        let by = one / left[column][column];
+        for x in left[column].iter_mut().chain(&mut right[column]) {
+            *x = *x * by;
+        }
+        let (pivot_left, pivot_right) = (left[column].clone(), right[column].clone());
+        for i in (0..n).filter(|&i| i != column) {
+            let factor = left[i][column];
+            if factor.rounded() == 0.0 {
+                continue;
+            }
+            let reduce = |x: &mut R, by: R| {
+                let (old, less) = (*x, factor * by);
+                let left = old - less;
+                let size = old.rounded().abs() + less.rounded().abs();
+                *x = if left.rounded().abs() <= CANCELLED * size { zero } else { left };
+            };
+            left[i].iter_mut().zip(&pivot_left).for_each(|(x, by)| reduce(x, *by));
+            right[i].iter_mut().zip(&pivot_right).for_each(|(x, by)| reduce(x, *by));
+        }
+    }
+    right
+}
+
+/// Adds Rᵀ m R to a sum.
+pub(super) fn add<R: Real>(sum: &mut DMatrix<R>, m: &DMatrix<R>, rows: &DMatrix<R>) {
+    let zero = R::from(0.0);
+    let (own, n) = (rows.nrows(), rows.ncols());
+    let present: Vec<Vec<usize>> = (0..own).map(|i| (0..n).filter(|&j| rows[(i, j)] != zero).collect()).collect();
+    for a in 0..own {
+        for b in 0..own {
+            let x = m[(a, b)];
+            if x == zero {
+                continue;
+            }
+            for &i in &present[a] {
+                for &j in &present[b] {
+                    sum[(i, j)] += rows[(a, i)] * x * rows[(b, j)];
+                }
+            }
+        }
+    }
+}

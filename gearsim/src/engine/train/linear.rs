@@ -1,0 +1,88 @@
+//! The parts of a train whose forces are linear with constant factors: f - k x - c x' along each of their coordinates.
+
+use smallvec::SmallVec;
+
+use crate::engine::equations::Equations;
+use crate::engine::vector::Vector;
+
+/// A row of R: its entries that are not zero, each with its coordinate.
+#[derive(Debug, Clone)]
+pub(super) struct Sparse(SmallVec<[(u32, f64); 4]>);
+
+impl Sparse {
+    pub fn of(row: impl Iterator<Item = f64>) -> Sparse {
+        Sparse(row.enumerate().filter(|(_, x)| *x != 0.0).map(|(i, x)| (i as u32, x)).collect())
+    }
+
+    #[inline]
+    pub fn dot(&self, q: &[f64]) -> f64 {
+        self.0.iter().map(|&(i, x)| x * q[i as usize]).sum()
+    }
+
+    /// The products with two vectors.
+    #[inline]
+    pub fn dot_both(&self, q: &[f64], q_dot: &[f64]) -> (f64, f64) {
+        let (mut x, mut x_dot) = (0.0, 0.0);
+        for &(i, factor) in &self.0 {
+            x += factor * q[i as usize];
+            x_dot += factor * q_dot[i as usize];
+        }
+        (x, x_dot)
+    }
+
+    /// Adds a multiple of the row.
+    #[inline]
+    pub fn add_to(&self, factor: f64, sum: &mut [f64]) {
+        self.0.iter().for_each(|&(i, x)| sum[i as usize] += factor * x);
+    }
+}
+
+/// A spring and a damper along a coordinate of a part.
+#[derive(Debug)]
+struct Spring {
+    row: Sparse,
+    stiffness: f64,
+    damping: f64,
+}
+
+/// All of them.
+#[derive(Debug)]
+pub(super) struct Linear {
+    springs: Vec<Spring>,
+    load: Vector,
+}
+
+impl Linear {
+    /// Those of `parts`, each with one coordinate, in a train with `n` coordinates. The factors are those of the derived cells.
+    pub fn of<'a>(n: usize, parts: impl Iterator<Item = (&'a dyn Equations, &'a [Sparse])>) -> Linear {
+        let (mut springs, mut load): (Vec<Spring>, _) = (vec![], Vector::zeros(n));
+        for (equations, rows) in parts {
+            let (stiffness, damping, force) = (equations.stiffness(&[]), equations.damping(&[]), equations.load(&[]));
+            for (i, row) in rows.iter().enumerate() {
+                row.add_to(force[i], &mut load);
+                let (stiffness, damping) = (stiffness[(i, i)], damping[(i, i)]);
+                if stiffness != 0.0 || damping != 0.0 {
+                    springs.push(Spring { row: row.clone(), stiffness, damping });
+                }
+            }
+        }
+        Linear { springs, load }
+    }
+
+    pub fn potential(&self, q: &[f64]) -> f64 {
+        self.springs.iter().map(|spring| spring.stiffness * spring.row.dot(q).powi(2) / 2.0).sum()
+    }
+
+    pub fn dissipation(&self, q_dot: &[f64]) -> f64 {
+        self.springs.iter().map(|spring| spring.damping * spring.row.dot(q_dot).powi(2) / 2.0).sum()
+    }
+
+    /// Writes the forces.
+    pub fn write_force(&self, q: &[f64], q_dot: &[f64], force: &mut [f64]) {
+        force.copy_from_slice(&self.load);
+        for Spring { row, stiffness, damping } in &self.springs {
+            let (x, x_dot) = row.dot_both(q, q_dot);
+            row.add_to(-(stiffness * x + damping * x_dot), force);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Equations of motion of `element_fan`: a fan.
+//!
+//! Derived from the energies in `models/src/element_fan.rs` by `cargo xtask derive element_fan`.
+//! Do not edit: change the energies and derive again.
+//! For reading: `text/element_fan.txt`, `latex/element_fan.tex`. What is proved: at the end.
+
+use gearsim::equations;
+
+equations! {
+    model element_fan "a fan";
+    source "an element of trains";
+
+    coordinates { theta "rad" start static, "rotation"; }
+    parameters {
+        J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
+        cf_x "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the drive {} divided by the square of its speed";
+        w0_x "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the drive {} below which the fan torque is linear instead of quadratic in the speed";
+    }
+    laws {
+    }
+    motions {
+    }
+    effects { fan_load "a fan as load: torque proportional to the square of the speed, against the rotation"; }
+    conditions {
+    }
+
+    energies { kinetic { _ => J_theta*theta_dot.powi(2)/2.0; } }
+    torques {
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => -cf_x*theta_dot.powi(2)*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); }
+    }
+    work {
+    }
+    mass { theta theta { _ => J_theta; } }
+    mobility { theta theta { _ => 1.0/J_theta; } }
+    force { theta { fan_load => -cf_x*theta_dot*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); } }
+    jacobian {
+        theta theta_dot {
+            fan_load => -cf_x*theta_dot.powi(2)/(w0_x.powi(2) + theta_dot.powi(2)).sqrt() - cf_x*(w0_x.powi(2) + theta_dot.powi(2)).sqrt();
+        }
+    }
+    cell {
+        stiffness {
+        }
+        damping {
+        }
+        load {
+        }
+    }
+    nonlinear_with { fan_load "-cf_x*theta_dot*sqrt(w0_x^2 + theta_dot^2) in the torque `fan`"; }
+
+    text "text/element_fan.txt";
+    latex "latex/element_fan.tex";
+}
+
+// Proved of these equations, symbolically:
+//
+// - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
+//   effects
+// - M is symmetric
+// - T = q'.M q'/2, with M as written
+// - M is positive definite: every leading minor is a sum of products of positive quantities
+// - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
+//
+// Operations, all effects present:
+//
+// | output | sums | products, quotients | functions, roots |
+// | --- | --- | --- | --- |
+// | force | 1 | 4 | 1 |
+// | acceleration | 1 | 5 | 1 |

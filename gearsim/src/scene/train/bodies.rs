@@ -1,0 +1,82 @@
+//! Rotors, shafts, supports, bearings and clutches.
+
+use super::draft::{DraftPart, Rotor, Term, Terms, named};
+use super::read::{Item, Reader};
+use crate::scene::document::{Entry, Value};
+
+impl Reader<'_> {
+    pub(super) fn rotor(&mut self, entry: &Entry) {
+        let name = entry.key.clone();
+        let inertia = match &entry.node.value {
+            Value::Table(entries) => {
+                let item = Item { table: "rotors", name: &name, entries, place: &entry.place };
+                self.known(&item, &["inertia"]);
+                item.get("inertia").cloned()
+            }
+            _ => Some(entry.node.clone()),
+        };
+        self.value(named("I", &name), inertia.as_ref());
+        let rotor = self.draft.rotors.len();
+        let place = entry.place.clone();
+        let (rows, called) = (vec![vec![Term::new(rotor, 1.0, &[])]], String::new());
+        self.draft.rotors.push(Rotor { name: name.clone(), of: None });
+        self.draft.parts.push(DraftPart { element: "element_rotor", name, place, renamed: vec![], rows, called });
+    }
+
+    pub(super) fn shaft(&mut self, item: &Item<'_>) {
+        self.known(item, &["between", "stiffness", "damping"]);
+        let Some(ends) = self.between(item, true) else { return };
+        self.join(item, ends, false);
+        self.spring(item, "element_shaft", ends);
+    }
+
+    pub(super) fn support(&mut self, item: &Item<'_>) {
+        self.known(item, &["rotor", "stiffness", "damping"]);
+        let Some(rotor) = self.rotor_of(item) else { return };
+        self.spring(item, "element_support", [Some(rotor), None]);
+    }
+
+    pub(super) fn spring(&mut self, item: &Item<'_>, element: &'static str, ends: [Option<usize>; 2]) {
+        self.value(named("k", item.name), item.get("stiffness"));
+        let row = difference(ends);
+        self.part(item, element, named("psi", item.name), vec![row.clone()]);
+        if let Some(node) = item.get("damping") {
+            self.value(named("c", item.name), Some(node));
+            self.part(item, "element_viscous", String::new(), vec![row]);
+        }
+    }
+
+    pub(super) fn bearing(&mut self, item: &Item<'_>) {
+        self.known(item, &["rotor", "viscous", "friction", "breakaway"]);
+        let Some(rotor) = self.rotor_of(item) else { return };
+        let row = vec![Term::new(rotor, 1.0, &[])];
+        let [viscous, friction] = ["viscous", "friction"].map(|key| item.get(key));
+        if viscous.is_none() && friction.is_none() {
+            let help = "add viscous = \"... N*m*s/rad\", or friction = \"... N*m\", or both";
+            self.report.add(item.place, format!("{} has no friction", item.title()), "nothing given", help);
+        }
+        if viscous.is_some() {
+            self.value(named("c", item.name), viscous);
+            self.part(item, "element_viscous", String::new(), vec![row.clone()]);
+        }
+        if friction.is_some() {
+            self.value(named("Tc", item.name), friction);
+            self.value(named("rise", item.name), item.get("breakaway"));
+            self.part(item, "element_dry_friction", String::new(), vec![row]);
+        }
+    }
+
+    pub(super) fn clutch(&mut self, item: &Item<'_>) {
+        self.known(item, &["between", "capacity", "drag"]);
+        let Some(ends) = self.between(item, true) else { return };
+        self.join(item, ends, false);
+        self.value(named("Tmax", item.name), item.get("capacity"));
+        self.value(named("Tdrag", item.name), item.get("drag"));
+        self.part(item, "element_clutch", String::new(), vec![difference(ends)]);
+    }
+}
+
+/// The rotation of the first rotor relative to the second.
+fn difference([a, b]: [Option<usize>; 2]) -> Terms {
+    [(a, 1.0), (b, -1.0)].into_iter().filter_map(|(end, sign)| end.map(|rotor| Term::new(rotor, sign, &[]))).collect()
+}

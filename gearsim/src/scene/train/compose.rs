@@ -1,0 +1,222 @@
+//! The description of a train, from those of its elements.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock};
+
+use super::basis::{self, Basis, resolve};
+use super::draft::{Draft, DraftPart, Terms, named};
+use super::text;
+use crate::model::{Coordinate, Effect, Law, Model, Motion, Output, Parameter, Range, Role, Start, Switch, Torque};
+use crate::scene::mistake::Report;
+use crate::train::{Factor, Form, Row, Train};
+
+/// Largest number of effects of a model.
+const EFFECTS: usize = u64::BITS as usize;
+
+type Composed = (&'static Model, Arc<Train>);
+
+/// Models refer to their texts for as long as the program runs. A train that is read again, at another point of a sweep for example, has
+/// the model that it had before.
+static KNOWN: OnceLock<Mutex<HashMap<String, Composed>>> = OnceLock::new();
+
+/// The model of a train. `bare` is the model without parts.
+pub(super) fn model(
+    bare: &'static Model,
+    draft: &Draft,
+    values: &HashMap<String, f64>,
+    report: &mut Report,
+) -> Option<Composed> {
+    let basis = match basis::choose(draft, values) {
+        Ok(basis) => basis,
+        Err(group) => {
+            let group = &draft.groups[group];
+            let part = &draft.parts[group.parts[0]];
+            let message = format!("the gears of mesh {} have no phase of their own", group.mesh);
+            let help =
+                "their rotation follows from that of other gears; leave out one of the meshes, or make a shaft elastic";
+            report.add(&part.place, message, "no phase", help);
+            return None;
+        }
+    };
+    let parts = draft.parts.iter().map(|p| (p.element, &p.name, &p.renamed, &p.rows, &p.called));
+    let rotors = draft.rotors.iter().map(|rotor| (&rotor.name, &rotor.of));
+    let geometry = draft.geometry.iter().map(|g| (&g.name, &g.doc));
+    let key = format!(
+        "{:?} {:?} {:?} {:?} {:?}",
+        parts.collect::<Vec<_>>(),
+        rotors.collect::<Vec<_>>(),
+        geometry.collect::<Vec<_>>(),
+        basis.coordinates,
+        basis.motions
+    );
+    let known = KNOWN.get_or_init(Mutex::default);
+    let find = |key: &str| known.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).get(key).cloned();
+    if let Some(found) = find(&key) {
+        return Some(found);
+    }
+    let composed = Composer::new(bare, draft, &basis).compose(report)?;
+    known.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).insert(key, composed.clone());
+    Some(composed)
+}
+
+pub(super) struct Composer<'a> {
+    pub(super) bare: &'static Model,
+    pub(super) draft: &'a Draft,
+    pub(super) basis: &'a Basis,
+    pub(super) parameters: Vec<Parameter>,
+    /// The part that has brought a parameter.
+    pub(super) owners: HashMap<&'static str, String>,
+    pub(super) effects: Vec<Effect>,
+    /// Whether effects of parts are one effect of the train, since there are too many of them.
+    pub(super) merged: bool,
+    pub(super) laws: Vec<(Law, [usize; 2])>,
+    pub(super) switches: Vec<Switch>,
+    pub(super) torques: Vec<Torque>,
+    pub(super) outputs: Vec<Output>,
+    pub(super) nonlinear_with: Vec<(&'static str, &'static str)>,
+}
+
+pub(super) fn leak(text: impl Into<String>) -> &'static str {
+    Box::leak(text.into().into_boxed_str())
+}
+
+impl<'a> Composer<'a> {
+    fn new(bare: &'static Model, draft: &'a Draft, basis: &'a Basis) -> Self {
+        let of_parts = |part: &DraftPart| element(bare, part).1.effects.iter().filter(|e| e.of.is_some()).count();
+        let merged = draft.parts.iter().map(of_parts).sum::<usize>() > EFFECTS - 12;
+        let (parameters, owners, effects, laws) = (vec![], HashMap::new(), vec![], vec![]);
+        let (switches, torques, outputs, nonlinear_with) = (vec![], vec![], vec![], vec![]);
+        Composer {
+            bare,
+            draft,
+            basis,
+            parameters,
+            owners,
+            effects,
+            merged,
+            laws,
+            switches,
+            torques,
+            outputs,
+            nonlinear_with,
+        }
+    }
+
+    fn compose(mut self, report: &mut Report) -> Option<Composed> {
+        let before = report.len();
+        for g in &self.draft.geometry {
+            let range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
+            let (name, doc) = (leak(g.name.as_str()), leak(g.doc.as_str()));
+            self.parameters.push(Parameter {
+                name,
+                unit: g.unit,
+                default: None,
+                with: None,
+                varies: false,
+                range,
+                doc,
+            });
+        }
+        let mut parts = vec![];
+        let mut symbols = 0;
+        for i in 0..self.draft.parts.len() {
+            parts.push(self.part(i, &mut symbols, report));
+        }
+        if report.len() > before {
+            return None;
+        }
+        // Stiffnesses first, then transmission errors, then friction; the parts count them in their own order.
+        let rank = |law: &Law| match law.role {
+            Role::Stiffness => 0,
+            Role::Error => 1,
+            Role::Side | Role::Arm => 2,
+        };
+        self.laws.sort_by_key(|(law, at)| (rank(law), *at));
+        for (i, (_, [part, law])) in self.laws.iter().enumerate() {
+            parts[*part].values[*law] = i;
+        }
+        for part in &mut parts {
+            part.values[part.laws..].iter_mut().for_each(|symbol| *symbol += self.laws.len());
+        }
+        let index = |name: &str| self.parameters.iter().position(|p| p.name == name).unwrap_or(0);
+        let form = |terms: &Terms| -> Form {
+            let at = |rotor| self.basis.free.iter().position(|&i| i == rotor).unwrap_or(0);
+            let factor = |number, powers: &[(String, i32)]| Factor {
+                number,
+                powers: powers.iter().map(|(name, power)| (index(name), *power)).collect(),
+            };
+            terms.iter().map(|term| (at(term.rotor), factor(term.number, &term.powers))).collect()
+        };
+        for (i, part) in parts.iter_mut().enumerate() {
+            let rows = self.draft.parts[i].rows.iter().enumerate();
+            let row = |(j, terms): (usize, &Terms)| match self.basis.of_rows.get(&(i, j)) {
+                Some(coordinate) => Row::Coordinate(*coordinate),
+                None => Row::Form(form(&resolve(self.draft, terms))),
+            };
+            part.rows = rows.map(row).collect();
+        }
+        let motions = self.basis.motions.iter().map(|(_, forms)| forms.iter().map(|(f, x)| (form(f), *x)).collect());
+        let train = Train {
+            coordinates: self.basis.coordinates.iter().map(|chosen| form(&chosen.form)).collect(),
+            motions: motions.collect(),
+            parts,
+            counts: [self.laws.len(), self.torques.len(), self.outputs.len()],
+        };
+        Some((Box::leak(Box::new(self.described())), Arc::new(train)))
+    }
+
+    fn described(self) -> Model {
+        let coordinate = |chosen: &basis::Chosen| Coordinate {
+            name: leak(chosen.name.as_str()),
+            unit: chosen.unit,
+            doc: leak(chosen.doc.as_str()),
+            start: if chosen.fixed { Start::At(0.0) } else { Start::Static },
+        };
+        let rotor = |i: usize| &self.draft.rotors[i].name;
+        let several = self.basis.motions.len() > 1;
+        let motion = |(i, _): &(usize, Vec<(Terms, f64)>)| {
+            let doc = format!("rotational speed of rotor {}, the rest turning with it", rotor(*i));
+            let name = if several { named("speed", rotor(*i)) } else { "speed".into() };
+            Motion { name: leak(name), unit: "rad/s", doc: leak(doc) }
+        };
+        Model {
+            coordinates: self.basis.coordinates.iter().map(coordinate).collect::<Vec<_>>().leak(),
+            parameters: self.parameters.leak(),
+            laws: self.laws.into_iter().map(|(law, _)| law).collect::<Vec<_>>().leak(),
+            motions: self.basis.motions.iter().map(motion).collect::<Vec<_>>().leak(),
+            effects: self.effects.leak(),
+            torques: self.torques.leak(),
+            outputs: self.outputs.leak(),
+            switches: self.switches.leak(),
+            nonlinear_with: self.nonlinear_with.leak(),
+            equations: leak(text::equations(self.draft, self.basis)),
+            ..*self.bare
+        }
+    }
+}
+
+/// The element of a part: its index and description.
+pub(super) fn element(bare: &'static Model, part: &DraftPart) -> (usize, &'static Model) {
+    let found = bare.elements.iter().position(|model| model.name == part.element).unwrap_or(0);
+    (found, bare.elements[found])
+}
+
+/// The name of a quantity of an element in the train: `k_x` and `overx` are those of the part `x`.
+pub(super) fn own(name: &str, part: &str) -> String {
+    match name.strip_suffix("_x") {
+        Some(of) => named(of, part),
+        None => match name.strip_suffix('x') {
+            Some(of) => format!("{of}{part}"),
+            None => named(name, part),
+        },
+    }
+}
+
+/// What a description says of a part.
+pub(super) fn said(doc: &str, part: &DraftPart) -> &'static str {
+    leak(doc.replace("{}", &part.name))
+}
+
+pub(super) fn shown(part: &DraftPart) -> String {
+    format!("{} {}", part.element.trim_start_matches("element_").replace('_', " "), part.name)
+}

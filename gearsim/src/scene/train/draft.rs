@@ -1,0 +1,107 @@
+//! What the tables of a train say, by names.
+
+use crate::scene::document::{Node, Place};
+
+/// A product of powers of parameters, by their names.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Term {
+    /// The rotor.
+    pub rotor: usize,
+    /// A number.
+    pub number: f64,
+    /// Parameters and their exponents.
+    pub powers: Vec<(String, i32)>,
+}
+
+impl Term {
+    pub fn new(rotor: usize, number: f64, powers: &[(&str, i32)]) -> Term {
+        Term { rotor, number, powers: powers.iter().map(|(name, power)| (name.to_string(), *power)).collect() }
+    }
+}
+
+/// A linear form of rotations.
+pub(super) type Terms = Vec<Term>;
+
+/// A rotor.
+pub(super) struct Rotor {
+    pub name: String,
+    /// Its rotation as that of another rotor, if it is geared rigidly.
+    pub of: Option<Term>,
+}
+
+/// A geometric parameter.
+#[derive(Clone)]
+pub(super) struct Geometry {
+    pub name: String,
+    pub unit: &'static str,
+    pub doc: String,
+}
+
+/// A part: an element and its coordinates.
+pub(super) struct DraftPart {
+    pub element: &'static str,
+    pub name: String,
+    pub place: Place,
+    /// Parameters of the element with a name of their own, by the ends of their names.
+    pub renamed: Vec<(&'static str, String)>,
+    pub rows: Vec<Terms>,
+    /// Names of its coordinates, where they can be coordinates of the train.
+    pub called: String,
+}
+
+/// Gears that mesh with one another; they have one phase.
+pub(super) struct Group {
+    /// Its first mesh.
+    pub mesh: String,
+    /// Forms that may be its phase, the best one first.
+    pub phases: Vec<Terms>,
+    /// The gears: rotor, carrier, number of teeth.
+    pub gears: Vec<Gear>,
+    /// The base radius of its first gear.
+    pub radius: String,
+    /// Pairs of gears that mesh.
+    pub meshes: Vec<[usize; 2]>,
+    /// Sign of the pitch count of the second gear relative to the first.
+    pub parts: Vec<usize>,
+}
+
+/// A gear on a rotor.
+#[derive(Clone, PartialEq)]
+pub(super) struct Gear {
+    /// `None`: fixed to the ground.
+    pub rotor: Option<usize>,
+    pub carrier: Option<usize>,
+    /// Name of its number of teeth.
+    pub teeth: String,
+    /// -1 if its pitch count falls while that of the first gear of the group rises.
+    pub sense: f64,
+}
+
+/// Two rotors that a part joins, for the senses of rotation; `None` is the ground.
+pub(super) struct Joint {
+    pub ends: [usize; 2],
+    /// Whether they turn in opposite directions, seen from one side.
+    pub turns: bool,
+    pub place: Place,
+    pub part: String,
+}
+
+/// What the tables say.
+#[derive(Default)]
+pub(super) struct Draft {
+    pub rotors: Vec<Rotor>,
+    pub geometry: Vec<Geometry>,
+    pub parts: Vec<DraftPart>,
+    pub groups: Vec<Group>,
+    pub joints: Vec<Joint>,
+    /// Values that stand in the tables: parameter, and what is written.
+    pub values: Vec<(String, Node)>,
+    /// Laws that stand in the tables.
+    pub laws: Vec<(String, Node)>,
+}
+
+/// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.
+pub(super) fn named(quantity: &str, part: &str) -> String {
+    let joint = if part.is_empty() || part.starts_with(|c: char| c.is_ascii_digit()) { "" } else { "_" };
+    format!("{quantity}{joint}{part}")
+}

@@ -1,0 +1,119 @@
+//! Meshes of two gears: their teeth, and gears that are rigid.
+
+use super::draft::{Gear, Geometry, Rotor, Term, named};
+use super::read::{GROUND, Item, Reader};
+use crate::scene::document::{Node, Value};
+use crate::scene::field;
+
+impl Reader<'_> {
+    pub(super) fn mesh(&mut self, item: &Item<'_>) {
+        let allowed = ["between", "internal", "teeth", "base_radius", "module", "pressure_angle", "stiffness", "error"];
+        self.known(item, &[&allowed[..], &["backlash", "friction"]].concat());
+        let Some(ends) = self.between(item, true) else { return };
+        let internal = match item.get("internal") {
+            Some(node) => field::flag(&item.path("internal"), node, self.report) == Some(true),
+            None => false,
+        };
+        self.join(item, ends, !internal);
+        let Some(teeth) = self.teeth(item, ends) else { return };
+        let rigid = matches!(item.get("stiffness").map(|node| &node.value), Some(Value::Text(text)) if text == "rigid");
+        if rigid {
+            return self.rigid(item, ends, teeth);
+        }
+        let law = |name: &str, key: &str| item.get(key).map(|node| (named(name, item.name), node.clone()));
+        let laws = [law("k", "stiffness"), law("e", "error")];
+        self.draft.laws.extend(laws.into_iter().flatten());
+        self.value(named("b", item.name), item.get("backlash"));
+        self.value(named("mu", item.name), item.get("friction"));
+        let gears = [0, 1].map(|i| Gear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
+        let psi = gears.iter().filter_map(|gear| gear.rotor).map(|rotor| Term::new(rotor, 1.0, &[])).collect();
+        let element = if internal { "element_mesh" } else { "element_mesh_with_friction" };
+        let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
+        let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
+        let radius = Geometry { name: radius, unit: "m", doc: format!("base radius of gear {first}") };
+        self.geared(item.name.to_string(), item, element, gears, radius, (!internal).then_some(psi));
+        self.radius(item, &teeth[0]);
+    }
+
+    /// The names of the numbers of teeth of the gears of a mesh.
+    pub(super) fn teeth(&mut self, item: &Item<'_>, ends: [Option<usize>; 2]) -> Option<[String; 2]> {
+        let given = match item.get("teeth") {
+            None => None,
+            Some(node) => {
+                let items = field::array(&item.path("teeth"), node, "[20, 40]", self.report)?;
+                let [a, b] = items else {
+                    let message = format!("`{}` must have two numbers, not {}", item.path("teeth"), items.len());
+                    self.report.add(&node.place, message, "two numbers", "one for each gear: teeth = [20, 40]");
+                    return None;
+                };
+                Some([a, b])
+            }
+        };
+        let names = [0, 1].map(|i| {
+            let rotor =
+                ends[i].map_or_else(|| format!("{}_{GROUND}", item.name), |i| self.draft.rotors[i].name.clone());
+            let own = named("N", &rotor);
+            let (Some(given), Some(before)) = (given, self.draft.values.iter().find(|value| value.0 == own)) else {
+                return own;
+            };
+            // A second gear on the rotor, with another number of teeth, has a name of its own.
+            if same(&before.1, given[i]) { own } else { named("N", &format!("{rotor}_{}", item.name)) }
+        });
+        for (i, name) in names.iter().enumerate() {
+            if !self.draft.geometry.iter().any(|known| known.name == *name) {
+                let gear = name.trim_start_matches('N').trim_start_matches('_');
+                let doc = format!("number of teeth of gear {gear}");
+                self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", doc });
+            }
+            if !self.draft.values.iter().any(|value| value.0 == *name) {
+                self.value(name.clone(), given.map(|given| given[i]));
+            }
+        }
+        Some(names)
+    }
+
+    /// The rotor of one gear turns with that of the other.
+    pub(super) fn rigid(&mut self, item: &Item<'_>, ends: [Option<usize>; 2], teeth: [String; 2]) {
+        let keys = ["base_radius", "module", "error", "backlash", "friction"];
+        for key in keys.into_iter().filter(|key| item.get(key).is_some()) {
+            let message = format!("{} has `stiffness = \"rigid\"` and `{key}`", item.title());
+            let help = "leave it out, or give a stiffness";
+            self.report.add(item.place, message, "rigid gears do not have it", help);
+        }
+        let [Some(a), Some(b)] = ends else {
+            let message = format!("{} gears a rotor rigidly to the ground", item.title());
+            self.report.add(item.place, message, "it could not turn", "give the mesh a stiffness");
+            return;
+        };
+        let root = |mut i: usize, rotors: &[Rotor]| {
+            while let Some(of) = &rotors[i].of {
+                i = of.rotor;
+            }
+            i
+        };
+        let (of_a, of_b) = (root(a, &self.draft.rotors), root(b, &self.draft.rotors));
+        if of_a == of_b {
+            let message = format!("{} closes a loop of rigid gears", item.title());
+            self.report.add(item.place, message, "a second ratio", "give one mesh of the loop a stiffness");
+            return;
+        }
+        // theta_b = N_a/N_b theta_a: so the root of b turns with a.
+        let [na, nb] = &teeth;
+        let mut powers = vec![(na.clone(), 1), (nb.clone(), -1)];
+        let mut at = b;
+        while let Some(of) = &self.draft.rotors[at].of {
+            powers.extend(of.powers.iter().map(|(name, power)| (name.clone(), -power)));
+            at = of.rotor;
+        }
+        self.draft.rotors[of_b].of = Some(Term { rotor: a, number: 1.0, powers });
+    }
+}
+
+/// Whether two values are written with the same number.
+fn same(a: &Node, b: &Node) -> bool {
+    match (&a.value, &b.value) {
+        (Value::Number(a), Value::Number(b)) => a == b,
+        (Value::Text(a), Value::Text(b)) => a == b,
+        _ => false,
+    }
+}

@@ -1,0 +1,104 @@
+//! Groups of gears that mesh with one another: one base pitch, one phase.
+
+use super::draft::{DraftPart, Gear, Geometry, Group, Term, Terms, named};
+use super::read::{Item, Reader};
+use crate::scene::document::{Node, Value};
+use crate::scene::field;
+
+impl Reader<'_> {
+    /// Adds a mesh of two gears with the deflection h (Q_1 + sense Q_2), where Q are the pitch counts.
+    pub(super) fn geared(
+        &mut self,
+        name: String,
+        item: &Item<'_>,
+        element: &'static str,
+        gears: [Gear; 2],
+        radius: Geometry,
+        psi: Option<Terms>,
+    ) -> usize {
+        let same = |a: &Gear, b: &Gear| a.rotor == b.rotor && a.carrier == b.carrier && a.teeth == b.teeth;
+        let has = |group: &Group, gear: &Gear| group.gears.iter().any(|g| gear.rotor.is_some() && same(g, gear));
+        let found: Vec<usize> = (0..self.draft.groups.len())
+            .filter(|&i| gears.iter().any(|gear| has(&self.draft.groups[i], gear)))
+            .collect();
+        let group = match found[..] {
+            [] => {
+                let mesh = name.clone();
+                let (phases, gears, meshes, parts) = (vec![], vec![], vec![], vec![]);
+                self.draft.groups.push(Group { mesh, phases, gears, radius: radius.name.clone(), meshes, parts });
+                self.draft.geometry.push(radius);
+                self.draft.groups.len() - 1
+            }
+            [only] => only,
+            [into, from, ..] => {
+                let gone = self.draft.groups[from].mesh.clone();
+                let message = format!("{} joins the gears of mesh {gone} with other gears", item.title());
+                let help = format!("list this mesh before mesh {gone}: gears that mesh have one base pitch");
+                self.report.add(item.place, message, "listed too late", help);
+                into
+            }
+        };
+        let of = &mut self.draft.groups[group];
+        let mut index = [0; 2];
+        for (i, gear) in gears.iter().enumerate() {
+            index[i] = of.gears.iter().position(|g| same(g, gear)).unwrap_or_else(|| {
+                of.gears.push(gear.clone());
+                of.gears.len() - 1
+            });
+        }
+        of.meshes.push(index);
+        let [first, second] = [of.gears[0].teeth.clone(), of.radius.clone()];
+        let count = |gear: &Gear, number: f64, powers: &[(&str, i32)]| {
+            let all = [&[(gear.teeth.as_str(), 1)], powers].concat();
+            let of =
+                |rotor: Option<usize>, sign: f64| rotor.map(|rotor| Term::new(rotor, sign * number * gear.sense, &all));
+            [of(gear.rotor, 1.0), of(gear.carrier, -1.0)].into_iter().flatten().collect::<Terms>()
+        };
+        let h = [(second.as_str(), 1), (first.as_str(), -1)];
+        let s = [count(&gears[0], 1.0, &h), count(&gears[1], -1.0, &h)].concat();
+        let mean = [count(&gears[0], 0.5, &[]), count(&gears[1], 0.5, &[])].concat();
+        of.phases.push(mean);
+        // The phase is set when all meshes of the group are known.
+        let rows = [Some(vec![]), Some(s), psi].into_iter().flatten().collect();
+        of.parts.push(self.draft.parts.len());
+        let (place, called) = (item.place.clone(), named("s", &name));
+        self.draft.parts.push(DraftPart { element, name, place, renamed: vec![], rows, called });
+        group
+    }
+
+    /// The base radius of the first gear of the group of the mesh, from its own key or from the module.
+    pub(super) fn radius(&mut self, item: &Item<'_>, teeth: &str) {
+        let Some(group) = self.draft.groups.iter().rfind(|group| group.parts.contains(&(self.draft.parts.len() - 1)))
+        else {
+            return;
+        };
+        let (radius, leads) = (group.radius.clone(), group.gears[0].teeth == teeth && group.parts.len() == 1);
+        let [base, module] = ["base_radius", "module"].map(|key| item.get(key).cloned());
+        if !leads && let Some(node) = base.as_ref().or(module.as_ref()) {
+            let message = format!("{} states its base pitch again", item.title());
+            let help = format!("gears that mesh have one base pitch: that of mesh {}; leave it out here", group.mesh);
+            return self.report.add(&node.place, message, "stated before", help);
+        }
+        match (base, module) {
+            (Some(node), Some(_)) => {
+                let help = "leave out one of them: base radius = module teeth cos(pressure angle)/2";
+                self.report.add(&node.place, format!("{} has `base_radius` and `module`", item.title()), "twice", help);
+            }
+            (Some(node), None) => self.value(radius, Some(&node)),
+            (None, Some(node)) => {
+                let m = field::quantity(&item.path("module"), &node, "m", self.report);
+                let angle = match item.get("pressure_angle") {
+                    Some(node) => field::quantity(&item.path("pressure_angle"), node, "rad", self.report),
+                    None => Some(20f64.to_radians()),
+                };
+                let teeth = self.draft.values.iter().find(|value| value.0 == teeth).cloned();
+                let teeth = teeth.map(|(_, node)| field::quantity(&item.path("teeth"), &node, "1", self.report));
+                if let (Some(m), Some(angle), Some(Some(teeth))) = (m, angle, teeth) {
+                    let value = Value::Text(format!("{} m", m * teeth * angle.cos() / 2.0));
+                    self.value(radius, Some(&Node { value, place: node.place }));
+                }
+            }
+            (None, None) => {}
+        }
+    }
+}

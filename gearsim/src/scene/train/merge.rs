@@ -1,0 +1,128 @@
+//! What the element of a part brings to the description of a train, under the names of the part.
+
+use std::f64::consts::TAU;
+
+use super::compose::{Composer, element, leak, own, said, shown};
+use super::draft::{DraftPart, named};
+use crate::model::{Effect, Law, Output, Parameter, Switch, Torque};
+use crate::scene::mistake::Report;
+use crate::train::Part;
+
+fn names(names: impl Iterator<Item = &'static str>) -> &'static [&'static str] {
+    Box::leak(names.collect::<Vec<_>>().into_boxed_slice())
+}
+
+impl Composer<'_> {
+    /// Adds what the element of a part has to the train.
+    pub(super) fn part(&mut self, i: usize, symbols: &mut usize, report: &mut Report) -> Part {
+        let part = &self.draft.parts[i];
+        let (element, model) = element(self.bare, part);
+        let parameters = model.parameters.iter().map(|p| self.parameter(part, p, report)).collect();
+        let effects = model.effects.iter().map(|e| self.effect(part, e)).collect();
+        let phase = self.basis.of_rows.get(&(i, 0)).map(|&j| &self.basis.coordinates[j]);
+        for (j, law) in model.laws.iter().enumerate() {
+            let chosen = phase.map_or((law.phase, law.rolling), |chosen| (leak(chosen.name.as_str()), chosen.rolling));
+            let law = Law {
+                name: leak(own(law.name, &part.name)),
+                phase: chosen.0,
+                rolling: chosen.1,
+                period: TAU,
+                with: law.with.map(|with| self.renamed(part, with)),
+                doc: said(law.doc, part),
+                ..*law
+            };
+            self.laws.push((law, [i, j]));
+        }
+        let mut values = vec![0; model.laws.len()];
+        for switch in model.switches {
+            values.extend((0..switch.neutral.len()).map(|k| *symbols + k));
+            *symbols += switch.neutral.len();
+            let (name, with) = (leak(own(switch.name, &part.name)), self.renamed(part, switch.with));
+            self.switches.push(Switch { name, with, doc: said(switch.doc, part), ..*switch });
+        }
+        let first = self.torques.len();
+        for torque in model.torques {
+            let name = if torque.name == "x" { part.name.clone() } else { own(torque.name, &part.name) };
+            self.torques.push(Torque { name: leak(name), doc: said(torque.doc, part) });
+        }
+        for (effect, term) in model.nonlinear_with {
+            let with = self.renamed(part, effect);
+            if !self.nonlinear_with.iter().any(|known| known.0 == with) {
+                let joint = named("", &part.name);
+                self.nonlinear_with.push((with, leak(term.replace("_x", &joint))));
+            }
+        }
+        let torques = (first..self.torques.len()).collect();
+        let outputs = model.outputs.iter().map(|output| self.output(part, output)).collect();
+        Part {
+            element,
+            rows: vec![],
+            parameters,
+            effects,
+            values,
+            laws: model.laws.len(),
+            switches: model.switches.len(),
+            torques,
+            outputs,
+        }
+    }
+
+    fn parameter(&mut self, part: &DraftPart, p: &Parameter, report: &mut Report) -> Option<usize> {
+        if p.name.starts_with("J_") {
+            return None;
+        }
+        let renamed = part.renamed.iter().find(|renamed| renamed.0 == p.name);
+        let is_own = p.name.ends_with("_x") && renamed.is_none();
+        let name = match renamed {
+            Some((_, name)) => name.clone(),
+            None if is_own => own(p.name, &part.name),
+            None => p.name.into(),
+        };
+        let known = self.parameters.iter().position(|known| known.name == name);
+        if let (true, Some(known)) = (is_own, known) {
+            let other = self.owners.get(self.parameters[known].name).cloned().unwrap_or_default();
+            let message = format!("{} and {other} would both have the parameter `{name}`", shown(part));
+            report.add(&part.place, message, "a name used before", "give one of them another name");
+        }
+        known.or_else(|| {
+            let (name, doc) = (leak(name), said(p.doc, part));
+            let with = p.with.map(|with| self.renamed(part, with));
+            self.owners.insert(name, shown(part));
+            self.parameters.push(Parameter { name, doc, with, ..*p });
+            Some(self.parameters.len() - 1)
+        })
+    }
+
+    /// The name of an effect of an element in the train.
+    fn renamed(&self, part: &DraftPart, effect: &'static str) -> &'static str {
+        match effect.strip_suffix("_x") {
+            Some(of) if self.merged => of,
+            Some(of) => leak(format!("{of}_{}", part.name)),
+            None => effect,
+        }
+    }
+
+    fn effect(&mut self, part: &DraftPart, e: &Effect) -> usize {
+        let name = self.renamed(part, e.name);
+        let known = self.effects.iter().position(|known| known.name == name);
+        known.unwrap_or_else(|| {
+            let requires = names(e.requires.iter().map(|other| self.renamed(part, other)));
+            let excludes = names(e.excludes.iter().map(|other| self.renamed(part, other)));
+            let of = e.of.filter(|_| !self.merged);
+            self.effects.push(Effect { name, of, doc: said(e.doc, part), requires, excludes });
+            self.effects.len() - 1
+        })
+    }
+
+    fn output(&mut self, part: &DraftPart, output: &Output) -> usize {
+        let of_train = output.name == "inertia_damping_loss";
+        let base = output.name.strip_suffix("_x").unwrap_or(output.name);
+        let name = if of_train { base.into() } else { format!("{base}_{}", part.name) };
+        let known = self.outputs.iter().position(|known| known.name == name);
+        known.unwrap_or_else(|| {
+            let with = output.with.map(|with| self.renamed(part, with));
+            self.outputs.push(Output { name: leak(name), with, doc: said(output.doc, part), ..*output });
+            self.outputs.len() - 1
+        })
+    }
+}

@@ -1,0 +1,50 @@
+//! Trains: drivetrains that a scene lists, part by part, with `model = "train"`.
+//!
+//! [`read`] turns the tables of a scene into a [`Draft`]: rotors, and parts along linear forms of their rotations. [`basis`] chooses the
+//! coordinates. [`compose`] makes the description of the model from those of the elements, and the [`Train`], from which the engine puts
+//! the equations together. Values that stand in the tables are moved to `[parameters]` and `[laws]` with their places in the text, so that
+//! the rest of the scene is read as that of any model.
+//!
+//! A rotation is positive in the direction in which a rotor turns in normal drive: gears that mesh on fixed axes turn in opposite
+//! directions, and both rotations are positive. Sun, ring, carrier and planets of one set have the same positive direction.
+
+mod basis;
+mod bodies;
+mod compose;
+mod draft;
+mod gears;
+mod groups;
+mod merge;
+mod planets;
+mod read;
+mod senses;
+mod tables;
+mod text;
+mod torques;
+
+use super::document::{Entry, Place};
+use super::mistake::Report;
+use crate::model::Model;
+use crate::train::Train;
+use std::sync::Arc;
+
+/// Reads the train that a scene lists; `bare` has the elements. The values in its tables are moved to `[parameters]` and `[laws]` of
+/// `entries`. The places are those of the scene's begin, and of its end, where tables would be added. `None` if a mistake was reported.
+pub(super) fn read(
+    bare: &'static Model,
+    entries: &mut Vec<Entry>,
+    [root, end]: [&Place; 2],
+    report: &mut Report,
+) -> Option<(&'static Model, Arc<Train>)> {
+    let draft = read::draft(entries, root, report)?;
+    senses::joined(&draft, report);
+    let agree = senses::check(&draft, report);
+    let draft = tables::fill(draft, entries, end, report)?;
+    agree?;
+    let values = tables::numbers(&draft, entries);
+    compose::model(bare, &draft, &values, report)
+}
+
+/// The tables of a train.
+pub(super) const TABLES: [&str; 9] =
+    ["rotors", "shafts", "supports", "meshes", "planets", "bearings", "clutches", "drives", "loads"];

@@ -1,0 +1,200 @@
+//! Planet sets: a sun, a ring and a carrier, and planets whose centres are fixed to the carrier.
+
+use super::draft::{DraftPart, Gear, Geometry, Rotor, Term, named};
+use super::read::{Item, Reader};
+use crate::scene::document::{Entry, Node, Value};
+use crate::scene::{field, keys};
+use crate::tolerance::scene::PLANETS;
+
+const KEYS: [&str; 15] = [
+    "sun",
+    "ring",
+    "carrier",
+    "teeth",
+    "planet_teeth",
+    "count",
+    "at",
+    "base_radius",
+    "module",
+    "pressure_angle",
+    "mass",
+    "inertia",
+    "sun_stiffness",
+    "ring_stiffness",
+    "backlash",
+];
+
+impl Reader<'_> {
+    /// Adds the planets of a set, and their meshes.
+    pub(super) fn planets(&mut self, item: &Item<'_>) {
+        self.known(item, &KEYS);
+        let ends = ["sun", "ring", "carrier"].map(|key| {
+            let node = self.needed(item, key, "\"...\"")?;
+            self.end(&format!("planets.{}.{key}", item.name), node, key != "sun")
+        });
+        let (Some(teeth), Some(places)) = (self.tooth_numbers(item), self.places(item)) else { return };
+        let [Some(Some(sun)), Some(ring), Some(carrier)] = ends else { return };
+        for (a, b) in [(Some(sun), ring), (Some(sun), carrier), (ring, carrier)] {
+            if a == b {
+                let message = format!("{} has one rotor in two places", item.title());
+                self.report.add(item.place, message, "twice the same", "sun, ring and carrier are different rotors");
+                return;
+            }
+            self.join(item, [a, b], false);
+        }
+        let set = item.name;
+        let names = ["Zs", "Zr", "Zp", "rs"].map(|quantity| named(quantity, set));
+        let [z_s, z_r, z_p, r_s] = &names;
+        for ((name, what), number) in [(z_s, "sun"), (z_r, "ring"), (z_p, "planets")].into_iter().zip(teeth) {
+            let doc = format!("number of teeth of the {what} of {set}");
+            self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", doc });
+            self.value(name.clone(), Some(&number));
+        }
+        for (i, place) in places.iter().enumerate() {
+            let planet = self.planet(item, i + 1);
+            let gear = |rotor, teeth: &String, sense| Gear { rotor, carrier, teeth: teeth.clone(), sense };
+            let of_planet = gear(Some(planet), z_p, -1.0);
+            let pairs = [
+                ("s", "sun_stiffness", [gear(Some(sun), z_s, 1.0), of_planet.clone()]),
+                ("r", "ring_stiffness", [of_planet, gear(ring, z_r, -1.0)]),
+            ];
+            for (with, key, gears) in pairs {
+                let name = format!("{set}_{with}{}", i + 1);
+                let law = item.get(key).map(|node| shifted(node, with, place, &self.draft.values, &names));
+                self.draft.laws.extend(law.map(|law| (named("k", &name), law)));
+                self.value(named("b", &name), item.get("backlash"));
+                let doc = format!("base radius of the sun of {set}");
+                let radius = Geometry { name: r_s.clone(), unit: "m", doc };
+                self.geared(name, item, "element_mesh", gears, radius, None);
+            }
+        }
+        self.radius_of_sun(item, z_s, r_s);
+        let Some(carrier) = carrier else { return };
+        self.value(named("mp", set), item.get("mass"));
+        self.value(
+            named("np", set),
+            Some(&Node { value: Value::Number(places.len() as f64), place: item.place.clone() }),
+        );
+        self.value(named("alpha", set), item.get("pressure_angle"));
+        let renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
+        let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
+        let (name, place, called) = (set.to_string(), item.place.clone(), String::new());
+        self.draft.parts.push(DraftPart { element: "element_planets", name, place, renamed, rows, called });
+    }
+
+    /// Adds planet `i` as a rotor, and returns its index.
+    fn planet(&mut self, item: &Item<'_>, i: usize) -> usize {
+        let (rotor, name) = (self.draft.rotors.len(), format!("{}_{i}", item.name));
+        let inertia = named("Ip", item.name);
+        if i == 1 {
+            self.value(inertia.clone(), item.get("inertia"));
+        }
+        let (rows, place) = (vec![vec![Term::new(rotor, 1.0, &[])]], item.place.clone());
+        self.draft.rotors.push(Rotor { name: name.clone(), of: None });
+        let renamed = vec![("I_x", inertia)];
+        self.draft.parts.push(DraftPart {
+            element: "element_rotor",
+            name,
+            place,
+            renamed,
+            rows,
+            called: String::new(),
+        });
+        rotor
+    }
+
+    /// The numbers of teeth of sun, ring and planets.
+    fn tooth_numbers(&mut self, item: &Item<'_>) -> Option<[Node; 3]> {
+        let node = self.needed(item, "teeth", "[27, 99]  # of sun and ring")?;
+        let path = format!("planets.{}.teeth", item.name);
+        let [sun, ring] = field::array(&path, node, "[27, 99]", self.report)? else {
+            let help = "those of sun and ring: teeth = [27, 99]; those of the planets are planet_teeth";
+            self.report.add(&node.place, format!("`{path}` must have two numbers"), "two numbers", help);
+            return None;
+        };
+        let numbers = [sun, ring].map(|node| field::quantity(&path, node, "1", self.report));
+        let [Some(s), Some(r)] = numbers else { return None };
+        if r <= s {
+            let help = "the ring has more teeth than the sun: teeth = [27, 99]";
+            self.report.add(
+                &ring.place,
+                format!("`{path}` has a ring of {r} teeth round a sun of {s}"),
+                "too few",
+                help,
+            );
+            return None;
+        }
+        let planet = item.get("planet_teeth").cloned();
+        let planet = planet.unwrap_or(Node { value: Value::Number((r - s) / 2.0), place: node.place.clone() });
+        Some([sun.clone(), ring.clone(), planet])
+    }
+
+    /// The angles of the planets.
+    fn places(&mut self, item: &Item<'_>) -> Option<Vec<Node>> {
+        if let Some(node) = item.get("at") {
+            if item.get("count").is_some() {
+                let message = format!("{} has `count` and `at`", item.title());
+                self.report.add(&node.place, message, "twice", "leave out `count`: it is the number of angles");
+            }
+            let path = format!("planets.{}.at", item.name);
+            let angles = field::array(&path, node, "[\"0 deg\", \"120 deg\", \"240 deg\"]", self.report)?;
+            let read = angles.iter().map(|angle| field::quantity(&path, angle, "rad", self.report));
+            let read: Option<Vec<_>> = read.collect();
+            return read.filter(|angles| self.is_number_of_planets(angles.len() as f64, node)).map(|_| angles.to_vec());
+        }
+        let node = self.needed(item, "count", "3")?;
+        let count = field::quantity(&format!("planets.{}.count", item.name), node, "1", self.report)?;
+        if !self.is_number_of_planets(count, node) {
+            return None;
+        }
+        let angle = |i: usize| format!("{} rad", std::f64::consts::TAU * i as f64 / count);
+        Some((0..count as usize).map(|i| Node { value: Value::Text(angle(i)), place: node.place.clone() }).collect())
+    }
+
+    fn is_number_of_planets(&mut self, count: f64, node: &Node) -> bool {
+        let fits = (1.0..=PLANETS).contains(&count) && count.fract() == 0.0;
+        if !fits {
+            let message = format!("a set has 1 to {PLANETS} planets, not {count}");
+            self.report.add(&node.place, message, "number of planets", "for example count = 3");
+        }
+        fits
+    }
+
+    fn radius_of_sun(&mut self, item: &Item<'_>, z_s: &str, r_s: &str) {
+        if let Some(node) = item.get("base_radius") {
+            return self.value(r_s.into(), Some(node));
+        }
+        let Some(node) = item.get("module") else { return };
+        let module = field::quantity(&format!("planets.{}.module", item.name), node, "m", self.report);
+        let angle = match item.get("pressure_angle") {
+            Some(node) => field::quantity(&format!("planets.{}.pressure_angle", item.name), node, "rad", self.report),
+            None => Some(20f64.to_radians()),
+        };
+        let teeth = self.draft.values.iter().find(|value| value.0 == z_s).map(|value| value.1.clone());
+        let teeth = teeth.and_then(|node| field::quantity("teeth", &node, "1", self.report));
+        if let (Some(module), Some(angle), Some(teeth)) = (module, angle, teeth) {
+            let value = Value::Text(format!("{} m", module * teeth * angle.cos() / 2.0));
+            self.value(r_s.into(), Some(&Node { value, place: node.place.clone() }));
+        }
+    }
+}
+
+/// The law of one planet: that of the set, with the phase that follows from tooth numbers and the place of the planet.
+fn shifted(node: &Node, with: &str, at: &Node, values: &[(String, Node)], names: &[String; 4]) -> Node {
+    let Value::Table(entries) = &node.value else { return node.clone() };
+    if keys::get(entries, "phase").is_some() {
+        return node.clone();
+    }
+    let entry = |key: &str, node: Node| Entry { key: key.into(), place: at.place.clone(), node };
+    let of = |name: &String| values.iter().rfind(|value| value.0 == *name).map(|value| value.1.clone());
+    let [z_s, z_r, z_p, _] = names;
+    let teeth = match with {
+        "s" => vec![("sun", of(z_s))],
+        _ => vec![("ring", of(z_r)), ("planet", of(z_p))],
+    };
+    let mut phase: Vec<Entry> = teeth.into_iter().filter_map(|(key, node)| Some(entry(key, node?))).collect();
+    phase.push(entry("at", at.clone()));
+    let phase = Node { value: Value::Table(phase), place: at.place.clone() };
+    let all = entries.iter().cloned().chain([entry("phase", phase)]).collect();
+    Node { value: Value::Table(all), place: node.place.clone() }
+}

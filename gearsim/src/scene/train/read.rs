@@ -1,0 +1,178 @@
+//! Reads the tables of a train.
+
+use super::TABLES;
+use super::draft::{Draft, DraftPart, Joint, Terms};
+use crate::scene::document::{Entry, Node, Place};
+use crate::scene::mistake::Report;
+use crate::scene::{field, keys};
+use crate::tolerance::scene::ROTORS;
+
+/// The name of what does not turn.
+pub(super) const GROUND: &str = "ground";
+
+/// Reads all tables. `None` if a mistake was reported that leaves no train.
+pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Option<Draft> {
+    let before = report.len();
+    if keys::get(entries, "rotors").is_none() {
+        let lines = "[rotors]\nmotor = \"... kg*m^2\"  # name = moment of inertia".to_string();
+        keys::missing(&[("[rotors]", lines)], "a scene of the model `train`", root, report);
+        return None;
+    }
+    let mut reader = Reader { draft: Draft::default(), report };
+    for table in TABLES {
+        let Some(node) = keys::get(entries, table) else { continue };
+        let Some(items) = field::table(table, node, reader.report) else { continue };
+        let mut items: Vec<&Entry> = items.iter().collect();
+        // In the order of the text: a table of TOML has none of its own.
+        items.sort_by_key(|item| (item.place.source, item.place.span.start));
+        for item in items {
+            if reader.is_name(table, item) {
+                reader.item(table, item);
+            }
+        }
+    }
+    let draft = reader.draft;
+    if draft.rotors.is_empty() && report.len() == before {
+        let place = keys::get(entries, "rotors").map_or(root, |node| &node.place);
+        report.add(place, "a train has at least one rotor", "no rotor", "add for example motor = \"0.1 kg*m^2\"");
+    }
+    if draft.rotors.len() > ROTORS {
+        let message = format!("a train has at most {ROTORS} rotors, not {}", draft.rotors.len());
+        report.add(root, message, "too many rotors", "join neighbouring discs");
+    }
+    (report.len() == before).then_some(draft)
+}
+
+pub(super) struct Reader<'a> {
+    pub draft: Draft,
+    pub report: &'a mut Report,
+}
+
+/// A table of one part: its path, keys and place.
+pub(super) struct Item<'a> {
+    pub table: &'static str,
+    pub name: &'a str,
+    pub entries: &'a [Entry],
+    pub place: &'a Place,
+}
+
+impl Item<'_> {
+    pub fn path(&self, key: &str) -> String {
+        format!("{}.{}.{key}", self.table, self.name)
+    }
+
+    pub fn title(&self) -> String {
+        format!("[{}.{}]", self.table, self.name)
+    }
+
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        keys::get(self.entries, key)
+    }
+}
+
+impl Reader<'_> {
+    /// Whether the name of a part can be part of the names of parameters.
+    fn is_name(&mut self, table: &str, item: &Entry) -> bool {
+        let fits = |name: &str| {
+            name.len() <= 32 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && name != GROUND
+        };
+        if fits(&item.key) && !item.key.is_empty() {
+            return true;
+        }
+        let message = format!("`{}` cannot be a name in [{table}]", item.key);
+        let help = format!("use letters, digits and `_`, at most 32; `{GROUND}` is what does not turn");
+        self.report.add(&item.place, message, "not a name", help);
+        false
+    }
+
+    fn item(&mut self, table: &'static str, entry: &Entry) {
+        if table == "rotors" {
+            return self.rotor(entry);
+        }
+        let Some(entries) = field::table(&format!("{table}.{}", entry.key), &entry.node, self.report) else { return };
+        let item = Item { table, name: &entry.key, entries, place: &entry.place };
+        match table {
+            "shafts" => self.shaft(&item),
+            "supports" => self.support(&item),
+            "meshes" => self.mesh(&item),
+            "planets" => self.planets(&item),
+            "bearings" => self.bearing(&item),
+            "clutches" => self.clutch(&item),
+            _ => self.torque(&item),
+        }
+    }
+
+    /// Reports unknown keys of an item.
+    pub fn known(&mut self, item: &Item<'_>, allowed: &[&str]) {
+        keys::known(item.entries, &item.title(), allowed, self.report);
+    }
+
+    /// A key of an item that it must have.
+    pub fn needed<'a>(&mut self, item: &'a Item<'_>, key: &'static str, example: &str) -> Option<&'a Node> {
+        let node = item.get(key);
+        if node.is_none() {
+            keys::missing(&[(key, format!("{key} = {example}"))], &item.title(), item.place, self.report);
+        }
+        node
+    }
+
+    /// A value that is a parameter: it is read with `[parameters]`.
+    pub fn value(&mut self, parameter: String, node: Option<&Node>) {
+        self.draft.values.extend(node.map(|node| (parameter, node.clone())));
+    }
+
+    /// The rotor that a key names; `Some(None)` for the ground, if that is allowed.
+    pub fn end(&mut self, path: &str, node: &Node, ground: bool) -> Option<Option<usize>> {
+        let mut names: Vec<&str> = self.draft.rotors.iter().map(|rotor| rotor.name.as_str()).collect();
+        if ground {
+            names.push(GROUND);
+        }
+        let i = field::choice(path, node, "rotor", &names, self.report)?;
+        Some((i < self.draft.rotors.len()).then_some(i))
+    }
+
+    /// The rotor of an item.
+    pub fn rotor_of(&mut self, item: &Item<'_>) -> Option<usize> {
+        let node = self.needed(item, "rotor", "\"...\"")?;
+        self.end(&item.path("rotor"), node, false)?
+    }
+
+    /// The two rotors of an item.
+    pub fn between(&mut self, item: &Item<'_>, ground: bool) -> Option<[Option<usize>; 2]> {
+        let node = self.needed(item, "between", "[\"...\", \"...\"]")?;
+        let path = item.path("between");
+        let items = field::array(&path, node, "[\"motor\", \"1\"]", self.report)?;
+        let [a, b] = items else {
+            let help = "a part is between two rotors: between = [\"motor\", \"1\"]";
+            self.report.add(
+                &node.place,
+                format!("`{path}` must have two names, not {}", items.len()),
+                "two names",
+                help,
+            );
+            return None;
+        };
+        let ends = [self.end(&path, a, ground), self.end(&path, b, ground)];
+        let [Some(a), Some(b)] = ends else { return None };
+        if a == b {
+            let help = "name two different rotors";
+            self.report.add(&node.place, format!("{} joins a rotor with itself", item.title()), "twice the same", help);
+            return None;
+        }
+        Some([a, b])
+    }
+
+    /// Adds a part with one coordinate.
+    pub fn part(&mut self, item: &Item<'_>, element: &'static str, called: String, rows: Vec<Terms>) {
+        let (name, place) = (item.name.to_string(), item.place.clone());
+        self.draft.parts.push(DraftPart { element, name, place, renamed: vec![], rows, called });
+    }
+
+    /// Notes that a part joins two rotors.
+    pub fn join(&mut self, item: &Item<'_>, ends: [Option<usize>; 2], turns: bool) {
+        if let [Some(a), Some(b)] = ends {
+            let (place, part) = (item.place.clone(), item.title());
+            self.draft.joints.push(Joint { ends: [a, b], turns, place, part });
+        }
+    }
+}

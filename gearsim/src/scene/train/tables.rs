@@ -1,0 +1,77 @@
+//! Moves the values in the tables of a train to `[parameters]` and `[laws]`, where the values of every model are.
+
+use std::collections::HashMap;
+
+use super::TABLES;
+use super::draft::Draft;
+use crate::scene::document::{Entry, Node, Place, Value};
+use crate::scene::mistake::Report;
+use crate::scene::quantity::Quantity;
+
+/// Moves the values, and removes the tables of the train from `entries`. `None` if a value is stated twice.
+pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) -> Option<Draft> {
+    entries.retain(|entry| !TABLES.contains(&entry.key.as_str()));
+    let before = report.len();
+    let values = std::mem::take(&mut draft.values);
+    let laws = std::mem::take(&mut draft.laws);
+    let laws = laws.into_iter().map(|(name, node)| (name, law(node))).collect();
+    for (table, given) in [("parameters", values), ("laws", laws)] {
+        if !given.is_empty() {
+            add(table, given, entries, end, report);
+        }
+    }
+    (report.len() == before).then_some(draft)
+}
+
+/// A law that is written as one value is constant.
+fn law(node: Node) -> Node {
+    if matches!(node.value, Value::Table(_)) {
+        return node;
+    }
+    let place = node.place.clone();
+    let table = |key: &str, node: Node| {
+        let entry = Entry { key: key.into(), place: place.clone(), node };
+        Node { value: Value::Table(vec![entry]), place: place.clone() }
+    };
+    let step = table("value", node);
+    table("steps", Node { value: Value::Array(vec![step]), place: place.clone() })
+}
+
+fn add(table: &str, given: Vec<(String, Node)>, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) {
+    let at = entries.iter().position(|entry| entry.key == table).unwrap_or_else(|| {
+        let node = Node { value: Value::Table(vec![]), place: end.clone() };
+        entries.push(Entry { key: table.into(), place: end.clone(), node });
+        entries.len() - 1
+    });
+    // Another type of value is reported where the table is read.
+    let Value::Table(known) = &mut entries[at].node.value else { return };
+    for (key, node) in given {
+        match known.iter().find(|entry| entry.key == key) {
+            None => known.push(Entry { key, place: node.place.clone(), node }),
+            // An override replaces what the tables say.
+            Some(entry) if entry.place.source != node.place.source => {}
+            Some(entry) => {
+                let message = format!("`{table}.{key}` is stated twice");
+                let help = format!("it is the value in {} too; leave out one of them", line(&node.place, report));
+                report.add(&entry.place, message, "stated again", help);
+            }
+        }
+    }
+}
+
+fn line(place: &Place, report: &Report) -> String {
+    format!("`{}`", report.text(place).lines().next().unwrap_or_default())
+}
+
+/// The values of the geometric parameters, for the choice of coordinates; 1 for one that cannot be read, which is reported later.
+pub(super) fn numbers(draft: &Draft, entries: &[Entry]) -> HashMap<String, f64> {
+    let table = entries.iter().find(|entry| entry.key == "parameters").map(|entry| &entry.node.value);
+    let given: &[Entry] = if let Some(Value::Table(given)) = table { given } else { &[] };
+    let number = |name: &str| match &given.iter().find(|entry| entry.key == name)?.node.value {
+        Value::Number(x) => Some(*x),
+        Value::Text(text) => Quantity::parse(text).ok().map(|quantity| quantity.value),
+        _ => None,
+    };
+    let usable = |x: &f64| x.is_finite() && *x > 0.0;
+    draft.geometry.iter().map(|g| (g.name.clone(), number(&g.name).filter(usable).unwrap_or(1.0))).collect()
+}

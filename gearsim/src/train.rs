@@ -1,0 +1,63 @@
+//! A train: parts along linear forms of the rotations of rotors.
+//!
+//! Each part is an element, a model of its own with a few coordinates x. Its equations are derived. Each x is a linear form of the rotations
+//! of the rotors, whose factors are products of powers of parameters: a base radius, a ratio of numbers of teeth.
+
+use smallvec::SmallVec;
+
+/// A product of powers of parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factor {
+    /// A number.
+    pub number: f64,
+    /// Parameters, by their index in the model, and their exponents.
+    pub powers: SmallVec<[(usize, i32); 3]>,
+}
+
+/// A linear form of rotations: rotor and factor.
+pub type Form = Vec<(usize, Factor)>;
+
+/// What a coordinate of a part is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Row {
+    /// A coordinate of the train.
+    Coordinate(usize),
+    /// A linear form.
+    Form(Form),
+}
+
+/// A part of a train. Each list has, for everything that the element has, its index in the train.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Index of the element.
+    pub element: usize,
+    /// The coordinates of the element.
+    pub rows: Vec<Row>,
+    /// Parameters; `None` for a test inertia, which is zero in a train.
+    pub parameters: Vec<Option<usize>>,
+    /// Effects.
+    pub effects: Vec<usize>,
+    /// Laws, then the symbols of switches: places in the vector of law values.
+    pub values: Vec<usize>,
+    /// Number of laws among `values`.
+    pub laws: usize,
+    /// Number of switches.
+    pub switches: usize,
+    /// Torques.
+    pub torques: Vec<usize>,
+    /// Outputs.
+    pub outputs: Vec<usize>,
+}
+
+/// What the engine puts together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Train {
+    /// The linear forms that are the coordinates; as many as there are rotors that move independently.
+    pub coordinates: Vec<Form>,
+    /// The parts.
+    pub parts: Vec<Part>,
+    /// For each rigid motion of unit size, independent forms and their values.
+    pub motions: Vec<Vec<(Form, f64)>>,
+    /// Numbers of laws, torques and outputs of the train.
+    pub counts: [usize; 3],
+}

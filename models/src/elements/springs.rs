@@ -1,0 +1,50 @@
+//! Elements with stiffness.
+
+use gearsim_derive::{Expr, Model, Start};
+
+use super::{coordinate, damping};
+use crate::components::{self, Sliding, mesh_with_play, pressure_tangent, sliding_friction};
+
+/// A torsional shaft.
+pub fn shaft(m: &mut Model) {
+    spring(m, "a shaft", "shaft {}");
+}
+
+/// A torsional spring between a rotor and the ground.
+pub fn support(m: &mut Model) {
+    spring(m, "a torsional support", "support {}");
+}
+
+fn spring(m: &mut Model, title: &str, what: &str) {
+    m.title(title);
+    m.source("an element of trains");
+    let twist = coordinate(m, "theta", "rad", "twist");
+    components::shaft(m, "x", what, twist);
+    damping(m);
+}
+
+/// A mesh.
+pub fn mesh(m: &mut Model) {
+    let (phase, s) = begin(m, "a mesh");
+    mesh_with_play(m, "x", "mesh {}", phase, s);
+    damping(m);
+}
+
+/// A mesh with friction of the flanks.
+pub fn mesh_with_friction(m: &mut Model) {
+    let (phase, s) = begin(m, "a mesh with friction of the flanks");
+    let psi = coordinate(m, "psi", "rad", "rotation of the first gear relative to the second");
+    let mesh = mesh_with_play(m, "x", "mesh {}", phase, s);
+    let tau = pressure_tangent(m) * s;
+    sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi });
+    damping(m);
+}
+
+fn begin(m: &mut Model, title: &str) -> (Expr, Expr) {
+    m.title(title);
+    m.source("an element of trains");
+    let phase = m.coordinate("phase", "rad", Start::At(0.0), "phase of the mesh; one pitch is 2 pi");
+    let test = m.parameter("J_phase", "kg*m^2", None, gearsim_derive::Range::Positive, "test inertia, 0 in trains");
+    m.kinetic(gearsim_derive::half(test * phase.dot().sq()));
+    (phase, coordinate(m, "s", "m", "relative motion of the gears along the line of action"))
+}

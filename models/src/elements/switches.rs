@@ -1,0 +1,22 @@
+//! Elements made of modes.
+
+use gearsim_derive::Model;
+
+use super::coordinate;
+use crate::components;
+
+/// Dry friction of a bearing or a brake.
+pub fn dry_friction(m: &mut Model) {
+    m.title("dry friction");
+    m.source("an element of trains");
+    let theta = coordinate(m, "theta", "rad", "rotation");
+    components::dry_friction(m, "x", "bearing {}", ["rad", "N*m"], theta);
+}
+
+/// An overrunning clutch.
+pub fn clutch(m: &mut Model) {
+    m.title("an overrunning clutch");
+    m.source("an element of trains");
+    let theta = coordinate(m, "theta", "rad", "rotation of the driving side relative to the driven one");
+    components::overrunning_clutch(m, "x", "clutch {}", theta);
+}

@@ -1,0 +1,15 @@
+//! Trains that scenes list: against the derived models of the same drivetrains, closed forms, and mistakes in their tables.
+
+mod common;
+
+#[path = "train/same.rs"]
+mod same;
+
+#[path = "train/frequencies.rs"]
+mod frequencies;
+
+#[path = "train/mistakes.rs"]
+mod mistakes;
+
+#[path = "train/effects.rs"]
+mod effects;

@@ -1,0 +1,174 @@
+//! A train and the derived model of the same drivetrain have the same motion, to rounding.
+
+use gearsim::run::Outcome;
+use gearsim::scene::Scene;
+
+use crate::common;
+
+/// A derived model's scene, and the tables that list the same parts.
+struct Pair {
+    scene: &'static str,
+    tables: &'static str,
+    /// Names that differ: in the derived model, in the train.
+    renamed: &'static [(&'static str, &'static str)],
+}
+
+const CHAIN: Pair = Pair {
+    scene: "chain_5",
+    tables: "[rotors]\n1={}\n2={}\n3={}\n4={}\n5={}\n[shafts]\n1={between=['1','2']}\n2={between=['2','3']}\n\
+             3={between=['3','4']}\n4={between=['4','5']}\n[drives]\nmotor={rotor='1'}\n[loads]\nload={rotor='5'}\n",
+    renamed: &[],
+};
+
+const BRANCHES: Pair = Pair {
+    scene: "geared_branches",
+    tables: "[rotors]\n1={}\nm={}\na={}\nb={}\n2={}\n[shafts]\nm={between=['m','1']}\na={between=['1','a']}\n\
+             b={between=['2','b']}\n[meshes]\n12={between=['1','2'],stiffness='rigid',teeth=[1,1]}\n\
+             [drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='b'}\n",
+    renamed: &[],
+};
+
+const SHAFTS: Pair = Pair {
+    scene: "gear_pair_shafts",
+    tables: "[rotors]\n1={}\nm={}\n2={}\nl={}\n[shafts]\nm={between=['m','1']}\nl={between=['2','l']}\n\
+             [meshes]\n12={between=['1','2']}\n[drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='l'}\n",
+    renamed: &[],
+};
+
+const TWO_STAGE: Pair = Pair {
+    scene: "two_stage",
+    tables: "[rotors]\n1={}\nm={}\n2={}\n3={}\n4={}\nl={}\n[shafts]\nm={between=['m','1']}\n\
+             l={between=['4','l']}\nc={between=['2','3']}\n[meshes]\n12={between=['1','2']}\n34={between=['3','4']}\n\
+             [drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='l'}\n",
+    renamed: &[],
+};
+
+const PLANETARY: Pair = Pair {
+    scene: "planetary_3",
+    tables: "[rotors]\ns={}\nc={}\nr={}\n[planets.p]\nsun='s'\ncarrier='c'\nring='r'\ncount=3\nteeth=[27,99]\n\
+             [supports]\nr={rotor='r'}\n[drives]\nmotor={rotor='s'}\n[loads]\nload={rotor='c'}\n",
+    renamed: &[
+        ("Z_s = 27\n", ""),
+        ("Z_r = 99\n", ""),
+        ("r_s =", "rs_p ="),
+        ("alpha =", "alpha_p ="),
+        ("I_p =", "Ip_p ="),
+        ("m_p =", "mp_p ="),
+        ("k_s1.", "k_p_s1."),
+        ("k_s2.", "k_p_s2."),
+        ("k_s3.", "k_p_s3."),
+        ("k_r1.", "k_p_r1."),
+        ("k_r2.", "k_p_r2."),
+        ("k_r3.", "k_p_r3."),
+    ],
+};
+
+impl Pair {
+    /// Both scenes with the same overrides.
+    fn scenes(&self, overrides: &[&str]) -> [Scene; 2] {
+        let path = common::root().join(format!("models/scenes/{}.toml", self.scene));
+        let text = std::fs::read_to_string(path).expect("a scene");
+        let mut listed = text.replace(&format!("model = {:?}", self.scene), "model = \"train\"");
+        for (from, to) in self.renamed {
+            assert!(listed.contains(from), "{}: {from}", self.scene);
+            listed = listed.replace(from, to);
+        }
+        let listed = format!("{listed}\n{}", self.tables);
+        let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
+        [text, listed].map(|text| {
+            Scene::parse("both", "both.toml", &text, &overrides, &common::models())
+                .unwrap_or_else(|mistakes| panic!("{}", mistakes.render(100, false)))
+        })
+    }
+
+    /// Runs both, and returns the largest difference of an output or an energy, relative to its largest value.
+    fn compare(&self, overrides: &[&str]) -> f64 {
+        let [derived, listed] = self.scenes(overrides).map(|scene| common::run(&scene));
+        assert_eq!(events(&derived), events(&listed), "{}: events", self.scene);
+        assert_eq!(derived.solver.method, listed.solver.method, "{}", self.scene);
+        let mut worst: (f64, &str) = (0.0, "");
+        let mut compared = 0;
+        for (name, a) in columns(&derived) {
+            let Some((_, b)) = columns(&listed).into_iter().find(|column| column.0 == name) else { continue };
+            compared += 1;
+            assert_eq!(a.len(), b.len(), "{}: rows of {name}", self.scene);
+            let size = a.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
+            let off = a.iter().zip(&b).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max);
+            if off > worst.0 {
+                worst = (off, name);
+            }
+        }
+        assert!(compared >= 5, "{}: only {compared} columns are in both", self.scene);
+        println!("{} {overrides:?}: {compared} columns, at most {:.1e} apart ({})", self.scene, worst.0, worst.1);
+        worst.0
+    }
+}
+
+/// What was counted.
+fn events(run: &Outcome) -> [u64; 5] {
+    let counts = &run.counts;
+    [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.sticks]
+}
+
+/// Energies and outputs of a run, but for losses, which are near zero.
+fn columns(run: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
+    let outputs = run.trajectory.outputs.iter().map(|(output, values)| (output.name, values.clone()));
+    let energies = [("kinetic", &run.trajectory.kinetic), ("strain", &run.trajectory.strain)];
+    outputs
+        .chain(energies.map(|(name, values)| (name, values.clone())))
+        .filter(|(name, _)| !name.contains("loss"))
+        .collect()
+}
+
+#[test]
+fn chains_and_branches() {
+    assert!(CHAIN.compare(&[]) < 1e-12);
+    assert!(CHAIN.compare(&["run.method=\"dop853\""]) < 1e-9);
+    assert!(BRANCHES.compare(&[]) < 1e-11);
+}
+
+const BACKLASH: &str = "parameters.b12=\"0.1 mm\"";
+const ERROR: &str = "laws.e12={steps=[{value=\"8 um\",width=\"2 rad\"},{value=\"-3 um\"}]}";
+
+#[test]
+fn a_gear_pair_with_every_effect_of_a_mesh() {
+    assert!(SHAFTS.compare(&["run.t_end=\"50 ms\""]) < 1e-9);
+    let short = "run.t_end=\"20 ms\"";
+    for effects in [
+        "[\"torques\"]",
+        "[\"stiffness_step\",\"rigid_kinematics\",\"torques\"]",
+        "[\"stiffness_step\",\"frozen_phase\",\"torques\"]",
+        "[\"stiffness_step\",\"torques\",\"backlash\"]",
+        "[\"stiffness_step\",\"torques\",\"transmission_error_12\"]",
+        "[\"stiffness_step\",\"torques\",\"transmission_error\",\"backlash_12\",\"damping\"]",
+    ] {
+        let effects = format!("effects={effects}");
+        let beta = "parameters.beta_K=\"1 us\"";
+        let off = SHAFTS.compare(&[&effects, short, BACKLASH, ERROR, beta]);
+        assert!(off < 1e-8, "{effects}: {off:e}");
+    }
+}
+
+#[test]
+fn friction_of_flanks_by_a_numerical_method() {
+    let effects = "effects=[\"stiffness_step\",\"torques\",\"sliding_friction\"]";
+    let side = "laws.side12={steps=[{value=-1,width=\"3 rad\"},{value=1}]}";
+    let arm = "laws.arm12={steps=[{value=\"5 mm\",width=\"3 rad\"},{value=\"6 mm\"}]}";
+    let off = SHAFTS.compare(&[effects, "run.t_end=\"10 ms\"", side, arm, "parameters.mu12=0.05"]);
+    assert!(off < 1e-6, "{off:e}");
+}
+
+#[test]
+fn two_stages() {
+    assert!(TWO_STAGE.compare(&["run.t_end=\"20 ms\""]) < 1e-8);
+}
+
+#[test]
+fn planets() {
+    assert!(PLANETARY.compare(&["run.t_end=\"20 ms\""]) < 1e-8);
+}
+
+#[test]
+fn twice_the_digits() {
+    assert!(SHAFTS.compare(&["run.t_end=\"20 ms\"", "run.precision=\"compensated\""]) < 1e-12);
+}
