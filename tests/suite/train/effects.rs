@@ -26,7 +26,8 @@ fn exact_cells_and_steps_agree() {
 /// The losses of all parts sum to the loss of the energy account.
 #[test]
 fn losses_sum_to_the_account() {
-    let run = run(&["output.rate=\"400 kHz\"", "run.t_end=\"10 ms\""]);
+    let effects = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"viscous_friction\",\"dry_friction\"]";
+    let run = run(&["output.rate=\"400 kHz\"", "run.t_end=\"10 ms\"", effects]);
     let t = &run.trajectory.t;
     let losses: Vec<_> = run.trajectory.outputs.iter().filter(|(output, _)| output.name.contains("loss")).collect();
     let names =
