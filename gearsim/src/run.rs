@@ -1,6 +1,7 @@
 //! A whole run of a scene, from its equations to its account.
 
 pub mod account;
+mod rest;
 mod together;
 
 pub use account::Account;

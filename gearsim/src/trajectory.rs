@@ -157,6 +157,16 @@ impl Trajectory {
         self.outputs.iter().find(|(output, _)| output.name == name).map(|(_, column)| &column[..])
     }
 
+    /// The recorded output or the coordinate `name`: its SI unit and its column.
+    pub fn signal(&self, name: &str) -> Option<(&'static str, &[f64])> {
+        let output = self.outputs.iter().find(|(output, _)| output.name == name);
+        let coordinate = || self.model.coordinates.iter().position(|c| c.name == name);
+        match output {
+            Some((output, column)) => Some((output.unit, column)),
+            None => coordinate().map(|i| (self.model.coordinates[i].unit, &self.q[i][..])),
+        }
+    }
+
     /// Indices of the rows of kind [`Moment::Sample`], in order.
     pub fn samples(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.len()).filter(|&i| self.moment[i] == Moment::Sample)

@@ -23,7 +23,6 @@ fn table() -> String {
         let _ =
             write!(text, "\n## {model}\n\n{about}\n\n| effect | {names} |\n|{}\n", " --- |".repeat(COMMANDS.len() + 1));
         for (effect, scene) in scenes::of(&model) {
-            eprintln!("AT {model} {effect}");
             let cells: Vec<String> = match &scene {
                 Ok(scene) => COMMANDS.iter().map(|command| cell((command.1)(scene), &mut reasons)).collect(),
                 Err(reason) => vec![cell(Err(reason.clone()), &mut reasons); COMMANDS.len()],

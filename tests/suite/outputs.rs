@@ -6,8 +6,10 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use common::{model, relative, root, run, scene};
-use gearsim::analysis::orders::{Turning, lines, mesh_orders};
+use gearsim::analysis::dynamic_factor;
+use gearsim::analysis::orders::{Turning, force, lines, meshes};
 use gearsim::engine::equations::Equations;
+use gearsim::model::Role;
 use gearsim::scene::Scene;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
@@ -180,12 +182,13 @@ fn a_harmonic_transmission_error_gives_the_amplitudes_of_the_closed_form() {
         let run = run(&scene("oh2005/energy_300rpm", &sets)).trajectory;
         let turning = Turning::of(&run, "rotor_speed_1", 0.0).unwrap();
         assert_eq!(turning.revolutions(), turns as usize);
-        assert!(relative(mesh_orders(&run, &turning)[0].1, n1, 0.0) < 1e-6);
-        let spectrum = turning.orders(run.output("dte").unwrap()).unwrap();
-        let found = lines(&run, &turning, &spectrum);
-        let line = found.iter().find(|line| (line.harmonic, line.sideband) == (1, 0)).unwrap();
+        let meshes = meshes(&run, 0.0);
+        assert!(relative(meshes[0].frequency / turning.frequency(), n1, 0.0) < 1e-6);
+        let lines = lines(&turning, &meshes);
+        let line = lines.iter().find(|line| (line.harmonic, line.sideband) == (1, 0)).unwrap();
+        let found = turning.amplitudes(&[run.output("dte").unwrap()], &[*line])[0][0];
         let expected = 2.0 * amplitude.abs() / n1;
-        assert!(relative(line.amplitude, expected, 0.0) < 1e-4, "r = {r}: {} rad, not {expected}", line.amplitude);
+        assert!(relative(found, expected, 0.0) < 1e-4, "r = {r}: {found} rad, not {expected}");
         // The torque of the mesh is N1 k (phi - e): its line is that of the deflection.
         let torque = turning.orders(run.output("mesh_torque").unwrap()).unwrap().at(n1).unwrap();
         let expected = n1 * 2e3 * (E * r * r / (1.0 - r * r)).abs();
@@ -198,6 +201,64 @@ fn every_model_declares_outputs() {
     // A train has those of the parts that a scene lists.
     for model in common::models().into_iter().filter(|model| model.elements.is_empty()) {
         assert!(model.outputs.iter().any(|output| output.unit == "rad/s"), "{} has no speed of a rotor", model.name);
+    }
+}
+
+/// Names connect a mesh stiffness with its force; a new component must follow them.
+#[test]
+fn every_mesh_stiffness_has_its_force() {
+    for model in common::models() {
+        for law in model.laws.iter().filter(|law| law.role == Role::Stiffness) {
+            assert!(force(model, law.name).is_some(), "{}: {} has no force", model.name, law.name);
+        }
+    }
+}
+
+/// Without vibration the mesh of a stage carries T/r, and each of n equal planets a part of it.
+#[test]
+fn the_force_at_rest_is_the_torque_over_the_base_radius() {
+    let scene = scene("two_stage", &["run.t_end=5 ms".into()]);
+    let found = dynamic_factor::of(&scene, model("two_stage"), &run(&scene).trajectory);
+    // 95 N m on 24.7 mm; the second stage has it times 63/21, on 37.6 mm.
+    for (mesh, force) in found.iter().zip([95.0 / 24.7e-3, 285.0 / 37.6e-3]) {
+        assert!(relative(*mesh.at_rest.as_ref().unwrap(), force, 0.0) < 1e-9, "{mesh:?}");
+        assert!(mesh.factor.as_ref().is_ok_and(|factor| *factor >= 1.0 && *factor < 1.5), "{mesh:?}");
+        assert!(mesh.iso6336.as_ref().is_err_and(|why| why.contains("without teeth")), "{mesh:?}");
+    }
+}
+
+/// K_v beside the simulated factor, and the numbers it depends on by hand: N = 24 f/f_E with f_E = sqrt(c/m_red)/2 pi.
+#[test]
+fn gears_by_their_teeth_have_the_factor_of_the_standard() {
+    let sets = ["laws.k.method=iso6336", "run.t_end=50 ms"].map(String::from);
+    let scene = scene("gear_pair_teeth", &sets);
+    let found = dynamic_factor::of(&scene, model("gear_pair"), &run(&scene).trajectory);
+    let kv = *found[0].iso6336.as_ref().unwrap();
+    // V = k phi² = c delta²/2 with delta = 2 r_b1 phi/N1: c = k N1²/(2 r_b1²). m_red = m1 m2/(m1 + m2), m = I/r_b².
+    let (r1, r2) = (24.0 * 6.35e-3 / 2.0 * 20f64.to_radians().cos(), 96.0 * 6.35e-3 / 2.0 * 20f64.to_radians().cos());
+    let (m1, m2) = (2890e-6 / (r1 * r1), 740_200e-6 / (r2 * r2));
+    let mean = {
+        let law = &scene.laws[0];
+        law.steps.iter().map(|step| step.value * step.width).sum::<f64>() / TAU
+    };
+    let c = mean * 24.0 * 24.0 / (2.0 * r1 * r1);
+    let resonance = (c * (m1 + m2) / (m1 * m2)).sqrt() / TAU;
+    let ratio = 24.0 * 10.0 / resonance;
+    // Below the resonance, without deviations and tip relief: 1 + 0.23 N.
+    assert!(ratio < 0.5 && relative(kv, 1.0 + 0.23 * ratio, 0.0) < 1e-3, "{kv}, not {}", 1.0 + 0.23 * ratio);
+}
+
+/// Transforms and means take the samples: no two of them have the same time, and they are evenly spaced but for the end of the run.
+#[test]
+fn samples_never_repeat_a_time() {
+    for name in ["two_stage", "backlash", "rattle", "electric_axle", "oh2005/stall_300rpm"] {
+        let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=50 kHz".into()])).trajectory;
+        let t: Vec<f64> = run.samples().map(|row| run.t[row]).collect();
+        assert!(t.len() > 900 && t.windows(2).all(|pair| pair[1] > pair[0]), "{name}");
+        let even = t.windows(2).filter(|pair| ((pair[1] - pair[0]) * 50e3 - 1.0).abs() < 1e-6).count();
+        assert!(even + 2 >= t.len(), "{name}: {even} of {}", t.len());
+        // The other rows are pairs about the events.
+        assert_eq!(run.len() - t.len(), 2 * run.events().count(), "{name}");
     }
 }
 

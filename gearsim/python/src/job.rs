@@ -1,5 +1,6 @@
 //! Sweeps whose points are run in parts.
 
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -33,19 +34,20 @@ impl Job {
         self.inner.points()
     }
 
-    /// Runs the points from `first` to before `end` on all cores of this machine, and returns their rows as bytes. `progress` is called
-    /// with the number of finished points.
-    #[pyo3(signature = (first, end, progress=None))]
+    /// Runs the points from `first` to before `end` on `threads` threads, or on all cores of this machine, and returns their rows as bytes.
+    /// `progress` is called with the number of finished points.
+    #[pyo3(signature = (first, end, progress=None, threads=None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
         first: usize,
         end: usize,
         progress: Option<Py<PyAny>>,
+        threads: Option<NonZeroUsize>,
     ) -> PyResult<Bound<'py, PyBytes>> {
         let bytes = detached(py, progress, |watch| {
             let mut raised_by_watch = None;
-            let rows = self.inner.run(first..end, |count| match watch.now(count as f64) {
+            let rows = self.inner.run(first..end, threads, |count| match watch.now(count as f64) {
                 Ok(()) => ControlFlow::Continue(()),
                 Err(error) => {
                     raised_by_watch = Some(error);

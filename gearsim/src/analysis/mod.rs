@@ -2,9 +2,12 @@
 
 pub mod advise;
 pub mod digits;
+pub mod dynamic_factor;
 pub mod floquet;
 pub mod modes;
 pub mod orders;
+pub mod rainflow;
+pub mod sound;
 pub mod spectrum;
 pub mod statistics;
 pub mod steady;

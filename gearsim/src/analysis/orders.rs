@@ -13,9 +13,11 @@
 
 mod cuts;
 mod lines;
+mod meshes;
 
 pub use cuts::{Cut, cuts};
-pub use lines::{Line, lines, mesh_orders};
+pub use lines::{Line, lines};
+pub use meshes::{Mesh, Rotor, force, meshes};
 
 use realfft::RealFftPlanner;
 
@@ -57,9 +59,23 @@ pub struct Turning {
     pub rate: f64,
 }
 
-/// The first recorded output that is the speed of a shaft.
+/// Revolutions that a spectrum over orders needs to separate neighbouring ones: the main lobe of the Hann window is 4 lines wide.
+const ENOUGH: f64 = 4.0;
+
+/// The shaft to whose turns orders refer: of the recorded outputs the first that is the speed of a rotor that makes at least four
+/// revolutions, or the one that makes the most.
 pub fn first_shaft(run: &Trajectory) -> Option<&'static Output> {
-    run.outputs.iter().map(|(output, _)| *output).find(|output| output.unit == SHAFT)
+    let samples: Vec<usize> = run.samples().collect();
+    let duration = run.t.last()? - run.t.first()?;
+    let turns = |column: &[f64]| {
+        let mean = samples.iter().map(|&row| column[row]).sum::<f64>() / samples.len().max(1) as f64;
+        mean.abs() * duration / std::f64::consts::TAU
+    };
+    let shafts = run.outputs.iter().filter(|(output, _)| output.unit == SHAFT);
+    let shafts: Vec<_> = shafts.map(|(output, column)| (*output, turns(column))).collect();
+    let enough = shafts.iter().find(|(_, turns)| *turns >= ENOUGH);
+    let most = || shafts.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1));
+    enough.or_else(most).map(|(output, _)| *output)
 }
 
 impl Turning {
@@ -86,6 +102,11 @@ impl Turning {
             return Err(not_turning());
         }
         Ok(Turning { rows, angle, rate })
+    }
+
+    /// The mean number of revolutions a second of the shaft \[Hz\].
+    pub fn frequency(&self) -> f64 {
+        self.angle[self.angle.len() - 1] * self.rate / (self.angle.len() - 1) as f64
     }
 
     /// Whole revolutions.

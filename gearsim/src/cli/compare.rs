@@ -128,6 +128,7 @@ impl ComparedRun {
             trajectory: &self.outcome.trajectory,
             reference_frequency: self.outcome.reference_frequency,
             scene: &self.scene.name,
+            asked: &self.scene.output,
             none_from: self.outcome.digits.and_then(|digits| digits.none_from),
         }
     }

@@ -4,6 +4,7 @@ mod advise;
 mod check;
 mod compare;
 mod completions;
+mod evaluate;
 mod failure;
 mod floquet;
 mod man;

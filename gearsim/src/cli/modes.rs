@@ -25,8 +25,9 @@ A cell is a combination of the levels of the scene's stiffnesses. One cell is sh
 the mid stiffnesses, (max + min)/2 of each law, or the one chosen by --cell. A table has the natural
 frequencies of all others.
 
-Writes modes.json with all results, the plot of the mode shapes, and, if meshes turn, a Campbell
-diagram: natural frequencies and mesh harmonics over the speed.
+Writes modes.json with all results, a plot of the modes by energy, and, if meshes turn, a Campbell
+diagram: natural frequencies and mesh orders over the speed. Modes have the same numbers everywhere:
+rigid motions first, from 0, then by ascending frequency.
 
 Examples:
   gearsim modes models/scenes/oh2005/energy_300rpm.toml
@@ -118,7 +119,7 @@ impl Verb for Modes {
         let cells = cells.map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
-        files::figure(&mut folder, "shapes", plot::modes::draw(&scene, &chosen), terminal::warn)?;
+        files::figure(&mut folder, "shapes", plot::modes::draw(&scene, &chosen, &springs), terminal::warn)?;
         if courses.iter().any(SteadyLaw::turns) {
             files::figure(&mut folder, "campbell", plot::campbell::draw(&scene, &courses, &chosen), terminal::warn)?;
         }

@@ -4,7 +4,8 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::simulate::{Source, simulate};
-use super::{Verb, files, page, report, terminal};
+use super::{Verb, evaluate, files, page, report, terminal};
+use crate::library;
 use crate::output::OutputFolder;
 use crate::plot;
 use crate::run::Outcome;
@@ -15,12 +16,16 @@ use crate::scene::Scene;
 #[command(
     name = "run",
     after_help = "\
-Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), and plots as SVG and PNG.
+Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), lines.csv with the amplitudes
+at mesh orders and their sidebands, and plots as SVG and PNG. Rows with moment = \"sample\" are evenly
+spaced; at each event there are two more rows of the same time.
 
 Examples:
   gearsim run models/scenes/oh2005/energy_300rpm.toml
   gearsim run models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"600 rpm\" --out out/600rpm
   gearsim run models/scenes/oh2005/energy_300rpm.toml --set run.t_end=\"1 s\" --csv
+  gearsim run models/scenes/two_stage.toml --sound mesh_force_12 --stretch 4
+  gearsim run models/scenes/two_stage.toml --set output.rainflow='[\"mesh_force_12\"]'
   gearsim run models/scenes/oh2005/energy_300rpm.toml --set 'effects=[\"stiffness_step\"]' --quiet"
 )]
 pub(super) struct Run {
@@ -29,6 +34,12 @@ pub(super) struct Run {
     /// Also write the trajectory as CSV
     #[arg(long)]
     csv: bool,
+    /// Also write a recorded signal as sound, sound_NAME.wav; may be repeated
+    #[arg(long, value_name = "NAME")]
+    sound: Vec<String>,
+    /// Play sounds so many times as slowly; frequencies are divided by it
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, requires = "sound")]
+    stretch: f64,
     /// Also write page.html, an interactive page that needs no other file and no network
     #[arg(long)]
     html: bool,
@@ -38,7 +49,8 @@ pub(super) struct Run {
 }
 
 impl Verb for Run {
-    fn run(self) -> Result<(), Failure> {
+    fn run(mut self) -> Result<(), Failure> {
+        self.source.overrides.extend(self.sounds());
         let page = page::asked(self.html)?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
@@ -53,6 +65,13 @@ impl Verb for Run {
 }
 
 impl Run {
+    /// What --sound and --stretch set in the scene.
+    fn sounds(&self) -> Option<String> {
+        let names: Vec<_> = self.sound.iter().map(|name| format!("{name:?}")).collect();
+        let given = !names.is_empty();
+        given.then(|| format!("output.sound={{ of = [{}], stretch = {:?} }}", names.join(", "), self.stretch))
+    }
+
     /// Writes the files, and returns the text for the terminal.
     fn write(
         &self,
@@ -65,11 +84,15 @@ impl Run {
         files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
         let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
         let none_from = outcome.digits.and_then(|digits| digits.none_from);
-        let run = plot::Run { label: &scene.name, trajectory, reference_frequency, scene: &scene.name, none_from };
+        let (name, asked) = (&scene.name, &scene.output);
+        let run = plot::Run { label: name, trajectory, reference_frequency, scene: name, asked, none_from };
         for warning in files::plots(folder, scene, &[run])? {
             terminal::warn(&warning);
         }
+        let evaluated = library::evaluate::write(folder, scene, outcome)?;
+        evaluated.warnings.iter().for_each(|warning| terminal::warn(warning));
         let mut summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
+        summary.sounds = evaluated.sounds.iter().cloned().collect();
         if let Some(page) = page {
             page.run(folder, (scene, overrides), outcome, &summary)?;
             summary.files = folder.files().to_vec();
@@ -80,6 +103,7 @@ impl Run {
         Ok(report::scene(scene, width)
             + "\n"
             + &report::run(scene, &summary, trajectory.len(), width)
+            + &evaluate::text(&evaluated, scene, &summary, width)
             + "\n"
             + &report::files(folder.path(), folder.files(), width))
     }

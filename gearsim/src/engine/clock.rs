@@ -30,10 +30,11 @@ impl Clock {
         self.0.hi()
     }
 
-    /// Time from now until `t`, rounded to f64 [s].
+    /// Time from now until `t`, rounded to f64 [s]; infinite if `t` is.
     #[inline]
     pub fn until(&self, t: impl Into<Df64>) -> f64 {
-        self.exactly_until(t).hi()
+        let t = t.into();
+        if t.hi().is_finite() { self.exactly_until(t).hi() } else { t.hi() }
     }
 
     /// The same, with an error of two roundings, in two operations.

@@ -27,6 +27,13 @@ impl Initial {
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
+
+    /// The values of the laws, and those of the symbols of the switches.
+    pub fn levels(&self, scene: &Scene) -> Vec<f64> {
+        let [mut k, ..] = courses(scene, &self.state, &self.laws);
+        self.switches.iter().for_each(|switch| switch.write(&mut k));
+        k
+    }
 }
 
 /// The state at the start.

@@ -2,7 +2,7 @@
 //!
 //! - `involute`: the involute function and its inverse;
 //! - `pair`: [`Gears`], the data of a drawing; [`Contact`], the path of contact and the contact ratio;
-//! - `iso6336`: the mesh stiffness by ISO 6336-1, method B;
+//! - `iso6336`: the mesh stiffness by ISO 6336-1, method B; `internal_dynamics`: its dynamic factor;
 //! - `tooth`, `foundation`, `energy`: the stiffness of one tooth pair from its strain energy, along the path of contact;
 //! - `mesh_stiffness`: the stiffness of the mesh as a law over the phase, by either method;
 //! - `friction`: the friction laws, from the points of contact and the shares of the force.
@@ -10,6 +10,7 @@
 mod energy;
 mod foundation;
 mod friction;
+mod internal_dynamics;
 pub mod involute;
 mod iso6336;
 mod mesh_stiffness;
@@ -18,6 +19,7 @@ mod tooth;
 
 pub use energy::ToothPair;
 pub use friction::{FrictionLaw, friction};
+pub use internal_dynamics::InternalDynamics;
 pub use iso6336::{Iso6336, LINE_LOADS};
 pub use mesh_stiffness::{CellShape, StiffnessMethod, stiffness};
 pub use pair::{Contact, GearError, Gears, Material};

@@ -2,11 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use crate::output::summary::{Counts, Digits, Energy, FORMAT, Method, Named, Number, Observed, Summary, VERSION};
+use indexmap::IndexMap;
+
+use crate::analysis::{dynamic_factor, rainflow};
+use crate::output::summary::{
+    Counts, Digits, Energy, FORMAT, LoadSpectrum, Mesh, Method, Named, Number, Observed, Rows, Summary, VERSION,
+};
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
 use crate::run::Outcome;
 use crate::scene::Scene;
+use crate::trajectory::Trajectory;
 
 use super::provenance;
 
@@ -76,6 +82,18 @@ fn shares(times: &[(&str, f64)]) -> Named {
     times.iter().filter(|_| whole > 0.0).map(|(mode, time)| (*mode, time / whole)).collect()
 }
 
+/// The load spectra of the signals that the scene names.
+fn load_spectra(scene: &Scene, run: &Trajectory) -> IndexMap<String, LoadSpectrum> {
+    let spectrum = |name: &&'static str| {
+        let (unit, column) = run.signal(name)?;
+        let cycles = rainflow::count(column);
+        let largest_range = Number(cycles.iter().map(|cycle| cycle.range).fold(0.0, f64::max));
+        let cycles = Number(cycles.iter().map(|cycle| cycle.count).sum());
+        Some(((*name).to_owned(), LoadSpectrum { unit: unit.into(), cycles, largest_range }))
+    };
+    scene.output.rainflow.iter().filter_map(spectrum).collect()
+}
+
 /// The summary of a run that wrote `files`.
 pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
@@ -89,6 +107,8 @@ pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         at_start: none,
         largest: none,
     };
+    let meshes = crate::known::of(scene).map_or(vec![], |entry| dynamic_factor::of(scene, entry, run));
+    let meshes: Vec<_> = meshes.iter().map(|mesh| (mesh.law.name, Mesh::of(mesh))).collect();
     let parameters = scene.model.parameters.iter().map(|p| p.name).zip(scene.parameters.iter().copied());
     let mut summary = Summary {
         format: FORMAT.into(),
@@ -102,6 +122,10 @@ pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         reflections: counts.reflections,
         energy: Energy::at_end(run).unwrap_or(no_energy),
         outputs: Observed::all(run),
+        rows: Rows::of(run),
+        meshes: meshes.iter().map(|(name, (mesh, _))| ((*name).to_owned(), mesh.clone())).collect(),
+        load_spectra: load_spectra(scene, run),
+        sounds: IndexMap::new(),
         modes: outcome.modes.iter().map(|(switch, times)| (switch.to_string(), shares(times))).collect(),
         method: Method {
             name: outcome.solver.method.into(),
@@ -133,5 +157,9 @@ pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         provenance: provenance::of(scene, overrides, provenance::solver(scene, outcome)),
     };
     summary.note_missing();
+    for (name, (_, reasons)) in meshes {
+        let paths = reasons.into_iter().map(|(what, why)| (format!("meshes.{name}.{what}"), why));
+        summary.missing.extend(paths);
+    }
     summary
 }

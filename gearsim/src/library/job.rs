@@ -41,16 +41,22 @@ impl Job {
         self.sweep.points
     }
 
-    /// Runs some points on all cores. `watch` is told how many are finished, and ends the part by `Break`; the rows are then fewer.
+    /// Runs some points on `threads` threads, or on all cores. `watch` is told how many are finished, and ends the part by `Break`; the
+    /// rows are then fewer.
     ///
     /// # Errors
     /// If there are no such points, or threads cannot be started.
-    pub fn run(&self, points: Range<usize>, watch: impl FnMut(usize) -> ControlFlow<()>) -> Result<Rows, Error> {
+    pub fn run(
+        &self,
+        points: Range<usize>,
+        threads: Option<NonZeroUsize>,
+        watch: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Rows, Error> {
         if points.end > self.points() {
             let what = format!("the sweep has {} points, not {}", self.points(), points.end);
             return Err(Error::impossible(what, "points are counted from 0"));
         }
-        let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
         let mut rows = Vec::with_capacity(points.len());
         let keep = |new| {
             rows.extend(new);

@@ -19,6 +19,7 @@ pub mod advise;
 mod analyses;
 mod build;
 mod error;
+pub(crate) mod evaluate;
 pub(crate) mod files;
 mod job;
 pub(crate) mod provenance;

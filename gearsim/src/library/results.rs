@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::evaluate::{self, Evaluated};
 use super::{Error, files};
 use crate::analysis::digits;
 use crate::known;
@@ -122,6 +123,7 @@ impl Results {
             trajectory: &outcome.trajectory,
             reference_frequency: outcome.reference_frequency,
             scene: &scene.name,
+            asked: &scene.output,
             none_from: outcome.digits.and_then(|digits| digits.none_from),
         }
     }
@@ -133,22 +135,30 @@ impl Results {
     /// If a file cannot be written.
     pub fn write(&self, folder: impl AsRef<Path>) -> Result<Vec<PathBuf>, Error> {
         let mut folder = OutputFolder::create(folder.as_ref())?;
-        self.write_to(&mut folder, self.scene.output.csv, |_| {})?;
-        self.finish(&mut folder)?;
+        let evaluated = self.write_to(&mut folder, self.scene.output.csv, |_| {})?;
+        self.finish(&mut folder, &evaluated)?;
         Ok(folder.files().iter().map(|name| folder.path().join(name)).collect())
     }
 
-    /// Writes the trajectory and the plots. `warn` is told of plots that cannot be drawn.
-    pub(crate) fn write_to(&self, folder: &mut OutputFolder, csv: bool, warn: impl FnMut(&str)) -> Result<(), Error> {
+    /// Writes the trajectory, the plots and what is evaluated of it. `warn` is told of what cannot be made.
+    pub(crate) fn write_to(
+        &self,
+        folder: &mut OutputFolder,
+        csv: bool,
+        mut warn: impl FnMut(&str),
+    ) -> Result<Evaluated, Error> {
         let Results { scene, outcome } = self;
         files::trajectory(folder, "trajectory", csv, (scene, &scene.overrides), outcome)?;
-        files::plots(folder, scene, &[self.drawn()])?.iter().map(String::as_str).for_each(warn);
-        Ok(())
+        files::plots(folder, scene, &[self.drawn()])?.iter().for_each(|warning| warn(warning));
+        let evaluated = evaluate::write(folder, scene, outcome)?;
+        evaluated.warnings.iter().for_each(|warning| warn(warning));
+        Ok(evaluated)
     }
 
     /// Writes the summary, which names all other files, and puts the result in its place.
-    pub(crate) fn finish(&self, folder: &mut OutputFolder) -> Result<Summary, Error> {
-        let summary = Summary { files: folder.files().to_vec(), ..self.summary() };
+    pub(crate) fn finish(&self, folder: &mut OutputFolder, evaluated: &Evaluated) -> Result<Summary, Error> {
+        let sounds = evaluated.sounds.iter().cloned().collect();
+        let summary = Summary { files: folder.files().to_vec(), sounds, ..self.summary() };
         folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
         folder.commit("summary.json")?;
         Ok(summary)

@@ -66,7 +66,7 @@ impl Variation {
     /// All mistakes in the axes and the request. No point has run then.
     pub fn run(&self) -> Result<Table, Error> {
         let job = self.job()?;
-        job.table(&job.run(0..job.points(), |_| ControlFlow::Continue(()))?)
+        job.table(&job.run(0..job.points(), None, |_| ControlFlow::Continue(()))?)
     }
 
     /// The checked sweep, whose points can be run in parts, on other machines too.

@@ -8,11 +8,14 @@ pub mod csv;
 mod error;
 pub(crate) mod fault;
 mod files;
+pub mod lines;
+pub mod load_spectrum;
 pub(crate) mod number;
 pub mod parquet;
 pub mod summary;
 mod swap;
 pub mod table;
+pub mod wav;
 mod whole;
 
 pub use error::OutputError;

@@ -13,14 +13,16 @@ use super::{OutputError, number};
 use crate::model::Model;
 use crate::trajectory::Trajectory;
 
+mod evaluated;
 mod observed;
 
+pub use evaluated::{LoadSpectrum, Mesh, Rows, Sound};
 pub use observed::Observed;
 
 /// Name of the format of `summary.json`.
 pub const FORMAT: &str = "gearsim.summary";
 /// Version of the format. Files of version 0 have neither `format` nor `version`.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// The content of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -48,6 +50,14 @@ pub struct Summary {
     pub energy: Energy,
     /// Statistics of the recorded outputs, by name.
     pub outputs: IndexMap<String, Observed>,
+    /// Rows of the trajectory by their kind.
+    pub rows: Rows,
+    /// Loads of the meshes whose forces are recorded, by their stiffness laws.
+    pub meshes: IndexMap<String, Mesh>,
+    /// Load spectra of the signals that the scene names, by name.
+    pub load_spectra: IndexMap<String, LoadSpectrum>,
+    /// Signals written as sound, by name.
+    pub sounds: IndexMap<String, Sound>,
     /// Share of the run's time in each mode of each switch: `over12`, `free` [1].
     pub modes: BTreeMap<String, Named>,
     /// The method that solved it.
@@ -188,6 +198,11 @@ impl Summary {
             .chain(self.outputs.iter().flat_map(|(output, observed)| {
                 observed.numbers().map(|(what, x)| (format!("outputs.{output}.{what}"), x))
             }))
+            .chain(
+                self.meshes
+                    .iter()
+                    .flat_map(|(mesh, load)| load.numbers().map(|(what, x)| (format!("meshes.{mesh}.{what}"), x))),
+            )
             .chain(self.state.0.iter().map(|(name, x)| (format!("state.{name}"), *x)));
         let reason = |x: Number| match x.0 {
             x if x.is_nan() => "not a number: the run has no row, or the motion left the range of numbers",

@@ -127,7 +127,15 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
             .iter()
             .zip(&series.y)
             .map(|(&vx, &vy)| (LEFT + x.place(vx) * FRAME, bottom - y.place(vy) * height));
-        curve(out, &points.collect::<Vec<_>>(), series);
+        let points: Vec<_> = points.collect();
+        curve(out, &points, series);
+        let inside = |p: &&(f64, f64)| (LEFT..=right).contains(&p.0) && (top..=bottom).contains(&p.1);
+        if let Some(&(x, y)) = points.iter().rfind(inside).filter(|_| !series.note.is_empty()) {
+            let fill = format!("fill=\"{}\"", series.style.colour);
+            // Below what ends at the top, and to the left of what ends at the right.
+            let at = (x.min(right) - 5.0, (y - 4.0).max(top + 13.0));
+            out.text(at, Anchor::End, SMALL, &fill, &series.note);
+        }
     }
     let _ = writeln!(out, "</svg>");
 

@@ -105,12 +105,14 @@ pub struct Series {
     pub y: Vec<f64>,
     /// How it looks.
     pub style: Style,
+    /// Text at its last point within the frame; empty: none.
+    pub note: String,
 }
 
 impl Series {
     /// A curve in the style [`Style::nth`] of `index`.
     pub fn new(index: usize, label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
-        Series { label: label.into(), x, y, style: Style::nth(index) }
+        Series { label: label.into(), x, y, style: Style::nth(index), note: String::new() }
     }
 }
 

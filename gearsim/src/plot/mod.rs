@@ -7,14 +7,18 @@ mod energy;
 pub mod figure;
 pub mod floquet;
 mod heat;
+mod load_duration;
 pub mod map;
+mod marks;
 pub mod modes;
 mod motion;
 mod order_cuts;
 mod orders;
 pub mod outputs;
 mod picture;
+mod rainflow;
 pub mod response;
+mod run_up;
 mod spectrum;
 mod text;
 mod ticks;
@@ -25,12 +29,23 @@ pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
 pub use picture::Picture;
 
 use crate::analysis::spectrum::SpectrumError;
+use crate::scene::Output;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
 
 /// All plots, in the order in which they are listed.
-pub const PLOTS: &[Plot] = &[outputs::PLOT, orders::PLOT, energy::PLOT, spectrum::PLOT, motion::PLOT, order_cuts::PLOT];
+pub const PLOTS: &[Plot] = &[
+    outputs::PLOT,
+    orders::PLOT,
+    energy::PLOT,
+    spectrum::PLOT,
+    motion::PLOT,
+    order_cuts::PLOT,
+    run_up::PLOT,
+    rainflow::PLOT,
+    load_duration::PLOT,
+];
 
 /// All plots of sweeps.
 pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];
@@ -81,6 +96,8 @@ pub struct Run<'a> {
     pub reference_frequency: Option<f64>,
     /// Name of the scene, for the title.
     pub scene: &'a str,
+    /// What the scene asks to be evaluated, and how.
+    pub asked: &'a Output,
     /// Time from which on no digit of the state is left \[s\]; `None` if some are left to the end.
     pub none_from: Option<f64>,
 }
@@ -108,10 +125,10 @@ pub enum PlotError {
         why: String,
     },
     /// A spectrum could not be computed.
-    #[error("no spectrum of `{coordinate}` in run `{run}`: {source}")]
+    #[error("no spectrum of `{signal}` in run `{run}`: {source}")]
     Spectrum {
-        /// The coordinate.
-        coordinate: &'static str,
+        /// The output or coordinate.
+        signal: &'static str,
         /// The run's label.
         run: String,
         /// The cause.

@@ -1,68 +1,90 @@
-//! Mode shapes: one panel per vibrating mode, one stem per coordinate.
+//! Mode shapes by energy: for each vibrating mode the share of every coordinate in the kinetic energy, with the sign of its motion, and
+//! the share of every mesh and spring in the strain energy. Shares have no unit, so that rotations and displacements stand on one axis.
 
 use super::{Axis, Figure, Panel, PlotError, Series, Style, symbol};
-use crate::analysis::modes::CellModes;
+use crate::analysis::modes::springs::Spring;
+use crate::analysis::modes::{CellModes, Vibration};
 use crate::scene::Scene;
 
 /// Maximum number of panels; the lowest modes are shown.
 const MOST: usize = 6;
+/// Most levels of laws that the subtitle has room for.
+const LEVELS: usize = 3;
 /// Width of a stem [SVG units].
-const STEM: f64 = 7.0;
+const STEM: f64 = 9.0;
+/// A part is shown if it has at least this share in one of the modes.
+const LEAST: f64 = 0.01;
 
-/// The mode shapes of a cell of `scene`.
+/// The mode shapes of a cell of `scene`. Modes have the numbers that they have in `cell`.
 ///
 /// # Errors
 /// [`PlotError::Nothing`] if no mode vibrates.
-pub fn draw(scene: &Scene, cell: &CellModes) -> Result<Figure, PlotError> {
-    let coordinates = scene.model.coordinates;
+pub fn draw(scene: &Scene, cell: &CellModes, springs: &[Spring]) -> Result<Figure, PlotError> {
     let vibrating: Vec<_> = cell.modes.iter().enumerate().filter(|(_, mode)| mode.natural > 0.0).collect();
     if vibrating.is_empty() {
         return Err(PlotError::Nothing { plot: "shapes", why: "every motion is rigid".into() });
     }
-    let panels = vibrating.iter().take(MOST).map(|(_, mode)| {
-        let complex = mode.shape.iter().any(|z| z.im.abs() > 1e-6);
-        let size = mode.shape.iter().map(|z| z.norm()).fold(0.0, f64::max);
-        let part = |index: usize, shift: f64, of: &dyn Fn(usize) -> f64, label: &str| {
-            let mut series = Series::new(index, label, vec![], vec![]);
-            for i in 0..coordinates.len() {
-                let x = i as f64 + shift;
-                series.x.extend([x, x, x]);
-                series.y.extend([0.0, of(i), f64::NAN]);
-            }
-            series.style = Style { dashes: &[], width: STEM, ..series.style };
-            series
-        };
+    let shown = &vibrating[..vibrating.len().min(MOST)];
+    let large = |share: &dyn Fn(&Vibration) -> f64| shown.iter().any(|(_, mode)| share(mode).abs() >= LEAST);
+    let coordinates: Vec<usize> =
+        (0..scene.model.coordinates.len()).filter(|&i| large(&|mode: &Vibration| mode.kinetic[i])).collect();
+    let laws: Vec<&str> = scene.stiffnesses().map(|(law, _)| law.name).collect();
+    let elastic: Vec<usize> =
+        (0..laws.len() + springs.len()).filter(|&i| large(&|mode: &Vibration| strain(mode, i))).collect();
+    let names = coordinates.iter().map(|&i| symbol(scene.model.coordinates[i].name));
+    let names = names
+        .chain(elastic.iter().map(|&i| laws.get(i).map_or_else(|| springs[i - laws.len()].name, |law| law).to_owned()));
+    let names: Vec<String> = names.collect();
+    let end = names.len() as f64 - 0.4;
+    // Where inertia couples coordinates, shares may be negative, and others more than the whole.
+    let shares = shown.iter().flat_map(|(_, mode)| &mode.kinetic).map(|share| share.abs());
+    let largest = 105.0 * shares.fold(1.0, f64::max);
+    let panels = shown.iter().map(|(number, mode)| {
         let head = if mode.damped > 0.0 { format!("{} Hz", significant(mode.natural)) } else { "overdamped".into() };
-        let mut series = vec![Series {
-            style: Style { colour: "#777777", ..Style::PLAIN },
-            ..Series::new(0, "", vec![-0.6, coordinates.len() as f64 - 0.4], vec![0.0, 0.0])
-        }];
-        // q = Re(z e^(i w t)) = Re(z) cos(w t) + Im(z) cos(w t + pi/2): the imaginary part leads.
-        if complex {
-            series.push(part(0, -0.06, &|i| mode.shape[i].re, &format!("{head}, in phase")));
-            series.push(part(1, 0.06, &|i| mode.shape[i].im, "a quarter of a period ahead"));
-        } else {
-            series.push(part(0, 0.0, &|i| mode.shape[i].re, &head));
-        }
-        Panel { y: Axis::linear("amplitude", "").between(-1.15 * size, 1.15 * size), series }
+        let signed = |i: usize| 100.0 * mode.kinetic[i].abs() * if mode.shape[i].re < 0.0 { -1.0 } else { 1.0 };
+        let kinetic = coordinates.iter().map(|&i| signed(i));
+        let elastic = elastic.iter().map(|&i| 100.0 * strain(mode, i));
+        let first = format!("mode {number}, {head}: kinetic energy, with the sign of the motion");
+        let series = vec![
+            Series {
+                style: Style { colour: "#777777", ..Style::PLAIN },
+                ..Series::new(0, "", vec![-0.6, end], vec![0.0, 0.0])
+            },
+            stems(0, first, 0, kinetic),
+            stems(1, "strain energy".into(), coordinates.len(), elastic),
+        ];
+        Panel { y: Axis::linear("share", "%").between(-largest, largest), series }
     });
-    let names = coordinates.iter().map(|c| symbol(c.name)).collect();
-    let x = Axis::linear("coordinate", "").between(-0.6, coordinates.len() as f64 - 0.4).named(names);
+    let x = Axis::linear("coordinates, meshes and springs", "").between(-0.6, end).named(names);
     let left = vibrating.len().saturating_sub(MOST);
     let more = if left > 0 { format!("; {left} higher modes are in modes.json") } else { String::new() };
-    let levels = scene
-        .model
-        .laws
-        .iter()
-        .zip(&cell.levels)
-        .map(|(law, k)| format!("{} = {} {}", law.name, significant(*k), law.unit));
-    let levels: Vec<String> = levels.collect();
+    let levels = scene.model.laws.iter().zip(&cell.levels);
+    let levels = levels.map(|(law, k)| format!("{} = {} {}", law.name, significant(*k), law.unit));
+    let levels: Vec<String> = levels.take(LEVELS + 1).collect();
+    let levels = if levels.len() > LEVELS { "levels in modes.json".into() } else { levels.join(", ") };
     Ok(Figure {
-        title: "Mode shapes".into(),
-        subtitle: Some(format!("{}; {}{more}", scene.name, levels.join(", "))),
+        title: "Modes by energy".into(),
+        subtitle: Some(format!("{}; {levels}{more}", scene.name)),
         x,
         panels: panels.collect(),
     })
+}
+
+/// Share in the strain energy of the law `i`, or of a spring after the laws.
+fn strain(mode: &Vibration, i: usize) -> f64 {
+    mode.strain.iter().chain(&mode.springs).nth(i).copied().unwrap_or(0.0)
+}
+
+/// A stem for each value, from the place `first` on.
+fn stems(index: usize, label: String, first: usize, values: impl Iterator<Item = f64>) -> Series {
+    let mut series = Series::new(index, label, vec![], vec![]);
+    for (i, value) in values.enumerate() {
+        let x = (first + i) as f64;
+        series.x.extend([x, x, x]);
+        series.y.extend([0.0, value, f64::NAN]);
+    }
+    series.style = Style { dashes: &[], width: STEM, ..series.style };
+    series
 }
 
 /// `x` rounded to five significant digits.

@@ -3,7 +3,7 @@
 use super::orders::{of, turnings};
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{SHAFT, Turning, cuts, first_shaft, mesh_orders};
+use crate::analysis::orders::{Mesh, SHAFT, Turning, cuts, first_shaft, meshes};
 use crate::model::Output;
 
 /// The entry in [`super::PLOTS`].
@@ -77,9 +77,11 @@ fn curves(
 
 /// The orders that are drawn, each with its name: multiples of the mesh orders, or of the shaft's own if no mesh turns.
 fn wanted(run: &Run<'_>, turning: &Turning) -> Vec<(String, f64)> {
-    let meshes = mesh_orders(run.trajectory, turning);
-    let named =
-        |(mesh, base): &(&str, f64)| HARMONICS.map(|n| (format!("{n} × {mesh}, order {:.4}", n * base), n * base));
+    let meshes = meshes(run.trajectory, run.asked.spectrum.from);
+    let named = |mesh: &Mesh| {
+        let base = mesh.frequency / turning.frequency();
+        HARMONICS.map(|n| (format!("{n} × {}, order {:.4}", mesh.name, n * base), n * base))
+    };
     match &meshes[..] {
         [] => HARMONICS.map(|n| (format!("order {n}"), n)).to_vec(),
         meshes => meshes.iter().flat_map(named).collect(),

@@ -1,87 +1,133 @@
-//! Power spectral density of the coordinates that do not rotate continuously, as in Oh, Grosh and Barber (2005), Fig. 4.
+//! Spectra of outputs and coordinates: power spectral density, peak or rms amplitude, or levels of them in dB.
 //!
-//! If every run has a damped natural frequency wd, the frequency axis is in units of wd and ends at 5 wd; else it is in Hz. The
-//! density is always per Hz. Its axis spans at most 12 decades.
+//! What is drawn is the scene's choice (`[output] spectrum`). The axis reaches beyond the mesh frequencies and the content of the
+//! spectra. If every run has a damped natural frequency wd that its mesh frequencies do not leave far behind, it is in units of wd, as
+//! in Oh, Grosh and Barber (2005), Fig. 4; else in Hz. The density is always per Hz.
+
+mod scale;
 
 use std::f64::consts::TAU;
 
-use super::figure::extremes;
-use super::{
-    Axis, Figure, Panel, Plot, PlotError, Run, Series, coordinate_index, first_run, rotates, scene_names, symbol,
-};
-use crate::analysis::spectrum::{Spectrum, segment_length, uniform_samples, welch};
+use super::marks::marks;
+use super::outputs::of_unit;
+use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, rotates, scene_names};
+use crate::analysis::orders::{Mesh, meshes};
+use crate::analysis::spectrum::{Spectrum, SpectrumError, segment_length, uniform_samples, welch};
+use crate::trajectory::Trajectory;
+use scale::Shown;
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
     name: "spectrum",
-    doc: "power spectral density of the elastic coordinates against frequency, in units of wd where known",
+    doc: "spectra of forces, transmission errors and elastic coordinates over frequency, with mesh lines and sidebands",
     draw,
 };
 
 /// End of the frequency axis in units of wd, as in Oh, Grosh and Barber (2005), Fig. 4.
 const LONGEST: f64 = 5.0;
+/// End of the frequency axis in multiples of the highest mesh frequency.
+const MESHES: f64 = 4.5;
+/// The axis in Hz reaches so far that less than this fraction of the power lies beyond it.
+const CONTENT: f64 = 1e-3;
+/// Most forces of meshes if the scene does not choose.
+const FORCES: usize = 2;
+/// Most panels if the scene does not choose.
+const MOST: usize = 4;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
-    let model = first_run(PLOT.name, runs)?.trajectory.model;
-    let references: Option<Vec<f64>> =
-        runs.iter().map(|run| run.reference_frequency.filter(|wd| *wd > 0.0 && wd.is_finite())).collect();
-    let mut panels = vec![];
-    let mut longest = 0.0_f64;
-    let mut segments = 0;
-    for coordinate in model.coordinates {
-        let name = coordinate.name;
-        if runs.iter().any(|run| rotates(run.trajectory, name)) {
-            continue;
-        }
-        let mut series = vec![];
-        for (n, run) in runs.iter().enumerate() {
-            let Some(i) = coordinate_index(run.trajectory, name) else {
-                continue;
-            };
-            let spectrum = density(run, i).map_err(|source| PlotError::Spectrum {
-                coordinate: name,
-                run: run.label.to_owned(),
-                source,
-            })?;
-            let unit = references.as_ref().map_or(1.0, |wd| wd[n] / TAU);
-            let frequency: Vec<f64> = spectrum.frequency.iter().map(|f| f / unit).collect();
-            longest = longest.max(frequency.last().copied().unwrap_or(0.0));
-            segments = spectrum.segments;
-            let label = if runs.len() > 1 { run.label } else { coordinate.doc };
-            series.push(Series::new(n, label, frequency, spectrum.density));
-        }
-        let label = format!("PSD of {}", symbol(name));
-        let unit = format!("{}^2/Hz", coordinate.unit);
-        let y = limited(Axis::log10(label, unit), &series, references.is_some());
-        panels.push(Panel { y, series });
-    }
-    if panels.is_empty() {
-        let why = "every coordinate rotates continuously".into();
+    let first = first_run(PLOT.name, runs)?;
+    let signals = signals(runs);
+    if signals.is_empty() {
+        let why = "every coordinate rotates continuously, and no force or transmission error is recorded".into();
         return Err(PlotError::Nothing { plot: PLOT.name, why });
     }
-    if runs.len() > 1 {
-        panels.iter_mut().skip(1).for_each(Panel::unnamed);
+    let mut spectra = vec![];
+    for name in signals {
+        let found = runs.iter().map(|run| {
+            let unknown = SpectrumError::TooShort { samples: 0 };
+            let column = run.trajectory.signal(name).ok_or(unknown).and_then(|(_, column)| density(run, column));
+            column.map_err(|source| PlotError::Spectrum { signal: name, run: run.label.to_owned(), source })
+        });
+        spectra.push((name, found.collect::<Result<Vec<_>, _>>()?));
     }
-    let x = match references {
-        Some(_) => Axis::linear("frequency ω/ω_{d}", "").between(0.0, longest.min(LONGEST)),
-        None => Axis::linear("frequency f", "Hz").between(0.0, longest),
-    };
+    let meshes: Vec<Mesh> = meshes(first.trajectory, first.asked.spectrum.from);
+    let (x, units) = abscissa(runs, &meshes, spectra.iter().flat_map(|(_, all)| all));
+    let (_, end) = x.range.unwrap_or((0.0, f64::INFINITY));
+    // A mesh whose speed varies has no line over frequency.
+    let steady: Vec<Mesh> = meshes.into_iter().filter(|mesh| mesh.steady).collect();
+    let segments = spectra[0].1[0].segments;
+    let mut panels = vec![];
+    for (name, all) in spectra {
+        let shown = Shown::of(first, name);
+        let mut series = vec![];
+        for (n, (spectrum, run)) in all.into_iter().zip(runs).enumerate() {
+            let label = if runs.len() > 1 { run.label.to_owned() } else { shown.doc.to_owned() };
+            let y = shown.values(&spectrum);
+            let frequency = spectrum.frequency.iter().map(|f| f / units[n]).collect();
+            series.push(Series::new(n, label, frequency, y));
+        }
+        let (y, range) = shown.axis(&series, end);
+        let marks = marks(&steady, units[0], end, range, &series[0]);
+        // Behind the curves.
+        let (lines, symbols): (Vec<_>, Vec<_>) = marks.into_iter().partition(|mark| mark.style.width > 0.0);
+        panels.push(Panel { y, series: lines.into_iter().chain(series).chain(symbols).collect() });
+    }
+    // The legend of the first panel holds for all, but for the signal itself.
+    for panel in panels.iter_mut().skip(1) {
+        let own = panel.series.iter_mut().filter(|s| runs.len() > 1 || s.style.width < 1.0);
+        own.for_each(|series| series.label.clear());
+    }
     let averaged = if segments == 1 { "one segment".into() } else { format!("mean of {segments} segments") };
-    let subtitle = format!("{}; Welch, Hann window, {averaged}", scene_names(runs));
-    Ok(Figure { title: "Power spectral density".into(), subtitle: Some(subtitle), x, panels })
+    let subtitle = format!("{}; {}, Hann window, {averaged}", scene_names(runs), scale::words(&first.asked.spectrum));
+    Ok(Figure { title: scale::title(&first.asked.spectrum).into(), subtitle: Some(subtitle), x, panels })
 }
 
-/// Limits the axis to 12 decades below the highest peak: below that, densities are only rounding errors and leakage.
-fn limited(axis: Axis, series: &[Series], in_units_of_wd: bool) -> Axis {
-    let end = if in_units_of_wd { LONGEST } else { f64::INFINITY };
-    let shown = series.iter().flat_map(|s| s.x.iter().zip(&s.y)).filter(|&(&x, _)| x <= end);
-    let (lowest, peak) = extremes(shown.map(|(_, &y)| y).filter(|&y| y > 0.0));
-    if lowest < 1e-12 * peak { axis.between(1e-12 * peak, 3.0 * peak) } else { axis }
+/// What is drawn: the signals that the scene names, or the forces of the first meshes, a transmission error and the coordinates that do
+/// not rotate.
+fn signals(runs: &[Run<'_>]) -> Vec<&'static str> {
+    let run = runs[0].trajectory;
+    let has = |name: &&'static str| runs.iter().all(|run| run.trajectory.signal(name).is_some());
+    if !runs[0].asked.spectrum.of.is_empty() {
+        return runs[0].asked.spectrum.of.iter().copied().filter(has).collect();
+    }
+    let forces = meshes(run, runs[0].asked.spectrum.from).into_iter().filter_map(|mesh| mesh.force).take(FORCES);
+    let errors = of_unit(run, "m").into_iter().chain(of_unit(run, "rad")).map(|output| output.name);
+    let outputs = forces.chain(errors.take(1));
+    let elastic = run.model.coordinates.iter().map(|c| c.name);
+    let elastic = elastic.filter(|name| !runs.iter().any(|run| rotates(run.trajectory, name)));
+    outputs.filter(has).chain(elastic.filter(has)).take(MOST).collect()
 }
 
-/// Power spectral density of coordinate `i` of `run`, from its evenly spaced samples.
-fn density(run: &Run<'_>, i: usize) -> Result<Spectrum, crate::analysis::spectrum::SpectrumError> {
-    let (rows, rate) = uniform_samples(run.trajectory)?;
-    let x: Vec<f64> = rows.iter().map(|&row| run.trajectory.q[i][row]).collect();
+/// The frequency axis, and the frequency that is 1 on it, of each run \[Hz\].
+fn abscissa<'a>(
+    runs: &[Run<'_>],
+    meshes: &[Mesh],
+    all: impl Iterator<Item = &'a Spectrum> + Clone,
+) -> (Axis, Vec<f64>) {
+    let references: Option<Vec<f64>> = runs
+        .iter()
+        .map(|run| run.reference_frequency.filter(|wd| *wd > 0.0 && wd.is_finite()).map(|wd| wd / TAU))
+        .collect();
+    let mesh = meshes.iter().map(|mesh| mesh.frequency).fold(0.0, f64::max);
+    let longest = all.clone().filter_map(|s| s.frequency.last().copied()).fold(0.0, f64::max);
+    match references {
+        Some(units) if mesh <= LONGEST * units[0] => {
+            let end = LONGEST.max(MESHES * mesh / units[0]).min(longest / units[0]);
+            (Axis::linear("frequency ω/ω_{d}", "").between(0.0, end), units)
+        }
+        _ => {
+            let content = all.map(|s| 1.1 * s.highest(CONTENT)).fold(0.0, f64::max);
+            let end = content.max(MESHES * mesh).min(longest);
+            (Axis::linear("frequency f", "Hz").between(0.0, end), vec![1.0; runs.len()])
+        }
+    }
+}
+
+/// Power spectral density of a column of `run`, from its evenly spaced samples.
+fn density(run: &Run<'_>, column: &[f64]) -> Result<Spectrum, SpectrumError> {
+    let trajectory: &Trajectory = run.trajectory;
+    let (mut rows, rate) = uniform_samples(trajectory)?;
+    rows.retain(|&row| trajectory.t[row] >= run.asked.spectrum.from);
+    let x: Vec<f64> = rows.iter().map(|&row| column[row]).collect();
     welch(&x, rate, segment_length(x.len()))
 }

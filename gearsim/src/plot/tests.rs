@@ -2,12 +2,25 @@
 
 use super::*;
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
+use crate::scene::Spectrum;
 use crate::sweep::row::{Row, Status};
 use crate::sweep::spectra::NamedSpectrum;
 use crate::sweep::{Manifest, Request, Sweep};
 
+static ASKED: std::sync::LazyLock<Output> = std::sync::LazyLock::new(|| Output {
+    rate: 2e4,
+    events: true,
+    plots: vec![],
+    record: vec![],
+    spectrum: Spectrum::DEFAULT,
+    rainflow: vec!["dte"],
+    sound: None,
+    csv: false,
+    most_rows: 1_000_000,
+});
+
 fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
-    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", none_from: None }
+    Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", asked: &ASKED, none_from: None }
 }
 
 #[test]
@@ -75,7 +88,8 @@ fn drawing_empty_or_inconsistent_data_is_an_error() {
     let message = find("spectra").unwrap_err().to_string();
     assert_eq!(
         message,
-        "there is no plot `spectra`; there are `outputs`, `orders`, `energy`, `spectrum`, `motion`, `order_cuts`"
+        "there is no plot `spectra`; there are `outputs`, `orders`, `energy`, `spectrum`, `motion`, \
+         `order_cuts`, `run_up`, `rainflow`, `load_duration`"
     );
     let series = Series::new(0, "odd", vec![0.0], vec![]);
     let panel = Panel { y: Axis::linear("y", "1"), series: vec![series] };

@@ -37,6 +37,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
             effects,
             parameters::read(entries, model, effects, &mut absent, report),
             laws::read(entries, model, effects, &mut absent, report),
+            laws::gears(entries, model),
             start::read(entries, model, report),
         )
     });
@@ -45,7 +46,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let output = output::read(entries, (model, effects), t_end, report);
     keys::missing(&absent, "the scene", end, report);
 
-    let (effects, parameters, laws, start) = of_model?;
+    let (effects, parameters, laws, gears, start) = of_model?;
     let (parameters, time_histories) = parameters?;
     let scene = Scene {
         name: String::new(),
@@ -56,6 +57,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         parameters,
         time_histories,
         laws: laws?,
+        gears,
         start: start?,
         t_end: t_end?,
         solver: solver?,

@@ -5,6 +5,7 @@ use super::mistake::Report;
 use super::smooth::{self, SmoothLaw};
 use super::teeth::{self, TeethReader};
 use super::{Effects, damage, field, friction, keys, mesh_phase, transmission_error};
+use crate::gear::Gears;
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 use crate::tolerance::scene::WIDTHS;
@@ -43,6 +44,18 @@ pub(super) fn read(
     }
     keys::missing(&lacking, "[laws]", &node.place, report);
     laws.into_iter().collect()
+}
+
+/// The gears of each law of the model that has keys of teeth. Mistakes in them are reported as the laws are read.
+pub(super) fn gears(entries: &[Entry], model: &Model) -> Vec<Option<Gears>> {
+    let of = |law: &Law| {
+        let Value::Table(all) = &keys::get(entries, "laws")?.value else { return None };
+        let node = keys::get(all, law.name)?;
+        let Value::Table(entries) = &node.value else { return None };
+        let teeth = TeethReader { law, entries, place: &node.place };
+        teeth.given().then(|| teeth.gears(&mut Report::new())).flatten()
+    };
+    model.laws.iter().map(of).collect()
 }
 
 /// Reads one law.

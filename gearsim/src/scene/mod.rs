@@ -68,7 +68,13 @@
 //! [output]
 //! rate = "20 kHz"                             # samples per second; default: 10000 samples over the run
 //! events = true                               # record both sides of each event; default
-//! plots = ["energy", "motion", "spectrum"]    # default
+//! record = ["mesh_force_12", "dte_12"]        # outputs of the model; default: all that the effects of the scene have
+//! plots = ["outputs", "orders", "spectrum"]   # default: the plots for which the scene records something, without order_cuts and run_up
+//! spectrum = { of = ["mesh_force_12"], kind = "amplitude", scale = "dB", reference = "1 N", from = "0.1 s" }
+//! # of: recorded outputs and coordinates; kind: "psd" (default), "amplitude" (peak) or "rms"; scale: "log" (default) or "dB";
+//! # reference: of levels in dB, one or several: ["1 N", "1 um"]; from: where the transformed record begins, default 0
+//! rainflow = ["mesh_force_12"]                # load spectra of these recorded outputs and coordinates; default: none
+//! sound = { of = ["mesh_force_12"], stretch = 10 }     # WAV files of them, ten times as slow; default: none; stretch: 1
 //! csv = false                                 # default
 //! most_rows = 1e7                             # the run stops when this many rows are recorded; default: as many as fit in 1 GB
 //! ```
@@ -93,6 +99,8 @@ pub mod quantity;
 mod read;
 mod smooth;
 pub mod solver;
+mod sound;
+mod spectrum;
 mod start;
 mod symbol;
 mod teeth;
@@ -108,17 +116,21 @@ pub use key_unit::unit_of;
 pub use mistake::{Mistake, SceneMistakes};
 pub(crate) use mistake::{did_you_mean, list, shown};
 pub use solver::{Precision, Solver};
+pub use sound::Sound;
+pub use spectrum::{Kind as SpectrumKind, Reference, Spectrum};
 pub use template::Template;
 pub use time_history::TimeHistory;
 
 use std::sync::Arc;
 
+use crate::gear::Gears;
 use crate::model::{Law, Model, Start};
 use crate::profile::Profile;
 use crate::train::Train;
 
 /// Plots that a scene may ask for.
-pub const PLOTS: &[&str] = &["outputs", "orders", "energy", "spectrum", "motion", "order_cuts"];
+pub const PLOTS: &[&str] =
+    &["outputs", "orders", "energy", "spectrum", "motion", "order_cuts", "run_up", "rainflow", "load_duration"];
 
 /// A scene, checked and ready to run.
 #[derive(Debug, Clone)]
@@ -139,6 +151,8 @@ pub struct Scene {
     pub time_histories: Vec<(usize, TimeHistory)>,
     /// Mesh stiffnesses, transmission errors and friction laws, in the order of `model.laws`; 0 for a law whose effect is not active.
     pub laws: Vec<Profile>,
+    /// The gears of each law that is computed from teeth, in the order of `model.laws`.
+    pub gears: Vec<Option<Gears>>,
     /// State at t = 0.
     pub start: InitialState,
     /// End time of the run [s].
@@ -207,6 +221,12 @@ pub struct Output {
     pub plots: Vec<String>,
     /// The outputs of the model that are recorded, by their numbers.
     pub record: Vec<usize>,
+    /// Which spectra are drawn, and their scale.
+    pub spectrum: Spectrum,
+    /// Names of the recorded signals whose load spectra are counted.
+    pub rainflow: Vec<&'static str>,
+    /// What is written as sound.
+    pub sound: Option<Sound>,
     /// Whether the trajectory is also written as CSV.
     pub csv: bool,
     /// Largest number of rows. A run that reaches it stops and keeps its rows.

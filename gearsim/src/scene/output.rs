@@ -2,14 +2,15 @@
 
 use super::document::{Entry, Node};
 use super::mistake::Report;
-use super::{Output, PLOTS, Solver, field, keys, solver};
+use super::{Output, PLOTS, Solver, Spectrum, field, keys, solver, sound, spectrum};
 use crate::model::{self, Model};
 use crate::scene::Effects;
 use crate::tolerance::scene::{MOST_ROW_MEMORY, ROW_MEMORY, SHORTEST_RUN};
 use crate::trajectory::Trajectory;
 
 /// Keys of `[output]`.
-pub(super) const KEYS: [&str; 6] = ["rate", "events", "plots", "record", "csv", "most_rows"];
+pub(super) const KEYS: [&str; 9] =
+    ["rate", "events", "plots", "record", "spectrum", "rainflow", "sound", "csv", "most_rows"];
 
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
@@ -52,7 +53,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
 /// Reads `[output]`. The table and all its keys may be left out.
 pub(super) fn read(
     entries: &[Entry],
-    (model, effects): (Option<&Model>, Option<Effects>),
+    (model, effects): (Option<&'static Model>, Option<Effects>),
     t_end: Option<f64>,
     report: &mut Report,
 ) -> Option<Output> {
@@ -68,9 +69,26 @@ pub(super) fn read(
         Some(node) => read_record(node, model, effects, report),
         None => model.map(|model| available(model, effects)),
     };
+    let spectrum = match keys::get(given, "spectrum") {
+        Some(node) => spectrum::read(node, (model, record.as_deref()), t_end, report),
+        None => Some(Spectrum::DEFAULT),
+    };
+    let signals = || Some(spectrum::signals(model?, record.as_deref()?));
+    let rainflow = match keys::get(given, "rainflow") {
+        Some(node) => signals().and_then(|all| {
+            let chosen = field::names("output.rainflow", node, "recorded signal", &all, report)?;
+            Some(chosen.into_iter().map(|i| all[i]).collect::<Vec<_>>())
+        }),
+        None => Some(vec![]),
+    };
+    let sound = match keys::get(given, "sound") {
+        Some(node) => signals().and_then(|all| sound::read(node, &all, report)).map(Some),
+        None => Some(None),
+    };
+    let counted = rainflow.as_ref().is_some_and(|rainflow| !rainflow.is_empty());
     let plots = match keys::get(given, "plots") {
         Some(node) => field::names("output.plots", node, "plot", PLOTS, report),
-        None => Some(default_plots(model, record.as_deref())),
+        None => Some(default_plots(model, record.as_deref(), counted)),
     };
     let bytes = model.zip(record.as_ref()).map(|(model, record)| Trajectory::bytes_of_row(model, record.len()) as f64);
     let most_rows = match keys::get(given, "most_rows") {
@@ -82,18 +100,22 @@ pub(super) fn read(
         None => t_end.map(|t_end| DEFAULT_SAMPLES / t_end),
     };
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
-    Some(Output { rate: rate?, events: events?, plots, record: record?, csv: csv?, most_rows: most_rows? as u64 })
+    let (rate, events, csv, most_rows) = (rate?, events?, csv?, most_rows? as u64);
+    let (record, spectrum, rainflow, sound) = (record?, spectrum?, rainflow?, sound?);
+    Some(Output { rate, events, plots, record, spectrum, rainflow, sound, csv, most_rows })
 }
 
-/// What is drawn if the scene does not say: the outputs and, of a model with meshes, their orders; the motion if there are no outputs.
-fn default_plots(model: Option<&Model>, record: Option<&[usize]>) -> Vec<usize> {
+/// What is drawn if the scene does not say: the outputs and, of a model with meshes, their orders; the motion if there are no outputs;
+/// load spectra if they are `counted`.
+fn default_plots(model: Option<&Model>, record: Option<&[usize]>, counted: bool) -> Vec<usize> {
     let recorded = record.is_some_and(|record| !record.is_empty());
     let meshes = model.is_some_and(|model| !model.laws.is_empty());
     let drawn = |plot: &str| match plot {
         "outputs" => recorded,
         "orders" => recorded && meshes,
         "motion" => !recorded,
-        "order_cuts" => false,
+        "order_cuts" | "run_up" => false,
+        "rainflow" | "load_duration" => counted,
         _ => true,
     };
     (0..PLOTS.len()).filter(|&i| drawn(PLOTS[i])).collect()

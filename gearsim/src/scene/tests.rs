@@ -7,5 +7,6 @@ mod hostile;
 mod mistakes;
 mod quantities;
 mod scenes;
+mod spectrum;
 mod teeth;
 mod transmission_error;

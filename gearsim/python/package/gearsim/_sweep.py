@@ -9,9 +9,9 @@ from concurrent.futures import FIRST_COMPLETED, Executor, wait
 RETRIES = 3
 
 
-def _part(scene, definition, first, end):
+def _part(scene, definition, first, end, threads):
     """Run points in a worker, and return their rows as bytes."""
-    return scene.job(**definition).run(first, end)
+    return scene.job(**definition).run(first, end, threads=threads)
 
 
 def sweep(
@@ -24,6 +24,7 @@ def sweep(
     out=None,
     executor: Executor | None = None,
     points_per_task=10_000,
+    threads_per_task=1,
     progress=None,
 ):
     """Run a scene at many values, and return a table with one row a point.
@@ -36,6 +37,7 @@ def sweep(
     out: folder for the results. Finished points in it do not run again; its file `sweep.parquet` has the bytes of `gearsim sweep`.
     executor: any concurrent.futures.Executor, for example of processes, Dask or MPI; without it, the threads of this machine.
     points_per_task: at most so many points go to a worker at once. A point takes some 0.1 ms, so that small tasks are mostly overhead.
+    threads_per_task: threads of a worker; None for all cores of its machine.
     progress: called with the number of finished points.
     """
     definition = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed)
@@ -51,16 +53,16 @@ def sweep(
                     job.keep(gathering, job.run(first, end, told))
                     done += end - first
             else:
-                _gather(executor, scene, definition, job, gathering, missing, done, progress)
+                submit = lambda part: executor.submit(_part, scene, definition, *part, threads_per_task)
+                _gather(submit, job, gathering, missing, done, progress)
             return gathering.finish()
         finally:
             # An exception may live on, and with it this frame; the folder must be free.
             gathering.close()
 
 
-def _gather(executor, scene, definition, job, gathering, missing, done, progress):
+def _gather(submit, job, gathering, missing, done, progress):
     """Let the executor run ranges of points, and keep their rows as they come. The range of a lost worker runs again."""
-    submit = lambda part: executor.submit(_part, scene, definition, *part)
     running = {submit(part): (part, 0) for part in missing}
     try:
         while running:

@@ -1,60 +1,99 @@
 //! The lines that a drivetrain is expected to have: mesh orders and their sidebands.
+//!
+//! Each amplitude is the Fourier integral over the angle theta \[revolutions\] of the shaft at the order o of the line, so that it does not
+//! matter where o lies between the lines of a transform. With the Hann window w over the angle, and x without its mean,
+//!
+//! ```text
+//! A(o) = 2 |sum_n w_n x_n exp(-2 pi i o theta_n) dtheta_n| / sum_n w_n dtheta_n,    dtheta_n = (theta_(n+1) - theta_(n-1))/2
+//! ```
+//!
+//! A line k revolutions of a record away does not change A, for whole k >= 2: there the transform of the window is zero.
 
-use super::{Orders, Turning};
-use crate::trajectory::Trajectory;
+use std::f64::consts::{PI, TAU};
+
+use super::{Mesh, Turning};
 
 /// Multiples of a mesh order that are listed.
-const HARMONICS: usize = 4;
+const HARMONICS: usize = 5;
 /// Sidebands on either side of a mesh order that are listed.
 const SIDEBANDS: i32 = 3;
+/// Revolutions of a rotor in a record from which on its sidebands are listed: the main lobe of the Hann window is 4 lines wide.
+const APART: f64 = 4.0;
+/// Samples in a period of the highest line that is listed: above half the sampling rate there are none.
+const SAMPLES: f64 = 2.5;
 
-/// A line of an order spectrum.
+/// A line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// The law of the mesh, by its name.
+    /// The mesh, by its first stiffness law.
     pub mesh: &'static str,
     /// The multiple of the mesh order.
     pub harmonic: usize,
-    /// The sideband: so many orders of the shaft above the multiple.
+    /// The rotor whose orders separate the sideband from the multiple; `None`: the multiple itself.
+    pub rotor: Option<&'static str>,
+    /// So many orders of the rotor above the multiple; 0: the multiple itself.
     pub sideband: i32,
-    /// Its order.
+    /// Its order of the shaft by which the record is turned.
     pub order: f64,
-    /// Its frequency at the mean speed of the shaft \[Hz\].
+    /// Its frequency at the mean speed \[Hz\].
     pub frequency: f64,
-    /// Its peak amplitude [unit of the signal].
-    pub amplitude: f64,
 }
 
-/// The mesh orders of a run: the first law of each phase that rolls, and the pitches per revolution of the shaft.
-pub fn mesh_orders(run: &Trajectory, turning: &Turning) -> Vec<(&'static str, f64)> {
-    let (first, last) = (turning.rows[0], turning.rows[turning.rows.len() - 1]);
-    let revolutions = turning.angle[turning.angle.len() - 1];
-    let mut orders: Vec<(&'static str, f64)> = vec![];
-    let mut phases = vec![];
-    for law in run.model.laws.iter().filter(|law| law.with.is_none()) {
-        let Some(i) = run.model.coordinates.iter().position(|c| c.name == law.phase) else { continue };
-        if !phases.contains(&law.phase) {
-            phases.push(law.phase);
-            orders.push((law.name, ((run.q[i][last] - run.q[i][first]) / law.period / revolutions).abs()));
-        }
-    }
-    orders
-}
-
-/// The mesh orders and sidebands in a spectrum of a run, as far as it reaches.
-pub fn lines(run: &Trajectory, turning: &Turning, spectrum: &Orders) -> Vec<Line> {
-    let duration = (turning.rows.len() - 1) as f64 / turning.rate;
-    let shaft = turning.angle[turning.angle.len() - 1] / duration;
+/// The lines of `meshes`, as far as the samples resolve them.
+pub fn lines(turning: &Turning, meshes: &[Mesh]) -> Vec<Line> {
+    let shaft = turning.frequency();
+    let duration = (turning.angle.len() - 1) as f64 / turning.rate;
+    let fastest = turning.angle.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     let mut all = vec![];
-    for (mesh, base) in mesh_orders(run, turning) {
+    for mesh in meshes {
         for harmonic in 1..=HARMONICS {
-            for sideband in -SIDEBANDS..=SIDEBANDS {
-                let order = harmonic as f64 * base + f64::from(sideband);
-                if let Some(amplitude) = spectrum.at(order).filter(|_| order > 0.0) {
-                    all.push(Line { mesh, harmonic, sideband, order, frequency: order * shaft, amplitude });
+            let mut add = |rotor: Option<&'static str>, sideband: i32, frequency: f64| {
+                let order = frequency / shaft;
+                if order > 0.0 && order * fastest * SAMPLES <= 1.0 {
+                    all.push(Line { mesh: mesh.name, harmonic, rotor, sideband, order, frequency });
+                }
+            };
+            let base = harmonic as f64 * mesh.frequency;
+            add(None, 0, base);
+            for rotor in mesh.rotors.iter().filter(|rotor| rotor.frequency * duration >= APART) {
+                for sideband in (-SIDEBANDS..=SIDEBANDS).filter(|i| *i != 0) {
+                    add(Some(rotor.name), sideband, base + f64::from(sideband) * rotor.frequency);
                 }
             }
         }
     }
     all
+}
+
+impl Turning {
+    /// The peak amplitudes of `columns` at the order of each of `lines` (lines, columns) [units of the columns].
+    pub fn amplitudes(&self, columns: &[&[f64]], lines: &[Line]) -> Vec<Vec<f64>> {
+        let (last, end) = (self.angle.len() - 1, self.angle[self.angle.len() - 1]);
+        // Whole revolutions, so that the sidebands of the shaft lie where the transform of the window is zero.
+        let length = if end >= 2.0 { end.floor() } else { end };
+        let inside = self.angle.partition_point(|angle| *angle < length);
+        let weight = |i: usize| {
+            let step = 0.5 * (self.angle[(i + 1).min(last)] - self.angle[i.saturating_sub(1)]);
+            (PI * self.angle[i] / length).sin().powi(2) * step
+        };
+        let weights: Vec<f64> = (0..inside).map(weight).collect();
+        let whole: f64 = weights.iter().sum();
+        let weighed = |column: &&[f64]| {
+            let x = || self.rows.iter().zip(&weights).map(|(&row, w)| (column[row], w));
+            let mean = x().map(|(x, w)| x * w).sum::<f64>() / whole;
+            x().map(|(x, w)| (x - mean) * w).collect::<Vec<_>>()
+        };
+        let columns: Vec<Vec<f64>> = columns.iter().map(weighed).collect();
+        let at = |line: &Line| {
+            let turn = |angle: &f64| (TAU * (line.order * angle).fract()).sin_cos();
+            let phasors: Vec<(f64, f64)> = self.angle[..inside].iter().map(turn).collect();
+            let amplitude = |column: &Vec<f64>| {
+                let add = |sum: (f64, f64), (x, p): (&f64, &(f64, f64))| (sum.0 + x * p.0, sum.1 + x * p.1);
+                let (sine, cosine) = column.iter().zip(&phasors).fold((0.0, 0.0), add);
+                2.0 * sine.hypot(cosine) / whole
+            };
+            columns.iter().map(amplitude).collect()
+        };
+        lines.iter().map(at).collect()
+    }
 }

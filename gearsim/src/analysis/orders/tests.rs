@@ -75,3 +75,80 @@ fn an_order_cut_follows_the_amplitude_over_speed() {
         assert!(cut.amplitude[1] < 1e-3 * expected);
     }
 }
+
+#[test]
+fn lines_have_their_amplitudes_wherever_their_orders_lie() {
+    // Seven revolutions and a part; an order between two lines of a transform, in a run-up.
+    let run = run(40_001, 20e3, |t| 2.0 + 1.5 * t + 0.02 * (TAU * 3.0 * t).sin());
+    let turns = |t: f64| 2.0 * t + 0.75 * t * t + 0.02 / (TAU * 3.0) * (1.0 - (TAU * 3.0 * t).cos());
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let x: Vec<f64> = run
+        .t
+        .iter()
+        .map(|t| TAU * turns(*t))
+        .map(|a| 40.0 + 3.0 * (17.37 * a).sin() + 0.5 * (20.37 * a).cos() + 0.25 * (19.37 * a).sin())
+        .collect();
+    let line = |order: f64| Line {
+        mesh: "k",
+        harmonic: 1,
+        rotor: None,
+        sideband: 0,
+        order,
+        frequency: order * turning.frequency(),
+    };
+    let found = turning.amplitudes(&[&x], &[17.37, 20.37, 19.37, 25.0].map(line));
+    // The shaft turns 7.0 revolutions in 2 s, so that all lines are whole revolutions of the record apart.
+    for (amplitude, expected) in found.iter().zip([3.0, 0.5, 0.25, 0.0]) {
+        // The constant and the lines at negative orders leak: 1/(order revolutions)^3 of each.
+        assert!((amplitude[0] - expected).abs() < 1e-4, "{found:?}");
+    }
+}
+
+/// A mesh of 23 teeth on the rotor, whose phase is the rotation.
+fn geared() -> Trajectory {
+    static LAWS: [crate::model::Law; 1] = [crate::model::Law {
+        name: "k",
+        unit: "N/m",
+        phase: "theta",
+        period: TAU,
+        rolling: true,
+        with: None,
+        role: crate::model::Role::Stiffness,
+        doc: "",
+    }];
+    static GEARED: Model = Model { outputs: &OUTPUTS, laws: &LAWS, ..MODEL };
+    let mut geared = run(30_001, 10e3, |_| 10.0 / 3.0);
+    geared.model = &GEARED;
+    geared.q = vec![geared.t.iter().map(|t| TAU * 230.0 / 3.0 * t).collect(), vec![0.0; geared.len()]];
+    geared.q_dot = vec![vec![TAU * 230.0 / 3.0; geared.len()], vec![0.0; geared.len()]];
+    geared
+}
+
+#[test]
+fn twenty_three_teeth_at_200_rpm_mesh_at_76_7_hz() {
+    let run = geared();
+    let meshes = meshes(&run, 0.0);
+    assert!((meshes[0].frequency - 76.667).abs() < 1e-3 && meshes[0].steady, "{meshes:?}");
+    assert!(matches!(&meshes[0].rotors[..], [Rotor { name: "rotor_speed", teeth: 23.0, .. }]), "{meshes:?}");
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let lines = lines(&turning, &meshes);
+    // Five multiples with six sidebands each.
+    assert_eq!(lines.len(), 35);
+    assert!(lines.iter().any(|line| (line.order - 47.0).abs() < 1e-9 && (line.harmonic, line.sideband) == (2, 1)));
+}
+
+#[test]
+fn a_pitch_error_of_one_tooth_shows_in_all_sidebands() {
+    // One of 23 teeth deviates by 1 over its pitch: a rectangle, whose order n has the amplitude 2 sin(pi n/23)/(pi n).
+    let run = geared();
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let e: Vec<f64> = turning.angle.iter().map(|a| if a.fract() * 23.0 < 1.0 { 1.0 } else { 0.0 }).collect();
+    let lines = lines(&turning, &meshes(&run, 0.0));
+    let found = turning.amplitudes(&[&e], &lines);
+    for (line, amplitude) in lines.iter().zip(&found) {
+        let pi_n = std::f64::consts::PI * line.order;
+        let expected = (2.0 * (pi_n / 23.0).sin() / pi_n).abs();
+        // The edges lie between samples: 2 sin(..)/(pi n) is known to an edge's place, 1/3000 revolution.
+        assert!((amplitude[0] - expected).abs() < 2.0 * 2.0 / 3000.0, "{line:?} {} {expected}", amplitude[0]);
+    }
+}

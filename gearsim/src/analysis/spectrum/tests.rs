@@ -52,6 +52,36 @@ fn the_integral_is_the_mean_square_of_the_windowed_signal() {
 }
 
 #[test]
+fn a_sine_on_a_line_has_its_amplitude_and_between_lines_its_power() {
+    let (amplitude, rate, n) = (3.0, 1000.0, 2000);
+    let spectrum = |f: f64| {
+        let x: Vec<f64> = (0..n).map(|i| amplitude * (std::f64::consts::TAU * f * i as f64 / rate).sin()).collect();
+        welch(&x, rate, n / 4).unwrap()
+    };
+    // The lines are 2 Hz apart.
+    let on = spectrum(100.0);
+    let rms: Vec<f64> = on.rms().collect();
+    assert!((rms[50] * 2.0_f64.sqrt() / amplitude - 1.0).abs() < 1e-12, "{}", rms[50]);
+    // Half-way between two lines each reads the window's 8/(3 pi) of the amplitude; a sine of negative frequency adds 1e-6.
+    let between = spectrum(101.0);
+    let rms: Vec<f64> = between.rms().collect();
+    assert!((rms[50] * 2.0_f64.sqrt() / amplitude / (8.0 / (3.0 * std::f64::consts::PI)) - 1.0).abs() < 1e-5);
+    // The main lobe and the next two side lobes of the window hold all of its power but 3e-5.
+    let power = between.power(90.0, 112.0);
+    assert!(((2.0 * power).sqrt() / amplitude - 1.0).abs() < 1e-4, "{power}");
+}
+
+#[test]
+fn a_spectrum_reaches_as_far_as_its_content() {
+    let x: Vec<f64> = (0..4000)
+        .map(|i| i as f64 * std::f64::consts::TAU / 1000.0)
+        .map(|t| (35.0 * t).sin() + 0.1 * (180.0 * t).sin())
+        .collect();
+    let highest = welch(&x, 1000.0, 1000).unwrap().highest(1e-3);
+    assert!((180.0..190.0).contains(&highest), "{highest}");
+}
+
+#[test]
 fn segments_are_as_long_as_four_of_them_allow() {
     for n in [256, 257, 1000, 4099] {
         let length = segment_length(n);

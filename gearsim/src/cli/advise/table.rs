@@ -73,7 +73,7 @@ fn numbers(groups: &Groups, width: usize) -> String {
             "harmonic {} of {law} is at {} times the frequency of mode {}: near a resonance, dropped terms matter most",
             meeting.harmonic,
             number::short(meeting.ratio),
-            meeting.mode + 1
+            meeting.mode
         );
         text += &report::line("near resonance", &says, width);
     }
@@ -189,4 +189,41 @@ fn conclusions(advice: &Advice) -> Vec<(&'static str, String)> {
     );
     lines.push(("measured", says));
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::modes::{self, springs};
+    use crate::analysis::steady;
+    use crate::known;
+    use crate::plot::{campbell, modes as shapes};
+
+    /// A mode has the same number in the advice, in the table of modes, and in both figures: its place in `CellModes`.
+    #[test]
+    fn modes_have_the_same_numbers_everywhere() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/two_stage.toml");
+        let scene = crate::scene::Scene::load(&path).unwrap();
+        let system = known::of(&scene).unwrap().system(&scene).unwrap();
+        let groups = Groups::of(&scene, &system).unwrap();
+        let courses = steady::courses(&scene, &system).unwrap();
+        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
+        let springs = springs::of(&scene, known::of(&scene).unwrap()).unwrap();
+        let cell = modes::of(&system, &mids, &springs).unwrap();
+        let (law, meeting) = *groups.meetings.first().expect("a harmonic of the meshes is near a mode");
+        let mesh = courses.iter().find(|course| course.name == law).unwrap().mesh_frequency();
+        let frequency = cell.modes[meeting.mode].damped;
+        assert!((meeting.harmonic as f64 * mesh / frequency / meeting.ratio - 1.0).abs() < 1e-12);
+        assert!(numbers(&groups, 200).contains(&format!("the frequency of mode {}:", meeting.mode)));
+        // The lowest vibrating mode comes after the rigid motions.
+        let first = cell.modes.iter().position(|mode| mode.natural > 0.0).unwrap();
+        let figure = shapes::draw(&scene, &cell, &springs).unwrap();
+        let named = figure.panels[0].series.iter().any(|s| s.label.starts_with(&format!("mode {first}, ")));
+        assert!(first > 0 && named, "{:?}", figure.panels[0].series);
+        let figure = campbell::draw(&scene, &courses, &cell).unwrap();
+        let (highest, mode) = (cell.modes.len() - 1, cell.modes.last().unwrap().damped);
+        let name = figure.panels[0].series.iter().rfind(|s| s.y == [mode]).unwrap();
+        assert_eq!(name.note, highest.to_string());
+        assert!(figure.panels[0].y.range.unwrap().1 > mode);
+    }
 }

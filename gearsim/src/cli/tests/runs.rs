@@ -23,17 +23,55 @@ fn a_run_writes_its_files_with_their_provenance() {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("a/b");
     go::<Run>(&out, &["--csv", "-q", "--set", "output.plots=[\"energy\"]"]).unwrap();
-    assert_eq!(names(&out), ["energy.png", "energy.svg", "summary.json", "trajectory.csv", "trajectory.parquet"]);
+    assert_eq!(
+        names(&out),
+        ["energy.png", "energy.svg", "lines.csv", "summary.json", "trajectory.csv", "trajectory.parquet"]
+    );
 
     let text = std::fs::read_to_string(out.join("summary.json")).unwrap();
     let summary: Summary = serde_json::from_str(&text).unwrap();
     assert!(summary.completed && summary.cell_changes > 0);
     assert_eq!(summary.provenance.overrides, ["output.plots=[\"energy\"]"]);
-    assert_eq!(summary.files.len(), 4);
+    assert_eq!(summary.files.len(), 5);
+    assert_eq!(summary.rows.samples + summary.rows.at_events, table_rows(&out));
+    assert!(summary.rows.at_events >= 2 * summary.cell_changes);
     let (table, pairs) = parquet::read(&out.join("trajectory.parquet")).unwrap();
     assert!(table.rows() > 2000);
     let hash = pairs.iter().find(|(name, _)| name == "scene_sha256").map(|(_, value)| value);
     assert_eq!(hash, Some(&summary.provenance.scene_sha256));
+}
+
+/// Rows of the trajectory in a folder.
+fn table_rows(folder: &Path) -> u64 {
+    parquet::read(&folder.join("trajectory.parquet")).unwrap().0.rows() as u64
+}
+
+#[test]
+fn sounds_and_load_spectra_are_files_of_their_own() {
+    let root = tempfile::tempdir().unwrap();
+    let rainflow = ["--set", "output.rainflow=[\"mesh_torque\"]"];
+    let few = ["--set", "output.plots=[\"rainflow\", \"load_duration\"]"];
+    let sound = ["--sound", "mesh_torque", "--stretch", "10"];
+    go::<Run>(root.path(), &[&["-q"], &rainflow[..], &few, &sound].concat()).unwrap();
+    let expected = ["lines.csv", "load_duration_mesh_torque.csv", "rainflow.svg", "rainflow_mesh_torque.csv"];
+    let names = names(root.path());
+    assert!(expected.iter().all(|name| names.iter().any(|found| found == name)), "{names:?}");
+    let summary: Summary =
+        serde_json::from_str(&std::fs::read_to_string(root.path().join("summary.json")).unwrap()).unwrap();
+    let sound = &summary.sounds["mesh_torque"];
+    assert!(sound.full_scale.0 > 0.0 && sound.stretch.0 == 10.0);
+    let wav = hound::WavReader::open(root.path().join(&sound.file)).unwrap();
+    // 0.1 s at 48 kHz, ten times as slow, with both ends.
+    assert_eq!((wav.spec().sample_rate, wav.duration()), (48_000, 48_001));
+    let largest = &summary.load_spectra["mesh_torque"];
+    let torque = &summary.outputs["mesh_torque"];
+    assert!((largest.largest_range.0 / (torque.max.0 - torque.min.0) - 1.0).abs() < 1e-12);
+    let lines = std::fs::read_to_string(root.path().join("lines.csv")).unwrap();
+    assert!(
+        lines.starts_with(
+            "signal,mesh,harmonic,rotor,sideband,order_of_rotor_speed_1,frequency [Hz],peak_amplitude,unit"
+        )
+    );
 }
 
 #[test]

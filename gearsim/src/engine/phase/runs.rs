@@ -152,3 +152,14 @@ fn planets_in_phase_do_not_move_the_centres() {
     let (apart, _) = stage(28, 98);
     assert!(apart > 1e-7, "the centres must move: {apart:e} m");
 }
+
+/// A frozen phase that starts at rest never reaches a step: the stiffness is that of its cell.
+#[test]
+fn a_frozen_phase_at_rest_stays_in_its_cell() {
+    for precision in ["plain", "compensated"] {
+        let common = ["start.speed=0 rpm".to_string(), format!("run.precision=\"{precision}\"")];
+        let under = |effects: &str| run(&load("oh2005/energy_300rpm", &[&common[..], &[effects.to_string()]].concat()));
+        let frozen = under(r#"effects=["stiffness_step", "frozen_phase", "torques"]"#);
+        assert_eq!(frozen.counts.cell_changes, 0);
+    }
+}

@@ -11,8 +11,7 @@ use crate::engine::motion::{End, Guard, Motion};
 pub fn horizon(now: &Hybrid<'_>) -> (f64, End) {
     let mut first = (now.clock.until_about(now.t_end), End::Run);
     if let Some(forcing) = &now.forcing {
-        let next = forcing.next();
-        let left = if next.is_finite() { now.clock.until(next) } else { f64::INFINITY };
+        let left = now.clock.until(forcing.next());
         if left < first.0 {
             first = (left.max(0.0), End::Breakpoint);
         }

@@ -7,6 +7,12 @@ use crate::output::fixture::oscillator;
 
 fn summary() -> Summary {
     let run = oscillator(1000);
+    let [largest, at_rest, dynamic_factor, kv_iso6336] = [13.0, 10.0, 1.3, 1.25].map(Number);
+    let (force, unit) = ("mesh_force_12".into(), "N".into());
+    let mesh = Mesh { force, unit, largest, at_rest, dynamic_factor, kv_iso6336 };
+    let load = LoadSpectrum { unit: "rad".into(), cycles: Number(12.5), largest_range: Number(1e-3) };
+    let (file, unit) = ("sound_dte.wav".into(), "rad".into());
+    let sound = Sound { file, stretch: Number(1.0), unit, full_scale: Number(1e-3), mean: Number(0.0) };
     Summary {
         format: FORMAT.into(),
         version: VERSION,
@@ -19,6 +25,10 @@ fn summary() -> Summary {
         reflections: 0,
         energy: Energy::at_end(&run).unwrap(),
         outputs: IndexMap::new(),
+        rows: Rows::of(&run),
+        meshes: [("k12".to_owned(), mesh)].into_iter().collect(),
+        load_spectra: [("dte".to_owned(), load)].into_iter().collect(),
+        sounds: [("dte".to_owned(), sound)].into_iter().collect(),
         modes: BTreeMap::new(),
         method: Method { name: "exact".into(), why: "linear cells".into(), steps: 0, rejected: 0 },
         counts: Counts {
@@ -66,12 +76,13 @@ fn a_number_that_is_not_finite_is_null_and_has_a_reason() {
     let mut odd = summary();
     odd.cpu_seconds = Number(f64::NEG_INFINITY);
     odd.energy.residual = Number(f64::NAN);
+    odd.meshes["k12"].kv_iso6336 = Number(f64::NAN);
     odd.parameters = [("T0", 1.0), ("b", f64::NAN)].into_iter().collect();
     odd.note_missing();
     let text = odd.json().unwrap();
     assert!(text.contains(r#""cpu_seconds": null"#) && !text.contains("\"nan\""), "{text}");
     let paths: Vec<_> = odd.missing.keys().map(String::as_str).collect();
-    assert_eq!(paths, ["cpu_seconds", "energy.residual", "parameters.b"]);
+    assert_eq!(paths, ["cpu_seconds", "energy.residual", "meshes.k12.kv_iso6336", "parameters.b"]);
     assert!(odd.missing["parameters.b"].contains("no effect of the scene needs it"), "{text}");
     assert_eq!(
         nulls(&serde_json::from_str(&text).unwrap(), ""),

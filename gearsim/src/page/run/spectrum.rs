@@ -4,22 +4,18 @@ use std::f64::consts::TAU;
 
 use super::Report;
 use super::columns::{Group, Kind};
+use crate::analysis::orders::meshes;
 use crate::analysis::spectrum::{SpectrumError, segment_length, uniform_samples, welch};
-use crate::model::Role;
 use crate::output::number::short;
 use crate::page::data::Counts;
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Line, Plot};
-use crate::plot::rotates;
 
 /// Decades shown below the highest peak. What is lower is rounding errors and leakage.
 const DECADES: f64 = 1e12;
 
 /// Mesh frequency and multiples of it that are marked.
 const MULTIPLES: usize = 3;
-
-/// A phase whose speed varies by less than this fraction of its mean has one mesh frequency.
-const STEADY: f64 = 0.05;
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
@@ -89,23 +85,14 @@ fn density_unit(unit: &str) -> String {
 
 /// The damped natural frequency, and the mesh frequencies of phases that rotate steadily.
 fn lines(report: &Report<'_>) -> Vec<Line> {
-    let (scene, outcome) = (report.run.scene, report.run.outcome);
+    let outcome = report.run.outcome;
     let mut lines: Vec<Line> = vec![];
     if let Some(w) = outcome.reference_frequency {
         lines.push(Line { x: w / TAU, name: "natural".into() });
     }
-    let run = &outcome.trajectory;
-    for (law, _) in scene.present().filter(|(law, _)| law.role == Role::Stiffness) {
-        let Some(i) = run.model.coordinates.iter().position(|c| c.name == law.phase) else { continue };
-        let (speed, duration) = (&run.q_dot[i], run.t[run.len() - 1] - run.t[0]);
-        let mean = (run.q[i][run.len() - 1] - run.q[i][0]) / duration;
-        let steady = speed.iter().all(|v| (v - mean).abs() <= STEADY * mean.abs());
-        let mesh = mean.abs() / law.period;
-        let known = lines.iter().any(|line| (line.x - mesh).abs() < 1e-6 * mesh);
-        if steady && rotates(run, law.phase) && !known {
-            let name = |n: usize| if n == 1 { "mesh".to_owned() } else { format!("{n} x mesh") };
-            lines.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * mesh, name: name(n) }));
-        }
+    for mesh in meshes(&outcome.trajectory, 0.0).into_iter().filter(|mesh| mesh.steady) {
+        let name = |n: usize| if n == 1 { "mesh".to_owned() } else { format!("{n} x mesh") };
+        lines.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * mesh.frequency, name: name(n) }));
     }
     lines
 }

@@ -44,6 +44,7 @@ pub static GEAR_PAIR: Model = Model {
         parameter("T0", "N*m", Some(10.0), ANY, "driving torque"),
     ],
     outputs: &[],
+    elements: &[],
     switches: &[],
     nonlinear: "",
     nonlinear_with: &[],

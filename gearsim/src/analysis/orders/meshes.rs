@@ -1,0 +1,97 @@
+//! The frequencies of the meshes and rotors of a run, from its recorded samples.
+
+use super::SHAFT;
+use crate::model::{Model, Output};
+use crate::trajectory::Trajectory;
+
+/// A phase has one mesh frequency if its mean speed in each part of the run differs from that of the run by at most this fraction.
+const STEADY: f64 = 0.02;
+/// Parts of a run whose mean speeds are compared. Vibrations average out in them.
+const PARTS: usize = 8;
+/// Mesh and rotor frequencies are in the ratio of a whole number of teeth if they are so within this [teeth]: shafts twist while a
+/// run lasts.
+const WHOLE: f64 = 0.02;
+/// Numbers of teeth.
+const TEETH: std::ops::RangeInclusive<f64> = 5.0..=1000.0;
+
+/// A group of meshes with the same phase.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Its first stiffness law, by its name.
+    pub name: &'static str,
+    /// Mean number of pitches a second \[Hz\].
+    pub frequency: f64,
+    /// Whether its mean speed is constant within 2 %, so that its lines are at multiples of this frequency.
+    pub steady: bool,
+    /// The output that is its force, or its torque in models that have no base radii.
+    pub force: Option<&'static str>,
+    /// The rotors of its gears, as far as their speeds are recorded: those of whose frequency the mesh frequency is a whole multiple,
+    /// the number of teeth. Of rotors of equal speed the first.
+    pub rotors: Vec<Rotor>,
+}
+
+/// A rotor of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotor {
+    /// The output that is its speed.
+    pub name: &'static str,
+    /// Mean number of revolutions a second \[Hz\].
+    pub frequency: f64,
+    /// Its number of teeth in the mesh; of a carrier, that of the ring.
+    pub teeth: f64,
+}
+
+/// The output that is the force of the mesh with the stiffness law `law`, or its torque: `mesh_force_12` of `k12`, `mesh_force_s1` of
+/// `k_s1`, `mesh_torque` of `k`.
+pub fn force(model: &Model, law: &str) -> Option<&'static Output> {
+    let part = law.strip_prefix('k').map(|part| part.trim_start_matches('_'))?;
+    let named = |stem: &str| if part.is_empty() { stem.to_owned() } else { format!("{stem}_{part}") };
+    let names = ["mesh_force", "mesh_torque"].map(named);
+    model.outputs.iter().find(|output| names.iter().any(|name| name == output.name))
+}
+
+/// The meshes of a run that roll, over its samples from the time `from` \[s\] on.
+pub fn meshes(run: &Trajectory, from: f64) -> Vec<Mesh> {
+    let rows: Vec<usize> = run.samples().filter(|&row| run.t[row] >= from).collect();
+    let (Some(&first), Some(&last)) = (rows.first(), rows.last()) else { return vec![] };
+    let duration = run.t[last] - run.t[first];
+    let mut meshes: Vec<Mesh> = vec![];
+    let mut phases = vec![];
+    for law in run.model.laws.iter().filter(|law| law.with.is_none()) {
+        let Some(i) = run.model.coordinates.iter().position(|c| c.name == law.phase) else { continue };
+        let mean = (run.q[i][last] - run.q[i][first]) / duration;
+        let frequency = mean.abs() / law.period;
+        if phases.contains(&i) || !(frequency * duration >= 1.0) {
+            continue;
+        }
+        phases.push(i);
+        let ends: Vec<usize> = (0..=PARTS).map(|part| rows[part * (rows.len() - 1) / PARTS]).collect();
+        let steady = ends.windows(2).all(|pair| {
+            let (q, t) = (run.q[i][pair[1]] - run.q[i][pair[0]], run.t[pair[1]] - run.t[pair[0]]);
+            (q - mean * t).abs() <= STEADY * (mean * t).abs()
+        });
+        let (rotors, force) = (rotors(run, &rows, frequency), force(run.model, law.name));
+        let force = force.map(|output| output.name);
+        meshes.push(Mesh { name: law.name, frequency, steady, force, rotors });
+    }
+    meshes
+}
+
+fn rotors(run: &Trajectory, rows: &[usize], mesh: f64) -> Vec<Rotor> {
+    let mut rotors: Vec<Rotor> = vec![];
+    for (output, column) in run.outputs.iter().filter(|(output, _)| output.unit == SHAFT) {
+        let frequency = mean(column, rows).abs() / std::f64::consts::TAU;
+        let teeth = (mesh / frequency).round();
+        let whole = TEETH.contains(&teeth) && (mesh / frequency - teeth).abs() <= WHOLE;
+        if whole && rotors.iter().all(|rotor| rotor.teeth != teeth) {
+            rotors.push(Rotor { name: output.name, frequency, teeth });
+        }
+    }
+    rotors
+}
+
+/// The mean of evenly spaced samples, by the trapezoidal rule.
+fn mean(column: &[f64], rows: &[usize]) -> f64 {
+    let ends = 0.5 * (column[rows[0]] + column[rows[rows.len() - 1]]);
+    (rows.iter().map(|&row| column[row]).sum::<f64>() - ends) / (rows.len() - 1).max(1) as f64
+}

@@ -1,0 +1,63 @@
+//! What is evaluated of a run beside its statistics, as text: loads of meshes, lines, load spectra and sounds.
+
+use super::{number::short, report};
+use crate::analysis::orders::{Line, force};
+use crate::library::evaluate::Evaluated;
+use crate::output::summary::{LoadSpectrum, Sound, Summary};
+use crate::scene::Scene;
+
+/// Lines of a mesh force that are printed.
+const PRINTED: usize = 4;
+/// Meshes whose loads and lines are printed.
+const MESHES: usize = 3;
+
+/// The largest lines of the first mesh forces, the loads of the meshes, and the sounds, for the terminal.
+pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, width: usize) -> String {
+    let mut text = String::new();
+    for (mesh, load) in summary.meshes.iter().take(MESHES) {
+        let mut says = format!("{} {} at most", short(load.largest.0), load.unit);
+        if load.dynamic_factor.0.is_finite() {
+            says += &format!(", {} of {} at rest", short(load.dynamic_factor.0), short(load.at_rest.0));
+        }
+        if load.kv_iso6336.0.is_finite() {
+            says += &format!("; K_v of ISO 6336-1, method B: {}", short(load.kv_iso6336.0));
+        }
+        text += &report::line(&format!("load of {mesh}"), &says, width);
+    }
+    if let Some(lines) = &evaluated.lines {
+        let meshes = scene.model.laws.iter().filter(|law| lines.lines.iter().any(|line| line.mesh == law.name));
+        for output in meshes.filter_map(|law| force(scene.model, law.name)).take(MESHES) {
+            let line = |(line, amplitude): (Line, f64)| {
+                format!("{} {} at {} Hz ({})", short(amplitude), output.unit, short(line.frequency), words(&line))
+            };
+            let all: Vec<String> = lines.largest(output, PRINTED).into_iter().map(line).collect();
+            if !all.is_empty() {
+                text += &report::line("mesh lines", &format!("{}: {}", output.name, all.join(", ")), width);
+            }
+        }
+    }
+    for (signal, spectrum) in &summary.load_spectra {
+        let LoadSpectrum { unit, cycles, largest_range } = spectrum;
+        let says = format!("{signal}: {} cycles, ranges up to {} {unit}", short(cycles.0), short(largest_range.0));
+        text += &report::line("load spectrum", &says, width);
+    }
+    for (signal, sound) in &evaluated.sounds {
+        let Sound { stretch, unit, full_scale, .. } = sound;
+        let time = if stretch.0 == 1.0 { "true time".into() } else { format!("{} times as slow", short(stretch.0)) };
+        let says = format!("{signal} in {time}; loudness is relative: full scale is {} {unit}", short(full_scale.0));
+        text += &report::line("sound", &says, width);
+    }
+    text
+}
+
+/// A line in words: `2 × k12 - 1 rotor_speed_1`.
+fn words(line: &Line) -> String {
+    let multiple = format!("{} × {}", line.harmonic, line.mesh);
+    match line.rotor {
+        None => multiple,
+        Some(rotor) => {
+            let sign = if line.sideband < 0 { '-' } else { '+' };
+            format!("{multiple} {sign} {} {rotor}", line.sideband.abs())
+        }
+    }
+}

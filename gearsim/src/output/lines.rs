@@ -1,0 +1,101 @@
+//! The table of lines, `lines.csv`: amplitudes of the recorded forces and transmission errors at mesh orders and their sidebands.
+
+use std::borrow::Cow;
+
+use super::OutputError;
+use super::table::{Table, Values};
+use crate::analysis::orders::{Line, Turning, first_shaft, lines, meshes};
+use crate::analysis::spectrum::SpectrumError;
+use crate::model::Output;
+use crate::scene::Spectrum;
+use crate::trajectory::Trajectory;
+
+/// Units of the outputs in the table: forces, torques, transmission errors and twists.
+const UNITS: [&str; 4] = ["N", "m", "N*m", "rad"];
+
+/// Orders that differ by less than this are the same [relative]: they are means over a run, in which shafts twist.
+const SAME: f64 = 1e-4;
+
+/// The lines of a run.
+#[derive(Debug, Clone)]
+pub struct Lines {
+    /// The shaft to whose turns the orders refer.
+    pub shaft: &'static Output,
+    /// The lines.
+    pub lines: Vec<Line>,
+    /// The outputs in the table.
+    pub outputs: Vec<&'static Output>,
+    /// Peak amplitudes (lines, outputs) [units of the outputs].
+    pub amplitudes: Vec<Vec<f64>>,
+}
+
+impl Lines {
+    /// The lines of the outputs that a run recorded; `None` if no mesh turns, or nothing is recorded by which to find them.
+    ///
+    /// # Errors
+    /// Those of [`Turning::of`].
+    pub fn of(run: &Trajectory, settings: &Spectrum) -> Result<Option<Lines>, SpectrumError> {
+        let columns = run.outputs.iter().filter(|(output, _)| UNITS.contains(&output.unit));
+        let varying = columns.filter(|(_, column)| column.iter().any(|x| *x != column[0]));
+        let (outputs, columns): (Vec<_>, Vec<&[f64]>) = varying.map(|(o, column)| (*o, &column[..])).unzip();
+        let meshes = meshes(run, settings.from);
+        let Some(shaft) = first_shaft(run).filter(|_| !meshes.is_empty() && !outputs.is_empty()) else {
+            return Ok(None);
+        };
+        let turning = Turning::of(run, shaft.name, settings.from)?;
+        let lines = lines(&turning, &meshes);
+        let amplitudes = turning.amplitudes(&columns, &lines);
+        Ok(Some(Lines { shaft, lines, outputs, amplitudes }))
+    }
+
+    /// The table, a row for each output and line. Errors: [`OutputError::Ragged`].
+    pub fn table(&self, settings: &Spectrum) -> Result<Table, OutputError> {
+        let (mut words, mut numbers) = ([(); 5].map(|()| vec![]), [(); 6].map(|()| vec![]));
+        for (o, output) in self.outputs.iter().enumerate() {
+            let (reference, value) = settings.reference(output.unit);
+            for (line, amplitudes) in self.lines.iter().zip(&self.amplitudes) {
+                let rotor = line.rotor.unwrap_or_default();
+                let texts = [output.name, output.unit, line.mesh, rotor].map(Cow::Borrowed);
+                let texts = texts.into_iter().chain([Cow::Owned(reference.clone())]);
+                words.iter_mut().zip(texts).for_each(|(column, text)| column.push(text));
+                let amplitude = amplitudes[o];
+                let level = 20.0 * (amplitude / value).log10();
+                let (harmonic, sideband) = (line.harmonic as f64, f64::from(line.sideband));
+                let row = [harmonic, sideband, line.order, line.frequency, amplitude, level];
+                numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
+            }
+        }
+        let [signal, unit, mesh, rotor, reference] = words.map(Values::Text);
+        let [harmonic, sideband, order, frequency, amplitude, level] = numbers.map(Values::Number);
+        let mut table = Table::default();
+        table.push("signal", "", signal)?;
+        table.push("mesh", "", mesh)?;
+        table.push("harmonic", "1", harmonic)?;
+        table.push("rotor", "", rotor)?;
+        table.push("sideband", "1", sideband)?;
+        table.push(&format!("order_of_{}", self.shaft.name), "1", order)?;
+        table.push("frequency", "Hz", frequency)?;
+        table.push("peak_amplitude", "1", amplitude)?;
+        table.push("unit", "", unit)?;
+        table.push("level", "dB", level)?;
+        table.push("level_re", "", reference)?;
+        Ok(table)
+    }
+
+    /// The largest lines of an output, the largest first: each with its peak amplitude [unit of the output]. Of lines at the same order
+    /// only one, a multiple of a mesh order if there is one.
+    pub fn largest(&self, output: &Output, most: usize) -> Vec<(Line, f64)> {
+        let Some(o) = self.outputs.iter().position(|known| known.name == output.name) else { return vec![] };
+        let mut all: Vec<_> = self.lines.iter().zip(&self.amplitudes).map(|(line, a)| (*line, a[o])).collect();
+        all.sort_by_key(|(line, _)| line.rotor.is_some());
+        let mut apart: Vec<(Line, f64)> = vec![];
+        for (line, amplitude) in all {
+            if apart.iter().all(|(other, _)| (other.order - line.order).abs() > SAME * line.order) {
+                apart.push((line, amplitude));
+            }
+        }
+        apart.sort_by(|a, b| b.1.total_cmp(&a.1));
+        apart.truncate(most);
+        apart
+    }
+}

@@ -1,0 +1,97 @@
+//! What is evaluated of a run in `summary.json`: rows, meshes, load spectra, sounds.
+
+use serde::{Deserialize, Serialize};
+
+use super::Number;
+use crate::analysis::dynamic_factor::DynamicFactor;
+use crate::trajectory::Trajectory;
+
+/// Rows of the trajectory by their kind. Evenly spaced samples alone are those with `moment == "sample"`; at an event two more rows have
+/// the same time.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rows {
+    /// Samples at the recording rate, with the start and the end.
+    pub samples: u64,
+    /// Left and right limits at events.
+    pub at_events: u64,
+}
+
+impl Rows {
+    /// Those of a run.
+    pub fn of(run: &Trajectory) -> Self {
+        let samples = run.samples().count();
+        Rows { samples: samples as u64, at_events: (run.len() - samples) as u64 }
+    }
+}
+
+/// The load of a mesh in a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// The output that is its force, or its torque.
+    pub force: String,
+    /// SI unit of the forces.
+    pub unit: String,
+    /// Largest magnitude.
+    pub largest: Number,
+    /// Magnitude in static equilibrium at the torques of the start.
+    pub at_rest: Number,
+    /// Largest over static \[1\].
+    pub dynamic_factor: Number,
+    /// K_v of ISO 6336-1, method B \[1\].
+    pub kv_iso6336: Number,
+}
+
+impl Mesh {
+    /// That of a dynamic factor, and the reason for each of its values that does not exist, by its name.
+    pub fn of(of: &DynamicFactor) -> (Self, Vec<(&'static str, String)>) {
+        let mut reasons = vec![];
+        let mut number = |name: &'static str, value: &Result<f64, String>| match value {
+            Ok(value) => Number(*value),
+            Err(why) => {
+                reasons.push((name, why.clone()));
+                Number(f64::NAN)
+            }
+        };
+        let at_rest = number("at_rest", &of.at_rest);
+        let dynamic_factor = number("dynamic_factor", &of.factor);
+        let kv_iso6336 = number("kv_iso6336", &of.iso6336);
+        let (force, unit) = (of.force.name.into(), of.force.unit.into());
+        (Mesh { force, unit, largest: Number(of.largest), at_rest, dynamic_factor, kv_iso6336 }, reasons)
+    }
+
+    /// All its numbers, with their names.
+    pub(super) fn numbers(&self) -> [(&'static str, Number); 4] {
+        let Mesh { largest, at_rest, dynamic_factor, kv_iso6336, .. } = self;
+        [("largest", *largest), ("at_rest", *at_rest), ("dynamic_factor", *dynamic_factor), ("kv_iso6336", *kv_iso6336)]
+    }
+}
+
+/// The load spectrum of a signal.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LoadSpectrum {
+    /// SI unit of the ranges.
+    pub unit: String,
+    /// Cycles; half cycles count 0.5.
+    pub cycles: Number,
+    /// The largest range.
+    pub largest_range: Number,
+}
+
+/// A signal as sound.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sound {
+    /// The file.
+    pub file: String,
+    /// Playing time over model time.
+    pub stretch: Number,
+    /// SI unit of the signal.
+    pub unit: String,
+    /// The value of the signal, without its mean, that is full scale. Loudness is relative to it.
+    pub full_scale: Number,
+    /// The mean that was subtracted.
+    pub mean: Number,
+}

@@ -1,0 +1,61 @@
+//! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, a symbol at each sideband.
+
+use super::{Marker, Series, Style};
+use crate::analysis::orders::Mesh;
+
+/// Multiples of a mesh frequency that are marked.
+pub(super) const HARMONICS: usize = 4;
+/// Sidebands on either side of a multiple that are marked.
+const SIDEBANDS: i32 = 3;
+/// Lines of a spectrum between neighbouring sidebands, from which on they are apart: the main lobe of the Hann window is 4 wide.
+const APART: f64 = 4.0;
+/// Greys of the lines of one mesh after the other, and their dashes.
+const LINES: [(&str, &[f64]); 3] = [("#8a8a8a", &[]), ("#8a8a8a", &[6.0, 3.0]), ("#8a8a8a", &[2.0, 3.0])];
+/// Symbols of the sidebands of one rotor after the other.
+const SYMBOLS: [(&str, Marker); 4] = [
+    ("#009e73", Marker::Triangle),
+    ("#cc79a7", Marker::Diamond),
+    ("#e69f00", Marker::Square),
+    ("#56b4e9", Marker::Cross),
+];
+
+/// The marks of `meshes` in a panel with values between `low` and `high`, on the curve of a spectrum whose abscissa is a frequency over
+/// `unit` \[Hz\]. Only up to `end`.
+pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64), curve: &Series) -> Vec<Series> {
+    let step = curve.x.get(1).copied().unwrap_or(f64::INFINITY);
+    let mut all = vec![];
+    for (m, mesh) in meshes.iter().enumerate() {
+        let places: Vec<f64> =
+            (1..=HARMONICS).map(|n| n as f64 * mesh.frequency / unit).filter(|x| *x <= end).collect();
+        let (colour, dashes) = LINES[m % LINES.len()];
+        all.push(Series {
+            label: if places.is_empty() { String::new() } else { format!("1 to {} × {}", places.len(), mesh.name) },
+            x: places.iter().flat_map(|x| [*x, *x, *x]).collect(),
+            y: places.iter().flat_map(|_| [low, high, f64::NAN]).collect(),
+            style: Style { colour, dashes, width: 0.9, marker: Marker::None },
+            note: String::new(),
+        });
+        for (r, rotor) in mesh.rotors.iter().enumerate() {
+            let apart = rotor.frequency / unit;
+            if apart < APART * step {
+                continue;
+            }
+            let sidebands = (-SIDEBANDS..=SIDEBANDS).filter(|k| *k != 0);
+            let around = |x: &f64| sidebands.clone().map(|k| x + f64::from(k) * apart).collect::<Vec<_>>();
+            let mut x: Vec<f64> = places.iter().flat_map(around).filter(|x| *x > 0.0 && *x <= end).collect();
+            x.sort_by(f64::total_cmp);
+            let y = x.iter().map(|x| value(curve, x / step)).collect();
+            let (colour, marker) = SYMBOLS[(all.len() + r) % SYMBOLS.len()];
+            let label = format!("sidebands ± {}", rotor.name);
+            let style = Style { colour, dashes: &[], width: 0.0, marker };
+            all.push(Series { label, x, y, style, note: String::new() });
+        }
+    }
+    all
+}
+
+/// The largest value of a curve within a line of the place `at`.
+fn value(curve: &Series, at: f64) -> f64 {
+    let near = (at.round() as usize).saturating_sub(1)..(at.round() as usize + 2).min(curve.y.len());
+    curve.y.get(near).map_or(f64::NAN, |y| y.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+}

@@ -1,0 +1,152 @@
+//! `[output] spectrum`: which signals are transformed, from which time on, and the scale of their spectra.
+
+use super::dimension::Dimension;
+use super::document::{Node, Value};
+use super::mistake::Report;
+use super::quantity::Quantity;
+use super::unit::Unit;
+use super::{field, keys};
+use crate::model::Model;
+
+/// Keys of the table.
+const KEYS: [&str; 5] = ["of", "kind", "scale", "reference", "from"];
+
+/// How spectra of a run are computed and drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    /// Names of the signals: recorded outputs and coordinates. Empty: the program chooses.
+    pub of: Vec<&'static str>,
+    /// What is drawn.
+    pub kind: Kind,
+    /// Whether values are levels in dB re a reference.
+    pub decibels: bool,
+    /// The references that the scene states.
+    pub references: Vec<Reference>,
+    /// Time from which on the record is transformed \[s\].
+    pub from: f64,
+}
+
+/// The quantity over frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Power spectral density [unit^2/Hz].
+    Psd,
+    /// Peak amplitude of a sine [unit].
+    Amplitude,
+    /// Root mean square of a sine [unit].
+    Rms,
+}
+
+/// The names of [`Kind`], in its order.
+const KINDS: [(&str, Kind); 3] = [("psd", Kind::Psd), ("amplitude", Kind::Amplitude), ("rms", Kind::Rms)];
+
+/// A value to which levels refer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// As written, e.g. `1 N`.
+    pub text: String,
+    /// Its value \[SI\].
+    pub value: f64,
+    /// Its dimension: it is the reference of signals of this dimension.
+    pub dimension: Dimension,
+}
+
+/// References of signals for which the scene states none; of other units it is one of the SI unit.
+const USUAL: [(&str, &str, f64); 2] = [("m", "1 um", 1e-6), ("rad", "1 urad", 1e-6)];
+
+impl Spectrum {
+    /// Densities of the signals that the program chooses, over the whole run.
+    pub const DEFAULT: Spectrum =
+        Spectrum { of: vec![], kind: Kind::Psd, decibels: false, references: vec![], from: 0.0 };
+
+    /// The reference of levels of a signal with the SI unit `unit`: in words, and its value \[SI\].
+    pub fn reference(&self, unit: &str) -> (String, f64) {
+        let fits = |r: &&Reference| Unit::parse(unit).is_ok_and(|unit| r.dimension.fits(unit.dimension));
+        if let Some(given) = self.references.iter().find(fits) {
+            return (given.text.clone(), given.value);
+        }
+        let usual = USUAL.iter().find(|(known, ..)| *known == unit);
+        usual.map_or_else(|| (format!("1 {unit}"), 1.0), |(_, text, value)| ((*text).to_owned(), *value))
+    }
+}
+
+/// Reads the table. `record` has the numbers of the outputs that are recorded.
+pub(super) fn read(
+    node: &Node,
+    (model, record): (Option<&'static Model>, Option<&[usize]>),
+    t_end: Option<f64>,
+    report: &mut Report,
+) -> Option<Spectrum> {
+    let given = field::table("output.spectrum", node, report)?;
+    keys::known(given, "[output.spectrum]", &KEYS, report);
+    let of = match keys::get(given, "of") {
+        Some(node) => {
+            let signals = signals(model?, record?);
+            let chosen = field::names("output.spectrum.of", node, "recorded signal", &signals, report)?;
+            chosen.into_iter().map(|i| signals[i]).collect()
+        }
+        None => vec![],
+    };
+    let mut choice = |key: &str, noun: &str, allowed: &[&str]| match keys::get(given, key) {
+        Some(node) => field::choice(&format!("output.spectrum.{key}"), node, noun, allowed, report),
+        None => Some(0),
+    };
+    let kind = choice("kind", "kind of spectrum", &KINDS.map(|(name, _)| name))?;
+    let decibels = choice("scale", "scale", &["log", "dB"])? == 1;
+    let references = match keys::get(given, "reference") {
+        Some(node) if !decibels => {
+            let help = "add scale = \"dB\", or remove the reference";
+            report.add(&node.place, "`output.spectrum.reference` has no use without levels in dB", "not used", help);
+            return None;
+        }
+        Some(node) => references(node, report)?,
+        None => vec![],
+    };
+    let from = match keys::get(given, "from") {
+        Some(node) => field::quantity("output.spectrum.from", node, "s", report).and_then(|from| {
+            let within = (0.0..t_end?).contains(&from);
+            if !within {
+                let help = "give the time at which the motion has settled, e.g. \"0.1 s\"";
+                let must = "must lie within the run";
+                field::out_of_range("output.spectrum.from", node, must, help, report);
+            }
+            within.then_some(from)
+        })?,
+        None => 0.0,
+    };
+    Some(Spectrum { of, kind: KINDS[kind].1, decibels, references, from })
+}
+
+/// What a run of the model has columns of: recorded outputs, then coordinates.
+pub(super) fn signals(model: &'static Model, record: &[usize]) -> Vec<&'static str> {
+    let outputs = record.iter().map(|&i| model.outputs[i].name);
+    outputs.chain(model.coordinates.iter().map(|c| c.name)).collect()
+}
+
+/// Reads one reference, or an array of references of different dimensions.
+fn references(node: &Node, report: &mut Report) -> Option<Vec<Reference>> {
+    let nodes = match &node.value {
+        Value::Array(nodes) => nodes.as_slice(),
+        _ => std::slice::from_ref(node),
+    };
+    nodes.iter().map(|node| reference(node, report)).collect()
+}
+
+fn reference(node: &Node, report: &mut Report) -> Option<Reference> {
+    let text = field::text("output.spectrum.reference", node, report)?;
+    match Quantity::parse(text) {
+        Ok(read) if read.value > 0.0 && read.value.is_finite() && !read.bare => {
+            Some(Reference { text: text.trim().to_owned(), value: read.value, dimension: read.dimension })
+        }
+        Ok(_) => {
+            let message = format!("`output.spectrum.reference` is a positive quantity with a unit, not \"{text}\"");
+            report.add(&node.place, message, "not a reference", "write for example \"1 N\" or \"1 um\"");
+            None
+        }
+        Err(error) => {
+            let message = format!("`output.spectrum.reference` cannot be read: {}", error.message);
+            report.add(&node.place, message, "not understood", error.help);
+            None
+        }
+    }
+}
