@@ -27,7 +27,7 @@ impl FromStr for Vary {
         // The unit after the range is that of both ends: 300..9000 rpm.
         if !low_unit.is_empty() && low_unit != unit {
             return Err(format!(
-                "the ends of the range of `{key}` have different units: write both in `{low_unit}`, or one unit after the range"
+                "the ends of the range of `{key}` have different units, or the second has none: write both in `{low_unit}`, or one unit after the range"
             ));
         }
         if low >= high {
