@@ -26,6 +26,7 @@ use crate::engine::train::Elements;
 use crate::methods::choice::{self, Choice};
 use crate::methods::steps::BySteps;
 use crate::model::Model;
+use crate::scene::solver::Method;
 use crate::scene::{Precision, Scene};
 use crate::trajectory::{Moment, Trajectory};
 
@@ -192,12 +193,15 @@ struct Prepared<'a> {
     plan: Plan<'a>,
 }
 
+/// Said of a run that does not use the tolerance of its scene.
+const UNUSED_TOLERANCE: &str = "run.tolerance is not used: every cell is linear, and the exact method has no tolerance";
+
 /// What is run, and how.
 struct Plan<'a> {
     scene: &'a Scene,
     choice: Choice,
-    /// Other static equilibria at the start, in words.
-    others: Option<String>,
+    /// What a reader of the result has to know, a sentence each.
+    remarks: Vec<String>,
 }
 
 impl<'a> Prepared<'a> {
@@ -212,7 +216,10 @@ impl<'a> Prepared<'a> {
             return Err(Refusal::Mass);
         }
         let choice = choice::of(scene, &begun.laws)?;
-        let (others, forcing) = (begun.others.clone(), Forcing::of(derived, scene));
+        let unused =
+            (choice.method == Method::Exact && scene.solver.states_tolerance).then(|| UNUSED_TOLERANCE.to_string());
+        let remarks = begun.others.iter().cloned().chain(unused).collect();
+        let forcing = Forcing::of(derived, scene);
         let compensated = scene.solver.precision == Precision::Compensated;
         let simulation = match choice::numerical(&choice, scene) {
             None if compensated => match scene.varying() {
@@ -227,7 +234,7 @@ impl<'a> Prepared<'a> {
                 Simulation::with(now, Box::new(solver))
             }
         }?;
-        Ok(Prepared { simulation, plan: Plan { scene, choice, others } })
+        Ok(Prepared { simulation, plan: Plan { scene, choice, remarks } })
     }
 
     /// Runs it to the end, or to where it must stop.
@@ -262,7 +269,7 @@ impl<'a> Plan<'a> {
         stopped_by: Option<Stop>,
         cpu_seconds: f64,
     ) -> Outcome {
-        let Plan { scene, choice, others } = self;
+        let Plan { scene, choice, remarks } = self;
         let Effort { steps, rejected, replaced } = simulation.effort();
         let first = choice.method.name();
         let (method, why) = match replaced {
@@ -283,7 +290,7 @@ impl<'a> Plan<'a> {
             cpu_seconds,
             refuted: None,
             digits: None,
-            remarks: others.into_iter().collect(),
+            remarks,
             counts: simulation.now.counts,
             modes: simulation.now.switches.iter().map(|switch| times(scene, switch)).collect(),
         };

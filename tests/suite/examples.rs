@@ -186,7 +186,10 @@ fn write_a_table_writes_the_same_rows_twice_and_a_plot() {
     let out = tempfile::tempdir().unwrap();
     let files = write_a_table::write(&scene("backlash"), out.path()).unwrap();
     let names: Vec<_> = files.iter().map(|file| file.strip_prefix(out.path()).unwrap().to_str().unwrap()).collect();
-    assert_eq!(names, ["trajectory.parquet", "trajectory.csv", "motion.svg", "motion.png", "summary.json"]);
+    assert_eq!(
+        names,
+        ["trajectory.parquet", "trajectory.csv", "motion.svg", "motion.png", "lines.csv", "summary.json"]
+    );
     let (table, provenance) = parquet::read(&out.path().join("trajectory.parquet")).unwrap();
     assert!(provenance.contains(&("scene".to_string(), "backlash".to_string())), "{provenance:?}");
     let csv = std::fs::read_to_string(out.path().join("trajectory.csv")).unwrap();

@@ -5,6 +5,12 @@ use std::path::{Path, PathBuf};
 /// Longest line of a generated file, in characters.
 const WIDTH: usize = 160;
 
+/// The files beside the generated ones that are written by hand.
+const BY_HAND: [&str; 2] = ["mod", "train"];
+
+/// The file whose M has a sign that the proof leaves open: the square of a distance over cos(alpha).
+const UNDECIDED: &str = "element_planets";
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
@@ -20,7 +26,8 @@ fn generated(ending: &str) -> Vec<(String, String)> {
     let entries = folders.iter().flat_map(|f| std::fs::read_dir(f).expect("a folder of generated files"));
     let paths = entries.map(|entry| entry.expect("a readable folder").path()).filter(|path| path.is_file());
     let mut files: Vec<(String, String)> = paths
-        .filter(|path| path.extension().is_some_and(|e| e == ending) && path.file_stem().is_some_and(|s| s != "mod"))
+        .filter(|path| path.extension().is_some_and(|e| e == ending))
+        .filter(|path| path.file_stem().is_some_and(|stem| !BY_HAND.iter().any(|name| stem == *name)))
         .map(|path| (path.file_stem().expect("a file").to_string_lossy().into_owned(), read(&path)))
         .collect();
     files.sort();
@@ -111,7 +118,11 @@ fn readme_and_architecture_claim_what_the_files_say() {
             let note = proof.starts_with("without the jump terms the balance fails");
             let claimed = claims.iter().any(|claim| proof.starts_with(claim.begins.as_str()));
             assert!(claimed || note, "{name}: not in the table of ARCHITECTURE.md: {proof}");
-            assert!(!proof.contains("not decided"), "{name}: {proof}");
+            assert_eq!(
+                proof.contains("not decided"),
+                name == UNDECIDED && proof.contains("positive definite"),
+                "{name}: {proof}"
+            );
         }
     }
 }

@@ -71,7 +71,7 @@ pub fn of(run: &Trajectory, column: &[f64], stretch: f64) -> Result<Sound, Sound
     let step = rate / (stretch * f64::from(RATE));
     let mut values = resampled(&x, step);
     let largest = values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    if !(largest > f64::EPSILON * mean.abs()) {
+    if largest <= f64::EPSILON * mean.abs() {
         return Err(SoundError::Silent);
     }
     let full_scale = largest / LARGEST;

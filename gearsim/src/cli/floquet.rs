@@ -10,10 +10,12 @@ use super::number::short;
 use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::floquet::{Chart, Floquet, FloquetError, Spot, Varied, Verdict};
+use crate::known;
+use crate::library::Error;
 use crate::output::summary::Provenance;
 use crate::output::{OutputError, OutputFolder, Table, csv, table::Values};
 use crate::plot;
-use crate::scene::Scene;
+use crate::scene::{Scene, Template};
 use vary::Vary;
 
 /// Stability of steady rotation: Floquet multipliers, and charts of them
@@ -136,8 +138,10 @@ impl FloquetCommand {
         let Some(along) = self.vary.first() else { return Ok(None) };
         let points = |i: usize| self.points.get(i).copied().unwrap_or(60);
         let (x, y) = (along.values(points(0)), self.vary.get(1).map(|v| (v, v.values(points(1)))));
-        let spot = |overrides: &[String]| -> Result<Option<Spot>, Failure> {
-            let varied = self.source.load_with(overrides)?;
+        let (template, models) = (Template::again(scene, &scene.overrides), known::descriptions());
+        let template = template.map_err(Error::from)?;
+        let spot = |values: &[String]| -> Result<Option<Spot>, Failure> {
+            let varied = template.scene(values, &models).map_err(Error::from)?;
             // A point that has no multipliers, e.g. because nothing turns, is left blank in the chart.
             Ok(self.of(&varied).ok().map(|f| Spot::from(&f)))
         };

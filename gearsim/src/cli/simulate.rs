@@ -27,16 +27,10 @@ pub(super) struct Source {
 impl Source {
     /// Loads and checks the scene.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
-        let scene = self.load_with(&[])?;
+        let scene = Scene::load_with(&self.scene, &self.overrides, &known::descriptions());
+        let scene = scene.map_err(|mistakes| Failure::Scene(Box::new(mistakes)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         Ok(scene)
-    }
-
-    /// Loads and checks the scene with `further` values set.
-    pub(super) fn load_with(&self, further: &[String]) -> Result<Scene, Failure> {
-        let models = known::descriptions();
-        let overrides: Vec<String> = self.overrides.iter().chain(further).cloned().collect();
-        Scene::load_with(&self.scene, &overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
     }
 
     /// The folder for the results, `out/<scene><suffix>` if none is given. It is not created yet, but a folder that cannot be written

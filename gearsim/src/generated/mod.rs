@@ -1,4 +1,4 @@
-//! The derived models. Every file beside this one is written by `cargo xtask derive`; only this list is by hand.
+//! The derived models. The files beside this one are written by `cargo xtask derive`; only this list and `train.rs` are by hand.
 
 mod train;
 

@@ -24,14 +24,14 @@ const USUAL: &[(&str, &str)] = &[
     ("1", "0.05"),
 ];
 
-/// Values for parameters whose description has these words, before those of the unit.
-const BY_WORDS: &[(&str, &str)] = &[
-    ("number of teeth of the ring", "75"),
-    ("number of teeth", "25"),
-    ("number of pole pairs", "2"),
-    ("backlash of the contact", "1e-3 rad"),
-    ("backlash", "80 um"),
-    ("length of the connecting rod", "200 mm"),
+/// Values for parameters with a unit whose description has these words, before those of the unit alone.
+const BY_WORDS: &[(&str, &str, &str)] = &[
+    ("1", "number of teeth of the ring", "75"),
+    ("1", "number of teeth", "25"),
+    ("1", "number of pole pairs", "2"),
+    ("rad", "backlash", "1e-3 rad"),
+    ("m", "backlash", "80 um"),
+    ("m", "length of the connecting rod", "200 mm"),
 ];
 
 /// Effects with which a scene starts, if the model has them: they require little and contradict nothing.
@@ -87,9 +87,10 @@ fn value(parameter: &Parameter) -> String {
             unit => format!("\"{default} {unit}\""),
         };
     }
-    let by_words = BY_WORDS.iter().find(|(words, _)| parameter.doc.contains(words));
-    let usual = by_words.or_else(|| USUAL.iter().find(|(unit, _)| *unit == parameter.unit));
-    usual.map_or_else(|| format!("\"1 {}\"", parameter.unit), |(_, value)| quantity(value))
+    let described = |(unit, words, _): &&(&str, &str, &str)| *unit == parameter.unit && parameter.doc.contains(words);
+    let by_words = BY_WORDS.iter().find(described).map(|(.., value)| *value);
+    let usual = || USUAL.iter().find(|(unit, _)| *unit == parameter.unit).map(|(_, value)| *value);
+    by_words.or_else(usual).map_or_else(|| format!("\"1 {}\"", parameter.unit), quantity)
 }
 
 fn note(parameter: &Parameter) -> String {
@@ -110,7 +111,7 @@ fn levels(law: &Law, model: &Model) -> String {
         (Role::Error, "rad") => ["1e-4 rad", "-1e-4 rad"],
         (Role::Error, _) => ["1 um", "-1 um"],
         (Role::Side, _) => ["1", "-1"],
-        (Role::Arm, "1") => ["0.1", "-0.1"],
+        (Role::Arm, "rad") => ["0.1 rad", "0.2 rad"],
         (Role::Arm, _) => ["1 mm", "2 mm"],
     };
     let unit = model.coordinates.iter().find(|c| c.name == law.phase).map_or("rad", |c| c.unit);

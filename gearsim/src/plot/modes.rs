@@ -32,8 +32,9 @@ pub fn draw(scene: &Scene, cell: &CellModes, springs: &[Spring]) -> Result<Figur
     let elastic: Vec<usize> =
         (0..laws.len() + springs.len()).filter(|&i| large(&|mode: &Vibration| strain(mode, i))).collect();
     let names = coordinates.iter().map(|&i| symbol(scene.model.coordinates[i].name));
-    let names = names
-        .chain(elastic.iter().map(|&i| laws.get(i).map_or_else(|| springs[i - laws.len()].name, |law| law).to_owned()));
+    let names = names.chain(
+        elastic.iter().map(|&i| laws.get(i).copied().unwrap_or_else(|| springs[i - laws.len()].name).to_owned()),
+    );
     let names: Vec<String> = names.collect();
     let end = names.len() as f64 - 0.4;
     // Where inertia couples coordinates, shares may be negative, and others more than the whole.

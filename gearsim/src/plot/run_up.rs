@@ -148,3 +148,46 @@ fn panel(
     let y = if over_speed { Axis::linear("speed", "rpm") } else { Axis::linear("time t", "s") };
     Panel { y, series }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::fixture::MODEL;
+    use crate::plot::tests::run;
+    use crate::trajectory::{Moment, Trajectory};
+
+    /// A run-up from 5 to 25 revolutions a second in 4 s, with 17 pulses of amplitude 3 a revolution.
+    #[test]
+    fn each_part_has_its_line_at_its_speed() {
+        let mut up = Trajectory::new(&MODEL, &[0, 1]);
+        up.t = (0..=80_000).map(|i| f64::from(i) / 20e3).collect();
+        up.moment = vec![Moment::Sample; up.t.len()];
+        let speed: Vec<f64> = up.t.iter().map(|t| TAU * (5.0 + 5.0 * t)).collect();
+        let x: Vec<f64> = up.t.iter().map(|t| 3.0 * (17.0 * TAU * (5.0 * t + 2.5 * t * t)).sin()).collect();
+        let parts = parts(&run("up", &up), &x, &speed).unwrap();
+        assert!(parts.len() >= PARTS, "{}", parts.len());
+        let resolution = parts[0].frequency[1];
+        for part in parts {
+            let top =
+                (1..part.amplitude.len()).max_by(|&a, &b| part.amplitude[a].total_cmp(&part.amplitude[b])).unwrap();
+            let expected = 17.0 * part.speed / TAU;
+            // Within a part the order moves by 17 x 5 1/s² x 0.26 s = 22 Hz, which the window narrows.
+            assert!((part.frequency[top] - expected).abs() < 12.0 + resolution, "{} {expected}", part.frequency[top]);
+            assert!(part.amplitude[top] < 3.0);
+        }
+    }
+
+    #[test]
+    fn at_constant_speed_a_part_has_the_amplitude_of_a_sine() {
+        let mut steady = Trajectory::new(&MODEL, &[0, 1]);
+        steady.t = (0..=80_000).map(|i| f64::from(i) / 20e3).collect();
+        steady.moment = vec![Moment::Sample; steady.t.len()];
+        let speed = vec![TAU * 10.0; steady.t.len()];
+        let x: Vec<f64> = steady.t.iter().map(|t| 3.0 * (TAU * 170.0 * t).sin()).collect();
+        for part in parts(&run("steady", &steady), &x, &speed).unwrap() {
+            // The root of the summed squares over 1.5 lines of noise bandwidth: the amplitude wherever the frequency lies between lines.
+            let power: f64 = part.amplitude.iter().map(|a| a * a).sum::<f64>() / 1.5;
+            assert!((power.sqrt() / 3.0 - 1.0).abs() < 1e-3, "{}", power.sqrt());
+        }
+    }
+}

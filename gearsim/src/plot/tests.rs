@@ -19,7 +19,7 @@ static ASKED: std::sync::LazyLock<Output> = std::sync::LazyLock::new(|| Output {
     most_rows: 1_000_000,
 });
 
-fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
+pub(super) fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
     Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", asked: &ASKED, none_from: None }
 }
 

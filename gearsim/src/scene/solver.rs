@@ -12,6 +12,8 @@ pub struct Solver {
     pub method: Option<Method>,
     /// Tolerance of an adaptive method: error allowed in a step, relative to the largest magnitude that each component has reached.
     pub tolerance: f64,
+    /// Whether the scene states this tolerance.
+    pub states_tolerance: bool,
     /// Step length of a method with fixed steps \[s\].
     pub step: Option<f64>,
     /// Precision of the exact method.
@@ -77,6 +79,7 @@ impl Default for Solver {
         Solver {
             method: None,
             tolerance: methods::DEFAULT,
+            states_tolerance: false,
             step: None,
             precision: Precision::Plain,
             most_steps: methods::STEPS,
@@ -117,6 +120,7 @@ pub(super) fn read(run: &[Entry], place: &Node, t_end: Option<f64>, report: &mut
         let line = "step = \"... s\"  # the fixed step length".to_string();
         keys::missing(&[("step", line)], "[run]", &place.place, report);
     }
+    let states_tolerance = tolerance.is_some();
     let tolerance = match tolerance {
         None => Some(methods::DEFAULT),
         Some(node) => field::quantity("run.tolerance", node, "1", report).filter(|x| {
@@ -134,7 +138,7 @@ pub(super) fn read(run: &[Entry], place: &Node, t_end: Option<f64>, report: &mut
     };
     let precision = read_precision(run, method.flatten(), report);
     let (method, tolerance, step, precision) = (method?, tolerance?, step?, precision?);
-    Some(Solver { method, tolerance, step, precision, ..Solver::default() })
+    Some(Solver { method, tolerance, states_tolerance, step, precision, ..Solver::default() })
 }
 
 /// Reads the length of a step [s]: at most the run, and not so short that the run would reach its limit of steps.

@@ -23,7 +23,7 @@ pub const COMMANDS: &[(&str, Command)] = &[
 ];
 
 fn run(scene: &Scene, set: &[(&str, &str)]) -> Result<(), String> {
-    let changed = set.iter().try_fold(scene.clone(), |scene, (key, value)| scene.with(key, *value));
+    let changed = scene.with_all(set.iter().map(|(key, value)| (*key, (*value).into())));
     let results = changed.and_then(|scene| scene.run()).map_err(reason)?;
     results.check().map_err(reason)
 }
@@ -47,8 +47,7 @@ fn compare(scene: &Scene) -> Result<(), String> {
 }
 
 fn sweep(scene: &Scene) -> Result<(), String> {
-    let axis = format!("run.t_end={} s,{} s", scene.t_end / 2.0, scene.t_end);
-    let table = scene.vary(&axis).run().map_err(reason)?;
+    let table = scene.vary("output.rate=10 kHz,20 kHz").run().map_err(reason)?;
     let reasons = table.words("reason").unwrap_or_default().iter();
     reasons.zip(table.words("status").unwrap_or_default()).try_for_each(|(reason, status)| match status.as_ref() {
         "done" => Ok(()),

@@ -48,9 +48,12 @@ fn base(model: &str) -> Scene {
         files.iter().filter(|file| std::fs::read_to_string(file).unwrap().contains(&format!("model = \"{model}\"")));
     let scene = scenes.map(|file| Scene::load(file).unwrap_or_else(|e| panic!("{e}"))).next();
     let scene = scene.unwrap_or_else(|| panic!("no scene of {model}"));
-    let short = scene.with("run.t_end", scene.t_end.min(T_END)).unwrap();
-    // A method by steps where the equations ask for one: what runs is chosen by the commands.
-    short.with("run.method", "auto").unwrap_or(short)
+    // What runs is chosen by the commands, and so are method and tolerance.
+    let chosen = ["method =", "tolerance =", "step =", "rate ="];
+    let own = |line: &&str| !chosen.iter().any(|key| line.trim_start().starts_with(key));
+    let text: String = scene.text.lines().filter(own).map(|line| format!("{line}\n")).collect();
+    let t_end = format!("run.t_end={} s", scene.t_end.min(T_END));
+    Scene::from_toml_with(&scene.name, &text, &[t_end]).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// `base` with an effect, with what this needs, and with values for what it requires.
@@ -90,7 +93,9 @@ fn missing(base: &Scene, model: &Model, names: &[&str]) -> Vec<String> {
     let parameters = parameters.map(|p| format!("parameters.{}={} {}", p.name, usual(p.unit), unit(p.unit)));
     let laws = model.laws.iter().filter(|law| has(law.with) && !stated(&format!("laws.{}", law.name)));
     let laws = laws.map(|law| {
-        let value = |x: f64| format!("{{ value = \"{} {}\"", x * usual_law(law.role), unit(law.unit));
+        // Arms are distances; all other laws of effects have two signs.
+        let sign = |x: f64| if law.role == Role::Arm { x.abs() } else { x };
+        let value = |x: f64| format!("{{ value = \"{} {}\"", sign(x) * usual_law(law.role), unit(law.unit));
         let phase = model.coordinates.iter().find(|c| c.name == law.phase).map_or("rad", |c| c.unit);
         format!(
             "laws.{}.steps=[{}, width = \"3 {phase}\" }}, {} }}]",

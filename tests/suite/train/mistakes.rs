@@ -26,8 +26,9 @@ fn each_is_named_with_its_place() {
         (format!("{ROTORS}{shaft}stifness = 1\n"), "did you mean `stiffness`?"),
         (
             format!("{ROTORS}{shaft}[supports.s]\nrotor = \"c\"\nstiffness = \"1 N*m/rad\"\n"),
-            "would both have the parameter `k_s`",
+            "`parameters.k_s` is stated twice",
         ),
+        (format!("{ROTORS}{shaft}[supports.s]\nrotor = \"c\"\n"), "would both have the parameter `k_s`"),
         ("[rotors]\na = \"-1 kg*m^2\"\n".into(), "must be positive"),
         ("[rotors]\na = \"1 kg\"\n".into(), "kg*m^2"),
         ("[rotors]\n\"a b\" = \"1 kg*m^2\"\n".into(), "cannot be a name"),

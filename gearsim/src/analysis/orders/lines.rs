@@ -11,6 +11,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use rayon::prelude::*;
+
 use super::{Mesh, Turning};
 
 /// Multiples of a mesh order that are listed.
@@ -21,6 +23,9 @@ const SIDEBANDS: i32 = 3;
 const APART: f64 = 4.0;
 /// Samples in a period of the highest line that is listed: above half the sampling rate there are none.
 const SAMPLES: f64 = 2.5;
+
+/// Samples summed at a time, so that their phasors stay in the cache.
+const CHUNK: usize = 2048;
 
 /// A line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,15 +90,20 @@ impl Turning {
         };
         let columns: Vec<Vec<f64>> = columns.iter().map(weighed).collect();
         let at = |line: &Line| {
-            let turn = |angle: &f64| (TAU * (line.order * angle).fract()).sin_cos();
-            let phasors: Vec<(f64, f64)> = self.angle[..inside].iter().map(turn).collect();
-            let amplitude = |column: &Vec<f64>| {
-                let add = |sum: (f64, f64), (x, p): (&f64, &(f64, f64))| (sum.0 + x * p.0, sum.1 + x * p.1);
-                let (sine, cosine) = column.iter().zip(&phasors).fold((0.0, 0.0), add);
-                2.0 * sine.hypot(cosine) / whole
-            };
-            columns.iter().map(amplitude).collect()
+            let mut sums = vec![(0.0, 0.0); columns.len()];
+            let mut phasors = Vec::with_capacity(CHUNK);
+            for begin in (0..inside).step_by(CHUNK) {
+                let chunk = begin..inside.min(begin + CHUNK);
+                phasors.clear();
+                phasors.extend(self.angle[chunk.clone()].iter().map(|a| (TAU * (line.order * a).fract()).sin_cos()));
+                for (sum, column) in sums.iter_mut().zip(&columns) {
+                    let add = |sum: (f64, f64), (x, p): (&f64, &(f64, f64))| (sum.0 + x * p.0, sum.1 + x * p.1);
+                    *sum = column[chunk.clone()].iter().zip(&phasors).fold(*sum, add);
+                }
+            }
+            sums.into_iter().map(|(sine, cosine): (f64, f64)| 2.0 * sine.hypot(cosine) / whole).collect()
         };
-        lines.iter().map(at).collect()
+        // Each line is summed by itself: the result does not depend on the number of threads.
+        lines.par_iter().map(at).collect()
     }
 }

@@ -61,7 +61,7 @@ pub fn meshes(run: &Trajectory, from: f64) -> Vec<Mesh> {
         let Some(i) = run.model.coordinates.iter().position(|c| c.name == law.phase) else { continue };
         let mean = (run.q[i][last] - run.q[i][first]) / duration;
         let frequency = mean.abs() / law.period;
-        if phases.contains(&i) || !(frequency * duration >= 1.0) {
+        if phases.contains(&i) || frequency * duration < 1.0 || !frequency.is_finite() {
             continue;
         }
         phases.push(i);

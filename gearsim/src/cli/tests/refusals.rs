@@ -88,7 +88,9 @@ fn a_refuted_result_is_a_failure_of_every_command() {
 
 #[test]
 fn advice_from_a_run_that_stopped_early_is_a_failure() {
-    let arguments = ["gearsim".into(), scene().display().to_string(), "--set".into(), "output.most_rows=200".into()];
+    // The samples fit into the rows, but not the events.
+    let few = ["--set", "output.most_rows=30", "--set", "output.rate=200 Hz", "--set", "run.t_end=0.1 s"];
+    let arguments = ["gearsim".into(), scene().display().to_string()].into_iter().chain(few.map(String::from));
     let failure = Advise::try_parse_from(arguments).map_err(Failure::Usage).and_then(Advise::run).unwrap_err();
     assert_eq!(failure.code(), 3);
     assert!(failure.to_string().contains("stopped early"), "{failure}");

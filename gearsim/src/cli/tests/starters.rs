@@ -66,3 +66,14 @@ fn there_is_a_manual_page_and_a_completion_for_each_command() {
         assert!(script.contains(&format!("gearsim,{name})")), "{name}");
     }
 }
+
+/// The tolerance of a scene whose cells are linear is not used, and the result says so.
+#[test]
+fn a_tolerance_that_is_not_used_is_said() {
+    let scene = Scene::load(super::scene()).unwrap().with("run.t_end", "1 ms").unwrap();
+    let remarks = |scene: &Scene| scene.run().unwrap().summary().remarks;
+    assert!(remarks(&scene).is_empty());
+    let stated = scene.with("run.tolerance", 1e-6).unwrap();
+    assert!(remarks(&stated)[0].contains("run.tolerance is not used"));
+    assert!(remarks(&stated.with("run.method", "dop853").unwrap()).is_empty());
+}

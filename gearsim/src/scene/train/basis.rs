@@ -107,13 +107,13 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
     let independent: Vec<Terms> =
         elastic.into_iter().filter(|(_, vector)| held.add(vector)).map(|(form, _)| form).collect();
     let vectors: Vec<Vec<f64>> = coordinates.iter().map(|chosen: &Chosen| dense(&chosen.form)).collect();
-    for i in 0..draft.groups.len() {
+    for (i, chosen) in coordinates.iter_mut().enumerate().take(draft.groups.len()) {
         // Along a phase that rolls, all other coordinates and all deflections stay as they are.
         let mut others = held.clone();
         vectors.iter().enumerate().filter(|(j, _)| *j != i).for_each(|(_, vector)| {
             others.add(vector);
         });
-        coordinates[i].rolling = others.add(&vectors[i]);
+        chosen.rolling = others.add(&vectors[i]);
     }
     let mut placed = held.clone();
     for chosen in &mut coordinates {

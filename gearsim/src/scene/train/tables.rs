@@ -52,7 +52,8 @@ fn add(table: &str, given: Vec<(String, Node)>, entries: &mut Vec<Entry>, end: &
             Some(entry) if entry.place.source != node.place.source => {}
             Some(entry) => {
                 let message = format!("`{table}.{key}` is stated twice");
-                let help = format!("it is the value in {} too; leave out one of them", line(&node.place, report));
+                let also = line(&node.place, report);
+                let help = format!("{also} gives it too; leave out one of them, or give the parts different names");
                 report.add(&entry.place, message, "stated again", help);
             }
         }
