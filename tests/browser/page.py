@@ -40,6 +40,8 @@ def opened(browser, path, **settings):
     page.on("request", lambda request: requests.append(request.url))
     page.goto(path.as_uri())
     page.wait_for_selector("body[data-ready]")
+    # Plots are drawn when they are in sight; on a phone the first one begins below the fold.
+    page.locator("figure.plot").first.scroll_into_view_if_needed()
     page.wait_for_selector("figure.plot .main-svg")
     yield page
     assert not messages, messages
