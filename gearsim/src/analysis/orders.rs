@@ -16,7 +16,7 @@ mod lines;
 mod meshes;
 
 pub use cuts::{Cut, cuts};
-pub use lines::{Line, lines};
+pub use lines::{APART, Line, SIDEBANDS, lines};
 pub use meshes::{Mesh, Rotor, force, meshes};
 
 use realfft::RealFftPlanner;

@@ -21,7 +21,7 @@ Examples:
   gearsim new drives/hoist --gearsim ../gearsim"
 )]
 pub(super) struct New {
-    /// Folder of the crate; its last part is the name: small letters, digits and hyphens
+    /// Folder of the new crate. Its last part is the name of the crate: small letters, digits and hyphens
     crate_folder: PathBuf,
     /// The checkout of gearsim on which the crate depends [default: the one that this program was built from]
     #[arg(long, value_name = "DIR")]

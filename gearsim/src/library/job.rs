@@ -127,7 +127,7 @@ impl Job {
 }
 
 impl Gathering {
-    /// Keeps rows in the folder. They are there whole, or not at all.
+    /// Writes rows to the folder. If this fails, none of them are in it.
     ///
     /// # Errors
     /// If they cannot be written.

@@ -1,14 +1,10 @@
 //! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, a symbol at each sideband.
 
 use super::{Marker, Series, Style};
-use crate::analysis::orders::Mesh;
+use crate::analysis::orders::{APART, Mesh, SIDEBANDS};
 
 /// Multiples of a mesh frequency that are marked.
 pub(super) const HARMONICS: usize = 4;
-/// Sidebands on either side of a multiple that are marked.
-const SIDEBANDS: i32 = 3;
-/// Lines of a spectrum between neighbouring sidebands, from which on they are apart: the main lobe of the Hann window is 4 wide.
-const APART: f64 = 4.0;
 /// Greys of the lines of one mesh after the other, and their dashes.
 const LINES: [(&str, &[f64]); 3] = [("#8a8a8a", &[]), ("#8a8a8a", &[6.0, 3.0]), ("#8a8a8a", &[2.0, 3.0])];
 /// Symbols of the sidebands of one rotor after the other.

@@ -12,7 +12,7 @@ const MOST: usize = 6;
 const LEVELS: usize = 3;
 /// Width of a stem [SVG units].
 const STEM: f64 = 9.0;
-/// A part is shown if it has at least this share in one of the modes.
+/// Springs and coordinates with a smaller share of the energy in each of the modes are left out.
 const LEAST: f64 = 0.01;
 
 /// The mode shapes of a cell of `scene`. Modes have the numbers that they have in `cell`.

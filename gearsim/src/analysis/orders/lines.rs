@@ -1,7 +1,7 @@
 //! The lines that a drivetrain is expected to have: mesh orders and their sidebands.
 //!
-//! Each amplitude is the Fourier integral over the angle theta \[revolutions\] of the shaft at the order o of the line, so that it does not
-//! matter where o lies between the lines of a transform. With the Hann window w over the angle, and x without its mean,
+//! Each amplitude is a Fourier integral over the angle theta \[revolutions\] of the shaft, at the order o of the line. It is exact at o, also
+//! where o is not an order of a discrete transform. With the Hann window w over the angle, and x without its mean,
 //!
 //! ```text
 //! A(o) = 2 |sum_n w_n x_n exp(-2 pi i o theta_n) dtheta_n| / sum_n w_n dtheta_n,    dtheta_n = (theta_(n+1) - theta_(n-1))/2
@@ -18,9 +18,10 @@ use super::{Mesh, Turning};
 /// Multiples of a mesh order that are listed.
 const HARMONICS: usize = 5;
 /// Sidebands on either side of a mesh order that are listed.
-const SIDEBANDS: i32 = 3;
-/// Revolutions of a rotor in a record from which on its sidebands are listed: the main lobe of the Hann window is 4 lines wide.
-const APART: f64 = 4.0;
+pub const SIDEBANDS: i32 = 3;
+/// Revolutions of a rotor in a record, and so lines between its sidebands, from which on they are apart: the main lobe of the Hann window
+/// is 4 lines wide.
+pub const APART: f64 = 4.0;
 /// Samples in a period of the highest line that is listed: above half the sampling rate there are none.
 const SAMPLES: f64 = 2.5;
 

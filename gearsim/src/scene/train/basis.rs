@@ -34,7 +34,10 @@ pub(super) struct Basis {
     pub motions: Vec<(usize, Vec<(Terms, f64)>)>,
 }
 
-/// Chooses them. `None` if a group of gears has no phase of its own.
+/// Chooses the coordinates and rigid motions of a train.
+///
+/// # Errors
+/// The index of a group of gears that has no phase of its own.
 pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Basis, usize> {
     let free: Vec<usize> = (0..draft.rotors.len()).filter(|&i| draft.rotors[i].of.is_none()).collect();
     let dense = |form: &Terms| {
@@ -131,7 +134,7 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
     Ok(Basis { free, coordinates, of_rows, motions })
 }
 
-/// The forms that may be the phase of a group, the best one first.
+/// Candidates for the phase of a group of gears, in order of preference.
 fn candidates(group: &Group) -> Vec<Terms> {
     let meshes = |i: usize| group.meshes.iter().filter(|mesh| mesh.contains(&i)).count();
     let turns = |i: &usize| group.gears[*i].rotor.is_some();

@@ -53,7 +53,7 @@ pub(super) struct DraftPart {
 pub(super) struct Group {
     /// Its first mesh.
     pub mesh: String,
-    /// Forms that may be its phase, the best one first.
+    /// Candidates for its phase, in order of preference.
     pub phases: Vec<Terms>,
     /// The gears: rotor, carrier, number of teeth.
     pub gears: Vec<Gear>,

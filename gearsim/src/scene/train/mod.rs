@@ -1,4 +1,4 @@
-//! Trains: drivetrains that a scene lists, part by part, with `model = "train"`.
+//! Drivetrains whose parts a scene lists in tables: `model = "train"`.
 //!
 //! [`read`] turns the tables of a scene into a [`Draft`]: rotors, and parts along linear forms of their rotations. [`basis`] chooses the
 //! coordinates. [`compose`] makes the description of the model from those of the elements, and the [`Train`], from which the engine puts
