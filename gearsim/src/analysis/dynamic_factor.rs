@@ -87,11 +87,7 @@ fn mesh_frequency(run: &Trajectory, law: &Law) -> Result<f64, String> {
 /// The natural frequency of the gears alone on the mean stiffness of their mesh \[Hz\].
 fn natural_frequency(scene: &Scene, entry: &Entry, i: usize) -> Result<f64, String> {
     let matrices = |k: &[f64]| entry.system(scene)?.matrices(k);
-    let mean = |(law, profile): (&Law, &crate::profile::Profile)| {
-        let whole = law.period * f64::from(profile.pitches);
-        profile.steps.iter().map(|step| step.value * step.width).sum::<f64>() / whole
-    };
-    let mut k: Vec<f64> = scene.stiffnesses().map(mean).collect();
+    let mut k: Vec<f64> = scene.stiffnesses().map(|(_, profile)| profile.mean()).collect();
     let with = matrices(&k).map_err(|refusal| refusal.to_string())?;
     k[i] = 0.0;
     let without = matrices(&k).map_err(|refusal| refusal.to_string())?;

@@ -1,6 +1,6 @@
 //! `gearsim check`: reads scenes and prepares their runs, without running them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
@@ -35,25 +35,29 @@ pub(super) struct Check {
 
 impl Verb for Check {
     fn run(self) -> Result<(), Failure> {
-        let mut first_failure = None;
+        if self.scenes.iter().filter(|path| *path == Path::new("-")).count() > 1 {
+            let help = "name it once".into();
+            return Err(Failure::Impossible { what: "the standard input can be read only once".into(), help });
+        }
+        let mut failure: Option<Failure> = None;
         for path in &self.scenes {
             match self.check(path) {
                 Ok(text) if self.quiet => drop(text),
                 Ok(text) => terminal::print_out(&text),
-                // All scenes are checked; the last failure is reported by the program.
-                Err(failure) => {
-                    if let Some(before) = first_failure.replace(failure) {
-                        Failure::report(&before);
+                // All scenes are checked. The program reports the last failure; all have the same exit code.
+                Err(next) => {
+                    if let Some(before) = failure.replace(next) {
+                        before.report();
                     }
                 }
             }
         }
-        first_failure.map_or(Ok(()), Err)
+        failure.map_or(Ok(()), Err)
     }
 }
 
 impl Check {
-    fn check(&self, path: &std::path::Path) -> Result<String, Failure> {
+    fn check(&self, path: &Path) -> Result<String, Failure> {
         let models = known::descriptions();
         let scene = Scene::load_with(path, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));

@@ -330,15 +330,15 @@ impl Equations for Assembly {
         p.spread(&p.equations.normal(own), self.n)
     }
 
-    fn compliance(&self, law: usize, q: &[f64]) -> f64 {
-        let _ = q;
+    fn compliance(&self, law: usize, _: &[f64]) -> f64 {
         let n = self.normal(law);
         n.dot(&(&self.mobility * &n))
     }
 
-    fn direction(&self, law: usize, q: &[f64]) -> Vector {
+    fn direction(&self, law: usize, _: &[f64]) -> Vector {
         let n = self.normal(law);
-        let (d, g) = (&self.mobility * &n, self.compliance(law, q));
+        let d = &self.mobility * &n;
+        let g = n.dot(&d);
         d.map(|x| x / g)
     }
 

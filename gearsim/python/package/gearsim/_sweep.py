@@ -36,7 +36,7 @@ def sweep(
     samples, seed: number of random points for random axes.
     out: folder for the results. Finished points in it do not run again; its file `sweep.parquet` has the bytes of `gearsim sweep`.
     executor: any concurrent.futures.Executor, for example of processes, Dask or MPI; without it, the threads of this machine.
-    points_per_task: at most so many points go to a worker at once. A point takes some 0.1 ms, so that small tasks are mostly overhead.
+    points_per_task: at most so many points go to a worker at once, and are kept together. Small tasks are mostly overhead.
     threads_per_task: threads of a worker; None for all cores of its machine.
     progress: called with the number of finished points.
     """
@@ -45,7 +45,7 @@ def sweep(
     with tempfile.TemporaryDirectory() as temporary:
         gathering = job.gather(out if out is not None else temporary)
         try:
-            missing = job.missing(gathering, len(job) if executor is None else points_per_task)
+            missing = job.missing(gathering, points_per_task)
             done = len(job) - sum(end - first for first, end in missing)
             if executor is None:
                 for first, end in missing:
