@@ -67,5 +67,7 @@ pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
 pub use library::advise::Advice;
 pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
+#[doc(hidden)]
+pub use library::{usual_levels, usual_value};
 pub use run::{Entry, Outcome, Prospect};
 pub use scene::Scene;

@@ -9,9 +9,9 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::simulate::{Source, simulate};
 use super::{Verb, files, report, terminal};
+use crate::library::Results;
 use crate::output::{OutputError, OutputFolder, Summary};
 use crate::plot;
-use crate::run::Outcome;
 use crate::scene::Scene;
 use equations::EquationSet;
 
@@ -40,8 +40,7 @@ pub(super) struct Compare {
 /// The run of a scene under one set of equations.
 pub(super) struct ComparedRun {
     pub(super) set: &'static EquationSet,
-    pub(super) scene: Scene,
-    pub(super) outcome: Outcome,
+    pub(super) results: Results,
 }
 
 /// The content of `compare.json`.
@@ -70,11 +69,10 @@ impl Verb for Compare {
         let path = self.source.folder(&scene, "_compare")?;
         let mut members = vec![];
         for (set, scene) in scenes {
-            let outcome = simulate(&scene, false)?;
-            members.push(ComparedRun { set, scene, outcome });
+            members.push(ComparedRun { set, results: simulate(&scene, false)? });
         }
         let mut folder = OutputFolder::create(path)?;
-        let summaries = self.write(&mut folder, &scene, &members)?;
+        let summaries = write(&mut folder, &scene, &members)?;
         let width = terminal::width();
         let written = report::files(folder.path(), folder.files(), width);
         terminal::print_out(&format!(
@@ -82,54 +80,40 @@ impl Verb for Compare {
             report::scene(&scene, width),
             table::render(&members, &summaries)
         ));
-        let verdict = |m: &ComparedRun| Failure::of(&format!("the {} run", m.set.label), &m.outcome, folder.path());
+        let verdict =
+            |m: &ComparedRun| Failure::of(&format!("the {} run", m.set.label), &m.results.outcome, folder.path());
         members.iter().try_for_each(verdict)
     }
 }
 
-impl Compare {
-    /// Writes the files, and returns the summaries of the runs.
-    fn write(
-        &self,
-        folder: &mut OutputFolder,
-        scene: &Scene,
-        members: &[ComparedRun],
-    ) -> Result<Vec<Summary>, Failure> {
-        let overrides = &self.source.overrides;
-        let mut summaries = vec![];
-        for ComparedRun { set, scene, outcome } in members {
-            let before = folder.files().len();
-            let name = format!("trajectory_{}", set.suffix);
-            files::trajectory(folder, &name, scene.output.csv, (scene, overrides), outcome)?;
-            summaries.push(files::summary(scene, overrides, outcome, folder.files()[before..].to_vec()));
-        }
+/// Writes the files, and returns the summaries of the runs.
+fn write(folder: &mut OutputFolder, scene: &Scene, members: &[ComparedRun]) -> Result<Vec<Summary>, Failure> {
+    let mut summaries = vec![];
+    for ComparedRun { set, results: Results { scene, outcome } } in members {
         let before = folder.files().len();
-        let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
-        for warning in files::plots(folder, scene, &runs)? {
-            terminal::warn(&warning);
-        }
-        let entries = members.iter().zip(&summaries);
-        let comparison = Comparison {
-            scene: scene.name.clone(),
-            runs: entries.map(|(m, s)| Entry { equations: m.set.label, summary: s.clone() }).collect(),
-            plots: folder.files()[before..].to_vec(),
-        };
-        let json = serde_json::to_string_pretty(&comparison).map_err(|e| OutputError::format("JSON", e))?;
-        folder.write_bytes("compare.json", (json + "\n").as_bytes())?;
-        folder.commit("compare.json")?;
-        Ok(summaries)
+        let name = format!("trajectory_{}", set.suffix);
+        files::trajectory(folder, &name, scene.output.csv, scene, outcome)?;
+        summaries.push(files::summary(scene, outcome, folder.files()[before..].to_vec()));
     }
+    let before = folder.files().len();
+    let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
+    for warning in files::plots(folder, scene, &runs)? {
+        terminal::warn(&warning);
+    }
+    let entries = members.iter().zip(&summaries);
+    let comparison = Comparison {
+        scene: scene.name.clone(),
+        runs: entries.map(|(m, s)| Entry { equations: m.set.label, summary: s.clone() }).collect(),
+        plots: folder.files()[before..].to_vec(),
+    };
+    let json = serde_json::to_string_pretty(&comparison).map_err(|e| OutputError::format("JSON", e))?;
+    folder.write_bytes("compare.json", (json + "\n").as_bytes())?;
+    folder.commit("compare.json")?;
+    Ok(summaries)
 }
 
 impl ComparedRun {
     fn to_draw(&self) -> plot::Run<'_> {
-        plot::Run {
-            label: self.set.label,
-            trajectory: &self.outcome.trajectory,
-            reference_frequency: self.outcome.reference_frequency,
-            scene: &self.scene.name,
-            asked: &self.scene.output,
-            none_from: self.outcome.digits.and_then(|digits| digits.none_from),
-        }
+        plot::Run { label: self.set.label, ..self.results.drawn() }
     }
 }

@@ -60,9 +60,10 @@ impl From<crate::library::Error> for Failure {
             Error::Impossible { what, help } => Failure::Impossible { what, help },
             Error::Output(error) => Failure::Output(error),
             Error::Plot(error) => Failure::Output(OutputError::format("plot", error)),
-            Error::Floquet(error) => {
-                Failure::Impossible { what: "the scene has no Floquet multipliers".into(), help: error.to_string() }
-            }
+            Error::Floquet { scene, cause } => Failure::Impossible {
+                what: format!("scene {scene} has no Floquet multipliers"),
+                help: cause.to_string(),
+            },
         }
     }
 }

@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::number::short;
 use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
-use crate::analysis::floquet::{Chart, Floquet, FloquetError, Spot, Varied, Verdict};
+use crate::analysis::floquet::{Chart, Floquet, Spot, Varied, Verdict};
 use crate::known;
 use crate::library::Error;
 use crate::output::summary::Provenance;
@@ -77,7 +77,7 @@ struct Report<'a> {
 impl Verb for FloquetCommand {
     fn run(self) -> Result<(), Failure> {
         let scene = self.source.load()?;
-        let floquet = self.of(&scene)?;
+        let floquet = scene.floquet()?;
         let chart = self.chart(&scene)?;
         let path = self.source.folder(&scene, "_floquet")?;
         let mut folder = OutputFolder::create(path)?;
@@ -99,7 +99,7 @@ impl Verb for FloquetCommand {
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
-            provenance: provenance::of(&scene, &self.source.overrides, "product of exact cell propagators".into()),
+            provenance: provenance::of(&scene, "product of exact cell propagators".into()),
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         folder.write_bytes("floquet.json", (json + "\n").as_bytes())?;
@@ -114,18 +114,6 @@ impl Verb for FloquetCommand {
 }
 
 impl FloquetCommand {
-    fn of(&self, scene: &Scene) -> Result<Floquet, Failure> {
-        let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = scene.entry()?.system(scene).map_err(refused)?;
-        Floquet::of(scene, &system).map_err(|error| match error {
-            FloquetError::Refused(refusal) => refused(refusal),
-            other => Failure::Impossible {
-                what: format!("scene {} has no Floquet multipliers", scene.name),
-                help: other.to_string(),
-            },
-        })
-    }
-
     /// The stability chart over the ranges of --vary; `None` without --vary.
     fn chart(&self, scene: &Scene) -> Result<Option<Chart>, Failure> {
         let wrong = |what: &str, help: &str| Failure::Impossible { what: what.into(), help: help.into() };
@@ -143,7 +131,7 @@ impl FloquetCommand {
         let spot = |values: &[String]| -> Result<Option<Spot>, Failure> {
             let varied = template.scene(values, &models).map_err(Error::from)?;
             // A point that has no multipliers, e.g. because nothing turns, is left blank in the chart.
-            Ok(self.of(&varied).ok().map(|f| Spot::from(&f)))
+            Ok(varied.floquet().ok().map(|f| Spot::from(&f)))
         };
         let row = |fixed: Option<String>| -> Result<Vec<Option<Spot>>, Failure> {
             x.iter().map(|x| spot(&[along.set(*x)].into_iter().chain(fixed.clone()).collect::<Vec<_>>())).collect()

@@ -184,7 +184,7 @@ impl Modes {
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
             left_out: scene.left_out_if_linear(),
             files,
-            provenance: provenance::of(scene, &self.source.overrides, "modes of linear cells".into()),
+            provenance: provenance::of(scene, "modes of linear cells".into()),
         };
         let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
         Ok(json + "\n")

@@ -38,12 +38,11 @@ impl Asked {
     pub(super) fn run(
         self,
         folder: &mut crate::output::OutputFolder,
-        (scene, overrides): (&crate::scene::Scene, &[String]),
-        outcome: &crate::run::Outcome,
+        results: &crate::library::Results,
         summary: &crate::output::Summary,
     ) -> Result<(), Failure> {
         use crate::page;
-        let page = page::run::page(&page::run::Run { scene, overrides, outcome, summary })?;
+        let page = page::run::page(&page::run::Run { scene: &results.scene, outcome: &results.outcome, summary })?;
         folder.write(FILE, |sink| Ok(page.write(sink)?))?;
         Ok(())
     }
@@ -53,8 +52,7 @@ impl Asked {
     pub(super) fn run(
         self,
         _folder: &mut crate::output::OutputFolder,
-        _scene: (&crate::scene::Scene, &[String]),
-        _outcome: &crate::run::Outcome,
+        _results: &crate::library::Results,
         _summary: &crate::output::Summary,
     ) -> Result<(), Failure> {
         match self {}

@@ -4,12 +4,9 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::simulate::{Source, simulate};
-use super::{Verb, evaluate, files, page, report, terminal};
-use crate::library;
+use super::{Verb, evaluate, page, report, terminal};
+use crate::library::{self, Results};
 use crate::output::OutputFolder;
-use crate::plot;
-use crate::run::Outcome;
-use crate::scene::Scene;
 
 /// Run a scene: write its trajectory, its summary and its plots
 #[derive(Parser)]
@@ -54,13 +51,13 @@ impl Verb for Run {
         let page = page::asked(self.html)?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
-        let outcome = simulate(&scene, self.quiet)?;
+        let results = simulate(&scene, self.quiet)?;
         let mut folder = OutputFolder::create(path)?;
-        let text = self.write(&mut folder, &scene, &outcome, page)?;
+        let text = self.write(&mut folder, &results, page)?;
         if !self.quiet {
             terminal::print_out(&text);
         }
-        Failure::of(&format!("scene {}", scene.name), &outcome, folder.path())
+        Failure::of(&format!("scene {}", scene.name), &results.outcome, folder.path())
     }
 }
 
@@ -76,33 +73,21 @@ impl Run {
     fn write(
         &self,
         folder: &mut OutputFolder,
-        scene: &Scene,
-        outcome: &Outcome,
+        results: &Results,
         page: Option<page::Asked>,
     ) -> Result<String, Failure> {
-        let (overrides, csv) = (&self.source.overrides, self.csv || scene.output.csv);
-        files::trajectory(folder, "trajectory", csv, (scene, overrides), outcome)?;
-        let (trajectory, reference_frequency) = (&outcome.trajectory, outcome.reference_frequency);
-        let none_from = outcome.digits.and_then(|digits| digits.none_from);
-        let (name, asked) = (&scene.name, &scene.output);
-        let run = plot::Run { label: name, trajectory, reference_frequency, scene: name, asked, none_from };
-        for warning in files::plots(folder, scene, &[run])? {
-            terminal::warn(&warning);
-        }
-        let evaluated = library::evaluate::write(folder, scene, outcome)?;
-        evaluated.warnings.iter().for_each(|warning| terminal::warn(warning));
-        let mut summary = files::summary(scene, overrides, outcome, folder.files().to_vec());
-        summary.sounds = evaluated.sounds.iter().cloned().collect();
+        let scene = &results.scene;
+        let evaluated = results.write_to(folder, self.csv || scene.output.csv, terminal::warn)?;
+        let mut summary = results.summed(folder, &evaluated);
         if let Some(page) = page {
-            page.run(folder, (scene, overrides), outcome, &summary)?;
+            page.run(folder, results, &summary)?;
             summary.files = folder.files().to_vec();
         }
-        folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
-        folder.commit("summary.json")?;
+        library::finish(folder, &summary)?;
         let width = terminal::width();
         Ok(report::scene(scene, width)
             + "\n"
-            + &report::run(scene, &summary, trajectory.len(), width)
+            + &report::run(scene, &summary, results.trajectory().len(), width)
             + &evaluate::text(&evaluated, scene, &summary, width)
             + "\n"
             + &report::files(folder.path(), folder.files(), width))

@@ -7,8 +7,8 @@ use clap::Args;
 use super::failure::Failure;
 use super::progress::Progress;
 use super::{known, terminal};
+use crate::library::Results;
 use crate::output::OutputFolder;
-use crate::run::Outcome;
 use crate::scene::Scene;
 
 /// The scene to simulate, and the folder for the results.
@@ -44,7 +44,7 @@ impl Source {
 }
 
 /// Runs a scene and its companion run, which gives the number of digits left. Shows a progress bar if the run takes long, unless `quiet`.
-pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Outcome, Failure> {
+pub(super) fn simulate(scene: &Scene, quiet: bool) -> Result<Results, Failure> {
     let mut progress = Progress::new(scene.t_end, quiet);
-    Ok(scene.run_watched(&mut |t| progress.at(t))?.outcome)
+    Ok(scene.run_watched(&mut |t| progress.at(t))?)
 }

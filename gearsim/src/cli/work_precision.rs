@@ -77,7 +77,7 @@ impl WorkPrecision {
         let cheaper = cheaper.filter(|(_, scene)| scene.effects.contradictions(scene.model).is_empty());
         let cheaper = cheaper.map(|(set, scene)| (set.equations, scene)).collect();
         let run = |scene: &Scene| match simulate(scene, true) {
-            Ok(outcome) => Ok(outcome),
+            Ok(results) => Ok(results.outcome),
             Err(Failure::Refused { refusal, .. }) => Err(refusal),
             Err(_) => Err(Refusal::Effects { which: scene.effects.contradictions(scene.model) }),
         };

@@ -1,7 +1,7 @@
 //! Analyses of a scene's equations, without a run.
 
 use super::Error;
-use crate::analysis::floquet::Floquet;
+use crate::analysis::floquet::{Floquet, FloquetError};
 use crate::analysis::modes::{self, CellModes, springs};
 use crate::engine::Refusal;
 use crate::scene::Scene;
@@ -38,7 +38,10 @@ impl Scene {
     /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub fn floquet(&self) -> Result<Floquet, Error> {
         let system = self.entry()?.system(self).map_err(|refusal| self.refused(refusal))?;
-        Ok(Floquet::of(self, &system)?)
+        Floquet::of(self, &system).map_err(|error| match error {
+            FloquetError::Refused(refusal) => self.refused(refusal),
+            cause => Error::Floquet { scene: self.name.clone(), cause },
+        })
     }
 
     /// Accelerations at a state [SI/s^2], in the order of the coordinates: to check a model against equations written by hand. `laws` are
@@ -57,7 +60,8 @@ impl Scene {
         Ok(equations.acceleration(q, q_dot, &laws, &vec![0.0; most]).to_vec())
     }
 
-    fn refused(&self, refusal: Refusal) -> Error {
+    /// The error of a scene that cannot be simulated.
+    pub(super) fn refused(&self, refusal: Refusal) -> Error {
         Error::Refused { scene: self.name.clone(), refusal }
     }
 }

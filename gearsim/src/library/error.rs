@@ -38,8 +38,13 @@ pub enum Error {
     #[error(transparent)]
     Plot(#[from] PlotError),
     /// The scene has no Floquet multipliers.
-    #[error(transparent)]
-    Floquet(#[from] FloquetError),
+    #[error("scene {scene} has no Floquet multipliers: {cause}")]
+    Floquet {
+        /// Name of the scene.
+        scene: String,
+        /// Why not.
+        cause: FloquetError,
+    },
 }
 
 /// As its text, so that a `main` that returns it prints what a person can read.

@@ -24,10 +24,10 @@ pub(crate) fn trajectory(
     folder: &mut OutputFolder,
     name: &str,
     as_csv: bool,
-    (scene, overrides): (&Scene, &[String]),
+    scene: &Scene,
     outcome: &Outcome,
 ) -> Result<(), OutputError> {
-    let provenance = provenance::pairs(scene, overrides, outcome);
+    let provenance = provenance::pairs(scene, outcome);
     let pairs = || provenance.iter().map(|(name, value)| (*name, value.as_str()));
     folder.write(&format!("{name}.parquet"), |sink| parquet::write_trajectory(&outcome.trajectory, pairs(), sink))?;
     if as_csv {
@@ -95,7 +95,7 @@ fn load_spectra(scene: &Scene, run: &Trajectory) -> IndexMap<String, LoadSpectru
 }
 
 /// The summary of a run that wrote `files`.
-pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, files: Vec<String>) -> Summary {
+pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
     let none = Number(f64::NAN);
     let no_energy = Energy {
@@ -154,7 +154,7 @@ pub(crate) fn summary(scene: &Scene, overrides: &[String], outcome: &Outcome, fi
         parameters: parameters.collect(),
         missing: BTreeMap::new(),
         files,
-        provenance: provenance::of(scene, overrides, provenance::solver(scene, outcome)),
+        provenance: provenance::of(scene, provenance::solver(scene, outcome)),
     };
     summary.note_missing();
     for (name, (_, reasons)) in meshes {

@@ -32,6 +32,7 @@ pub use build::SceneBuilder;
 pub use error::Error;
 pub use job::{Gathering, Job, Rows};
 pub use results::Results;
-pub use starter::starter;
+pub(crate) use results::finish;
+pub use starter::{starter, usual_levels, usual_value};
 pub use value::Value;
 pub use vary::Variation;

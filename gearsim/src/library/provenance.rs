@@ -7,21 +7,21 @@ use crate::scene::{Precision, Scene, Solver};
 /// The commit that the program was built from, if known.
 pub(crate) const COMMIT: Option<&str> = option_env!("GEARSIM_COMMIT");
 
-/// The provenance of results of `scene`, loaded with `overrides` and computed by `solver`.
-pub(crate) fn of(scene: &Scene, overrides: &[String], solver: String) -> Provenance {
+/// The provenance of results of `scene`, computed by `solver`.
+pub(crate) fn of(scene: &Scene, solver: String) -> Provenance {
     Provenance {
         program: "gearsim".into(),
         version: env!("CARGO_PKG_VERSION").into(),
         commit: COMMIT.map(Into::into),
         scene_sha256: scene.hash.clone(),
         solver,
-        overrides: overrides.to_vec(),
+        overrides: scene.overrides.clone(),
     }
 }
 
 /// The provenance as pairs of name and value, with the scene, the model and its effects.
-pub(crate) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> Vec<(&'static str, String)> {
-    let provenance = of(scene, overrides, solver(scene, outcome));
+pub(crate) fn pairs(scene: &Scene, outcome: &Outcome) -> Vec<(&'static str, String)> {
+    let provenance = of(scene, solver(scene, outcome));
     vec![
         ("program", provenance.program),
         ("version", provenance.version),
@@ -31,7 +31,7 @@ pub(crate) fn pairs(scene: &Scene, overrides: &[String], outcome: &Outcome) -> V
         ("model", scene.model.name.into()),
         ("effects", scene.effects.names(scene.model).join(", ")),
         ("solver", provenance.solver),
-        ("overrides", overrides.join("\n")),
+        ("overrides", scene.overrides.join("\n")),
     ]
 }
 

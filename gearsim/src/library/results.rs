@@ -27,8 +27,7 @@ impl Scene {
     /// # Errors
     /// If it cannot be run.
     pub fn check(&self) -> Result<Prospect, Error> {
-        let refused = |refusal| Error::Refused { scene: self.name.clone(), refusal };
-        self.entry()?.check(self).map_err(refused)
+        self.entry()?.check(self).map_err(|refusal| self.refused(refusal))
     }
 
     /// Runs the scene to its end.
@@ -46,8 +45,7 @@ impl Scene {
     /// As [`Scene::run`].
     pub fn run_watched(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
         let entry = self.entry()?;
-        let refused = |refusal| Error::Refused { scene: self.name.clone(), refusal };
-        let outcome = entry.run(self, watch).map_err(refused)?;
+        let outcome = entry.run(self, watch).map_err(|refusal| self.refused(refusal))?;
         let outcome = digits::noted(self, outcome, &|companion| entry.run(companion, &mut |_| {}));
         Ok(Results { scene: self.clone(), outcome })
     }
@@ -91,7 +89,7 @@ impl Results {
         })
     }
 
-    /// All columns with their units: what the files `trajectory.parquet` and `trajectory.csv` contain.
+    /// The recorded columns with their units. The files `trajectory.parquet` and `trajectory.csv` have the same columns.
     pub fn table(&self) -> Table {
         // The columns of a run have one entry a row.
         Table::of_trajectory(self.trajectory()).unwrap_or_default()
@@ -104,7 +102,7 @@ impl Results {
 
     /// End state, energy account, statistics of the outputs, method and provenance: what the file `summary.json` contains.
     pub fn summary(&self) -> Summary {
-        files::summary(&self.scene, &self.scene.overrides, &self.outcome, vec![])
+        files::summary(&self.scene, &self.outcome, vec![])
     }
 
     /// Draws a plot by its name, e.g. `outputs`, `orders`, `energy`.
@@ -128,15 +126,16 @@ impl Results {
         }
     }
 
-    /// Writes the files that `gearsim run` writes to a folder, and returns their paths. An earlier result in the folder is replaced
-    /// when all files are whole.
+    /// Writes the files of `gearsim run` to a folder, and returns their paths. An earlier result in the folder is replaced after the
+    /// last file is written.
     ///
     /// # Errors
     /// If a file cannot be written.
     pub fn write(&self, folder: impl AsRef<Path>) -> Result<Vec<PathBuf>, Error> {
         let mut folder = OutputFolder::create(folder.as_ref())?;
         let evaluated = self.write_to(&mut folder, self.scene.output.csv, |_| {})?;
-        self.finish(&mut folder, &evaluated)?;
+        let summary = self.summed(&folder, &evaluated);
+        finish(&mut folder, &summary)?;
         Ok(folder.files().iter().map(|name| folder.path().join(name)).collect())
     }
 
@@ -148,20 +147,17 @@ impl Results {
         mut warn: impl FnMut(&str),
     ) -> Result<Evaluated, Error> {
         let Results { scene, outcome } = self;
-        files::trajectory(folder, "trajectory", csv, (scene, &scene.overrides), outcome)?;
+        files::trajectory(folder, "trajectory", csv, scene, outcome)?;
         files::plots(folder, scene, &[self.drawn()])?.iter().for_each(|warning| warn(warning));
         let evaluated = evaluate::write(folder, scene, outcome)?;
         evaluated.warnings.iter().for_each(|warning| warn(warning));
         Ok(evaluated)
     }
 
-    /// Writes the summary, which names all other files, and puts the result in its place.
-    pub(crate) fn finish(&self, folder: &mut OutputFolder, evaluated: &Evaluated) -> Result<Summary, Error> {
+    /// The summary of the run, with its files so far and what was evaluated.
+    pub(crate) fn summed(&self, folder: &OutputFolder, evaluated: &Evaluated) -> Summary {
         let sounds = evaluated.sounds.iter().cloned().collect();
-        let summary = Summary { files: folder.files().to_vec(), sounds, ..self.summary() };
-        folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
-        folder.commit("summary.json")?;
-        Ok(summary)
+        Summary { files: folder.files().to_vec(), sounds, ..self.summary() }
     }
 
     /// Whether the run reached its end and its energy account closes.
@@ -176,4 +172,10 @@ impl Results {
         };
         Err(Error::impossible(what, "the rows until then are in the results"))
     }
+}
+
+/// Writes the summary, which names all other files, and puts the result in its place.
+pub(crate) fn finish(folder: &mut OutputFolder, summary: &Summary) -> Result<(), Error> {
+    folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
+    Ok(folder.commit("summary.json")?)
 }

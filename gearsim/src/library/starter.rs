@@ -52,14 +52,14 @@ pub fn starter(model: &Model) -> String {
     }
     text += "]\n\n[parameters]\n";
     for parameter in model.parameters {
-        let (value, note) = (value(parameter), note(parameter));
+        let (value, note) = (usual_value(parameter), note(parameter));
         let off = if parameter.default.is_some() || !has(parameter.with) { "# " } else { "" };
         let _ = writeln!(text, "{off}{} = {value}  # {}{note}", parameter.name, parameter.doc);
     }
     for law in model.laws {
         let off = if has(law.with) { "" } else { "# " };
         let with = law.with.map_or(String::new(), |effect| format!("; with the effect {effect}"));
-        let _ = write!(text, "\n{off}[laws.{}]  # {}{with}\n{off}{}\n", law.name, law.doc, levels(law, model));
+        let _ = write!(text, "\n{off}[laws.{}]  # {}{with}\n{off}{}\n", law.name, law.doc, usual_levels(law, model));
     }
     text += "\n[start]\n";
     for motion in model.motions {
@@ -76,7 +76,7 @@ pub fn starter(model: &Model) -> String {
 }
 
 /// The value of a parameter in TOML: its default, or one of usual size.
-fn value(parameter: &Parameter) -> String {
+pub fn usual_value(parameter: &Parameter) -> String {
     let quantity = |value: &str| match value.contains(' ') {
         true => format!("\"{value}\""),
         false => value.to_string(),
@@ -102,8 +102,8 @@ fn note(parameter: &Parameter) -> String {
     }
 }
 
-/// The levels of a law over one pitch.
-fn levels(law: &Law, model: &Model) -> String {
+/// The levels of a law over one pitch in TOML, of usual size: `steps = [...]`.
+pub fn usual_levels(law: &Law, model: &Model) -> String {
     let values = match (law.role, law.unit) {
         (Role::Stiffness, "N*m") => ["1 kN*m", "2 kN*m"],
         (Role::Stiffness, "N*m/rad") => ["10 kN*m/rad", "15 kN*m/rad"],

@@ -66,6 +66,7 @@ fn reason(error: Error) -> String {
     let text = match error {
         Error::Refused { refusal, .. } => refusal.to_string(),
         Error::Scene(mistakes) => mistakes.brief(),
+        Error::Floquet { cause, .. } => cause.to_string(),
         other => other.to_string(),
     };
     text.split('\n').next().unwrap_or_default().to_string()

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use gearsim::Scene;
-use gearsim::model::{Model, Role};
+use gearsim::model::Model;
+use gearsim::{Scene, usual_levels, usual_value};
 
 /// Models that differ from another one only in a number of parts.
 const SAME: &[&str] = &[
@@ -90,51 +90,7 @@ fn missing(base: &Scene, model: &Model, names: &[&str]) -> Vec<String> {
     let parameters = model.parameters.iter().filter(|p| p.default.is_none() && has(p.with) && !had(p.with));
     let parameters =
         parameters.filter(|p| !base.text.lines().any(|line| line.trim_start().starts_with(&format!("{} =", p.name))));
-    let parameters = parameters.map(|p| format!("parameters.{}={} {}", p.name, usual(p.unit), unit(p.unit)));
+    let parameters = parameters.map(|p| format!("parameters.{}={}", p.name, usual_value(p)));
     let laws = model.laws.iter().filter(|law| has(law.with) && !stated(&format!("laws.{}", law.name)));
-    let laws = laws.map(|law| {
-        // Arms are distances; all other laws of effects have two signs.
-        let sign = |x: f64| if law.role == Role::Arm { x.abs() } else { x };
-        let value = |x: f64| format!("{{ value = \"{} {}\"", sign(x) * usual_law(law.role), unit(law.unit));
-        let phase = model.coordinates.iter().find(|c| c.name == law.phase).map_or("rad", |c| c.unit);
-        format!(
-            "laws.{}.steps=[{}, width = \"3 {phase}\" }}, {} }}]",
-            law.name,
-            value(1.0),
-            value(-1.0).replace("-0 ", "0 ")
-        )
-    });
-    parameters.chain(laws).collect()
-}
-
-/// A value of usual size [SI unit] of a parameter with this unit.
-fn usual(unit: &str) -> f64 {
-    match unit {
-        "N*m" => 20.0,
-        "m" => 1e-4,
-        "rad" => 1e-2,
-        "rad/s" => 100.0,
-        "N" => 10.0,
-        "N*m/rad" => 1e5,
-        "N/m" => 1e8,
-        "Hz" => 50.0,
-        "V" => 100.0,
-        "ohm" => 1.0,
-        "H" => 1e-3,
-        _ => 0.05,
-    }
-}
-
-/// A value of usual size [SI unit] of a law.
-fn usual_law(role: Role) -> f64 {
-    match role {
-        Role::Error => 1e-6,
-        Role::Arm => 1e-2,
-        _ => 1.0,
-    }
-}
-
-/// A unit as scenes write it; nothing for plain numbers.
-fn unit(unit: &str) -> &str {
-    if unit == "1" { "" } else { unit }
+    parameters.chain(laws.map(|law| format!("laws.{}.{}", law.name, usual_levels(law, model)))).collect()
 }

@@ -17,7 +17,7 @@ pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> 
     add("lost to damping", "J", &|s| number::short(s.energy.dissipated.0));
     add("unaccounted for", "J", &|s| number::short(s.energy.residual.0));
     add("  over that at start", "", &|s| number::short((s.energy.residual.0 / s.energy.at_start.0).abs()));
-    for coordinate in members.first().map_or(&[][..], |m| m.scene.model.coordinates) {
+    for coordinate in members.first().map_or(&[][..], |m| m.results.scene.model.coordinates) {
         let speed = format!("{}_dot", coordinate.name);
         let at_end = |name: &str, s: &Summary| s.state.get(name).map_or("-".into(), number::short);
         add(&format!("{} at end", coordinate.name), coordinate.unit, &|s| at_end(coordinate.name, s));

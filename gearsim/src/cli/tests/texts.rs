@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 
 use super::scene;
-use crate::cli::{compare, files, models, program, report, simulate, terminal};
+use crate::cli::{compare, models, program, report, simulate, terminal};
 use crate::generated::MODELS;
 use crate::output::summary::Number;
 use crate::scene::Scene;
@@ -46,8 +46,8 @@ fn a_misspelt_model_name_gets_a_suggestion() {
 #[test]
 fn the_report_of_a_run_equals_its_snapshot() {
     let scene = load();
-    let outcome = simulate::simulate(&scene, true).unwrap();
-    let mut summary = files::summary(&scene, &[], &outcome, vec![]);
+    let results = simulate::simulate(&scene, true).unwrap();
+    let mut summary = results.summary();
     let residual = summary.energy.residual.0.abs();
     assert!(residual < 1e-12, "{residual} J");
     // Times differ between runs, and the last digits between machines.
@@ -55,7 +55,7 @@ fn the_report_of_a_run_equals_its_snapshot() {
     for entry in &mut summary.state.0 {
         *entry.1 = Number((entry.1.0 * 1e6).round() / 1e6);
     }
-    let text = report::scene(&scene, WIDTH) + &report::run(&scene, &summary, outcome.trajectory.len(), WIDTH);
+    let text = report::scene(&scene, WIDTH) + &report::run(&scene, &summary, results.trajectory().len(), WIDTH);
     assert_snapshot!("summary", text);
 
     summary.completed = false;

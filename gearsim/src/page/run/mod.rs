@@ -50,8 +50,6 @@ struct Section {
 pub struct Run<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The values set on the command line.
-    pub overrides: &'a [String],
     /// The outcome.
     pub outcome: &'a Outcome,
     /// Its summary.

@@ -7,8 +7,8 @@ use crate::page::html::{Cell, Html};
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = report.run;
     html.code(&format!("{}.toml, as read", run.scene.name), &run.scene.text, true);
-    if !run.overrides.is_empty() {
-        html.code("Values set on the command line", &run.overrides.join("\n"), true);
+    if !run.scene.overrides.is_empty() {
+        html.code("Values set on the command line", &run.scene.overrides.join("\n"), true);
     }
     let parameters = run.scene.model.parameters.iter().zip(&run.scene.parameters);
     let rows = parameters.filter(|(_, value)| value.is_finite()).map(|(parameter, value)| {
