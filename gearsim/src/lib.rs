@@ -19,6 +19,7 @@
 //! | read a scene, build one, change a value | [`Scene::load`], [`Scene::of_model`], [`Scene::with`], [`starter`] |
 //! | run it; columns, summary, plots, files | [`Scene::run`], [`Results`] |
 //! | run it at many values | [`Scene::vary`], [`Variation::run`], [`Variation::response`] |
+//! | find out how results scatter, and why | [`Variation::design`], [`Job::statistics`], [`Job::sensitivity`] |
 //! | natural frequencies, stability | [`Scene::modes`], [`Scene::floquet`] |
 //! | find out which effects matter | [`Scene::advise`] |
 //! | evaluate a run: spectra, orders, statistics | [`analysis`] |
@@ -71,3 +72,4 @@ pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Var
 pub use library::{usual_levels, usual_value};
 pub use run::{Entry, Outcome, Prospect};
 pub use scene::Scene;
+pub use sweep::Design;

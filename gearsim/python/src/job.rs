@@ -62,6 +62,18 @@ impl Job {
         Ok(PyBytes::new(py, &bytes?))
     }
 
+    /// Statistics of each quantity over random points, from the table of all points.
+    fn statistics(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
+        let table = table.inner()?;
+        Table::new(py.detach(|| self.inner.statistics(&table)).map_err(raised)?)
+    }
+
+    /// Indices of sensitivity of each quantity, from the table of all points of the design "saltelli".
+    fn sensitivity(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
+        let table = table.inner()?;
+        Table::new(py.detach(|| self.inner.sensitivity(&table)).map_err(raised)?)
+    }
+
     /// Opens the folder in which finished rows are kept; the points of an earlier run of the same sweep are there already.
     fn gather(&self, folder: PathBuf) -> PyResult<Gathering> {
         Ok(Gathering { inner: Mutex::new(Some(self.inner.gather(folder).map_err(raised)?)) })

@@ -27,7 +27,7 @@ impl Results {
 impl Results {
     /// A recorded column [SI]: `results["mesh_force_12"]`.
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        self.table.get().__getitem__(py, name)
+        Table::__getitem__(self.table.bind(py), name)
     }
 
     /// All recorded columns.

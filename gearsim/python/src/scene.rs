@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use gearsim::Scene as Inner;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -25,6 +26,7 @@ pub struct Definition {
     pub record: Vec<String>,
     pub start: f64,
     pub samples: Option<(usize, u64)>,
+    pub design: gearsim::Design,
 }
 
 impl Scene {
@@ -37,6 +39,7 @@ impl Scene {
         if !record.is_empty() {
             variation = variation.record(&record);
         }
+        variation = variation.design(definition.design);
         Some(match definition.samples {
             Some((samples, seed)) => variation.samples(samples, seed),
             None => variation,
@@ -126,6 +129,11 @@ impl Scene {
         Ok(dict)
     }
 
+    /// Which effects the scene needs, as the text of `gearsim advise --json`.
+    fn _advise(&self, py: Python<'_>) -> PyResult<String> {
+        py.detach(|| self.inner.advise().and_then(|advice| advice.json(&self.inner))).map_err(raised)
+    }
+
     /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on.
     #[pyo3(signature = (axis, start=0.0))]
     fn response(&self, py: Python<'_>, axis: String, start: f64) -> PyResult<Table> {
@@ -135,7 +143,7 @@ impl Scene {
     }
 
     /// The points of a sweep over `axes`, each as for the option `--vary`, to be run here or elsewhere.
-    #[pyo3(signature = (axes, record=vec![], start=0.0, samples=None, seed=0))]
+    #[pyo3(signature = (axes, record=vec![], start=0.0, samples=None, seed=0, design="random"))]
     fn job(
         &self,
         axes: Vec<String>,
@@ -143,8 +151,10 @@ impl Scene {
         start: f64,
         samples: Option<usize>,
         seed: u64,
+        design: &str,
     ) -> PyResult<Job> {
-        let definition = Definition { record, start, samples: samples.map(|samples| (samples, seed)) };
+        let design = design.parse().map_err(PyValueError::new_err)?;
+        let definition = Definition { record, start, samples: samples.map(|samples| (samples, seed)), design };
         Job::new(self, &axes, &definition)
     }
 

@@ -7,15 +7,18 @@ use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray};
 use arrow_schema::{DataType, Field, Schema};
 use gearsim::output::table::Values;
-use numpy::PyArray1;
+use numpy::ndarray::ArrayView1;
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 
+use crate::error::raised;
+
 /// Key of the unit in the metadata of an Arrow field.
 const UNIT: &str = "unit";
 
-/// A table. Its columns are NumPy arrays by name; as a whole it is an Arrow stream: `pyarrow.table(table)`, `polars.from_arrow(table)`,
+/// A table. Its columns are NumPy arrays by name, without a copy and not to be written to; as a whole it is an Arrow stream: `pyarrow.table(table)`, `polars.from_arrow(table)`,
 /// `pandas.DataFrame.from_arrow(table)`.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Table {
@@ -38,6 +41,25 @@ impl Table {
         let batch = RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays);
         Ok(Table { batch: batch.map_err(|error| PyRuntimeError::new_err(error.to_string()))? })
     }
+
+    /// The table as gearsim has it.
+    pub fn inner(&self) -> PyResult<gearsim::output::Table> {
+        let mut table = gearsim::output::Table::default();
+        for (field, array) in self.batch.schema().fields().iter().zip(self.batch.columns()) {
+            let values = match array.as_any().downcast_ref::<Float64Array>() {
+                Some(numbers) => Values::Number(numbers.values().to_vec()),
+                None => Values::Text(texts(array).map(|text| text.to_owned().into()).collect()),
+            };
+            let unit = field.metadata().get(UNIT).map_or("", String::as_str);
+            table.push(field.name(), unit, values).map_err(|error| raised(error.into()))?;
+        }
+        Ok(table)
+    }
+}
+
+/// The texts of a column; none if it has numbers.
+fn texts(array: &ArrayRef) -> impl Iterator<Item = &str> {
+    array.as_any().downcast_ref::<StringArray>().into_iter().flatten().map(Option::unwrap_or_default)
 }
 
 #[pymethods]
@@ -68,16 +90,21 @@ impl Table {
     }
 
     /// A column: a NumPy array of numbers, or a list of texts.
-    pub fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let array = self.batch.column_by_name(name).ok_or_else(|| {
-            PyKeyError::new_err(format!("there is no column `{name}`; the columns are {}", self.columns().join(", ")))
+    pub fn __getitem__<'py>(table: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let this = table.get();
+        let array = this.batch.column_by_name(name).ok_or_else(|| {
+            PyKeyError::new_err(format!("there is no column `{name}`; the columns are {}", this.columns().join(", ")))
         })?;
         match array.as_any().downcast_ref::<Float64Array>() {
-            Some(numbers) => Ok(PyArray1::from_slice(py, numbers.values()).into_any()),
-            None => {
-                let texts = array.as_any().downcast_ref::<StringArray>().into_iter().flatten();
-                texts.map(Option::unwrap_or_default).collect::<Vec<_>>().into_pyobject(py)
+            Some(numbers) => {
+                let view = ArrayView1::from(numbers.values().as_ref());
+                // SAFETY: the array keeps the table alive, whose numbers are neither moved nor changed: it is frozen, and the array
+                // refuses to be written to.
+                let shared = unsafe { PyArray1::borrow_from_array(&view, table.clone().into_any()) };
+                shared.readwrite().make_nonwriteable();
+                Ok(shared.into_any())
             }
+            None => texts(array).collect::<Vec<_>>().into_pyobject(table.py()),
         }
     }
 

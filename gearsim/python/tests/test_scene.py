@@ -126,3 +126,21 @@ def test_a_notebook_shows_results():
     assert "<th>theta1 [rad]</th>" in results.table._repr_html_() or "[rad]" in results.table._repr_html_()
     assert "T_motor" in results.scene._repr_html_()
     assert results.plot("energy").png().startswith(b"\x89PNG")
+
+
+def test_advice_says_which_effects_matter():
+    scene = gearsim.load(SCENES / "oh2005" / "energy_300rpm.toml").replace({"run.t_end": "5 ms"})
+    advice = scene.advise()
+    damping = next(one for one in advice["candidates"] if one["without"] == "damping")
+    assert advice["format"] == "gearsim.advise" and damping["truth"]["rms"] > 0
+
+
+def test_columns_are_not_copied_and_not_written_to():
+    table = gearsim.load(SCENES / "oh2005" / "energy_300rpm.toml").replace({"run.t_end": "5 ms"}).run().table
+    first, second = table["t"], table["t"]
+    assert first.__array_interface__["data"] == second.__array_interface__["data"]
+    with pytest.raises(ValueError):
+        first[0] = 1.0
+    end = first[-1]
+    del table, second
+    assert first[-1] == end == pytest.approx(5e-3)

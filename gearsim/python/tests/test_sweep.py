@@ -140,3 +140,25 @@ def test_dask_gives_the_same_bytes_though_a_worker_is_killed(scene, tmp_path, by
             )
     assert killed
     assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
+
+
+def test_statistics_and_sensitivity_name_the_axis_that_matters(scene):
+    axes = ["run.t_end=normal:4 ms:0.2 ms", "parameters.zeta=uniform:0.05:0.1"]
+    indices = gearsim.sensitivity(scene, *axes, samples=64, record=["events"])
+    of = {
+        key: (first, total)
+        for quantity, key, first, total in zip(*(indices[c] for c in ("quantity", "key", "first_order", "total")))
+        if quantity == "t_end"
+    }
+    assert of["parameters.zeta"] == (0.0, 0.0)
+    assert of["run.t_end"] == pytest.approx((1.0, 1.0), abs=0.1)
+    job = scene.job(axes[:1], record=["events"], samples=100, design="latin-hypercube")
+    table = gearsim.sweep(scene, axes[0], record=["events"], samples=100, design="latin-hypercube")
+    spread = job.statistics(table)
+    row = spread["quantity"].index("t_end")
+    # One point in each hundredth of the distribution.
+    assert spread["mean"][row] == pytest.approx(4e-3, rel=1e-3) and spread["deviation"][row] == pytest.approx(0.2e-3, rel=0.05)
+    with pytest.raises(gearsim.GearsimError, match="design"):
+        job.sensitivity(table)
+    with pytest.raises(ValueError, match="latin-hypercube"):
+        scene.job(axes, samples=4, design="latin")

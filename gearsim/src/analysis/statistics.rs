@@ -49,7 +49,7 @@ impl Statistics {
 
 /// The value that a `share` of the samples do not exceed, interpolated between the two samples about it (type 7 of Hyndman & Fan,
 /// The American Statistician 50 (1996), 361-365).
-fn percentile(samples: &mut [f64], share: f64) -> f64 {
+pub(crate) fn percentile(samples: &mut [f64], share: f64) -> f64 {
     let place = share * (samples.len() - 1) as f64;
     let (below, rest) = (place.floor() as usize, place.fract());
     let (_, low, above) = samples.select_nth_unstable_by(below, f64::total_cmp);

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::{Verb, known, report, terminal};
 use crate::analysis::advise;
 use crate::scene::Scene;
@@ -31,6 +32,8 @@ pub(super) struct Advise {
     /// Sets a value of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 impl Verb for Advise {
@@ -41,7 +44,8 @@ impl Verb for Advise {
         let advice = scene.advise()?;
         let width = terminal::width();
         let dropped = scene.effects != advise::base(&scene).effects;
-        terminal::print_out(&format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width)));
+        let text = || format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width));
+        self.printing.print(|| advice.json(&scene), text)?;
         match (advice.stopped, advice.refuted) {
             (Some(stop), _) => Err(Failure::StoppedAdvice { scene: scene.name, stop }),
             // The deviations are those from a wrong result.

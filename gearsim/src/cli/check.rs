@@ -3,10 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
+use serde::Serialize;
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::{Verb, report, terminal};
 use crate::known;
+use crate::output::document;
+use crate::output::summary::Named;
 use crate::scene::Scene;
 
 /// Check scenes without running them: mistakes, start, method
@@ -28,9 +32,27 @@ pub(super) struct Check {
     /// Sets a value of every scene, e.g. --set run.t_end="1 s"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    printing: Printing,
+}
+
+/// Version of the format of --json.
+const VERSION: u32 = 1;
+
+/// What --json prints of a scene.
+#[derive(Serialize)]
+struct Report<'a> {
+    scene: &'a str,
+    model: &'a str,
+    effects: Vec<&'static str>,
+    method: &'a str,
+    /// Why it is this method.
+    why: &'a str,
+    /// Coordinates at the start [SI].
+    start: Named,
+    /// Their speeds [SI].
+    start_speeds: Named,
+    warnings: &'a [String],
 }
 
 impl Verb for Check {
@@ -41,15 +63,11 @@ impl Verb for Check {
         }
         let mut failure: Option<Failure> = None;
         for path in &self.scenes {
-            match self.check(path) {
-                Ok(text) if self.quiet => drop(text),
-                Ok(text) => terminal::print_out(&text),
-                // All scenes are checked. The program reports the last failure; all have the same exit code.
-                Err(next) => {
-                    if let Some(before) = failure.replace(next) {
-                        before.report();
-                    }
-                }
+            // All scenes are checked. The program reports the last failure; all have the same exit code.
+            if let Err(next) = self.check(path)
+                && let Some(before) = failure.replace(next)
+            {
+                before.report();
             }
         }
         failure.map_or(Ok(()), Err)
@@ -57,19 +75,33 @@ impl Verb for Check {
 }
 
 impl Check {
-    fn check(&self, path: &Path) -> Result<String, Failure> {
+    fn check(&self, path: &Path) -> Result<(), Failure> {
         let models = known::descriptions();
         let scene = Scene::load_with(path, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
         scene.warnings.iter().for_each(|warning| terminal::warn(warning));
         let prospect = scene.check()?;
-        let width = terminal::width();
-        let method = format!("{}: {}", prospect.method, prospect.why);
-        let start = scene.model.coordinates.iter().zip(&prospect.q);
-        let start: Vec<_> =
-            start.map(|(c, q)| format!("{} = {} {}", c.name, super::number::short(*q), c.unit)).collect();
-        Ok(report::scene(&scene, width)
-            + &report::line("method", &method, width)
-            + &report::line("starts at", &start.join(", "), width)
-            + "\n")
+        let names: Vec<&str> = scene.model.coordinates.iter().map(|c| c.name).collect();
+        let named = |values: &[f64]| names.iter().copied().zip(values.iter().copied()).collect();
+        let report = Report {
+            scene: &scene.name,
+            model: scene.model.name,
+            effects: scene.effects.names(scene.model),
+            method: prospect.method,
+            why: &prospect.why,
+            start: named(&prospect.q),
+            start_speeds: named(&prospect.q_dot),
+            warnings: &scene.warnings,
+        };
+        let text = || {
+            let width = terminal::width();
+            let start = scene.model.coordinates.iter().zip(&prospect.q);
+            let start: Vec<_> =
+                start.map(|(c, q)| format!("{} = {} {}", c.name, super::number::short(*q), c.unit)).collect();
+            report::scene(&scene, width)
+                + &report::line("method", &format!("{}: {}", prospect.method, prospect.why), width)
+                + &report::line("starts at", &start.join(", "), width)
+                + "\n"
+        };
+        self.printing.print(|| document::json("check", VERSION, &report), text)
     }
 }

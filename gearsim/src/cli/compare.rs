@@ -7,10 +7,11 @@ use clap::Parser;
 use serde::Serialize;
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::simulate::{Source, simulate};
 use super::{Verb, files, report, terminal};
 use crate::library::Results;
-use crate::output::{OutputError, OutputFolder, Summary};
+use crate::output::{OutputFolder, Summary, document};
 use crate::plot;
 use crate::scene::Scene;
 use equations::EquationSet;
@@ -35,6 +36,8 @@ Examples:
 pub(super) struct Compare {
     #[command(flatten)]
     source: Source,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 /// The run of a scene under one set of equations.
@@ -42,6 +45,9 @@ pub(super) struct ComparedRun {
     pub(super) set: &'static EquationSet,
     pub(super) results: Results,
 }
+
+/// Version of the format of `compare.json`.
+const VERSION: u32 = 1;
 
 /// The content of `compare.json`.
 #[derive(Serialize)]
@@ -69,25 +75,24 @@ impl Verb for Compare {
         let path = self.source.folder(&scene, "_compare")?;
         let mut members = vec![];
         for (set, scene) in scenes {
-            members.push(ComparedRun { set, results: simulate(&scene, false)? });
+            members.push(ComparedRun { set, results: simulate(&scene, self.printing.quiet)? });
         }
         let mut folder = OutputFolder::create(path)?;
-        let summaries = write(&mut folder, &scene, &members)?;
+        let (summaries, json) = write(&mut folder, &scene, &members)?;
         let width = terminal::width();
-        let written = report::files(folder.path(), folder.files(), width);
-        terminal::print_out(&format!(
-            "{}\n{}\n{written}",
-            report::scene(&scene, width),
-            table::render(&members, &summaries)
-        ));
+        let text = || {
+            let written = report::files(folder.path(), folder.files(), width);
+            format!("{}\n{}\n{written}", report::scene(&scene, width), table::render(&members, &summaries))
+        };
+        self.printing.print(|| Ok::<_, Failure>(json), text)?;
         let verdict =
             |m: &ComparedRun| Failure::of(&format!("the {} run", m.set.label), &m.results.outcome, folder.path());
         members.iter().try_for_each(verdict)
     }
 }
 
-/// Writes the files, and returns the summaries of the runs.
-fn write(folder: &mut OutputFolder, scene: &Scene, members: &[ComparedRun]) -> Result<Vec<Summary>, Failure> {
+/// Writes the files, and returns the summaries of the runs and the content of `compare.json`.
+fn write(folder: &mut OutputFolder, scene: &Scene, members: &[ComparedRun]) -> Result<(Vec<Summary>, String), Failure> {
     let mut summaries = vec![];
     for ComparedRun { set, results: Results { scene, outcome } } in members {
         let before = folder.files().len();
@@ -106,10 +111,10 @@ fn write(folder: &mut OutputFolder, scene: &Scene, members: &[ComparedRun]) -> R
         runs: entries.map(|(m, s)| Entry { equations: m.set.label, summary: s.clone() }).collect(),
         plots: folder.files()[before..].to_vec(),
     };
-    let json = serde_json::to_string_pretty(&comparison).map_err(|e| OutputError::format("JSON", e))?;
-    folder.write_bytes("compare.json", (json + "\n").as_bytes())?;
+    let json = document::json("compare", VERSION, &comparison)?;
+    folder.write_bytes("compare.json", json.as_bytes())?;
     folder.commit("compare.json")?;
-    Ok(summaries)
+    Ok((summaries, json))
 }
 
 impl ComparedRun {

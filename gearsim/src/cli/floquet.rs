@@ -1,22 +1,24 @@
 //! `gearsim floquet`: stability of steady rotation by Floquet multipliers.
 
-mod vary;
-
 use clap::Parser;
 use serde::Serialize;
 
 use super::failure::Failure;
 use super::number::short;
+use super::printing::Printing;
 use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::floquet::{Chart, Floquet, Spot, Varied, Verdict};
 use crate::known;
 use crate::library::Error;
 use crate::output::summary::Provenance;
-use crate::output::{OutputError, OutputFolder, Table, csv, table::Values};
+use crate::output::{OutputError, OutputFolder, Table, csv, document, table::Values};
 use crate::plot;
 use crate::scene::{Scene, Template};
-use vary::Vary;
+use crate::sweep::axis::{self, Axis};
+
+/// Most values along an axis of a chart: a plot does not show more.
+const MOST: usize = 5000;
 
 /// Stability of steady rotation: Floquet multipliers, and charts of them
 #[derive(Parser)]
@@ -28,26 +30,28 @@ periodic in time, k(Omega0 t). The monodromy matrix is the product of the exact 
 cells of a period. Its eigenvalues, the Floquet multipliers, say by which factor a small disturbance
 grows per period. Rigid motions always have the multiplier 1 and are left out.
 
---vary varies a quantity of the scene over a range. Given twice, the first quantity is the x axis
+--vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first quantity is the x axis
 and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv
 and its plot.
 
 Examples:
   gearsim floquet models/scenes/oh2005/energy_300rpm.toml
-  gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000..14000 rpm\"
-  gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000..14000 rpm\" \\
-      --vary parameters.zeta=0..0.15 --points 400,60"
+  gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000 rpm:14000 rpm:400\"
+  gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000 rpm:14000 rpm:400\" \\
+      --vary parameters.zeta=0:0.15:60"
 )]
 pub(super) struct FloquetCommand {
     #[command(flatten)]
     source: Source,
-    /// Varies a quantity of the scene over a range; may be given twice
-    #[arg(long, value_name = "KEY=LOW..HIGH UNIT")]
-    vary: Vec<Vary>,
-    /// Number of points along each range
-    #[arg(long, value_name = "X,Y", value_delimiter = ',', default_values_t = [400, 60])]
-    points: Vec<usize>,
+    /// A key of the scene and its rising values, e.g. --vary start.speed="300 rpm:9000 rpm:400"; may be given twice
+    #[arg(long, value_name = "KEY=VALUES")]
+    vary: Vec<String>,
+    #[command(flatten)]
+    printing: Printing,
 }
+
+/// Version of the format of `floquet.json`.
+const VERSION: u32 = 1;
 
 /// The content of `floquet.json`: the results for the scene itself, without --vary.
 #[derive(Serialize)]
@@ -101,56 +105,68 @@ impl Verb for FloquetCommand {
             files: folder.files().to_vec(),
             provenance: provenance::of(&scene, "product of exact cell propagators".into()),
         };
-        let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
-        folder.write_bytes("floquet.json", (json + "\n").as_bytes())?;
+        let json = document::json("floquet", VERSION, &report)?;
+        folder.write_bytes("floquet.json", json.as_bytes())?;
         folder.commit("floquet.json")?;
         let width = terminal::width();
-        let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
-        let written = report::files(folder.path(), folder.files(), width);
-        let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
-        terminal::print_out(&format!("{head}{}\n{written}", terminal::wrap(&text, width)));
-        Ok(())
+        let text = || {
+            let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
+            let written = report::files(folder.path(), folder.files(), width);
+            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+            format!("{head}{}\n{written}", terminal::wrap(&text, width))
+        };
+        self.printing.print(|| Ok::<_, Failure>(json), text)
     }
 }
 
 impl FloquetCommand {
-    /// The stability chart over the ranges of --vary; `None` without --vary.
+    /// The stability chart over the axes of --vary; `None` without --vary.
     fn chart(&self, scene: &Scene) -> Result<Option<Chart>, Failure> {
-        let wrong = |what: &str, help: &str| Failure::Impossible { what: what.into(), help: help.into() };
-        if self.vary.len() > 2 {
-            return Err(wrong("--vary is given more than twice", "a chart has two axes"));
+        let template = Template::again(scene, &scene.overrides).map_err(Error::from)?;
+        let axes = crate::sweep::axes(&template, scene.model, &self.vary).map_err(Error::from)?;
+        if axes.len() > 2 {
+            let (what, help) = ("--vary is given more than twice".into(), "a chart has two axes".into());
+            return Err(Failure::Impossible { what, help });
         }
-        if self.points.len() > 2 || self.points.iter().any(|n| !(2..=5000).contains(n)) {
-            return Err(wrong("--points must be one or two numbers from 2 to 5000", "for example --points 400,60"));
-        }
-        let Some(along) = self.vary.first() else { return Ok(None) };
-        let points = |i: usize| self.points.get(i).copied().unwrap_or(60);
-        let (x, y) = (along.values(points(0)), self.vary.get(1).map(|v| (v, v.values(points(1)))));
-        let (template, models) = (Template::again(scene, &scene.overrides), known::descriptions());
-        let template = template.map_err(Error::from)?;
+        let values = axes.iter().map(rising).collect::<Result<Vec<_>, _>>()?;
+        let Some((along, x)) = axes.first().zip(values.first()) else { return Ok(None) };
+        let up = axes.get(1).zip(values.get(1));
+        let models = known::descriptions();
         let spot = |values: &[String]| -> Result<Option<Spot>, Failure> {
             let varied = template.scene(values, &models).map_err(Error::from)?;
             // A point that has no multipliers, e.g. because nothing turns, is left blank in the chart.
             Ok(varied.floquet().ok().map(|f| Spot::from(&f)))
         };
+        let set = |axis: &Axis, i: usize| format!("{}={}", axis.key, axis.value(i));
         let row = |fixed: Option<String>| -> Result<Vec<Option<Spot>>, Failure> {
-            x.iter().map(|x| spot(&[along.set(*x)].into_iter().chain(fixed.clone()).collect::<Vec<_>>())).collect()
+            let at = |i| spot(&[set(along, i)].into_iter().chain(fixed.clone()).collect::<Vec<_>>());
+            (0..x.len()).map(at).collect()
         };
-        let rows = match &y {
+        let rows = match up {
             None => vec![row(None)?],
-            Some((vary, values)) => values.iter().map(|y| row(Some(vary.set(*y)))).collect::<Result<_, _>>()?,
+            Some((axis, y)) => (0..y.len()).map(|i| row(Some(set(axis, i)))).collect::<Result<_, _>>()?,
         };
-        let varied = |vary: &Vary, values: &[f64]| Varied {
-            name: vary.key.clone(),
-            unit: vary.unit.clone(),
-            values: values.to_vec(),
+        let varied = |(axis, values): (&Axis, &Vec<f64>)| Varied {
+            name: axis.key.clone(),
+            unit: axis.unit.clone(),
+            values: values.clone(),
         };
-        Ok(Some(Chart {
-            scene: scene.name.clone(),
-            x: varied(along, &x),
-            y: y.as_ref().map(|(vary, values)| varied(vary, values)),
-            rows,
-        }))
+        Ok(Some(Chart { scene: scene.name.clone(), x: varied((along, x)), y: up.map(varied), rows }))
+    }
+}
+
+/// The values of an axis of a chart, in its unit.
+fn rising(axis: &Axis) -> Result<Vec<f64>, Failure> {
+    let count = axis.count().unwrap_or(0);
+    // A range has one unit; the values of a list may have several, so that a list is read in SI.
+    let number = if axis.unit.is_empty() { axis::si } else { axis::number };
+    let values: Vec<f64> = (0..count).map(|i| number(&axis.value(i))).collect();
+    match (2..=MOST).contains(&count) && values.windows(2).all(|pair| pair[0] < pair[1]) {
+        true => Ok(values),
+        false => Err(Failure::Impossible {
+            what: format!("a chart needs 2 to {MOST} rising numbers of `{}`", axis.key),
+            help: "for example --vary start.speed=\"300 rpm:9000 rpm:400\"".into(),
+        }),
     }
 }
 

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::failure::Failure;
-use super::sweep::{PlotOptions, summary_text};
-use super::{Verb, known, terminal};
+use super::printing::Printing;
+use super::sweep::Evaluation;
+use super::{Verb, known};
 use crate::output::OutputFolder;
-use crate::sweep::folder;
-use crate::sweep::{manifest, merge};
+use crate::sweep::merge;
 
 /// Join the shards of a sweep that ran on several machines
 #[derive(Parser)]
@@ -30,10 +30,9 @@ pub(super) struct Merge {
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     #[command(flatten)]
-    plots: PlotOptions,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    evaluation: Evaluation,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 impl Verb for Merge {
@@ -41,13 +40,9 @@ impl Verb for Merge {
         merge::refuse_input(&self.folders, &self.out)?;
         OutputFolder::probe(&self.out)?;
         let (manifest, layout, rows) = merge::gather(&self.folders, known::models())?;
-        self.plots.check(&layout)?;
+        self.evaluation.check(&layout)?;
         merge::write(&self.out, &manifest, &layout, &rows)?;
-        let mut files = vec![folder::ROWS.to_owned(), manifest::FILE.to_owned()];
-        files.extend(self.plots.draw(&self.out, &manifest, &layout, &rows)?);
-        if !self.quiet {
-            terminal::print_out(&summary_text(&self.out, &files, &manifest, &rows, None));
-        }
+        self.evaluation.finish(&self.out, &manifest, &layout, &rows, None, &self.printing)?;
         Failure::of_points(&rows, &self.out)
     }
 }

@@ -13,6 +13,7 @@ mod models;
 mod modes;
 mod new;
 mod page;
+mod printing;
 mod progress;
 mod report;
 mod response;

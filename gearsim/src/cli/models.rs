@@ -1,6 +1,7 @@
 //! `gearsim models`: lists and describes the models.
 
 pub(super) mod detail;
+mod json;
 
 use clap::Parser;
 
@@ -25,13 +26,20 @@ pub(super) struct Models {
     /// The model to describe, or a scene whose model is described
     name: Option<String>,
     /// Print only its equations, in LaTeX
-    #[arg(long, requires = "name")]
+    #[arg(long, requires = "name", conflicts_with = "json")]
     latex: bool,
+    /// Print names, units, defaults and allowed values as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Verb for Models {
     fn run(self) -> Result<(), Failure> {
         match &self.name {
+            None if self.json => {
+                let models: Vec<&Model> = known::models().iter().map(|entry| entry.model).collect();
+                terminal::print_out(&json::json(&models)?);
+            }
             None => terminal::print_out(&all()),
             Some(name) => {
                 let model = if name.ends_with(".toml") { of_scene(name)? } else { find(name)? };
@@ -41,10 +49,10 @@ impl Verb for Models {
                     let help = "leave out --latex, or name an element: gearsim_models::ELEMENTS are in gearsim/src/generated/latex".into();
                     return Err(Failure::Impossible { what, help });
                 }
-                terminal::print_out(&if self.latex {
-                    format!("{}\n", model.latex.trim_end())
-                } else {
-                    detail::of(model, terminal::width())
+                terminal::print_out(&match (self.latex, self.json) {
+                    (true, _) => format!("{}\n", model.latex.trim_end()),
+                    (_, true) => json::json(&[model])?,
+                    _ => detail::of(model, terminal::width()),
                 });
             }
         }

@@ -6,13 +6,14 @@ use clap::Parser;
 use serde::Serialize;
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::output::summary::Provenance;
-use crate::output::{OutputError, OutputFolder};
+use crate::output::{OutputFolder, document};
 use crate::plot;
 use crate::scene::Scene;
 
@@ -39,7 +40,12 @@ pub(super) struct Modes {
     /// The level of each law, counted from 0, e.g. 1 or 0,1 [default: the mid stiffnesses]
     #[arg(long, value_name = "LEVEL,...", value_delimiter = ',')]
     cell: Option<Vec<usize>>,
+    #[command(flatten)]
+    printing: Printing,
 }
+
+/// Version of the format of `modes.json`.
+const VERSION: u32 = 1;
 
 /// The content of `modes.json`.
 #[derive(Serialize)]
@@ -127,11 +133,13 @@ impl Verb for Modes {
         folder.write_bytes("modes.json", json.as_bytes())?;
         folder.commit("modes.json")?;
         let width = terminal::width();
-        let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
-        let written = report::files(folder.path(), folder.files(), width);
-        let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
-        terminal::print_out(&format!("{head}{text}\n{written}"));
-        Ok(())
+        let text = || {
+            let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
+            let written = report::files(folder.path(), folder.files(), width);
+            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+            format!("{head}{text}\n{written}")
+        };
+        self.printing.print(|| Ok::<_, Failure>(json), text)
     }
 }
 
@@ -186,8 +194,7 @@ impl Modes {
             files,
             provenance: provenance::of(scene, "modes of linear cells".into()),
         };
-        let json = serde_json::to_string_pretty(&report).map_err(|e| OutputError::format("JSON", e))?;
-        Ok(json + "\n")
+        Ok(document::json("modes", VERSION, &report)?)
     }
 }
 

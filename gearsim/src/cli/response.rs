@@ -3,11 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
+use serde::Serialize;
+use serde_json::{Map, Value};
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::progress::PointsBar;
 use super::{Verb, files, known, number, report, terminal};
-use crate::output::{OutputFolder, csv, parquet};
+use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
 use crate::sweep::response::{MEASURES, Response};
 use crate::sweep::{Request, Status, Sweep};
@@ -54,9 +57,24 @@ pub(super) struct ResponseCommand {
     /// Sets a value of the scene at all points; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    printing: Printing,
+}
+
+/// Version of the format of --json.
+const VERSION: u32 = 1;
+
+/// What --json prints.
+#[derive(Serialize)]
+struct Report<'a> {
+    scene: &'a str,
+    /// The varied key, and its SI unit.
+    key: &'a str,
+    unit: &'a str,
+    /// The rows of `response.csv`.
+    points: Vec<Map<String, Value>>,
+    /// Names of the files in the folder.
+    files: &'a [String],
 }
 
 impl Verb for ResponseCommand {
@@ -70,12 +88,12 @@ impl Verb for ResponseCommand {
             overrides.push(format!("output.record={:?}", self.output));
         }
         let vary = vec![self.over.clone()];
-        let request = Request { vary, overrides, samples: None, seed: 0, from: settle, record: vec![], spectra: false };
+        let request = Request { vary, overrides, from: settle, ..Request::default() };
         let sweep = Sweep::load(&self.scene, known::models(), &request)?;
         let path = self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_response", sweep.scene())));
         OutputFolder::probe(&path)?;
 
-        let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.quiet);
+        let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.printing.quiet);
         let response = sweep.response(!self.up, &mut |done| bar.at(done))?;
         drop(bar);
         let mut folder = OutputFolder::create(path)?;
@@ -87,11 +105,19 @@ impl Verb for ResponseCommand {
         files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
         folder.write("response.csv", |sink| csv::write(&table, sink))?;
         folder.commit("response.csv")?;
-        if !self.quiet {
-            let width = terminal::width();
-            let text = summary(&response, width) + "\n" + &report::files(folder.path(), folder.files(), width);
-            terminal::print_out(&text);
-        }
+        let width = terminal::width();
+        let text = || summary(&response, width) + "\n" + &report::files(folder.path(), folder.files(), width);
+        let json = || {
+            let report = Report {
+                scene: sweep.scene(),
+                key: &response.key,
+                unit: &response.unit,
+                points: document::records(&table),
+                files: folder.files(),
+            };
+            document::json("response", VERSION, &report)
+        };
+        self.printing.print(json, text)?;
         failure(&response, folder.path())
     }
 }

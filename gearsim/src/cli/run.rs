@@ -3,6 +3,7 @@
 use clap::Parser;
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::simulate::{Source, simulate};
 use super::{Verb, evaluate, page, report, terminal};
 use crate::library::{self, Results};
@@ -40,9 +41,8 @@ pub(super) struct Run {
     /// Also write page.html, an interactive page that needs no other file and no network
     #[arg(long)]
     html: bool,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 impl Verb for Run {
@@ -51,12 +51,9 @@ impl Verb for Run {
         let page = page::asked(self.html)?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
-        let results = simulate(&scene, self.quiet)?;
+        let results = simulate(&scene, self.printing.quiet)?;
         let mut folder = OutputFolder::create(path)?;
-        let text = self.write(&mut folder, &results, page)?;
-        if !self.quiet {
-            terminal::print_out(&text);
-        }
+        self.write(&mut folder, &results, page)?;
         Failure::of(&format!("scene {}", scene.name), &results.outcome, folder.path())
     }
 }
@@ -69,13 +66,8 @@ impl Run {
         given.then(|| format!("output.sound={{ of = [{}], stretch = {:?} }}", names.join(", "), self.stretch))
     }
 
-    /// Writes the files, and returns the text for the terminal.
-    fn write(
-        &self,
-        folder: &mut OutputFolder,
-        results: &Results,
-        page: Option<page::Asked>,
-    ) -> Result<String, Failure> {
+    /// Writes the files, and prints the results.
+    fn write(&self, folder: &mut OutputFolder, results: &Results, page: Option<page::Asked>) -> Result<(), Failure> {
         let scene = &results.scene;
         let evaluated = results.write_to(folder, self.csv || scene.output.csv, terminal::warn)?;
         let mut summary = results.summed(folder, &evaluated);
@@ -85,11 +77,14 @@ impl Run {
         }
         library::finish(folder, &summary)?;
         let width = terminal::width();
-        Ok(report::scene(scene, width)
-            + "\n"
-            + &report::run(scene, &summary, results.trajectory().len(), width)
-            + &evaluate::text(&evaluated, scene, &summary, width)
-            + "\n"
-            + &report::files(folder.path(), folder.files(), width))
+        let text = || {
+            report::scene(scene, width)
+                + "\n"
+                + &report::run(scene, &summary, results.trajectory().len(), width)
+                + &evaluate::text(&evaluated, scene, &summary, width)
+                + "\n"
+                + &report::files(folder.path(), folder.files(), width)
+        };
+        self.printing.print(|| summary.json(), text)
     }
 }

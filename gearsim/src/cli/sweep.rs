@@ -1,5 +1,7 @@
 //! `gearsim sweep`: one scene at many points, on all cores.
 
+mod evaluation;
+mod json;
 mod plots;
 mod report;
 
@@ -11,15 +13,16 @@ use std::time::Instant;
 use clap::Parser;
 
 use super::failure::Failure;
+use super::printing::Printing;
 use super::progress::PointsBar;
-use super::{Verb, known, provenance, terminal};
+use super::{Verb, known, provenance};
 use crate::output::OutputFolder;
-use crate::sweep::folder::{self, Folder};
+use crate::sweep::folder::Folder;
 use crate::sweep::record::GROUPS;
-use crate::sweep::{Manifest, Request, Shard, Sweep};
+use crate::sweep::{Design, Manifest, Request, Shard, Sweep};
 use crate::tolerance::scene::THREADS;
-pub(super) use plots::PlotOptions;
-pub(super) use report::{Progress, summary_text};
+pub(super) use evaluation::Evaluation;
+pub(super) use report::Progress;
 
 /// Run a scene at many points, and write a table with one row per point
 #[derive(Parser)]
@@ -36,9 +39,12 @@ pub(super) struct SweepCommand {
     /// Sets a value of the scene at all points; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Number of random points for every point of the grid of the other axes
+    /// Number N of samples for every point of the grid of the other axes
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
+    /// How the samples are chosen: random, latin-hypercube, sobol, saltelli
+    #[arg(long, value_name = "DESIGN", default_value = Design::Random.name(), hide_default_value = false)]
+    design: Design,
     /// Seed of random axes
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -49,7 +55,7 @@ pub(super) struct SweepCommand {
     #[arg(long, value_name = "TIME", default_value = "0 s")]
     from: String,
     #[command(flatten)]
-    plots: PlotOptions,
+    evaluation: Evaluation,
     /// Runs only shard I of N of the points; `gearsim merge` joins the shards. auto: that of
     /// this task in a job array of Slurm; auto/N: in one of Kubernetes
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
@@ -57,9 +63,8 @@ pub(super) struct SweepCommand {
     /// Number of threads, at most 1024 [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=THREADS))]
     threads: Option<u16>,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 /// The help text below the options. The description of each group comes from the group.
@@ -71,11 +76,21 @@ Values of an axis:
   KEY=A:B:N              N values from A to B in equal steps, both included
   KEY=log:A:B:N          N values from A to B in equal ratios, both included
   KEY=V1,V2,V3           a list of values
-  KEY=uniform:A:B        random values, as many as --samples says; also log-uniform:A:B
-Numbers without a unit are in the SI unit of the key. The last of several axes varies fastest.
+  KEY=uniform:A:B        random values between A and B; also log-uniform:A:B
+  KEY=normal:M:S         normally distributed: mean M, standard deviation S
+  KEY=normal:M:S:A:B     the same, but only between A and B
+Numbers have units, as in a scene. The last of several axes varies fastest.
 
-Writes sweep.parquet with one row per point in this order, sweep.json and plots. A point that cannot
-be simulated has a row with the reason. The same command continues an interrupted sweep. The bytes
+Designs of --samples N with random axes:
+  random                 N independent points
+  latin-hypercube        on each axis one point in each of N equal intervals
+  sobol                  N points of a Sobol' sequence; best if N is a power of two
+  saltelli               N (d + 2) points for d random axes: sensitivity.csv then says which share
+                         of the variance of each quantity each axis causes
+
+Writes sweep.parquet with one row per point in this order, sweep.json and plots. With random axes
+also statistics.csv, and limits.csv with --limit. A point that cannot be simulated has a row with the
+reason. The same command continues an interrupted sweep. The bytes
 of the result depend neither on the number of threads nor on interruptions and shards.
 
 Groups that can be recorded:
@@ -83,11 +98,13 @@ Groups that can be recorded:
 without them is faster. Each thread then has the rows of one run in memory, by default at most 1 GB.
 
 Examples:
-  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=1:100:50
+  gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=\"1 N*m:100 N*m:50\"
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --map first_reflection \\
       --vary parameters.T0=\"log:1 N*m:500 N*m:50\" --vary start.speed=\"100 rpm:6000 rpm:60\"
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --samples 1000 \\
-      --vary start.speed=\"uniform:100 rpm:900 rpm\"
+      --vary start.speed=\"uniform:100 rpm:900 rpm\" --limit \"first_reflection >= 50 ms\"
+  gearsim sweep models/scenes/sun_tolerances.toml --samples 256 --design saltelli --record outputs \\
+      --vary parameters.beta_K=\"normal:3 us:0.3 us\"
   on the second of eight machines, and at the end on one machine that has all folders:
   gearsim sweep SCENE --vary KEY=A:B:N --shard 2/8 --out shard2
   gearsim merge shard1 shard2 shard3 shard4 shard5 shard6 shard7 shard8 --out whole"
@@ -104,15 +121,16 @@ impl Verb for SweepCommand {
             vary: self.vary.clone(),
             overrides: self.overrides.clone(),
             samples: self.samples,
+            design: self.design,
             seed: self.seed,
             from,
             record: self.record.clone(),
-            spectra: self.plots.waterfall,
+            spectra: self.evaluation.plots.waterfall,
         };
         let sweep = Sweep::load(&self.scene, known::models(), &request)?;
         let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);
         let layout = manifest.layout(known::models())?;
-        self.plots.check(&layout)?;
+        self.evaluation.check(&layout)?;
         let default = || Path::new("out").join(format!("{}_sweep", sweep.scene()));
         let path = self.out.clone().unwrap_or_else(default);
         OutputFolder::probe(&path)?;
@@ -126,7 +144,7 @@ impl Verb for SweepCommand {
         drop(there);
         let threads = self.threads.and_then(|n| NonZeroUsize::new(n.into()));
         let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
-        let mut bar = PointsBar::new(todo.len(), self.quiet);
+        let mut bar = PointsBar::new(todo.len(), self.printing.quiet);
         let watch = |count| {
             bar.at(count);
             ControlFlow::Continue(())
@@ -135,15 +153,9 @@ impl Verb for SweepCommand {
         drop(bar);
         let rows = folder.finish()?;
 
-        let mut files = vec![folder::ROWS.to_owned(), crate::sweep::manifest::FILE.to_owned()];
-        if rows.len() == sweep.points {
-            files.extend(self.plots.draw(&path, &manifest, &layout, &rows)?);
-        }
-        if !self.quiet {
-            let done =
-                Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads: threads.get() };
-            terminal::print_out(&summary_text(&path, &files, &manifest, &rows, Some(done)));
-        }
+        let threads = threads.get();
+        let done = Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads };
+        self.evaluation.finish(&path, &manifest, &layout, &rows, Some(done), &self.printing)?;
         Failure::of_points(&rows, &path)
     }
 }

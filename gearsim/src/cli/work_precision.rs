@@ -1,11 +1,14 @@
 //! `gearsim work-precision`: error against processor time on a scene, for every method that a user might choose.
 
+mod json;
+
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
 use super::compare::equations;
 use super::failure::Failure;
+use super::printing::Printing;
 use super::simulate::simulate;
 use super::{Verb, known, report, terminal};
 use crate::analysis::work_precision::{self, Scenes, table};
@@ -45,6 +48,8 @@ pub(super) struct WorkPrecision {
     /// Number of runs per point; the fastest and the median are kept
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 impl Verb for WorkPrecision {
@@ -82,7 +87,11 @@ impl WorkPrecision {
             Err(_) => Err(Refusal::Effects { which: scene.effects.contradictions(scene.model) }),
         };
         let scenes = Scenes { exact: scene.clone(), cheaper };
-        let mut say = |what: &str| terminal::print_err(&format!("{}: {what}", scene.name));
+        let mut say = |what: &str| {
+            if !self.printing.quiet {
+                terminal::print_err(&format!("{}: {what}", scene.name));
+            }
+        };
         let impossible = |why: String| Failure::Impossible {
             what: format!("no reference for scene {}: {why}", scene.name),
             help: "choose a scene that runs to its end, e.g. a shorter one: --set run.t_end=\"0.1 s\"".into(),
@@ -97,12 +106,11 @@ impl WorkPrecision {
         folder.write_bytes("work_precision.csv", table::csv(&measured).as_bytes())?;
         folder.commit("work_precision.csv")?;
         let width = terminal::width();
-        let files = report::files(folder.path(), folder.files(), width);
-        terminal::print_out(&format!(
-            "{}\n\n{}\n{files}",
-            terminal::wrap(&table::words(&measured), width),
-            table::prices(&measured)
-        ));
-        Ok(())
+        let text = || {
+            let files = report::files(folder.path(), folder.files(), width);
+            let words = terminal::wrap(&table::words(&measured), width);
+            format!("{words}\n\n{}\n{files}", table::prices(&measured))
+        };
+        self.printing.print(|| json::json(&measured), text)
     }
 }

@@ -1,5 +1,7 @@
 //! Which effects a scene needs: estimates, and runs with and without each.
 
+mod json;
+
 use super::Error;
 use crate::analysis::advise::groups::Groups;
 use crate::analysis::advise::measures::coordinates;

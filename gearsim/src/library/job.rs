@@ -7,10 +7,11 @@ use std::path::Path;
 use super::{Error, provenance};
 use crate::known;
 use crate::output::{Table, parquet};
-use crate::sweep::folder::Folder;
+use crate::sweep::answers::{Block, sensitivity, statistics};
+use crate::sweep::folder::{self, Folder};
 use crate::sweep::manifest::Layout;
 use crate::sweep::row::{self, Row};
-use crate::sweep::{Manifest, Request, Sweep};
+use crate::sweep::{Design, Manifest, Request, Sweep};
 
 /// A checked sweep. The result of a point depends on its number alone, so that the parts of any division make the same table.
 pub struct Job {
@@ -74,6 +75,38 @@ impl Job {
     pub fn table(&self, rows: &Rows) -> Result<Table, Error> {
         let Layout { plan, columns, units, .. } = &self.layout;
         Ok(row::table(plan, columns, units, &rows.0.iter().collect::<Vec<_>>())?)
+    }
+
+    /// Statistics of each quantity over random points: a row a quantity and point of the grid. `table` is that of all points.
+    ///
+    /// # Errors
+    /// If the table is not that of all points of this sweep.
+    pub fn statistics(&self, table: &Table) -> Result<Table, Error> {
+        let rows = self.complete(table)?;
+        Ok(statistics::table(&self.layout, &Block::all(&self.layout, &rows))?)
+    }
+
+    /// Indices of sensitivity of each quantity, a row an axis: which share of its variance the axis causes alone (`first_order`) and with
+    /// interactions (`total`), each with half the width of its 95 % interval (A. Saltelli et al., 2010). `table` is that of all points.
+    ///
+    /// # Errors
+    /// As [`Job::statistics`], and if the design is not [`Design::Saltelli`].
+    pub fn sensitivity(&self, table: &Table) -> Result<Table, Error> {
+        if self.layout.plan.sampler.design != Design::Saltelli {
+            let what = "indices of sensitivity need the points of their own design";
+            return Err(Error::impossible(what, "vary by the design `saltelli`"));
+        }
+        let rows = self.complete(table)?;
+        Ok(sensitivity::table(&self.layout, &Block::all(&self.layout, &rows))?)
+    }
+
+    /// The rows of a table of all points.
+    fn complete(&self, table: &Table) -> Result<folder::Rows, Error> {
+        let rows = row::read(table, &self.layout.columns).filter(|rows| rows.len() == self.points());
+        let rows = rows.ok_or_else(|| {
+            Error::impossible("this table is not that of all points of the sweep", "give the table of a finished sweep")
+        })?;
+        Ok(rows.into_iter().map(|row| (row.point, row)).collect())
     }
 
     /// Rows as bytes, to be sent elsewhere: a Parquet file with a checksum.

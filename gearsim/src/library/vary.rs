@@ -7,7 +7,7 @@ use crate::known;
 use crate::output::Table;
 use crate::scene::{Scene, Template};
 use crate::sweep::response::Response;
-use crate::sweep::{Request, Sweep};
+use crate::sweep::{Design, Request, Sweep};
 
 impl Scene {
     /// Begins a sweep over an axis, written as for the option `--vary`: `start.speed=100 rpm:6000 rpm:200`,
@@ -16,11 +16,8 @@ impl Scene {
         let request = Request {
             vary: vec![axis.into()],
             overrides: self.overrides.clone(),
-            samples: None,
-            seed: 0,
-            from: 0.0,
             record: vec!["events".into(), "extremes".into(), "energy".into()],
-            spectra: false,
+            ..Request::default()
         };
         Variation { scene: self.clone(), request }
     }
@@ -53,9 +50,15 @@ impl Variation {
         self
     }
 
-    /// Number of random points per grid point, and their seed. Needed if an axis is random.
+    /// Number of samples per grid point, and their seed. Needed if an axis is random.
     pub fn samples(mut self, samples: usize, seed: u64) -> Self {
         (self.request.samples, self.request.seed) = (Some(samples), seed);
+        self
+    }
+
+    /// How the samples are chosen; without it, independently.
+    pub fn design(mut self, design: Design) -> Self {
+        self.request.design = design;
         self
     }
 

@@ -5,6 +5,7 @@
 
 mod checksum;
 pub mod csv;
+pub mod document;
 mod error;
 pub(crate) mod fault;
 mod files;

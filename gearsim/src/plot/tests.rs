@@ -155,7 +155,7 @@ fn plots_of_sweeps_have_their_labels_and_units() {
         let picture = (plot.draw)(&SweepResults { scene: "case", layout: &layout, rows: &rows, quantity });
         picture.inspect(|picture| assert!(!picture.svg().contains("NaN") && !picture.svg().contains("inf")))
     };
-    let (torque, speed) = ("parameters.T0=log:1:1000:4", "start.speed=100 rpm:300 rpm:3");
+    let (torque, speed) = ("parameters.T0=log:1 N*m:1000 N*m:4", "start.speed=100 rpm:300 rpm:3");
     /// The varied keys, number of samples, quantity drawn, plot, and the texts that must occur in the SVG.
     type Case<'a> = (&'a [&'a str], Option<usize>, &'a str, &'a SweepPlot, &'a [&'a str]);
     let cases: [Case<'_>; 5] = [
@@ -173,7 +173,13 @@ fn plots_of_sweeps_have_their_labels_and_units() {
             &map::PLOT,
             &["Time of the first reflection", "first reflection [s]", "[rpm]"],
         ),
-        (&["parameters.T0=uniform:1:9", speed], Some(4), "theta_dot", &map::PLOT, &[">dθ/dt at the end<", "12 points"]),
+        (
+            &["parameters.T0=uniform:1 N*m:9 N*m", speed],
+            Some(4),
+            "theta_dot",
+            &map::PLOT,
+            &[">dθ/dt at the end<", "12 points"],
+        ),
         (&[speed], None, "phi", &waterfall::PLOT, &["PSD of φ [rad²/Hz]", "frequency f [Hz]", "[rpm]"]),
         (&["parameters.zeta=0.1,0.2,0.4"], None, "residual", &map::PLOT, &["zeta", "Energy unaccounted for"]),
     ];
@@ -193,12 +199,10 @@ fn sweep_of(vary: &[&str], samples: Option<usize>) -> Manifest {
     let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml");
     let request = Request {
         vary: vary.iter().map(|axis| axis.to_string()).collect(),
-        overrides: vec![],
         samples,
-        seed: 0,
-        from: 0.0,
         record: ["events", "state", "energy", "extremes"].map(Into::into).into(),
         spectra: true,
+        ..Request::default()
     };
     Manifest::new(&Sweep::load(&scene, crate::generated::MODELS, &request).unwrap(), &request, None)
 }

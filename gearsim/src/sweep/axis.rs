@@ -7,13 +7,15 @@
 //! | `v1,v2,v3` | these values, in this order |
 //! | `uniform:a:b` | random values, uniformly distributed between a and b |
 //! | `log-uniform:a:b` | random values whose logarithm is uniformly distributed |
+//! | `normal:m:s` | random values, normally distributed with mean m and standard deviation s |
+//! | `normal:m:s:a:b` | the same, between a and b only |
 //!
 //! Values between the ends are rounded to 15 decimal digits, in the unit of the ends. They can therefore be typed exactly: a point of
 //! a sweep run on its own with `--set` gives bit-identical results.
 
 use crate::scene::quantity::{self, Quantity};
 
-use super::random;
+use super::distribution::Distribution;
 
 /// A varied quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,9 +41,11 @@ pub enum Values {
         high: f64,
         /// How the values between them are spaced.
         spacing: Spacing,
-        /// Number of values; `None`: a random value for every point.
-        count: Option<usize>,
+        /// Number of values, at least 2.
+        count: usize,
     },
+    /// Random values, one for each point.
+    Random(Distribution),
 }
 
 /// How values are spaced between two ends.
@@ -58,30 +62,37 @@ impl Axis {
     pub fn count(&self) -> Option<usize> {
         match &self.values {
             Values::List(values) => Some(values.len()),
-            Values::Range { count, .. } => *count,
+            Values::Range { count, .. } => Some(*count),
+            Values::Random(_) => None,
         }
     }
 
-    /// Value `i` of a list or a range, or the random value made from number `i` of `seed`; written as in a scene file.
-    pub fn value(&self, i: usize, seed: u64) -> String {
-        match self.values {
-            Values::List(ref values) => values[i].clone(),
-            Values::Range { low, high, spacing, count: Some(n) } => {
-                let fraction = i as f64 / (n - 1) as f64;
-                self.written(spacing.between(low, high, fraction))
+    /// Value `i` of a list or a range, written as in a scene file. Of a random axis, its first trial.
+    pub fn value(&self, i: usize) -> String {
+        match &self.values {
+            Values::List(values) => values[i].clone(),
+            Values::Range { low, high, spacing, count } => {
+                self.written(spacing.between(*low, *high, i as f64 / (count - 1) as f64))
             }
-            Values::Range { low, high, spacing, count: None } => {
-                self.written(spacing.between(low, high, random::fraction(seed, i as u64)))
-            }
+            Values::Random(distribution) => self.written(distribution.trials()[0]),
         }
     }
 
-    /// The values to check instead of all: every value of a list, and both ends of a range. The ends are enough, because the valid
-    /// values of a number form an interval.
-    pub fn samples(&self) -> Vec<String> {
-        match self.values {
-            Values::List(ref values) => values.clone(),
-            Values::Range { low, high, .. } => vec![self.written(low), self.written(high)],
+    /// The value of a random axis for a random number in [0, 1), written as in a scene file. Of another axis, its first value.
+    pub fn drawn(&self, fraction: f64) -> String {
+        match &self.values {
+            Values::Random(distribution) => self.written(distribution.quantile(fraction)),
+            _ => self.value(0),
+        }
+    }
+
+    /// The values to check instead of all: every value of a list, and the ends of a range or of a distribution. The ends are enough,
+    /// because the valid values of a number form an interval.
+    pub fn trials(&self) -> Vec<String> {
+        match &self.values {
+            Values::List(values) => values.clone(),
+            Values::Range { low, high, .. } => vec![self.written(*low), self.written(*high)],
+            Values::Random(distribution) => distribution.trials().into_iter().map(|x| self.written(x)).collect(),
         }
     }
 
@@ -89,13 +100,17 @@ impl Axis {
     pub fn is_numeric(&self) -> bool {
         match &self.values {
             Values::List(values) => values.iter().all(|value| Quantity::parse(value).is_ok()),
-            Values::Range { .. } => true,
+            Values::Range { .. } | Values::Random(_) => true,
         }
     }
 
     /// Whether its values are spaced in equal ratios.
     pub fn is_logarithmic(&self) -> bool {
-        matches!(self.values, Values::Range { spacing: Spacing::Logarithmic, .. })
+        let (Values::Range { spacing, .. } | Values::Random(Distribution::Uniform { spacing, .. })) = self.values
+        else {
+            return false;
+        };
+        spacing == Spacing::Logarithmic
     }
 
     /// `x` with the unit of the axis, as in a scene file.
@@ -108,13 +123,17 @@ impl Axis {
 
 impl Spacing {
     /// The value at `fraction`, 0 to 1, of the way from `low` to `high`.
-    fn between(self, low: f64, high: f64, fraction: f64) -> f64 {
-        let x = match (self, fraction) {
+    pub(super) fn between(self, low: f64, high: f64, fraction: f64) -> f64 {
+        Spacing::rounded(match (self, fraction) {
             (_, 0.0) => return low,
             (_, 1.0) => return high,
             (Spacing::Linear, fraction) => low + (high - low) * fraction,
             (Spacing::Logarithmic, fraction) => (low.ln() + (high.ln() - low.ln()) * fraction).exp(),
-        };
+        })
+    }
+
+    /// `x` rounded to 15 decimal digits.
+    pub(super) fn rounded(x: f64) -> f64 {
         // Parsing a formatted number cannot fail.
         format!("{x:.14e}").parse().unwrap_or(x)
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::record::{self, Column, GROUPS};
-use super::{Error, Plan, Request, Sweep, impossible};
+use super::{Design, Error, Plan, Request, Sweep, impossible};
 use crate::model::Model;
 use crate::output::OutputError;
 use crate::output::summary::Number;
@@ -36,8 +36,11 @@ pub struct Manifest {
     pub overrides: Vec<String>,
     /// The axes as text.
     pub vary: Vec<String>,
-    /// Number of random points per grid point, if an axis is random.
+    /// Number of samples per grid point, if an axis is random.
     pub samples: Option<usize>,
+    /// How the samples are chosen.
+    #[serde(default)]
+    pub design: Design,
     /// Seed of random axes.
     pub seed: u64,
     /// Number of points.
@@ -66,6 +69,7 @@ impl Manifest {
             overrides: request.overrides.clone(),
             vary: request.vary.clone(),
             samples: request.samples,
+            design: request.design,
             seed: request.seed,
             points: sweep.points,
             from: Number(sweep.from),
@@ -108,6 +112,7 @@ impl Manifest {
             vary: self.vary.clone(),
             overrides: vec![],
             samples: self.samples,
+            design: self.design,
             seed: self.seed,
             from: self.from.0,
             record: self.record.clone(),
@@ -145,6 +150,7 @@ impl Manifest {
         }
         compare("axes", list(&self.vary), list(&other.vary));
         compare("samples", format!("{:?}", self.samples), format!("{:?}", other.samples));
+        compare("design", self.design.name().into(), other.design.name().into());
         compare("seed", self.seed.to_string(), other.seed.to_string());
         compare("points", self.points.to_string(), other.points.to_string());
         compare("from [s]", self.from.0.to_string(), other.from.0.to_string());

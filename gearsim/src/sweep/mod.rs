@@ -1,11 +1,14 @@
 //! Sweeps: a scene is run at many points, each with its own values in place of those of the scene, on all cores and on many machines.
 //!
-//! [`axis`] and [`plan`] define the points and their order. [`record`] defines which results of a point are kept. [`run`] runs the
+//! [`axis`], [`design`] and [`plan`] define the points and their order. [`record`] defines which results of a point are kept. [`run`] runs the
 //! points, [`row`] converts results to tables, and [`manifest`] describes the sweep. [`folder`] stores finished points, so that an
 //! interrupted sweep can be resumed. [`merge`] joins the results of several machines. The result depends on the manifest alone: the
 //! bytes are the same for any number of threads, interruptions and shards.
 
+pub mod answers;
 pub mod axis;
+pub mod design;
+mod distribution;
 pub mod folder;
 pub mod manifest;
 pub mod merge;
@@ -23,26 +26,31 @@ mod tests;
 
 use std::path::Path;
 
+pub use design::Design;
 pub use manifest::Manifest;
 pub use plan::Plan;
 pub use row::Status;
 pub use shard::Shard;
 
+use crate::model::Model;
 use crate::output::OutputError;
 use crate::run::Entry;
 use crate::scene::{Scene, SceneMistakes, Template};
 use crate::tolerance::scene::SWEEP_POINTS;
+use axis::Axis;
 use record::{Column, Group};
 
 /// The definition of a sweep, as the user wrote it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Request {
     /// The axes as text, e.g. `parameters.T0=1:100:50`.
     pub vary: Vec<String>,
     /// Values that replace those of the scene at all points, e.g. `run.t_end=1 s`.
     pub overrides: Vec<String>,
-    /// Number of random points per grid point; needed if an axis is random.
+    /// Number of samples per grid point; needed if an axis is random.
     pub samples: Option<usize>,
+    /// How the samples are chosen.
+    pub design: Design,
     /// Seed of random axes.
     pub seed: u64,
     /// Start of the time span over which extremes and spectra are computed [s].
@@ -172,13 +180,19 @@ impl Sweep {
     }
 }
 
+/// The axes `vary` of a scene of `model`, e.g. `parameters.T0=1 N*m:100 N*m:50`.
+///
+/// # Errors
+/// All mistakes in their texts.
+pub fn axes(template: &Template, model: &Model, vary: &[String]) -> Result<Vec<Axis>, SceneMistakes> {
+    let mut report = template.report();
+    let axes = parse::axes(vary, model, &mut report);
+    if report.is_empty() { Ok(axes) } else { Err(report.into_mistakes(template.name())) }
+}
+
 /// The points that `request` defines.
 fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Error> {
-    let mut report = template.report();
-    let axes = parse::axes(&request.vary, entry.model, &mut report);
-    if !report.is_empty() {
-        return Err(report.into_mistakes(template.name()).into());
-    }
+    let axes = axes(template, entry.model, &request.vary)?;
     if axes.is_empty() {
         return impossible("nothing is varied", "give an axis: --vary parameters.T0=\"1 N*m:100 N*m:50\"");
     }
@@ -186,15 +200,23 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
     if let Some(axis) = axes.iter().find(|axis| set(&axis.key)) {
         return impossible(format!("`{}` is both set and varied", axis.key), "remove its --set or its --vary");
     }
-    let plan = Plan { axes, samples: request.samples.unwrap_or(1), seed: request.seed };
-    match (plan.is_random(), request.samples) {
+    let random = axes.iter().filter(|axis| axis.count().is_none()).count();
+    if random > request.design.axes() {
+        let what = format!("the design {} has at most {} random axes", request.design.name(), request.design.axes());
+        return impossible(what, "fix some of them, or choose another design");
+    }
+    match (random > 0, request.samples) {
         (true, None) => impossible("random axes without a number of samples", "give a number: --samples 1000"),
         (_, Some(0)) => impossible("the number of samples is 0", "take at least one: --samples 1000"),
         (false, Some(_)) => impossible(
             "--samples is given, but no axis is random",
             "remove --samples, or vary at random: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
         ),
-        _ => Ok(plan),
+        (false, None) if request.design != Design::Random => impossible(
+            format!("--design {} is given, but no axis is random", request.design.name()),
+            "remove --design, or vary at random: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
+        ),
+        _ => Ok(Plan::new(axes, request.design, request.samples.unwrap_or(1), request.seed)),
     }
 }
 

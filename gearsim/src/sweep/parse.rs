@@ -8,6 +8,7 @@ use crate::scene::quantity::{self, Quantity};
 use crate::scene::unit_of;
 
 use super::axis::{Axis, Spacing, Values};
+use super::distribution::Distribution;
 use crate::scene::document::Origin;
 use crate::tolerance::scene::SWEEP_POINTS;
 
@@ -15,7 +16,8 @@ use crate::tolerance::scene::SWEEP_POINTS;
 const OPTION: &str = "--vary ";
 /// Help text: the forms of an axis.
 const FORMS: &str = "write KEY=A:B:N or KEY=log:A:B:N for N values from A to B, KEY=V1,V2,V3 for a list, \
-                     KEY=uniform:A:B or KEY=log-uniform:A:B for random ones";
+                     KEY=uniform:A:B, KEY=log-uniform:A:B, KEY=normal:MEAN:DEVIATION or \
+                     KEY=normal:MEAN:DEVIATION:A:B for random ones";
 
 /// Parses the values `texts` of the options `--vary`, for a scene of `model`. Mistakes go to `report`.
 pub(super) fn axes(texts: &[String], model: &Model, report: &mut Report) -> Vec<Axis> {
@@ -67,45 +69,76 @@ impl Reader<'_> {
         Some(Axis { key, unit: String::new(), values: Values::List(values.into_iter().collect::<Option<_>>()?) })
     }
 
-    /// One value of a list. A number without a unit gets the unit of the key.
+    /// One value of a list.
     fn item(&mut self, at: Range<usize>, unit: &str) -> Option<String> {
         let text = &self.text[at.clone()];
         if text.is_empty() {
             self.add(at, "a value of a list is missing", "nothing here", FORMS);
             return None;
         }
-        let bare = Quantity::parse(text).is_ok_and(|quantity| quantity.bare);
-        Some(if bare && !unit.is_empty() { format!("{text} {unit}") } else { text.to_owned() })
+        let bare = Quantity::parse(text).is_ok_and(|quantity| quantity.bare && quantity.value != 0.0);
+        if bare && !unit.is_empty() {
+            self.unitless(at, unit);
+            return None;
+        }
+        Some(text.to_owned())
     }
 
     fn range(&mut self, key: String, unit: String, fields: &[Range<usize>]) -> Option<Axis> {
         let word = &self.text[fields[0].clone()];
-        let (spacing, random, ends) = match word {
-            "log" => (Spacing::Logarithmic, false, &fields[1..]),
-            "uniform" => (Spacing::Linear, true, &fields[1..]),
-            "log-uniform" => (Spacing::Logarithmic, true, &fields[1..]),
-            _ => (Spacing::Linear, false, fields),
+        let (word, numbers) = match word {
+            "log" | "uniform" | "log-uniform" | "normal" => (word, &fields[1..]),
+            _ => ("", fields),
         };
-        if ends.len() != if random { 2 } else { 3 } {
+        let fits = match word {
+            "" | "log" => numbers.len() == 3,
+            "normal" => matches!(numbers.len(), 2 | 4),
+            _ => numbers.len() == 2,
+        };
+        if !fits {
             let whole = fields[0].start..fields[fields.len() - 1].end;
             let message = format!("not a range of values: {} fields between colons", fields.len());
             self.add(whole, message, "not understood", FORMS);
             return None;
         }
-        let (low, high) = (self.end(&ends[0]), self.end(&ends[1]));
-        let count = match ends.get(2) {
-            Some(at) => Some(self.count(at)?),
-            None => None,
+        let (ends, count) = match word {
+            "" | "log" => (&numbers[..2], Some(self.count(&numbers[2]))),
+            _ => (numbers, None),
         };
-        let (low, high) = (low?, high?);
-        let whole = ends[0].start..ends[1].end;
-        let (low, high, unit) = self.in_one_unit(low, high, unit, whole.clone())?;
-        if spacing == Spacing::Logarithmic && !(low > 0.0 && high > 0.0) {
+        let read: Vec<_> = ends.iter().map(|at| self.end(at)).collect();
+        let read: Vec<(f64, String)> = read.into_iter().collect::<Option<_>>()?;
+        let whole = ends[0].start..ends[ends.len() - 1].end;
+        let (values, unit) = self.in_one_unit(&read, unit, whole.clone())?;
+        let spacing = if word.starts_with("log") { Spacing::Logarithmic } else { Spacing::Linear };
+        if spacing == Spacing::Logarithmic && !values.iter().all(|&value| value > 0.0) {
             let help = "both ends must be positive: equal ratios never reach 0";
             self.add(whole, "a logarithmic axis with an end that is not positive", "no logarithm", help);
             return None;
         }
-        Some(Axis { key, unit, values: Values::Range { low, high, spacing, count } })
+        let (low, high) = (values[0], values[1]);
+        let values = match (word, count) {
+            ("normal", _) => Values::Random(self.normal(&values, ends)?),
+            (_, Some(count)) => Values::Range { low, high, spacing, count: count? },
+            (_, None) => Values::Random(Distribution::Uniform { low, high, spacing }),
+        };
+        Some(Axis { key, unit, values })
+    }
+
+    /// A normal distribution: mean, standard deviation, and both ends if there are any.
+    fn normal(&mut self, values: &[f64], at: &[Range<usize>]) -> Option<Distribution> {
+        let (mean, deviation) = (values[0], values[1]);
+        if deviation <= 0.0 {
+            let help = "write KEY=normal:MEAN:DEVIATION with a positive standard deviation";
+            self.add(at[1].clone(), "a standard deviation that is not positive", "not positive", help);
+            return None;
+        }
+        let within = values.get(2).copied().zip(values.get(3).copied());
+        if within.is_some_and(|(low, high)| low >= high) {
+            let help = "write KEY=normal:MEAN:DEVIATION:A:B with A below B";
+            self.add(at[2].start..at[3].end, "an interval whose ends are in the wrong order", "empty", help);
+            return None;
+        }
+        Some(Distribution::Normal { mean, deviation, within })
     }
 
     /// An end of a range: its number and its unit.
@@ -136,43 +169,54 @@ impl Reader<'_> {
         found
     }
 
-    /// The ends in one common unit: their own unit if both have the same, SI if the units differ, the unit of the key if neither has one.
-    fn in_one_unit(
-        &mut self,
-        low: (f64, String),
-        high: (f64, String),
-        unit: String,
-        at: Range<usize>,
-    ) -> Option<(f64, f64, String)> {
-        if low.1 == high.1 {
-            return Some((low.0, high.0, if low.1.is_empty() { unit } else { low.1 }));
-        }
-        // A zero needs no unit: it takes that of the other end.
-        match (&low, &high) {
-            ((x, none), (_, unit)) | ((_, unit), (x, none)) if *x == 0.0 && none.is_empty() => {
-                return Some((low.0, high.0, unit.clone()));
-            }
-            _ => {}
-        }
-        let parse = |end: &(f64, String)| Quantity::parse(&format!("{:?} {}", end.0, end.1)).ok();
-        let (a, b) = (parse(&low)?, parse(&high)?);
-        if a.dimension == b.dimension && !a.bare && !b.bare {
-            return Some((a.value, b.value, a.dimension.to_string()));
-        }
-        let (message, help) = match a.bare || b.bare {
-            true => ("one end of the axis has a unit, the other has none", "write the unit of both".to_owned()),
-            false => {
-                let both = [low.1.as_str(), high.1.as_str()];
-                ("the ends of the axis have different dimensions", format!("{} have different dimensions", list(&both)))
-            }
+    /// Numbers in one common unit: their own if all have the same, SI if their units differ. A zero needs no unit.
+    fn in_one_unit(&mut self, read: &[(f64, String)], of_key: String, at: Range<usize>) -> Option<(Vec<f64>, String)> {
+        let with_unit: Vec<&(f64, String)> = read.iter().filter(|(x, unit)| *x != 0.0 || !unit.is_empty()).collect();
+        let Some((_, unit)) = with_unit.first() else {
+            return Some((read.iter().map(|(x, _)| *x).collect(), of_key));
         };
-        self.add(at, message, "different units", help);
-        None
+        if with_unit.iter().all(|(_, other)| other == unit) {
+            if unit.is_empty() && !of_key.is_empty() {
+                self.unitless(at, &of_key);
+                return None;
+            }
+            return Some((read.iter().map(|(x, _)| *x).collect(), unit.clone()));
+        }
+        if with_unit.iter().any(|(_, unit)| unit.is_empty()) {
+            self.add(
+                at,
+                "some numbers of the axis have a unit, others have none",
+                "different units",
+                "write all units",
+            );
+            return None;
+        }
+        let parsed = read.iter().map(|(x, unit)| Quantity::parse(&format!("{x:?} {unit}")).ok());
+        let parsed: Vec<Quantity> = parsed.collect::<Option<_>>()?;
+        let dimension = parsed.iter().find(|quantity| !quantity.bare)?.dimension;
+        if parsed.iter().any(|quantity| !quantity.bare && quantity.dimension != dimension) {
+            let units: Vec<&str> = with_unit.iter().map(|(_, unit)| unit.as_str()).collect();
+            let help = format!("{} have different dimensions", list(&units));
+            self.add(at, "the numbers of the axis have different dimensions", "different units", help);
+            return None;
+        }
+        Some((parsed.iter().map(|quantity| quantity.value).collect(), dimension.to_string()))
+    }
+
+    /// A number without the unit that its key has. As in a scene, it is refused: nobody can see in which unit it was meant.
+    fn unitless(&mut self, at: Range<usize>, unit: &str) {
+        let help = format!("write the unit with each number, e.g. \"{}\"", example(&self.text[at.clone()], unit));
+        self.add(at, "a number without a unit", "no unit", help);
     }
 
     fn add(&mut self, at: Range<usize>, message: impl Into<String>, label: &str, help: impl Into<String>) {
         self.report.add(&self.origin.place(at), message, label, help);
     }
+}
+
+/// The numbers of `text`, separated by colons, with a unit.
+fn example(text: &str, unit: &str) -> String {
+    text.split(':').map(|number| format!("{} {unit}", number.trim())).collect::<Vec<_>>().join(":")
 }
 
 /// Splits `text[within]` at every `separator` outside brackets and quotes. Returns the pieces without surrounding blanks.

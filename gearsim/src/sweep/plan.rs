@@ -1,7 +1,8 @@
 //! The points of a sweep and their order: a grid of all values of the axes that are not random, in which the last axis varies
-//! fastest. With random axes, every grid point is a number of samples in a row.
+//! fastest. With random axes, every grid point is a block of points, as the [design](super::design) makes them.
 
 use super::axis::Axis;
+use super::design::{Design, Sampler};
 use crate::tolerance::scene::SWEEP_POINTS;
 
 /// The points of a sweep. Point `i` is a function of the plan and `i` alone.
@@ -9,16 +10,21 @@ use crate::tolerance::scene::SWEEP_POINTS;
 pub struct Plan {
     /// What is varied.
     pub axes: Vec<Axis>,
-    /// Number of points per grid point; 1 without random axes.
-    pub samples: usize,
-    /// Seed of the random axes.
-    pub seed: u64,
+    /// The numbers of the random axes.
+    pub sampler: Sampler,
 }
 
 impl Plan {
+    /// The points of `axes`, with `samples` of a design per point of the grid: 1 without random axes.
+    pub fn new(axes: Vec<Axis>, design: Design, samples: usize, seed: u64) -> Plan {
+        let random = axes.iter().filter(|axis| axis.count().is_none()).count();
+        Plan { axes, sampler: Sampler::new(design, samples, seed, random) }
+    }
+
     /// Number of points; `None` if there are more than `SWEEP_POINTS`.
     pub fn points(&self) -> Option<usize> {
-        let points = self.axes.iter().filter_map(Axis::count).try_fold(self.samples, usize::checked_mul);
+        let mut counts = self.axes.iter().filter_map(Axis::count);
+        let points = counts.try_fold(self.sampler.points()?, usize::checked_mul);
         points.filter(|&points| points <= SWEEP_POINTS)
     }
 
@@ -27,24 +33,27 @@ impl Plan {
         self.axes.iter().any(|axis| axis.count().is_none())
     }
 
+    /// Number of points per point of the grid. They are consecutive.
+    pub fn block(&self) -> usize {
+        self.sampler.points().unwrap_or(usize::MAX)
+    }
+
     /// The value of each axis at a point, written as in a scene file.
     pub fn values(&self, point: usize) -> Vec<String> {
-        let random = self.axes.iter().filter(|axis| axis.count().is_none()).count();
-        let mut grid_point = point / self.samples;
-        let (mut values, mut drawn) = (vec![], random);
-        for axis in self.axes.iter().rev() {
-            values.push(match axis.count() {
-                Some(n) => {
-                    let i = grid_point % n;
-                    grid_point /= n;
-                    axis.value(i, self.seed)
-                }
-                None => {
-                    drawn -= 1;
-                    axis.value(point * random + drawn, self.seed)
-                }
-            });
-        }
+        let (grid, sample) = (point / self.block(), point % self.block());
+        let (mut rest, mut random) = (grid, self.axes.iter().filter(|axis| axis.count().is_none()).count());
+        let mut value = |axis: &Axis| match axis.count() {
+            Some(n) => {
+                let i = rest % n;
+                rest /= n;
+                axis.value(i)
+            }
+            None => {
+                random -= 1;
+                axis.drawn(self.sampler.fraction(grid, sample, random))
+            }
+        };
+        let mut values: Vec<String> = self.axes.iter().rev().map(&mut value).collect();
         values.reverse();
         values
     }
@@ -57,10 +66,10 @@ impl Plan {
     /// The points to check instead of all, as overrides: every listed value and every end of a range occurs once, with the other
     /// axes at their first values.
     pub fn trials(&self) -> Vec<Vec<String>> {
-        let samples: Vec<Vec<String>> = self.axes.iter().map(Axis::samples).collect();
-        let first: Vec<String> = samples.iter().filter_map(|values| values.first().cloned()).collect();
+        let tried: Vec<Vec<String>> = self.axes.iter().map(Axis::trials).collect();
+        let first: Vec<String> = tried.iter().filter_map(|values| values.first().cloned()).collect();
         let mut trials = vec![self.assign(first.clone())];
-        for (i, values) in samples.iter().enumerate() {
+        for (i, values) in tried.iter().enumerate() {
             for value in values.iter().skip(1) {
                 let mut trial = first.clone();
                 trial[i] = value.clone();

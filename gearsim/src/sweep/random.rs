@@ -13,8 +13,12 @@ pub fn bits(seed: u64, n: u64) -> u64 {
 
 /// Random number `n` of `seed`, uniformly distributed in [0, 1).
 pub fn fraction(seed: u64, n: u64) -> f64 {
-    // The upper 53 bits, as many as an f64 has, times 2^-53.
-    (bits(seed, n) >> 11) as f64 * (0.5 * f64::EPSILON)
+    unit(bits(seed, n))
+}
+
+/// The number in [0, 1) whose first binary digits are the upper 53 of `bits`, as many as an f64 has.
+pub fn unit(bits: u64) -> f64 {
+    (bits >> 11) as f64 * (0.5 * f64::EPSILON)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use super::axis;
+use super::axis::{self, Axis};
 use super::plan::Plan;
 use super::record::Column;
 use super::spectra::NamedSpectrum;
@@ -26,7 +26,8 @@ pub enum Status {
 }
 
 impl Status {
-    const ALL: [Status; 4] = [Status::Done, Status::Stopped, Status::Refuted, Status::Refused];
+    /// All of them.
+    pub const ALL: [Status; 4] = [Status::Done, Status::Stopped, Status::Refuted, Status::Refused];
 
     /// Its name in files.
     pub fn name(self) -> &'static str {
@@ -64,12 +65,7 @@ pub fn table(plan: &Plan, columns: &[Column], units: &[String], rows: &[&Row]) -
         values.iter_mut().zip(plan.values(row.point)).for_each(|(column, value)| column.push(value));
     }
     for ((axis, unit), values) in plan.axes.iter().zip(units).zip(values) {
-        match axis.is_numeric() {
-            true => {
-                table.push(&axis.key, unit, Values::Number(values.iter().map(|value| axis::si(value)).collect()))?
-            }
-            false => table.push(&axis.key, "", Values::Text(values.into_iter().map(Cow::Owned).collect()))?,
-        }
+        push_values(&mut table, axis, unit, values)?;
     }
     let words = rows.iter().map(|row| Cow::Borrowed(row.status.name())).collect();
     table.push("status", "", Values::Text(words))?;
@@ -78,6 +74,14 @@ pub fn table(plan: &Plan, columns: &[Column], units: &[String], rows: &[&Row]) -
         table.push(name, unit, Values::Number(rows.iter().filter_map(|row| row.numbers.get(i).copied()).collect()))?;
     }
     Ok(table)
+}
+
+/// Adds the column of a varied key. Numbers are converted to SI; `unit` is their SI unit. Errors: [`OutputError::Ragged`].
+pub(super) fn push_values(table: &mut Table, axis: &Axis, unit: &str, values: Vec<String>) -> Result<(), OutputError> {
+    match axis.is_numeric() {
+        true => table.push(&axis.key, unit, Values::Number(values.iter().map(|value| axis::si(value)).collect())),
+        false => table.push(&axis.key, "", Values::Text(values.into_iter().map(Cow::Owned).collect())),
+    }
 }
 
 /// SI units of the columns of the varied keys.

@@ -31,7 +31,7 @@ from gearsim._gearsim import (
     models,
 )
 from gearsim._display import install
-from gearsim._sweep import sweep
+from gearsim._sweep import sensitivity, sweep
 
 __all__ = [
     "Figure",
@@ -44,6 +44,7 @@ __all__ = [
     "Table",
     "load",
     "models",
+    "sensitivity",
     "sweep",
 ]
 

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,7 @@ import numpy.typing as npt
 __version__: str
 
 Axis = str
+Design = Literal["random", "latin-hypercube", "sobol", "saltelli"]
 Value = float | int | bool | str | Sequence[Any] | Mapping[str, Any]
 Column = npt.NDArray[np.float64] | list[str]
 
@@ -74,6 +75,8 @@ class Job:
     def gather(self, folder: str | os.PathLike[str]) -> Gathering: ...
     def missing(self, gathering: Gathering, most: int) -> list[tuple[int, int]]: ...
     def keep(self, gathering: Gathering, rows: bytes) -> None: ...
+    def statistics(self, table: Table) -> Table: ...
+    def sensitivity(self, table: Table) -> Table: ...
 
 class Scene:
     """A model, its active effects, its numbers, and an end time."""
@@ -97,7 +100,9 @@ class Scene:
         start: float = 0.0,
         samples: int | None = None,
         seed: int = 0,
+        design: Design = "random",
     ) -> Job: ...
+    def advise(self) -> dict[str, Any]: ...
     def acceleration(self, q: Sequence[float], q_dot: Sequence[float], laws: Sequence[float]) -> list[float]: ...
     @property
     def name(self) -> str: ...
@@ -121,6 +126,20 @@ def sweep(
     record: Sequence[str] = (),
     start: float = 0.0,
     samples: int | None = None,
+    seed: int = 0,
+    design: Design = "random",
+    out: str | os.PathLike[str] | None = None,
+    executor: Executor | None = None,
+    points_per_task: int = 10_000,
+    threads_per_task: int | None = 1,
+    progress: Callable[[int], object] | None = None,
+) -> Table: ...
+def sensitivity(
+    scene: Scene,
+    *axes: Axis,
+    samples: int,
+    record: Sequence[str] = (),
+    start: float = 0.0,
     seed: int = 0,
     out: str | os.PathLike[str] | None = None,
     executor: Executor | None = None,

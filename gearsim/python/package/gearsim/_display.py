@@ -1,4 +1,4 @@
-"""How results look in notebooks, and their summary as a dictionary."""
+"""How results look in notebooks; summaries and advice as dictionaries."""
 
 from __future__ import annotations
 
@@ -51,11 +51,17 @@ def _scene(scene) -> str:
     return f"<p><b>{about}</b></p><p>{html.escape(repr(scene))}</p><table>{rows}</table>"
 
 
+def _advise(scene):
+    """Which effects the scene needs: estimated, and checked by runs with and without each. A dictionary."""
+    return json.loads(scene._advise())
+
+
 def install(results, table, scene):
     """Add the display of notebooks to the classes of the extension module."""
     results.summary = property(
         lambda self: json.loads(self._summary()), doc="End state, energies, statistics of the outputs, method."
     )
+    scene.advise = _advise
     results._repr_html_ = _results
     table._repr_html_ = _table
     scene._repr_html_ = _scene

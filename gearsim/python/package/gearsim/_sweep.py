@@ -21,6 +21,7 @@ def sweep(
     start=0.0,
     samples=None,
     seed=0,
+    design="random",
     out=None,
     executor: Executor | None = None,
     points_per_task=10_000,
@@ -30,18 +31,41 @@ def sweep(
     """Run a scene at many values, and return a table with one row a point.
 
     scene: a Scene.
-    axes: as for the option `--vary`, e.g. "start.speed=100 rpm:6000 rpm:200".
+    axes: as for the option `--vary`, e.g. "start.speed=100 rpm:6000 rpm:200", "parameters.b=normal:100 um:10 um".
     record: groups of quantities, e.g. ["outputs"].
     start: begin of the time over which extremes and means are taken [s].
-    samples, seed: number of random points for random axes.
+    samples, seed: number of samples for random axes.
+    design: how samples are chosen: "random", "latin-hypercube", "sobol", or "saltelli" for `sensitivity`.
     out: folder for the results. Finished points in it do not run again; its file `sweep.parquet` has the bytes of `gearsim sweep`.
     executor: any concurrent.futures.Executor, for example of processes, Dask or MPI; without it, the threads of this machine.
     points_per_task: at most so many points go to a worker at once, and are kept together. Small tasks are mostly overhead.
     threads_per_task: threads of a worker; None for all cores of its machine.
     progress: called with the number of finished points.
     """
-    definition = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed)
+    definition = dict(
+        axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design=design
+    )
     job = scene.job(**definition)
+    return _run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress)
+
+
+def sensitivity(scene, *axes, samples, record=(), start=0.0, seed=0, out=None, **how):
+    """Find which random axis causes which share of the variance of each recorded quantity.
+
+    Runs samples * (number of random axes + 2) points, and returns a table with one row an axis and quantity: `first_order` is the share
+    that the axis causes alone, `total` that with interactions, each with half the width of its 95 % interval (Saltelli et al., 2010).
+
+    The arguments are those of `sweep`.
+    """
+    definition = dict(
+        axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design="saltelli"
+    )
+    job = scene.job(**definition)
+    return job.sensitivity(_run(scene, job, definition, out, **how))
+
+
+def _run(scene, job, definition, out, executor=None, points_per_task=10_000, threads_per_task=1, progress=None):
+    """Run the points of a job, and return their table."""
     with tempfile.TemporaryDirectory() as temporary:
         gathering = job.gather(out if out is not None else temporary)
         try:

@@ -16,7 +16,7 @@ use crate::sweep::record;
 
 /// The options that choose plots.
 #[derive(Args)]
-pub(in crate::cli) struct PlotOptions {
+pub(super) struct PlotOptions {
     /// Draws a recorded quantity over the varied ones: a map over two, a curve over one; may be repeated
     /// [default: the maximum of the first coordinate that does not rotate continuously, if it is recorded]
     #[arg(long, value_name = "QUANTITY")]
@@ -27,11 +27,16 @@ pub(in crate::cli) struct PlotOptions {
 }
 
 impl PlotOptions {
+    /// Whether a recorded quantity is drawn on request.
+    pub(super) fn draws(&self, quantity: &str) -> bool {
+        self.map.iter().any(|name| name == quantity)
+    }
+
     /// Checks, before anything runs, that the plots can be drawn.
     ///
     /// # Errors
     /// [`Failure::Impossible`].
-    pub(in crate::cli) fn check(&self, layout: &Layout) -> Result<(), Failure> {
+    pub(super) fn check(&self, layout: &Layout) -> Result<(), Failure> {
         let impossible = |what: String, help: String| Err(Failure::Impossible { what, help });
         let names: Vec<&str> = layout.columns.iter().map(|(name, _)| name.as_str()).collect();
         if let Some(unknown) = self.map.iter().find(|name| !names.contains(&name.as_str())) {
@@ -56,7 +61,7 @@ impl PlotOptions {
     ///
     /// # Errors
     /// [`OutputError`].
-    pub(in crate::cli) fn draw(
+    pub(super) fn draw(
         &self,
         path: &Path,
         manifest: &Manifest,

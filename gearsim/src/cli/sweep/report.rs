@@ -15,22 +15,23 @@ const LISTED: usize = 3;
 /// What this command added to the sweep.
 pub(in crate::cli) struct Progress {
     /// Number of points that were finished before.
-    pub(in crate::cli) before: usize,
+    pub(super) before: usize,
     /// Number of points that ran.
-    pub(in crate::cli) ran: usize,
+    pub(super) ran: usize,
     /// Elapsed time [s].
-    pub(in crate::cli) seconds: f64,
+    pub(super) seconds: f64,
     /// Number of threads.
-    pub(in crate::cli) threads: usize,
+    pub(super) threads: usize,
 }
 
-/// The outcome of a sweep: its points, the time taken, the failures and the files. `done` is `None` for a merged sweep.
-pub(in crate::cli) fn summary_text(
+/// The outcome of a sweep: its points, the time taken, the failures, the answers and the files. `done` is `None` for a merged sweep.
+pub(super) fn summary_text(
     path: &Path,
     files: &[String],
     manifest: &Manifest,
     rows: &Rows,
     done: Option<Progress>,
+    answers: &str,
 ) -> String {
     let width = terminal::width();
     let mut text = line("scene", &manifest.scene, width);
@@ -49,7 +50,7 @@ pub(in crate::cli) fn summary_text(
         let reasons = rows.values().filter(|row| row.status == status).map(|row| row.reason.as_str());
         text += &failed(what, reasons, width);
     }
-    text + "\n" + &written(path, files, width)
+    text + answers + "\n" + &written(path, files, width)
 }
 
 fn time(done: &Progress) -> String {

@@ -36,7 +36,7 @@ fn steps_that_cannot_be_taken_are_refused() {
     refused::<Run>(&rk4("run.step=200 s"), "must be at most the run, 0.1 s");
     refused::<Run>(&rk4("run.step=1e-30 s"), "a run has at most 1e10 steps");
     refused::<Compare>(&rk4("run.step=200 s")[1..], "must be at most the run");
-    let vary = ["--vary", "parameters.T0=1:2:2"];
+    let vary = ["--vary", "parameters.T0=1 N*m:2 N*m:2"];
     refused::<SweepCommand>(&[&vary[..], &rk4("run.step=200 s")[..]].concat(), "must be at most the run");
 }
 
@@ -50,7 +50,7 @@ fn more_rows_than_memory_are_refused() {
 
 #[test]
 fn numbers_of_threads_are_refused_in_plain_words() {
-    let vary = ["--vary", "parameters.T0=1:2:2", "--threads"];
+    let vary = ["--vary", "parameters.T0=1 N*m:2 N*m:2", "--threads"];
     for threads in ["0", "1025", "1000000"] {
         refused::<SweepCommand>(&[&vary[..], &[threads]].concat(), "is not in 1..=1024");
     }

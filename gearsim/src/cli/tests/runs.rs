@@ -166,7 +166,7 @@ fn modes_and_floquet_write_their_results_and_plots() {
     let expected = (m2 * 2780.0).sqrt() / std::f64::consts::TAU;
     let found = modes["chosen"]["modes"][1]["natural_frequency"].as_f64().unwrap();
     assert!((found / expected - 1.0).abs() < 1e-14, "{found}, not {expected}");
-    go::<FloquetCommand>(root.path(), &["--vary", "start.speed=4000..14000 rpm", "--points", "9"]).unwrap();
+    go::<FloquetCommand>(root.path(), &["--vary", "start.speed=4000 rpm:14000 rpm:9"]).unwrap();
     assert_eq!(json("floquet.json")["verdict"], "stable");
     let expected = "campbell.png campbell.svg floquet.json modes.json shapes.png shapes.svg stability.csv stability.png \
                     stability.svg";
@@ -174,7 +174,12 @@ fn modes_and_floquet_write_their_results_and_plots() {
     for wrong in [["--cell", "2"], ["--cell", "0,1"]] {
         assert_eq!(go::<Modes>(root.path(), &wrong).unwrap_err().code(), 2);
     }
-    for wrong in [["--vary", "start.speed=3"], ["--vary", "start.sped=1..2 rpm"], ["--points", "1"]] {
-        assert_eq!(go::<FloquetCommand>(root.path(), &wrong).unwrap_err().code(), 2, "{wrong:?}");
+    for wrong in [
+        "start.speed=3 rpm",
+        "start.sped=1 rpm:2 rpm:3",
+        "start.speed=3 rpm:1 rpm:3",
+        "start.speed=uniform:1 rpm:2 rpm",
+    ] {
+        assert_eq!(go::<FloquetCommand>(root.path(), &["--vary", wrong]).unwrap_err().code(), 2, "{wrong}");
     }
 }

@@ -108,11 +108,8 @@ fn an_interrupted_sweep_that_is_continued_equals_an_uninterrupted_one() {
         let request = Request {
             vary: VARY.map(Into::into).into(),
             overrides: SET.map(Into::into).into(),
-            samples: None,
-            seed: 0,
-            from: 0.0,
             record: ["events", "state", "digits", "energy", "extremes"].map(Into::into).into(),
-            spectra: false,
+            ..Request::default()
         };
         let sweep = Sweep::load(&scene(), MODELS, &request).unwrap();
         let manifest = Manifest::new(&sweep, &request, provenance::COMMIT);

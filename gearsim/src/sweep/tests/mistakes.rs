@@ -1,7 +1,7 @@
 //! Error messages on sweeps that are not valid.
 
 use super::{load, request};
-use crate::sweep::Error;
+use crate::sweep::{Design, Error};
 
 fn message(error: Error) -> String {
     match error {
@@ -28,20 +28,26 @@ fn every_mistake_in_an_axis_has_its_message() {
         ("parameters.T0=1:2:1", "`1` is not a valid number of values"),
         ("parameters.T0=1:2:2.5", "`2.5` is not a valid number of values"),
         ("parameters.T0=1:2:99999999", "from 2 to 10000000"),
-        ("parameters.T0=log:0:2:3", "not positive"),
+        ("parameters.T0=log:0:2 N*m:3", "not positive"),
         ("parameters.T0=log:-1 N*m:2 N*m:3", "not positive"),
-        ("parameters.T0=1:2 N*m:3", "one end of the axis has a unit"),
+        ("parameters.T0=1:2 N*m:3", "some numbers of the axis have a unit"),
         ("parameters.T0=1 N*m:2 rad:3", "different dimensions"),
+        ("parameters.T0=1:2:3", "write the unit with each number, e.g. \"1 N*m:2 N*m\""),
+        ("parameters.T0=1 N*m,2", "a number without a unit"),
+        ("start.phi=static,0.01", "a number without a unit"),
+        ("parameters.T0=normal:5 N*m:1 N*m:3", "not a range of values"),
+        ("parameters.T0=normal:5 N*m:-1 N*m", "a standard deviation that is not positive"),
+        ("parameters.T0=normal:5 N*m:1 N*m:9 N*m:3 N*m", "in the wrong order"),
         // Values that the scene does not admit.
         ("parameters.T0=1 rpm:2 rpm:3", "`parameters.T0` is a torque or energy"),
         ("parameters.zeta=-0.1:0.1:5", "`parameters.zeta` must not be negative, but is -0.1"),
         ("parameters.zeta=0.1:-0.1:5", "`parameters.zeta` must not be negative, but is -0.1"),
         ("parameters.zeta=0.1,0.2,-3", "but is -3"),
-        ("parameters.I1=1,0", "`parameters.I1` must be positive"),
+        ("parameters.I1=1 kg*m^2,0", "`parameters.I1` must be positive"),
         ("parameters.T1=1:2:3", "has no `T1`"),
         ("laws.k.steps.5.value=1 N*m,2 N*m", "no entry `5`"),
         ("effects=[\"damping\"],[\"dampning\"]", "did you mean `damping`"),
-        ("laws.k.steps.0.value=-1:1:3", "must not be negative, but is -1 N*m"),
+        ("laws.k.steps.0.value=-1 N*m:1 N*m:3", "must not be negative, but is -1 N*m"),
     ];
     for (text, expected) in cases {
         let shown = message(load(&request(&[text])).err().expect(text));
@@ -51,25 +57,27 @@ fn every_mistake_in_an_axis_has_its_message() {
 
 #[test]
 fn mistakes_of_all_axes_are_shown_at_once() {
-    let shown =
-        message(load(&request(&["parameters.T0=1:x:3", "parameters.zeta", "start.speed=1:2:0"])).err().unwrap());
+    let shown = message(
+        load(&request(&["parameters.T0=1:x:3", "parameters.zeta", "start.speed=1 rpm:2 rpm:0"])).err().unwrap(),
+    );
     assert!(shown.contains("3 mistakes"), "{shown}");
 }
 
 #[test]
 fn requests_that_contradict_themselves_are_refused() {
-    let base = request(&["parameters.T0=1:2:3"]);
-    let random = request(&["parameters.T0=uniform:1:2"]);
+    let base = request(&["parameters.T0=1 N*m:2 N*m:3"]);
+    let random = request(&["parameters.T0=uniform:1 N*m:2 N*m"]);
     let two = |a: &str, b: &str| request(&[a, b]);
     let cases = [
         (request(&[]), "nothing is varied"),
-        (two("parameters.T0=1:2:3", "parameters.T0=4,5"), "varied twice"),
+        (two("parameters.T0=1 N*m:2 N*m:3", "parameters.T0=4 N*m"), "varied twice"),
         (random.clone(), "without a number of samples"),
         (crate::sweep::Request { samples: Some(0), ..random }, "at least one"),
         (crate::sweep::Request { samples: Some(5), ..base.clone() }, "no axis is random"),
+        (crate::sweep::Request { design: Design::Sobol, ..base.clone() }, "no axis is random"),
         (crate::sweep::Request { record: vec!["energie".into()], ..base.clone() }, "called `energie`"),
         (crate::sweep::Request { from: 0.02, ..base.clone() }, "the run ends at 0.02 s"),
-        (two("parameters.T0=1:2:9999999", "parameters.zeta=0:1:9999999"), "more than 10000000 points"),
+        (two("parameters.T0=1 N*m:2 N*m:9999999", "parameters.zeta=0:1:9999999"), "more than 10000000 points"),
         (crate::sweep::Request { overrides: vec!["parameters.T0 = 9 N*m".into()], ..base }, "is both set and varied"),
     ];
     for (request, expected) in cases {

@@ -9,22 +9,19 @@ use std::path::{Path, PathBuf};
 use super::{Error, Request, Sweep};
 use crate::generated::MODELS;
 
-fn scene() -> PathBuf {
+pub(super) fn scene() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml")
 }
 
-fn request(vary: &[&str]) -> Request {
+pub(super) fn request(vary: &[&str]) -> Request {
     Request {
         vary: vary.iter().map(|text| text.to_string()).collect(),
         overrides: vec!["run.t_end=0.02 s".into(), "output.rate=20 kHz".into()],
-        samples: None,
-        seed: 0,
-        from: 0.0,
         record: ["events", "state", "energy", "extremes"].map(Into::into).into(),
-        spectra: false,
+        ..Request::default()
     }
 }
 
-fn load(request: &Request) -> Result<Sweep, Error> {
+pub(super) fn load(request: &Request) -> Result<Sweep, Error> {
     Sweep::load(&scene(), MODELS, request)
 }

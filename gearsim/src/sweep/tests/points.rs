@@ -5,7 +5,7 @@ use crate::generated::MODELS;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::sweep::row::Status;
-use crate::sweep::{Plan, Request};
+use crate::sweep::{Design, Plan, Request};
 
 fn plan(vary: &[&str], samples: Option<usize>) -> Plan {
     load(&Request { samples, seed: 3, ..request(vary) }).unwrap_or_else(|e| panic!("{vary:?}: {e}")).plan
@@ -17,7 +17,7 @@ fn points(plan: &Plan) -> Vec<String> {
 
 #[test]
 fn the_last_axis_varies_fastest() {
-    let grid = plan(&["parameters.T0=1:3:3", "start.speed=100 rpm,200 rpm"], None);
+    let grid = plan(&["parameters.T0=1 N*m:3 N*m:3", "start.speed=100 rpm,200 rpm"], None);
     let expected = [
         "1 N*m | 100 rpm",
         "1 N*m | 200 rpm",
@@ -33,13 +33,13 @@ fn the_last_axis_varies_fastest() {
 fn values_are_written_as_in_a_scene_file() {
     let cases: [(&str, &str); 9] = [
         ("parameters.zeta=0.1:0.5:5", "0.1 0.2 0.3 0.4 0.5"),
-        ("parameters.T0=3:1:3", "3 N*m 2 N*m 1 N*m"),
+        ("parameters.T0=3 N*m:1 N*m:3", "3 N*m 2 N*m 1 N*m"),
         ("parameters.T0=log:1 N*m:1000 N*m:4", "1 N*m 10 N*m 100 N*m 1000 N*m"),
         ("start.speed=100 rpm:300 rpm:3", "100 rpm 200 rpm 300 rpm"),
         ("start.speed=0:300 rpm:2", "0 rpm 300 rpm"),
         ("parameters.T0=1 kN*m:2000 N*m:3", "1000 kg*m^2/s^2 1500 kg*m^2/s^2 2000 kg*m^2/s^2"),
-        ("parameters.T0=1, 2 kN*cm ,3", "1 N*m 2 kN*cm 3 N*m"),
-        ("start.phi=static,0.01", "static 0.01 rad"),
+        ("parameters.T0=1 N*m, 2 kN*cm ,0", "1 N*m 2 kN*cm 0"),
+        ("start.phi=static,0.01 rad", "static 0.01 rad"),
         ("effects=[\"damping\"],[\"damping\",\"torques\"]", "[\"damping\"] [\"damping\",\"torques\"]"),
     ];
     for (text, expected) in cases {
@@ -49,7 +49,8 @@ fn values_are_written_as_in_a_scene_file() {
 
 #[test]
 fn random_points_depend_on_seed_and_number_alone() {
-    let axes = ["start.speed=uniform:100 rpm:300 rpm", "parameters.zeta=0.1,0.2", "parameters.T0=log-uniform:1:100"];
+    let axes =
+        ["start.speed=uniform:100 rpm:300 rpm", "parameters.zeta=0.1,0.2", "parameters.T0=log-uniform:1 N*m:100 N*m"];
     let few = plan(&axes, Some(50));
     assert_eq!(few.points(), Some(100));
     let values: Vec<Vec<String>> = (0..100).map(|i| few.values(i)).collect();
@@ -67,13 +68,13 @@ fn random_points_depend_on_seed_and_number_alone() {
     // Half of the values on a logarithmic scale; the bounds are five standard deviations of 100 coin tosses.
     assert!((25..=75).contains(&below_ten), "{below_ten}");
     assert_eq!(plan(&axes, Some(200)).values(20), few.values(20));
-    assert_ne!(Plan { seed: 4, ..few.clone() }.values(20), few.values(20));
+    assert_ne!(Plan::new(few.axes.clone(), Design::Random, 50, 4).values(20), few.values(20));
 }
 
 /// The row of a point is bit-identical to a single run with the same values set by `--set`.
 #[test]
 fn a_point_equals_a_single_run_with_its_values() {
-    let request = request(&["parameters.T0=1:9:7", "start.speed=log:100 rpm:500 rpm:5"]);
+    let request = request(&["parameters.T0=1 N*m:9 N*m:7", "start.speed=log:100 rpm:500 rpm:5"]);
     let sweep = load(&request).unwrap();
     for point in [0, 17, 34] {
         let row = sweep.point(point);
@@ -98,7 +99,7 @@ fn a_point_equals_a_single_run_with_its_values() {
 #[test]
 fn the_first_reflection_is_at_the_time_given_in_the_readme_of_the_paper_scenes() {
     let path = super::scene().with_file_name("spectrum_600rpm_exact.toml");
-    let all = request(&["parameters.T0=30,50"]);
+    let all = request(&["parameters.T0=30 N*m,50 N*m"]);
     let request = Request { overrides: vec!["run.t_end=1.6 s".into()], record: vec!["events".into()], ..all };
     let sweep = crate::sweep::Sweep::load(&path, MODELS, &request).unwrap();
     let column = sweep.columns().iter().position(|(name, _)| name == "first_reflection").unwrap();
@@ -113,7 +114,7 @@ fn the_first_reflection_is_at_the_time_given_in_the_readme_of_the_paper_scenes()
 /// these motions amplify by a factor of about 1e4.
 #[test]
 fn the_recorded_groups_do_not_change_the_motion() {
-    let all = request(&["parameters.T0=1:50:4"]);
+    let all = request(&["parameters.T0=1 N*m:50 N*m:4"]);
     let few = Request { record: vec!["state".into(), "energy".into()], ..all.clone() };
     let (all, few) = (load(&all).unwrap(), load(&few).unwrap());
     let events = all.columns().iter().position(|(name, _)| name == "theta").unwrap();
@@ -132,7 +133,7 @@ fn a_failing_point_is_a_row_with_its_reason() {
         ("parameters.I1=2890 kg*mm^2,1e-300 kg*m^2", Status::Refused, "mass matrix"),
         ("start.phi_dot=1 rad/s,1e307 rad/s", Status::Refused, "beyond the range of floating-point numbers"),
         // Valid values, but events follow one another without end.
-        ("parameters.T0=10,1e160", Status::Stopped, "followed one another"),
+        ("parameters.T0=10 N*m,1e160 N*m", Status::Stopped, "followed one another"),
     ];
     for (axis, status, reason) in cases {
         let sweep = load(&request(&[axis])).unwrap();

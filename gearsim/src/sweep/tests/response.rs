@@ -9,11 +9,8 @@ fn response(scene: &str, over: &str, settle: f64, sets: &[&str]) -> crate::sweep
     let request = Request {
         vary: vec![over.into()],
         overrides: sets.iter().map(|set| (*set).to_owned()).collect(),
-        samples: None,
-        seed: 0,
         from: settle,
-        record: vec![],
-        spectra: false,
+        ..Request::default()
     };
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{scene}.toml"));
     Sweep::load(&path, MODELS, &request).unwrap().response(true, &mut |_| {}).unwrap()
@@ -74,15 +71,7 @@ fn contact_loss_gives_two_motions_at_one_speed() {
 
 #[test]
 fn the_values_of_a_response_rise() {
-    let request = |over: &str| Request {
-        vary: vec![over.into()],
-        overrides: vec![],
-        samples: None,
-        seed: 0,
-        from: 0.0,
-        record: vec![],
-        spectra: false,
-    };
+    let request = |over: &str| Request { vary: vec![over.into()], ..Request::default() };
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/response.toml");
     for over in ["start.speed=300 rpm,200 rpm", "start.speed=300 rpm"] {
         let error = Sweep::load(&path, MODELS, &request(over)).unwrap().response(true, &mut |_| {}).unwrap_err();

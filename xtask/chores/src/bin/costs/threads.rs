@@ -37,11 +37,8 @@ fn gain(what: &'static str, record: &[&str]) -> anyhow::Result<Gain> {
     let request = Request {
         vary: vec![format!("parameters.T0=1 N*m:50 N*m:{points}")],
         overrides: vec!["run.t_end=0.1 s".into(), "output.rate=50 kHz".into()],
-        samples: None,
-        seed: 0,
-        from: 0.0,
         record: record.iter().map(|name| name.to_string()).collect(),
-        spectra: false,
+        ..Request::default()
     };
     let sweep = Sweep::load(Path::new(scene), MODELS, &request)?;
     let all: Vec<usize> = (0..points).collect();

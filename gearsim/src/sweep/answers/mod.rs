@@ -1,0 +1,54 @@
+//! What a finished sweep with random axes says: statistics of each quantity, probabilities that limits are broken, and indices of
+//! sensitivity. Each is worked out for every point of the grid of the other axes, from the table of the points alone.
+
+pub mod limit;
+pub mod sensitivity;
+pub mod statistics;
+#[cfg(test)]
+mod tests;
+
+use super::folder::Rows;
+use super::manifest::Layout;
+use super::row::{self, Row, Status};
+use crate::output::{OutputError, Table};
+
+/// The points at one point of the grid.
+pub struct Block<'a> {
+    /// The values of all axes at its first point; those that are not random are the same at all of its points.
+    values: Vec<String>,
+    /// Its rows in the order of its samples; `None` if the point did not run to its end, or its account does not close.
+    rows: Vec<Option<&'a Row>>,
+}
+
+impl<'a> Block<'a> {
+    /// The blocks of a complete sweep.
+    pub fn all(layout: &Layout, rows: &'a Rows) -> Vec<Block<'a>> {
+        let size = layout.plan.block();
+        let done = |point: usize| rows.get(&point).filter(|row| row.status == Status::Done);
+        let block =
+            |first: usize| Block { values: layout.plan.values(first), rows: (first..first + size).map(done).collect() };
+        (0..rows.len()).step_by(size).map(block).collect()
+    }
+
+    /// The recorded quantity `column` of each point that ran to its end; numbers that do not exist are left out.
+    fn numbers(&self, column: usize) -> impl Iterator<Item = f64> {
+        self.rows.iter().flatten().map(move |row| row.numbers[column]).filter(|x| x.is_finite())
+    }
+
+    /// The values that define the point of the grid, as text: `start.speed = 300 rpm`. Empty if all axes are random.
+    pub fn name(&self, layout: &Layout) -> String {
+        let fixed = layout.plan.axes.iter().zip(&self.values).filter(|(axis, _)| axis.count().is_some());
+        fixed.map(|(axis, value)| format!("{} = {value}", axis.key)).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A table that begins with the values of the axes that are not random, one entry per row: `blocks` are the blocks of the rows.
+fn table(layout: &Layout, blocks: &[&Block<'_>]) -> Result<Table, OutputError> {
+    let mut table = Table::default();
+    for (i, (axis, unit)) in layout.plan.axes.iter().zip(&layout.units).enumerate() {
+        if axis.count().is_some() {
+            row::push_values(&mut table, axis, unit, blocks.iter().map(|block| block.values[i].clone()).collect())?;
+        }
+    }
+    Ok(table)
+}

@@ -1,0 +1,111 @@
+//! `--json`: what each command prints is one JSON document of its format, with the numbers of its files; `-q` prints nothing.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// A short scene with every result that commands need.
+const SCENE: &str = "models/scenes/oh2005/energy_300rpm.toml";
+const SHORT: [&str; 4] = ["--set", "run.t_end=5 ms", "--set", "output.rate=20 kHz"];
+
+fn gearsim(arguments: &[&str]) -> Output {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    Command::new(env!("CARGO_BIN_EXE_gearsim")).args(arguments).current_dir(root).output().unwrap()
+}
+
+fn document(arguments: &[&str], format: &str) -> Value {
+    let output = gearsim(&[arguments, &["--json"]].concat());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    let value: Value = serde_json::from_str(&text).unwrap_or_else(|e| panic!("{arguments:?}: {e}\n{text}\n{errors}"));
+    assert_eq!(value["format"], format!("gearsim.{format}"), "{arguments:?}");
+    assert!(value["version"].as_u64().is_some_and(|version| version > 0));
+    value
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn commands_print_their_results_as_json() {
+    let root = tempfile::tempdir().unwrap();
+    let out = |name: &str| root.path().join(name).display().to_string();
+    let with = |command: &'static str, scene: &'static str, folder: &str, more: &[&str]| {
+        let mut all = vec![command.to_owned(), scene.to_owned(), "--out".to_owned(), out(folder)];
+        all.extend(more.iter().map(|text| (*text).to_owned()));
+        all
+    };
+    let print = |arguments: Vec<String>, format: &str| {
+        document(&arguments.iter().map(String::as_str).collect::<Vec<_>>(), format)
+    };
+    let file = |folder: &str, name: &str| -> Value {
+        serde_json::from_str(&std::fs::read_to_string(root.path().join(folder).join(name)).unwrap()).unwrap()
+    };
+
+    let run = print(with("run", SCENE, "run", &SHORT), "summary");
+    assert_eq!(run, file("run", "summary.json"));
+    let compare = print(with("compare", SCENE, "compare", &SHORT), "compare");
+    assert_eq!(compare, file("compare", "compare.json"));
+    // The paper's point: the classical equations do not keep the energy that the exact ones keep.
+    let residual = |i: usize| number(&compare["runs"][i]["summary"]["energy"]["residual"]).abs();
+    assert!(residual(2) > 1e3 * residual(0), "{compare}");
+    let modes = print(with("modes", SCENE, "modes", &[]), "modes");
+    assert_eq!(modes, file("modes", "modes.json"));
+    let floquet = print(with("floquet", SCENE, "floquet", &[]), "floquet");
+    assert_eq!(floquet, file("floquet", "floquet.json"));
+
+    let sweep = ["--vary", "run.t_end=normal:4 ms:0.1 ms", "--samples", "8", "--limit", "t_end < 1 s", "--csv"];
+    let sweep = print(with("sweep", SCENE, "sweep", &sweep), "sweep");
+    assert_eq!(
+        (sweep["points"]["done"].as_u64(), sweep["answers"]["limits"][0]["broken"].as_f64()),
+        (Some(8), Some(0.0))
+    );
+    let csv = std::fs::read_to_string(root.path().join("sweep/sweep.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + 8);
+    let statistics = sweep["answers"]["statistics"].as_array().unwrap();
+    let t_end = statistics.iter().find(|row| row["quantity"] == "t_end").unwrap();
+    assert!((number(&t_end["mean"]) - 4e-3).abs() < 0.2e-3);
+    let merged = gearsim(&["merge", &out("sweep"), "--out", &out("merged"), "--json"]);
+    let merged: Value = serde_json::from_slice(&merged.stdout).unwrap();
+    assert_eq!(merged["answers"]["statistics"], sweep["answers"]["statistics"]);
+
+    let over = [
+        "--over",
+        "start.speed=2200 rpm,2300 rpm",
+        "--output",
+        "dte_12",
+        "--settle",
+        "1 ms",
+        "--set",
+        "run.t_end=2 ms",
+    ];
+    let response = print(with("response", "models/scenes/response.toml", "response", &over), "response");
+    assert_eq!(response["points"].as_array().unwrap().len(), 4);
+    let short = [&SHORT[..], &["--repetitions", "1", "--set", "run.t_end=1 ms"]].concat();
+    let measured = print(with("work-precision", SCENE, "work_precision", &short), "work-precision");
+    assert_eq!(measured["methods"][0]["name"], "exact cells");
+
+    let advice = document(&[&["advise", SCENE][..], &SHORT[..2]].concat(), "advise");
+    let candidates = advice["candidates"].as_array().unwrap();
+    assert!(candidates.iter().any(|c| c["without"] == "damping" && c["truth"]["rms"].is_number()), "{advice}");
+    let check = document(&["check", SCENE], "check");
+    assert_eq!(check["start"].as_object().unwrap().len(), check["start_speeds"].as_object().unwrap().len());
+    let models = document(&["models", "gear_pair"], "models");
+    assert_eq!(models["models"][0]["coordinates"].as_array().unwrap().len(), 2);
+    assert!(document(&["models"], "models")["models"].as_array().unwrap().len() > 20);
+}
+
+#[test]
+fn quiet_commands_print_nothing() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().display().to_string();
+    for command in ["run", "compare", "modes", "floquet"] {
+        let output = gearsim(&[&[command, SCENE, "--out", &out, "-q"][..], &SHORT].concat());
+        let (printed, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        assert!(output.status.success() && printed.is_empty() && errors.is_empty(), "{command}: {printed}{errors}");
+    }
+    let advise = gearsim(&[&["advise", SCENE, "-q"][..], &SHORT[..2]].concat());
+    assert!(advise.status.success() && advise.stdout.is_empty());
+}
