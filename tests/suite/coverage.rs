@@ -4,7 +4,7 @@
 
 #[path = "coverage/commands.rs"]
 mod commands;
-#[path = "coverage/scenes.rs"]
+#[path = "common/effects.rs"]
 mod scenes;
 
 use std::fmt::Write;

@@ -1,6 +1,7 @@
 //! The development commands of this project: `cargo xtask VERB`. One file for each verb.
 
 mod chore;
+mod combinations;
 mod costs;
 mod coverage;
 mod derive;
@@ -29,6 +30,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
+    /// Run random scenes with random sets of effects, and check what must hold of each.
+    Combinations(combinations::Combinations),
     /// Measure run time, memory and compile time against the number of coordinates; write them to tests/costs.md.
     Costs(costs::Costs),
     /// Run every effect of every model under every command; write the table to tests/coverage.md.
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         return code;
     }
     let done = match Arguments::parse().verb {
+        Verb::Combinations(verb) => verb.run(),
         Verb::Costs(verb) => verb.run(),
         Verb::Coverage(verb) => verb.run(),
         Verb::Derive(verb) => verb.run(),

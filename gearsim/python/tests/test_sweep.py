@@ -142,7 +142,8 @@ def test_dask_gives_the_same_bytes_though_a_worker_is_killed(scene, tmp_path, by
     assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
 
 
-def test_statistics_and_sensitivity_name_the_axis_that_matters(scene):
+def test_statistics_and_sensitivity_name_the_axis_that_matters():
+    scene = gearsim.load(SCENE)
     axes = ["run.t_end=normal:4 ms:0.2 ms", "parameters.zeta=uniform:0.05:0.1"]
     indices = gearsim.sensitivity(scene, *axes, samples=64, record=["events"])
     of = {

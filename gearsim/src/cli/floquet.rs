@@ -36,9 +36,10 @@ and its plot.
 
 Examples:
   gearsim floquet models/scenes/oh2005/energy_300rpm.toml
-  gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000 rpm:14000 rpm:400\"
-  gearsim floquet models/scenes/oh2005/energy_300rpm.toml --vary start.speed=\"4000 rpm:14000 rpm:400\" \\
-      --vary parameters.zeta=0:0.15:60"
+  gearsim floquet models/scenes/oh2005/energy_300rpm.toml \\
+      --vary start.speed=\"4000 rpm:14000 rpm:400\"
+  gearsim floquet models/scenes/oh2005/energy_300rpm.toml \\
+      --vary start.speed=\"4000 rpm:14000 rpm:400\" --vary parameters.zeta=0:0.15:60"
 )]
 pub(super) struct FloquetCommand {
     #[command(flatten)]

@@ -103,8 +103,8 @@ Examples:
       --vary parameters.T0=\"log:1 N*m:500 N*m:50\" --vary start.speed=\"100 rpm:6000 rpm:60\"
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --samples 1000 \\
       --vary start.speed=\"uniform:100 rpm:900 rpm\" --limit \"first_reflection >= 50 ms\"
-  gearsim sweep models/scenes/sun_tolerances.toml --samples 256 --design saltelli --record outputs \\
-      --vary parameters.beta_K=\"normal:3 us:0.3 us\"
+  gearsim sweep models/scenes/response.toml --samples 256 --design saltelli --record outputs \\
+      --vary parameters.b12=\"normal:100 um:10 um\" --vary parameters.beta_K=\"uniform:2 us:4 us\"
   on the second of eight machines, and at the end on one machine that has all folders:
   gearsim sweep SCENE --vary KEY=A:B:N --shard 2/8 --out shard2
   gearsim merge shard1 shard2 shard3 shard4 shard5 shard6 shard7 shard8 --out whole"

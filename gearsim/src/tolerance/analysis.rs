@@ -1,5 +1,9 @@
 //! Tolerances of analyses: stability, modes, spectra, digits of a result, comparisons of runs.
 
+/// A coordinate or speed that stays below this share of the largest one of its unit is at rest \[1\]: what is recorded of it are errors
+/// of the others, e.g. of a mesh in equilibrium while its gears turn. A larger share hides the errors of small vibrations.
+pub(crate) const AT_REST: f64 = 1e-9;
+
 /// A Floquet multiplier within this distance of the unit circle [1] counts as being on it, and one with an imaginary part below
 /// this [relative] counts as real. A double multiplier has an error of sqrt(eps) = 1.5e-8. Smaller: undamped systems become
 /// unstable by rounding errors. Larger: slow growth is not seen.

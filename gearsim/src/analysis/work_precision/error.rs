@@ -8,7 +8,7 @@
 //! different ones of these events.
 
 use crate::run::Outcome;
-use crate::tolerance::analysis::NO_JUMP;
+use crate::tolerance::analysis::{AT_REST, NO_JUMP};
 use crate::trajectory::{Moment, Trajectory};
 
 /// The errors of a run.
@@ -95,11 +95,20 @@ pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), si
     of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
 }
 
-/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate.
+/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate. What is
+/// far smaller than others of its unit is at rest, and the values recorded of it are errors of those: its size is a share of theirs.
 pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
+    let unit = |i: usize| run.model.coordinates[i].unit;
+    let of_unit = |sizes: &[f64], i: usize| {
+        let same = sizes.iter().enumerate().filter(|(j, _)| unit(*j) == unit(i));
+        same.fold(0.0f64, |largest, (_, size)| largest.max(*size))
+    };
+    let least = |sizes: Vec<f64>| -> Vec<f64> {
+        (0..sizes.len()).map(|i| sizes[i].max(AT_REST * of_unit(&sizes, i))).collect()
+    };
     let q = run.model.coordinates.iter().zip(&run.q).map(|(coordinate, column)| {
         let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
         law.map_or_else(|| largest(column), |law| law.period)
     });
-    (q.collect(), run.q_dot.iter().map(|column| largest(column)).collect())
+    (least(q.collect()), least(run.q_dot.iter().map(|column| largest(column)).collect()))
 }

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::analysis::advise::{Apart, LIMITS};
 use super::{Advice, Error, Estimate, Verdict};
+use crate::analysis::advise::{Apart, LIMITS};
 use crate::output::document;
 use crate::scene::Scene;
 
@@ -74,25 +74,25 @@ impl Advice {
     /// # Errors
     /// If JSON cannot be written.
     pub fn json(&self, scene: &Scene) -> Result<String, Error> {
-    let groups = self.groups.as_ref().ok();
-    let mesh = |mesh: &crate::analysis::advise::groups::Mesh| Mesh {
-        law: mesh.law,
-        jump_strength: mesh.strength,
-        mesh_frequency: mesh.frequency,
-        stiffness_ratio: mesh.ratio,
-    };
-    let report = Report {
-        scene: &scene.name,
-        model: scene.model.name,
-        meshes: groups.map(|groups| groups.meshes.iter().map(mesh).collect()),
-        modes: groups.map(|groups| groups.modes.iter().map(|mode| [mode.0, mode.1]).collect()),
-        limits: deviation(&LIMITS),
-        candidates: self.verdicts.iter().map(candidate).collect(),
-        seconds: self.seconds,
-        reflections: self.reflections,
-        wrong: self.stopped.clone().or_else(|| self.refuted.map(|account| account.to_string())),
-    };
-    Ok(document::json("advise", VERSION, &report)?)
+        let groups = self.groups.as_ref().ok();
+        let mesh = |mesh: &crate::analysis::advise::groups::Mesh| Mesh {
+            law: mesh.law,
+            jump_strength: mesh.strength,
+            mesh_frequency: mesh.frequency,
+            stiffness_ratio: mesh.ratio,
+        };
+        let report = Report {
+            scene: &scene.name,
+            model: scene.model.name,
+            meshes: groups.map(|groups| groups.meshes.iter().map(mesh).collect()),
+            modes: groups.map(|groups| groups.modes.iter().map(|mode| [mode.0, mode.1]).collect()),
+            limits: deviation(&LIMITS),
+            candidates: self.verdicts.iter().map(candidate).collect(),
+            seconds: self.seconds,
+            reflections: self.reflections,
+            wrong: self.stopped.clone().or_else(|| self.refuted.map(|account| account.to_string())),
+        };
+        Ok(document::json("advise", VERSION, &report)?)
     }
 }
 

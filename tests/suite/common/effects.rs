@@ -1,6 +1,8 @@
-//! For each effect of each model a scene with it: a committed scene, the effect and those that it needs, without those that exclude it.
+//! Scenes of a model with chosen effects: a committed scene, the effects and those that they need, with values for what these require.
 
-use std::path::Path;
+#![allow(dead_code)] // each test binary uses only some of these
+
+use std::path::{Path, PathBuf};
 
 use gearsim::model::Model;
 use gearsim::{Scene, usual_levels, usual_value};
@@ -34,8 +36,13 @@ pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     effects.map(with).collect()
 }
 
-/// The first committed scene of a model.
+/// The first committed scene of a model, cut to at most `T_END`.
 fn base(model: &str) -> Scene {
+    committed(model, T_END).remove(0)
+}
+
+/// The committed scenes of a model, cut to at most `t_end` [s], without their choice of methods.
+pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes");
     let mut files: Vec<_> = ["", "oh2005", "drives"]
         .iter()
@@ -46,36 +53,55 @@ fn base(model: &str) -> Scene {
     files.sort();
     let scenes =
         files.iter().filter(|file| std::fs::read_to_string(file).unwrap().contains(&format!("model = \"{model}\"")));
-    let scene = scenes.map(|file| Scene::load(file).unwrap_or_else(|e| panic!("{e}"))).next();
-    let scene = scene.unwrap_or_else(|| panic!("no scene of {model}"));
-    // What runs is chosen by the commands, and so are method and tolerance.
-    let chosen = ["method =", "tolerance =", "step =", "rate ="];
-    let own = |line: &&str| !chosen.iter().any(|key| line.trim_start().starts_with(key));
-    let text: String = scene.text.lines().filter(own).map(|line| format!("{line}\n")).collect();
-    let t_end = format!("run.t_end={} s", scene.t_end.min(T_END));
-    Scene::from_toml_with(&scene.name, &text, &[t_end]).unwrap_or_else(|error| panic!("{error}"))
+    let cut = |file: &PathBuf| {
+        let scene = Scene::load(file).unwrap_or_else(|e| panic!("{e}"));
+        // What runs is chosen by the commands, and so are method and tolerance.
+        let chosen = ["method =", "tolerance =", "step =", "rate ="];
+        let own = |line: &&str| !chosen.iter().any(|key| line.trim_start().starts_with(key));
+        let text: String = scene.text.lines().filter(own).map(|line| format!("{line}\n")).collect();
+        let t_end = format!("run.t_end={} s", scene.t_end.min(t_end));
+        Scene::from_toml_with(&scene.name, &text, &[t_end]).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let scenes: Vec<Scene> = scenes.map(cut).collect();
+    assert!(!scenes.is_empty(), "no scene of {model}");
+    scenes
 }
 
 /// `base` with an effect, with what this needs, and with values for what it requires.
 fn scene(base: &Scene, effect: &'static str) -> Result<Scene, String> {
     let model = base.model;
-    let mut names = vec![effect];
-    let mut i = 0;
+    let mut names = needed(model, effect);
+    for name in base.effects.names(model) {
+        if !names.contains(&name) && !names.iter().any(|other| exclude(model, name, other)) {
+            names.push(name);
+        }
+    }
+    Scene::from_toml_with(&base.name, &base.text, &overrides(base, &names)).map_err(|error| error.to_string())
+}
+
+/// An effect and all that it requires.
+pub fn needed(model: &Model, effect: &'static str) -> Vec<&'static str> {
+    let (mut names, mut i) = (vec![effect], 0);
     while i < names.len() {
         let needed = model.effects.iter().find(|e| e.name == names[i]).map_or(&[][..], |e| e.requires);
         names.extend(needed.iter().filter(|name| !names.contains(name)).copied().collect::<Vec<_>>());
         i += 1;
     }
-    for name in base.effects.names(model) {
-        let excludes = |a: &str, b: &str| model.effects.iter().any(|e| e.name == a && e.excludes.contains(&b));
-        if !names.contains(&name) && !names.iter().any(|other| excludes(name, other) || excludes(other, name)) {
-            names.push(name);
-        }
-    }
+    names
+}
+
+/// Whether one of two effects excludes the other.
+pub fn exclude(model: &Model, a: &str, b: &str) -> bool {
+    let excludes = |a: &str, b: &str| model.effects.iter().any(|e| e.name == a && e.excludes.contains(&b));
+    excludes(a, b) || excludes(b, a)
+}
+
+/// The overrides of a scene that give it the effects `names`.
+pub fn overrides(base: &Scene, names: &[&'static str]) -> Vec<String> {
     let mut texts = base.overrides.clone();
     texts.push(format!("effects={names:?}"));
-    texts.extend(missing(base, model, &names));
-    Scene::from_toml_with(&base.name, &base.text, &texts).map_err(|error| error.to_string())
+    texts.extend(missing(base, base.model, names));
+    texts
 }
 
 /// Values for the parameters and laws that the effects require and the scene does not give.

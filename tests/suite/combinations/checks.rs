@@ -1,0 +1,173 @@
+//! What has to hold of every scene.
+
+use gearsim::analysis::work_precision::error;
+use gearsim::run::Outcome;
+use gearsim::{Error, Results, Scene};
+
+use crate::compare;
+use crate::draw::Case;
+
+/// What a check found.
+pub enum Checked {
+    /// It holds.
+    Right,
+    /// It does not apply, for this reason.
+    Left(String),
+    /// It does not hold.
+    Wrong(String),
+}
+
+use Checked::{Left, Right, Wrong};
+
+/// The checks, by name.
+pub const CHECKS: [(&str, fn(&Case) -> Checked); 4] =
+    [("run", run), ("sweep", sweep), ("halves", halves), ("another method", another_method)];
+
+/// Share of the scenes that are run by another method: it takes longer than all other checks.
+const METHODS: u64 = 4;
+/// Rounding errors allowed between a run and its halves, before the growth of errors in the motion; smallest difference allowed.
+const ROUNDINGS: (f64, f64) = (1e4, 1e-9);
+
+/// The run of the scene, or why there is nothing to check.
+fn ran(case: &Case) -> Result<Results, Checked> {
+    let scene = case.scene.as_ref().map_err(|error| Left(format!("not read, {}", words(error))))?;
+    scene.run().map_err(|error| match error {
+        Error::Refused { refusal, .. } => Left(format!("refused, {}", words(&refusal.to_string()))),
+        other => Wrong(other.to_string()),
+    })
+}
+
+/// The run ends, its numbers are finite, and its energy account closes.
+fn run(case: &Case) -> Checked {
+    let outcome = match ran(case) {
+        Ok(results) => results.outcome,
+        Err(checked) => return checked,
+    };
+    if let Some(stop) = &outcome.stopped_by {
+        return Left(format!("stopped, {}", words(&stop.to_string())));
+    }
+    let run = &outcome.trajectory;
+    let finite = |columns: &[Vec<f64>]| columns.iter().flatten().all(|x| x.is_finite());
+    if !finite(&run.q) || !finite(&run.q_dot) || !run.residual.iter().all(|x| x.is_finite()) {
+        return Wrong("a number is not finite".into());
+    }
+    // Steps of a fixed size and no jump terms lose energy, and the account says so.
+    let honest = outcome.solver.method == "rk4" || drops_terms(case);
+    match outcome.refuted {
+        Some(_) if honest => Left("the account says that the result is wrong".into()),
+        Some(account) => Wrong(account.to_string()),
+        None => Right,
+    }
+}
+
+/// Whether the scene has effects that drop terms.
+fn drops_terms(case: &Case) -> bool {
+    let has = |scene: &Scene, name: &str| scene.effects.names(scene.model).contains(&name);
+    case.scene.as_ref().is_ok_and(|scene| has(scene, "rigid_kinematics") || has(scene, "frozen_phase"))
+}
+
+/// A point of a sweep has the bits of the run.
+fn sweep(case: &Case) -> Checked {
+    let rate = "20 kHz";
+    let Ok(results) = ran(case) else { return Left("has no run".into()) };
+    let scene = results.scene;
+    let table = scene.vary(&format!("output.rate={rate}")).record(&["state", "extremes"]).run();
+    let single = scene.with("output.rate", rate).and_then(|scene| scene.run());
+    let (table, single) = match (table, single) {
+        (Ok(table), Ok(single)) => (table, single.outcome),
+        (table, single) => return Wrong(format!("{:?}, {:?}", table.err(), single.err())),
+    };
+    let run = &single.trajectory;
+    for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
+        for (name, column) in
+            [(coordinate.name.to_owned(), &run.q[i]), (format!("{}_dot", coordinate.name), &run.q_dot[i])]
+        {
+            let swept = table.numbers(&name).and_then(|column| column.first());
+            if swept.map(|x| x.to_bits()) != column.last().map(|x| x.to_bits()) {
+                return Wrong(format!("{name} is {swept:?} in the sweep, {:?} in the run", column.last()));
+            }
+        }
+    }
+    Right
+}
+
+/// A run to half the time, and another one from the state that it reaches, end where the whole run ends.
+fn halves(case: &Case) -> Checked {
+    let Ok(whole) = ran(case) else { return Left("has no run".into()) };
+    let scene = &whole.scene;
+    if !scene.time_histories.is_empty() || drops_terms(case) {
+        return Left("depends on the time".into());
+    }
+    if scene.model.switches.iter().any(|switch| scene.effects.has(switch.with, scene.model)) {
+        return Left("switches have a mode, which a start does not state".into());
+    }
+    if whole.outcome.stopped_by.is_some() || whole.outcome.refuted.is_some() || whole.outcome.solver.method == "rk4" {
+        return Left("the whole run has no right end".into());
+    }
+    let Some(left) = whole.outcome.digits else { return Left("no digits are known".into()) };
+    // Not a round number, so that the parts do not meet at an event.
+    let t = 0.4731 * scene.t_end;
+    let part = |scene: Scene, t_end: f64| scene.with("run.t_end", t_end)?.run();
+    let parts = part(scene.clone(), t).and_then(|first| {
+        let start = first.outcome.trajectory;
+        let value = |column: &[f64]| format!("{:?}", column.last().copied().unwrap_or(f64::NAN));
+        let entries = scene.model.coordinates.iter().enumerate().map(|(i, c)| {
+            let (q, v) = (value(&start.q[i]), value(&start.q_dot[i]));
+            format!("{} = \"{q} {}\", {}_dot = \"{v} {}/s\"", c.name, c.unit, c.name, c.unit)
+        });
+        let start = format!("start={{ {} }}", entries.collect::<Vec<_>>().join(", "));
+        let overrides = [scene.overrides.clone(), vec![start]].concat();
+        let second = Scene::from_toml_with(&scene.name, &scene.text, &overrides)?;
+        part(second, scene.t_end - t)
+    });
+    let second = match parts {
+        Ok(second) => second.outcome,
+        Err(error) => return Wrong(error.to_string()),
+    };
+    let grown = 10f64.powf(15.95 - left.at_end);
+    let allowed = ROUNDINGS.0 * f64::EPSILON.max(tolerance(&whole)) * grown;
+    if allowed > 1e-4 {
+        return Left("too few digits are left".into());
+    }
+    match apart(&second, &whole.outcome) {
+        end if end <= allowed.max(ROUNDINGS.1) => Right,
+        end => Wrong(format!("the ends are {end:.1e} apart, {allowed:.1e} allowed")),
+    }
+}
+
+/// The largest difference of a coordinate or speed at the ends of two runs, relative to its size in the second.
+fn apart(a: &Outcome, b: &Outcome) -> f64 {
+    let (a, b) = (&a.trajectory, &b.trajectory);
+    error::difference((a, a.len() - 1), (b, b.len() - 1), &error::sizes(b))
+}
+
+/// The tolerance of a method by steps; 0 of the exact method.
+fn tolerance(run: &Results) -> f64 {
+    if run.outcome.solver.method == "exact" { 0.0 } else { run.scene.solver.tolerance }
+}
+
+/// Two methods that share only the equations give the same events, end and account.
+fn another_method(case: &Case) -> Checked {
+    let Ok(scene) = &case.scene else { return Left("has no run".into()) };
+    if !case.choice.is_multiple_of(METHODS) || drops_terms(case) {
+        return Left("not chosen".into());
+    }
+    match run(case) {
+        Right => {}
+        _ => return Left("has no run".into()),
+    }
+    match compare::agree(scene) {
+        Ok(_) => Right,
+        Err(why) => Wrong(why),
+    }
+}
+
+/// A reason without its numbers, so that equal reasons are counted together.
+fn words(text: &str) -> String {
+    let first = first_line(text);
+    first.split(' ').filter(|word| !word.contains(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join(" ")
+}
+
+fn first_line(text: &str) -> String {
+    text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default().to_owned()
+}

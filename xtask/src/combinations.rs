@@ -1,0 +1,35 @@
+//! `cargo xtask combinations`: random scenes over models, effects, numbers, methods and precisions, with what must hold of each.
+
+use std::process::Command;
+
+use anyhow::{Context, bail};
+
+use crate::chore::root;
+
+/// Run random scenes with random sets of effects, and check what must hold of each.
+#[derive(clap::Args)]
+pub struct Combinations {
+    /// Number of scenes
+    #[arg(long, default_value_t = 100_000)]
+    scenes: u64,
+    /// Number of the first scene; each number is always the same scene
+    #[arg(long, default_value_t = 0)]
+    from: u64,
+}
+
+impl Combinations {
+    /// Runs the test of that name.
+    ///
+    /// # Errors
+    /// If something does not hold of a scene.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let mut command = Command::new(env!("CARGO"));
+        command.args(["test", "--quiet", "--workspace", "--test", "combinations", "--", "--nocapture"]);
+        command.env("COMBINATIONS", self.scenes.to_string()).env("COMBINATIONS_FROM", self.from.to_string());
+        let status = command.current_dir(root()?).status().context("cannot start cargo")?;
+        if !status.success() {
+            bail!("something does not hold of a scene; the message is above");
+        }
+        Ok(())
+    }
+}
