@@ -71,7 +71,7 @@ pub struct Hybrid<'a> {
     pub contact: Option<Box<Contact>>,
     /// Torques that vary in time, if any does.
     pub forcing: Option<Box<Forcing>>,
-    /// When a switch last changed its mode \[s\], and how often since then without passing time.
+    /// When a switch last changed its mode \[s\], and how often without a motion of the deflections between the changes.
     pub rattle: (f64, u32),
 
     /// Energy that damping has taken so far \[J\].
@@ -179,6 +179,13 @@ impl Hybrid<'_> {
     /// change again and again without passing time, it does so only once its guard is violated by more than that.
     pub fn left_to(&self, exit: &Exit) -> f64 {
         exit.guard.value(&self.state.q, &self.state.q_dot, &self.k).max(0.0) + self.slack_of(exit)
+    }
+
+    /// Whether in a time `dt` \[s\] until now the guards of the switches have changed by no more than their rounding errors: they cannot
+    /// tell then on which side of the edge the deflections are.
+    pub fn has_not_moved(&self, dt: f64) -> bool {
+        let still = |exit: &Exit| (exit.guard.on_q.dot(&self.state.q_dot) * dt).abs() <= exit.guard.rounding(&self.k);
+        dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
     }
 
     /// What is added to the value of a guard while a switch rattles.

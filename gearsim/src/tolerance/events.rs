@@ -103,8 +103,8 @@ pub(crate) const CASCADE_EVENTS: u64 = 100_000;
 /// ambiguous results are not reported. Smaller: rounding errors are reported as ambiguous.
 pub(crate) const ORDER: f64 = 1e-9;
 
-/// Events of flanks at one time above which they are taken for rounding errors [events]: more than the contacts and dampers of a train
-/// that can change together.
+/// Events of flanks without a motion between them above which they are taken for rounding errors [events]: more than the contacts and
+/// dampers of a train that can change together.
 pub(crate) const EVENTS_AT_ONE_TIME: u32 = 16;
 
 /// Rounding error of the guard of a switch near zero [relative to its constant part plus that of transmission errors: of a play, half the

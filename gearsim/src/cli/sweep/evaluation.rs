@@ -130,8 +130,9 @@ impl Evaluation {
             if layout.plan.sampler.design == Design::Saltelli {
                 said += &self.sensitivities(layout, block, width);
             }
-            if !said.is_empty() && blocks.len() > 1 {
-                text += &line("at", &block.name(layout), width);
+            let at = block.name(layout);
+            if !said.is_empty() && !at.is_empty() {
+                text += &line("at", &at, width);
             }
             text += &said;
         }

@@ -140,7 +140,7 @@ impl Simulation<'_> {
     fn follow_switch(&mut self) -> Result<(), Stop> {
         let now = &mut self.now;
         let t = now.clock.now();
-        now.rattle = if t == now.rattle.0 { (t, now.rattle.1 + 1) } else { (t, 0) };
+        now.rattle = (t, if now.has_not_moved(t - now.rattle.0) { now.rattle.1 + 1 } else { 0 });
         // What is held now presses otherwise, or against nothing.
         let held = now.contact.take().map_or(vec![], |contact| contact.laws);
         let void = |held: &(usize, Side)| contact::is_void(self.now.equations, self.stand(), *held, &self.now.state);

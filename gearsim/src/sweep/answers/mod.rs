@@ -7,12 +7,13 @@ pub mod statistics;
 #[cfg(test)]
 mod tests;
 
+use super::axis::Axis;
 use super::folder::Rows;
 use super::manifest::Layout;
 use super::row::{self, Row, Status};
 use crate::output::{OutputError, Table};
 
-/// The points at one point of the grid.
+/// The samples at one point of the grid; without random axes, all points.
 pub struct Block<'a> {
     /// The values of all axes at its first point; those that are not random are the same at all of its points.
     values: Vec<String>,
@@ -23,7 +24,7 @@ pub struct Block<'a> {
 impl<'a> Block<'a> {
     /// The blocks of a complete sweep.
     pub fn all(layout: &Layout, rows: &'a Rows) -> Vec<Block<'a>> {
-        let size = layout.plan.block();
+        let size = if layout.plan.is_random() { layout.plan.block() } else { rows.len().max(1) };
         let done = |point: usize| rows.get(&point).filter(|row| row.status == Status::Done);
         let block =
             |first: usize| Block { values: layout.plan.values(first), rows: (first..first + size).map(done).collect() };
@@ -35,18 +36,23 @@ impl<'a> Block<'a> {
         self.rows.iter().flatten().map(move |row| row.numbers[column]).filter(|x| x.is_finite())
     }
 
-    /// The values that define the point of the grid, as text: `start.speed = 300 rpm`. Empty if all axes are random.
+    /// The values that define the point of the grid, as text: `start.speed = 300 rpm`. Empty if there is no grid of blocks.
     pub fn name(&self, layout: &Layout) -> String {
-        let fixed = layout.plan.axes.iter().zip(&self.values).filter(|(axis, _)| axis.count().is_some());
+        let fixed = layout.plan.axes.iter().zip(&self.values).filter(|(axis, _)| is_of_grid(layout, axis));
         fixed.map(|(axis, value)| format!("{} = {value}", axis.key)).collect::<Vec<_>>().join(", ")
     }
+}
+
+/// Whether an axis is the same in a block.
+fn is_of_grid(layout: &Layout, axis: &Axis) -> bool {
+    layout.plan.is_random() && axis.count().is_some()
 }
 
 /// A table that begins with the values of the axes that are not random, one entry per row: `blocks` are the blocks of the rows.
 fn table(layout: &Layout, blocks: &[&Block<'_>]) -> Result<Table, OutputError> {
     let mut table = Table::default();
     for (i, (axis, unit)) in layout.plan.axes.iter().zip(&layout.units).enumerate() {
-        if axis.count().is_some() {
+        if is_of_grid(layout, axis) {
             row::push_values(&mut table, axis, unit, blocks.iter().map(|block| block.values[i].clone()).collect())?;
         }
     }

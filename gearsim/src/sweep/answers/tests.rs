@@ -61,6 +61,19 @@ fn limits_are_broken_as_often_as_the_distribution_says() {
     }
 }
 
+/// Without random axes the limit is counted over all points.
+#[test]
+fn a_grid_is_one_block() {
+    let request = Request { record: vec!["events".into()], overrides: vec![], ..request(&["run.t_end=1 ms:5 ms:5"]) };
+    let sweep = load(&request).unwrap();
+    let rows: Rows = (0..sweep.points).map(|point| (point, sweep.point(point))).collect();
+    let layout = Manifest::new(&sweep, &request, None).layout(MODELS).unwrap();
+    let blocks = Block::all(&layout, &rows);
+    let count = Limit::read("t_end < 3.5 ms", &layout).unwrap().count(&blocks[0]);
+    assert_eq!((blocks.len(), count.broken, count.points), (1, 2, 5));
+    assert_eq!(blocks[0].name(&layout), "");
+}
+
 /// Only the axis that sets the end of a run changes the time it reaches: its indices are 1, those of the other are 0. The answers are
 /// worked out for each point of the grid.
 #[test]
