@@ -4,8 +4,10 @@
 //! would remain if all others were known: it counts interactions too. With the points A, B and A_i (A with the value of axis i from B)
 //! of the design `saltelli`, f the quantity, m its mean and V its variance,
 //!
-//!     S_i = mean((f(B) - m) (f(A_i) - f(A))) / V          A. Saltelli et al., Comput. Phys. Commun. 181 (2010), 259-270, Table 2 (b)
-//!     T_i = mean((f(A) - f(A_i))²) / 2V                   M. J. W. Jansen, Comput. Phys. Commun. 117 (1999), 35-43
+//! ```text
+//! S_i = mean((f(B) - m) (f(A_i) - f(A))) / V          A. Saltelli et al., Comput. Phys. Commun. 181 (2010), 259-270, Table 2 (b)
+//! T_i = mean((f(A) - f(A_i))²) / 2V                   M. J. W. Jansen, Comput. Phys. Commun. 117 (1999), 35-43
+//! ```
 //!
 //! The bounds of 95 % are those of the asymptotic normal distribution of a ratio of means (A. Janon et al., ESAIM: Probab. Stat. 18
 //! (2014), 342-364). They hold for independent samples; those of a Sobol' sequence are usually closer.
