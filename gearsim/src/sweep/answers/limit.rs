@@ -16,8 +16,10 @@ use crate::sweep::{Error, impossible};
 
 /// File name of the table.
 pub const FILE: &str = "limits.csv";
+/// Whether a value keeps a limit.
+type Keeps = fn(&f64, &f64) -> bool;
 /// The comparisons, longer ones first.
-const SIGNS: [(&str, fn(&f64, &f64) -> bool); 4] = [("<=", f64::le), (">=", f64::ge), ("<", f64::lt), (">", f64::gt)];
+const SIGNS: [(&str, Keeps); 4] = [("<=", f64::le), (">=", f64::ge), ("<", f64::lt), (">", f64::gt)];
 
 /// A limit of a recorded quantity, which is kept or broken at each point.
 #[derive(Debug, Clone)]
@@ -25,7 +27,7 @@ pub struct Limit {
     /// As the user wrote it.
     pub text: String,
     column: usize,
-    keeps: fn(&f64, &f64) -> bool,
+    keeps: Keeps,
     value: f64,
 }
 
