@@ -19,9 +19,10 @@ pub enum Checked {
 
 use Checked::{Left, Right, Wrong};
 
-/// The checks, by name.
-pub const CHECKS: [(&str, fn(&Case) -> Checked); 4] =
-    [("run", run), ("sweep", sweep), ("halves", halves), ("another method", another_method)];
+/// A check and its name.
+type Check = (&'static str, fn(&Case) -> Checked);
+/// All checks.
+pub const CHECKS: [Check; 4] = [("run", run), ("sweep", sweep), ("halves", halves), ("another method", another_method)];
 
 /// Share of the scenes that are run by another method: it takes longer than all other checks.
 const METHODS: u64 = 4;

@@ -70,12 +70,12 @@ fn set(model: &'static Model, draw: &mut Draw) -> Vec<&'static str> {
         let related = |name: &&str| {
             effect.of == Some(*name) || model.effects.iter().any(|e| e.name == *name && e.of == Some(effect.name))
         };
-        if draw.unit() > share || names.iter().any(|name| related(name)) {
+        if draw.unit() > share || names.iter().any(related) {
             continue;
         }
         let more = effects::needed(model, effect.name);
         let fits = |name: &&str| names.iter().chain(&more).all(|other| !effects::exclude(model, name, other));
-        if more.iter().all(|name| fits(name)) {
+        if more.iter().all(fits) {
             let new: Vec<_> = more.into_iter().filter(|name| !names.contains(name)).collect();
             names.extend(new);
         }
