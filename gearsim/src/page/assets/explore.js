@@ -158,7 +158,10 @@ function advised(advice) {
     const name = label.querySelector("input").name;
     const row = advice.rows.find(({ effect }) => effect === name || name.startsWith(`${effect}_`));
     const verdict = label.querySelector(".verdict");
-    verdict.textContent = !row ? "" : row.without.startsWith("jump terms") ? `${row.without}: ${says(row)}` : says(row);
+    // These two effects leave terms out: what is needed are the terms.
+    const terms = row?.without.startsWith("jump terms") ? "terms " : "";
+    verdict.textContent = row ? terms + says(row) : "";
+    verdict.title = row?.without ?? "";
     verdict.className = `verdict ${row ? says(row) : ""}`;
   }
 }

@@ -46,6 +46,9 @@ function element(name, properties = {}, ...children) {
 }
 
 class Panel {
+  /** Further settings of axes. */
+  static axis = {};
+
   constructor(figure) {
     this.figure = figure;
     this.plot = JSON.parse(figure.querySelector("script").textContent);
@@ -188,7 +191,7 @@ class Panel {
 
   layout(range) {
     const [grid, ink] = [css("--grid"), css("--text")];
-    const axis = { gridcolor: grid, linecolor: grid, zerolinecolor: grid, exponentformat: "power", minexponent: 4, ticks: "outside", tickcolor: grid };
+    const axis = { gridcolor: grid, linecolor: grid, zerolinecolor: grid, exponentformat: "power", minexponent: 4, ticks: "outside", tickcolor: grid, ...Panel.axis };
     const title = (text, unit) => ({ text: unit && unit !== "1" ? `${text} [${unit}]`.trim() : text, standoff: 6 });
     const y = { ...axis, title: title(this.plot.y.label, this.unit), uirevision: this.yRevision };
     if (this.plot.y.log) Object.assign(y, { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 });

@@ -1,6 +1,8 @@
 // Sections that show run after run: plots that stay keep their view, all else is replaced.
 
 const panels = [];
+// To look for labels that are cut off takes a quarter of the time of drawing.
+Panel.axis = { ticklabeloverflow: "allow" };
 
 /** The names of what a plot shows; a plot of the same names stays. */
 const subject = (plot) => [plot.title, plot.y.unit, plot.y.log, ...plot.curves.map((curve) => curve.name)].join("\n");
@@ -25,7 +27,29 @@ function showSections(main, { html, arrays }) {
   for (const group of groups.values()) regroup(group);
   bars(main);
   main.querySelectorAll("table.sortable").forEach((table) => { if (!table.dataset.sorts) { sortable(table); table.dataset.sorts = "1"; } });
-  panels.forEach((panel) => panel.draw());
+  drawAll();
+}
+
+/** Draws the plots on the screen at once, and those near it once these are seen. */
+function drawAll() {
+  const seen = (panel) => {
+    const { top, bottom } = panel.figure.getBoundingClientRect();
+    return bottom > 0 && top < innerHeight;
+  };
+  const near = panels.map((panel) => [panel, seen(panel)]);
+  near.filter(([, here]) => here).forEach(([panel]) => panel.draw());
+  for (const [panel] of near.filter(([, here]) => !here)) {
+    panel.stale = true;
+    panel.frame.hidden = !panel.shown.some((shown) => shown);
+  }
+  const later = near.filter(([panel, here]) => !here && panel.inSight).map(([panel]) => panel);
+  const next = () => {
+    const panel = later.shift();
+    if (!panel) return;
+    if (panel.stale && panel.figure.isConnected) panel.draw();
+    requestAnimationFrame(() => setTimeout(next));
+  };
+  requestAnimationFrame(() => setTimeout(next));
 }
 
 /** Makes a section like a fresh one; plots of the same subject stay where they are, and get the new curves. */
