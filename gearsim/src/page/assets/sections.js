@@ -30,6 +30,10 @@ function showSections(main, { html, arrays }) {
   drawAll();
 }
 
+// Time [ms] for the screen and for input before a plot that is not seen is drawn.
+const PAUSE = 50;
+let turn = null;
+
 /** Draws the plots on the screen at once, and those near it once these are seen. */
 function drawAll() {
   const seen = (panel) => {
@@ -43,13 +47,14 @@ function drawAll() {
     panel.frame.hidden = !panel.shown.some((shown) => shown);
   }
   const later = near.filter(([panel, here]) => !here && panel.inSight).map(([panel]) => panel);
+  clearTimeout(turn);
   const next = () => {
     const panel = later.shift();
     if (!panel) return;
     if (panel.stale && panel.figure.isConnected) panel.draw();
-    requestAnimationFrame(() => setTimeout(next));
+    turn = setTimeout(next, PAUSE);
   };
-  requestAnimationFrame(() => setTimeout(next));
+  turn = setTimeout(next, PAUSE);
 }
 
 /** Makes a section like a fresh one; plots of the same subject stay where they are, and get the new curves. */
