@@ -40,6 +40,8 @@ pub mod cli;
 pub mod engine;
 #[doc(hidden)]
 pub mod ensemble;
+#[cfg(feature = "html")]
+mod explore;
 #[doc(hidden)]
 pub mod gear;
 #[cfg(feature = "models")]

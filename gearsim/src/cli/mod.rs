@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod completions;
 mod evaluate;
+mod explore;
 mod failure;
 mod floquet;
 mod man;
@@ -41,6 +42,7 @@ use failure::Failure;
 const COMMANDS: &[Command] = &[
     Command::of::<run::Run>(), //
     Command::of::<compare::Compare>(),
+    Command::of::<explore::Explore>(),
     Command::of::<advise::Advise>(),
     Command::of::<sweep::SweepCommand>(),
     Command::of::<merge::Merge>(),

@@ -21,7 +21,7 @@ pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
         return Ok(None);
     }
     Err(Failure::Impossible {
-        what: "this program was built without interactive pages (--html)".into(),
+        what: "this program was built without interactive pages".into(),
         help: "build it with them: cargo build --release --features html".into(),
     })
 }

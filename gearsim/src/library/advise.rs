@@ -92,18 +92,23 @@ impl Scene {
     /// # Errors
     /// If the scene has no effects, or cannot be run.
     pub fn advise(&self) -> Result<Advice, Error> {
-        of(&advise::base(self))
+        self.advise_watched(&|_| {})
+    }
+
+    /// The same; each of its runs calls `watch` with the time reached \[s\].
+    pub(crate) fn advise_watched(&self, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
+        of(&advise::base(self), watch)
     }
 }
 
 /// The advice on `base`, a scene without effects that drop terms.
-fn of(base: &Scene) -> Result<Advice, Error> {
+fn of(base: &Scene, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
     let candidates = advise::candidates(base);
     if candidates.is_empty() {
         let what = format!("scene {} has no effects: there is nothing to leave out", base.name);
         return Err(Error::impossible(what, "add effects to its list `effects`"));
     }
-    let (outcome, seconds) = timed(base)?;
+    let (outcome, seconds) = timed(base, watch)?;
     let system = base.entry()?.system(base).map_err(|refusal| refusal.to_string());
     let groups = system.as_ref().map_err(Clone::clone);
     let groups = groups.and_then(|system| Groups::of(base, system).map_err(|e| e.to_string()));
@@ -125,6 +130,7 @@ fn of(base: &Scene) -> Result<Advice, Error> {
         steady: steady.ok(),
         bands: &bands,
         seconds,
+        watch,
     };
     let verdicts = candidates.into_iter().map(|candidate| context.verdict(candidate)).collect::<Result<_, _>>()?;
     Ok(Advice {
@@ -149,12 +155,13 @@ struct Context<'a> {
     steady: Option<Steady<'a>>,
     bands: &'a Bands,
     seconds: f64,
+    watch: &'a dyn Fn(f64),
 }
 
 impl Context<'_> {
     fn verdict(&self, candidate: Candidate) -> Result<Verdict, Error> {
         let estimate = self.estimate(&candidate)?;
-        let (truth, time) = match timed(&candidate.scene) {
+        let (truth, time) = match timed(&candidate.scene, self.watch) {
             Ok((outcome, seconds)) => {
                 let there = Measures::of(&outcome, self.bands);
                 (Ok(self.here.apart(&there, &self.units())), seconds / self.seconds)
@@ -176,7 +183,8 @@ impl Context<'_> {
         }
         let short = short_run(self.base, self.mesh);
         let shortened = |scene: &Scene| Scene { t_end: short, ..scene.clone() };
-        let measures = |scene: &Scene| shortened(scene).run().map(|results| Measures::of(&results.outcome, self.bands));
+        let run = |scene: &Scene| shortened(scene).run_alone(&mut |t| (self.watch)(t));
+        let measures = |scene: &Scene| run(scene).map(|results| Measures::of(&results.outcome, self.bands));
         match (measures(self.base), measures(&candidate.scene)) {
             (Ok(here), Ok(there)) => {
                 Ok(Estimate::Short(here.apart(&there, &self.units()).over(short, self.base.t_end)))
@@ -212,12 +220,13 @@ fn bands(base: &Scene, outcome: &Outcome, groups: Option<&Groups>) -> Bands {
 const QUICK: f64 = 0.2;
 
 /// Runs a scene; the outcome, and its processor time [s].
-fn timed(scene: &Scene) -> Result<(Outcome, f64), Error> {
-    let outcome = scene.run()?.outcome;
+pub(crate) fn timed(scene: &Scene, watch: &dyn Fn(f64)) -> Result<(Outcome, f64), Error> {
+    let run = || scene.run_alone(&mut |t| watch(t));
+    let outcome = run()?.outcome;
     let mut seconds = outcome.cpu_seconds;
     if seconds < QUICK {
         for _ in 0..2 {
-            seconds = seconds.min(scene.run()?.outcome.cpu_seconds);
+            seconds = seconds.min(run()?.outcome.cpu_seconds);
         }
     }
     Ok((outcome, seconds))

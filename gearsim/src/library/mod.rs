@@ -21,6 +21,8 @@ mod build;
 mod error;
 pub(crate) mod evaluate;
 pub(crate) mod files;
+#[cfg(feature = "html")]
+pub(crate) mod interrupt;
 mod job;
 pub(crate) mod provenance;
 mod results;

@@ -45,8 +45,14 @@ impl Scene {
     /// As [`Scene::run`].
     pub fn run_watched(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
         let entry = self.entry()?;
-        let outcome = entry.run(self, watch).map_err(|refusal| self.refused(refusal))?;
+        let Results { scene, outcome } = self.run_alone(watch)?;
         let outcome = digits::noted(self, outcome, &|companion| entry.run(companion, &mut |_| {}));
+        Ok(Results { scene, outcome })
+    }
+
+    /// The same without the companion run, so that the number of digits left is not known.
+    pub(crate) fn run_alone(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
+        let outcome = self.entry()?.run(self, watch).map_err(|refusal| self.refused(refusal))?;
         Ok(Results { scene: self.clone(), outcome })
     }
 }

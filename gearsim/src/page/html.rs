@@ -54,6 +54,11 @@ impl Html {
         &self.arrays
     }
 
+    /// The embedded arrays, to keep.
+    pub(super) fn into_arrays(self) -> Vec<(String, String)> {
+        self.arrays
+    }
+
     /// A paragraph.
     pub fn paragraph(&mut self, text: &str) {
         self.element("p", "", text);

@@ -1,12 +1,14 @@
 //! Interactive pages: one HTML file that shows a result in any browser, without network and without other files.
 //!
 //! A [`Page`] has sections of text, tables and plots. The numbers of its plots are embedded as base64 typed arrays ([`data`]). The plots
-//! are drawn by plotly.js, which the crate `plotly` brings, and by the scripts in `assets` ([`script`]). [`run`] makes the page of a run.
+//! are drawn by plotly.js, which the crate `plotly` brings, and by the scripts in `assets` ([`script`]). [`run`] makes the page of a run,
+//! [`explore`] the page that shows run after run.
 //!
 //! Whatever a scene says stays text: [`html`] escapes it in HTML, [`data::json`] in scripts. A Content-Security-Policy allows only the
 //! scripts of this module, by their hashes, and no network.
 
 pub mod data;
+pub mod explore;
 pub mod html;
 pub mod plot;
 pub mod run;
@@ -14,7 +16,10 @@ mod script;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashMap;
 use std::io::{self, Write};
+
+use serde::Serialize;
 
 use html::{Html, escape};
 
@@ -47,28 +52,57 @@ impl Page {
 
     /// Writes the page as HTML. Errors: those of `sink`.
     pub fn write(&self, sink: &mut dyn Write) -> io::Result<()> {
-        let library = script::library()?;
-        let own = script::own();
-        let policy = script::policy(&[library, &own]);
+        let own = script::of_file();
+        let policy = script::policy(&[script::library()?, &own]);
+        let meta = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">");
         let title = escape(&self.title);
-        writeln!(sink, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
-        writeln!(sink, "<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">")?;
-        writeln!(sink, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
-        writeln!(sink, "<meta name=\"color-scheme\" content=\"light dark\">")?;
-        writeln!(sink, "<title>{title} - gearsim</title>\n<style>{STYLE}</style>\n</head>\n<body>")?;
-        writeln!(
-            sink,
-            "<header><h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav aria-label=\"Sections\"><ul>",
-            escape(&self.subtitle)
-        )?;
-        for (id, title) in &self.contents {
-            writeln!(sink, "<li><a href=\"#{id}\">{}</a></li>", escape(title))?;
-        }
-        writeln!(sink, "</ul></nav></header>\n<main>\n{}</main>", self.body.text())?;
-        writeln!(sink, "<noscript><p class=\"note\">The plots of this page need JavaScript.</p></noscript>")?;
-        for (id, array) in self.body.arrays() {
-            writeln!(sink, "<script type=\"text/plain\" id=\"{id}\">{array}</script>")?;
-        }
-        writeln!(sink, "<script>{library}</script>\n<script>{own}</script>\n</body>\n</html>")
+        document(sink, &title, &meta, &own, &mut |sink| {
+            writeln!(
+                sink,
+                "<body>\n<header><h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav aria-label=\"Sections\"><ul>",
+                escape(&self.subtitle)
+            )?;
+            for (id, title) in &self.contents {
+                writeln!(sink, "<li><a href=\"#{id}\">{}</a></li>", escape(title))?;
+            }
+            writeln!(sink, "</ul></nav></header>\n<main>\n{}</main>", self.body.text())?;
+            writeln!(sink, "<noscript><p class=\"note\">The plots of this page need JavaScript.</p></noscript>")?;
+            for (id, array) in self.body.arrays() {
+                writeln!(sink, "<script type=\"text/plain\" id=\"{id}\">{array}</script>")?;
+            }
+            Ok(())
+        })
     }
+
+    /// What a page that is open already needs to show this one.
+    pub fn parts(self) -> Parts {
+        let html = self.body.text().to_owned();
+        Parts { html, arrays: self.body.into_arrays().into_iter().collect() }
+    }
+}
+
+/// The content of a page.
+#[derive(Debug, Serialize)]
+pub struct Parts {
+    /// The sections.
+    html: String,
+    /// The embedded arrays in base64, by their identifiers.
+    arrays: HashMap<String, String>,
+}
+
+/// Writes a document: `title` and `meta` in its head, what `body` writes, then plotly.js and the script `own`.
+fn document(
+    sink: &mut dyn Write,
+    title: &str,
+    meta: &str,
+    own: &str,
+    body: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let library = script::library()?;
+    writeln!(sink, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">{meta}")?;
+    writeln!(sink, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
+    writeln!(sink, "<meta name=\"color-scheme\" content=\"light dark\">")?;
+    writeln!(sink, "<title>{title} - gearsim</title>\n<style>{STYLE}</style>\n</head>")?;
+    body(sink)?;
+    writeln!(sink, "<script>{library}</script>\n<script>{own}</script>\n</body>\n</html>")
 }

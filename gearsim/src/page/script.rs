@@ -7,13 +7,12 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 
-/// Our own scripts, in the order in which they run.
-const OWN: [&str; 5] = [
+/// The scripts of all pages, in the order in which they run.
+const COMMON: [&str; 4] = [
     include_str!("assets/data.js"),
     include_str!("assets/plot.js"),
     include_str!("assets/group.js"),
     include_str!("assets/table.js"),
-    include_str!("assets/page.js"),
 ];
 
 /// The script elements of the crate: plotly.js first, then MathJax, which pages do not need.
@@ -29,9 +28,19 @@ pub(super) fn library() -> io::Result<&'static str> {
     }
 }
 
-/// Our own scripts as one text.
-pub(super) fn own() -> String {
-    format!("\"use strict\";\n{}", OWN.concat())
+/// The scripts of a page that is a file.
+pub(super) fn of_file() -> String {
+    own(&[include_str!("assets/page.js")])
+}
+
+/// The scripts of the page of `gearsim explore`.
+pub(super) fn of_explorer() -> String {
+    own(&[include_str!("assets/controls.js"), include_str!("assets/sections.js"), include_str!("assets/explore.js")])
+}
+
+/// Our own scripts as one text: the common ones, then `rest`.
+fn own(rest: &[&str]) -> String {
+    format!("\"use strict\";\n{}{}", COMMON.concat(), rest.concat())
 }
 
 /// A Content-Security-Policy that allows `scripts`, inline styles and images made by the page itself, and nothing else: no network.

@@ -77,7 +77,7 @@ fn a_page_has_its_sections_and_allows_only_its_own_scripts() {
     assert_eq!(text.matches("<script").count() - library_mentions(), 3, "the array and the two scripts");
     assert!(!text.contains("<img"));
 
-    let policy = script::policy(&[script::library().unwrap(), &script::own()]);
+    let policy = script::policy(&[script::library().unwrap(), &script::of_file()]);
     assert!(text.contains(&format!("content=\"{policy}\"")));
     let allowed: Vec<_> = policy.split(';').map(str::trim).collect();
     assert_eq!(allowed[0], "default-src 'none'");

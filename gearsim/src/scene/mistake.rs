@@ -25,6 +25,24 @@ pub struct Mistake {
     text: Option<NamedSource<Arc<str>>>,
 }
 
+impl Mistake {
+    /// What is wrong.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// What to do.
+    pub fn help(&self) -> &str {
+        &self.help
+    }
+
+    /// The byte at which it is in the text of the scene `source`; `None` if it is elsewhere, or only a part of the text is quoted.
+    pub(crate) fn offset_in(&self, source: &str) -> Option<usize> {
+        let quoted = self.text.as_ref()?;
+        (**quoted.inner() == *source).then(|| Some(self.span?.offset()))?
+    }
+}
+
 /// All mistakes in a scene, in the order of its text; those in overrides come last.
 #[derive(Debug, Clone, Diagnostic)]
 pub struct SceneMistakes {

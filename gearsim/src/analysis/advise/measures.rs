@@ -164,9 +164,34 @@ impl Apart {
         self.each().iter().zip(limits.each()).all(|(x, limit)| *x <= limit)
     }
 
+    /// Their names.
+    pub const NAMES: [&str; 6] = ["rms", "peak", "bands", "speed", "energy", "events"];
+
     /// All of them, in the order of their declaration.
     pub fn each(&self) -> [f64; 6] {
         [self.rms, self.peak, self.bands, self.speed, self.energy, self.events]
+    }
+
+    /// The same as texts, in % and dB.
+    pub fn in_words(&self) -> [String; 6] {
+        let mut words = self.each().map(percent);
+        words[2] = decibels(self.bands);
+        words
+    }
+}
+
+/// A deviation in dB. At the largest, 200 dB, a band is empty in one of the two runs.
+fn decibels(x: f64) -> String {
+    if x >= 0.995 * SILENT { "all".into() } else { format!("{x:.2} dB") }
+}
+
+fn percent(x: f64) -> String {
+    match 100.0 * x {
+        p if !p.is_finite() => "-".into(),
+        p if p >= 1000.0 => ">1000 %".into(),
+        p if p >= 10.0 => format!("{p:.0} %"),
+        p if p >= 0.01 || p == 0.0 => format!("{p:.2} %"),
+        _ => "<0.01 %".into(),
     }
 }
 

@@ -7,8 +7,6 @@ use crate::analysis::advise::{Apart, LIMITS};
 use crate::cli::{number, report};
 use crate::library::advise::{Advice, Estimate, Verdict};
 
-const HEAD: [&str; 6] = ["rms", "peak", "bands", "speed", "energy", "events"];
-
 /// The whole text. `dropped`: whether the scene itself has effects that drop terms.
 pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
     let mut text = String::new();
@@ -25,11 +23,11 @@ pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
         text += &report::line("estimates", &says, width);
     }
     text.push('\n');
-    text += &row("", "without", HEAD.map(str::to_string), "time", "");
+    text += &row("", "without", Apart::NAMES.map(str::to_string), "time", "");
     for verdict in &advice.verdicts {
         text += &both(verdict);
     }
-    text += &row("", "limits", cells(&LIMITS), "", "");
+    text += &row("", "limits", LIMITS.in_words(), "", "");
     text.push('\n');
     for line in conclusions(advice) {
         text += &report::line(line.0, &line.1, width);
@@ -101,7 +99,7 @@ fn both(verdict: &Verdict) -> String {
         _ => "-".into(),
     };
     let name = &verdict.candidate.without;
-    let estimate = |what: &str, apart: &Apart| row(name, what, cells(apart), "", says(estimated));
+    let estimate = |what: &str, apart: &Apart| row(name, what, apart.in_words(), "", says(estimated));
     let first = match &verdict.estimate {
         Estimate::Settled(apart) => estimate("estimate", apart),
         Estimate::Short(apart) => estimate("short run", apart),
@@ -109,31 +107,10 @@ fn both(verdict: &Verdict) -> String {
         Estimate::None(why) => format!("{}no estimate: {why}\n", label(name)),
     };
     let second = match &verdict.truth {
-        Ok(apart) => row(&format!("  {}", verdict.candidate.how), "truth", cells(apart), &time, says(true_)),
+        Ok(apart) => row(&format!("  {}", verdict.candidate.how), "truth", apart.in_words(), &time, says(true_)),
         Err(why) => format!("  {}: cannot be run, {why}\n", verdict.candidate.how),
     };
     first + &second
-}
-
-fn cells(apart: &Apart) -> [String; 6] {
-    let mut cells = apart.each().map(percent);
-    cells[2] = decibels(apart.bands);
-    cells
-}
-
-/// A deviation in dB. At the cap of [`Apart::bands`], 200 dB, a band is empty in one of the two runs.
-fn decibels(x: f64) -> String {
-    if x >= 199.0 { "all".into() } else { format!("{x:.2} dB") }
-}
-
-fn percent(x: f64) -> String {
-    match 100.0 * x {
-        p if !p.is_finite() => "-".into(),
-        p if p >= 1000.0 => ">1000 %".into(),
-        p if p >= 10.0 => format!("{p:.0} %"),
-        p if p >= 0.01 || p == 0.0 => format!("{p:.2} %"),
-        _ => "<0.01 %".into(),
-    }
 }
 
 /// The label of a row, padded. A label that is too long gets a line of its own.

@@ -6,11 +6,13 @@ const BLOCK = 1024;
 const STEP = 64;
 
 const decoded = new Map();
+// Columns in base64 that came after the page: a page that shows run after run has them here, and not in elements.
+const received = new Map();
 
 /** The column of a specification: its values, and the indices of the extremes of every STEP values. Decoded once, when first drawn. */
 function column({ id, length, width }) {
   if (!decoded.has(id)) {
-    const bytes = fromBase64(document.getElementById(id).textContent);
+    const bytes = fromBase64(received.get(id) ?? document.getElementById(id).textContent);
     const blocks = Math.ceil(length / BLOCK);
     const head = new Float64Array(bytes.buffer, 0, 2 * blocks);
     const counts = new (width === 2 ? Uint16Array : Uint32Array)(bytes.buffer, 16 * blocks, length);

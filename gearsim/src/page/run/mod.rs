@@ -67,6 +67,15 @@ struct Report<'a> {
 
 /// The page of a run. Errors: [`OutputError::Ragged`] if its columns differ in length.
 pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
+    with_sections(run, SECTIONS)
+}
+
+/// The same without the first section: `gearsim explore` shows the result beside the plots. Errors: as of [`page`].
+pub fn live(run: &Run<'_>) -> Result<Page, OutputError> {
+    with_sections(run, &SECTIONS[1..])
+}
+
+fn with_sections(run: &Run<'_>, sections: &[Section]) -> Result<Page, OutputError> {
     let table = Table::of_trajectory(&run.outcome.trajectory)?;
     let rows = Rows::of(&table);
     let groups = columns::groups(&run.outcome.trajectory, &table);
@@ -74,7 +83,7 @@ pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
     let scene = run.scene;
     let subtitle = if scene.about.is_empty() { scene.model.title } else { &scene.about };
     let mut page = Page::new(&scene.name, subtitle);
-    for section in SECTIONS {
+    for section in sections {
         page.section(section.id, section.title, |html| (section.fill)(&report, html));
     }
     Ok(page)

@@ -1,0 +1,173 @@
+//! The answer to a choice: the controls, and either the run with its plots or the mistakes.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use super::choice::Choice;
+use super::controls::{self, Control, EffectBox, SolverFields};
+use super::text::key_at;
+use super::{Explorer, SOURCE};
+use crate::library::interrupt::interruptible;
+use crate::library::{Error, Results};
+use crate::output::number::{short, time};
+use crate::page;
+use crate::scene::{Scene, SceneMistakes};
+
+/// Most rows of a run. A page that redraws them takes some 10 ms for each 100,000.
+const MOST_ROWS: u64 = 300_000;
+
+/// The answer.
+#[derive(Serialize)]
+pub(super) struct Answer {
+    controls: Vec<Control>,
+    effects: Vec<EffectBox>,
+    solver: SolverFields,
+    /// What is wrong; then there is no run.
+    mistakes: Vec<Wrong>,
+    run: Option<Shown>,
+}
+
+/// A mistake.
+#[derive(Debug, Serialize)]
+pub(super) struct Wrong {
+    /// Key of the value that is wrong; empty if it is no single one.
+    key: String,
+    message: String,
+    help: String,
+}
+
+/// A run.
+#[derive(Serialize)]
+struct Shown {
+    title: String,
+    subtitle: String,
+    method: String,
+    why: String,
+    /// Processor time, in words.
+    time: String,
+    /// The same [s].
+    seconds: f64,
+    /// Energy unaccounted for at the end, in words, and its share of the largest part of the account.
+    unaccounted: String,
+    share: String,
+    /// What a reader must see.
+    remarks: Vec<String>,
+    /// Time simulated [s].
+    length: f64,
+    /// Name, unit, value at the end [SI] and the same in words.
+    state: Vec<(String, String, f64, String)>,
+    page: page::Parts,
+}
+
+impl Explorer {
+    /// Runs the scene with a choice; `None` if `go_on` ended it.
+    pub(super) fn run(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<Answer> {
+        let edited = self.edited(choice);
+        let text = edited.to_string();
+        let (mistakes, run) = match self.read(&text) {
+            Err(mistakes) => (wrong(&mistakes, &text), None),
+            Ok(scene) => match self.ran(&text, scene, go_on)?.and_then(|results| shown(&results)) {
+                Ok(run) => (vec![], Some(run)),
+                Err(error) => (vec![Wrong::general(&error)], None),
+            },
+        };
+        let controls = controls::controls(&self.scene, &edited, &self.first);
+        let effects = controls::effects(&self.scene, &edited);
+        Some(Answer { controls, effects, solver: controls::solver(&edited), mistakes, run })
+    }
+
+    /// The answer without a run: it took longer than the page waits.
+    pub(super) fn too_long(&self, choice: &Choice, limit: u64) -> Answer {
+        let edited = self.edited(choice);
+        let wrong = Wrong {
+            key: String::new(),
+            message: format!("the run was ended after {limit} s"),
+            help: "shorten it (run.t_end), or save the scene and run it with `gearsim run`, which has no limit".into(),
+        };
+        Answer {
+            controls: controls::controls(&self.scene, &edited, &self.first),
+            effects: controls::effects(&self.scene, &edited),
+            solver: controls::solver(&edited),
+            mistakes: vec![wrong],
+            run: None,
+        }
+    }
+
+    /// The text of the scene with a choice, as saved. Errors: its mistakes.
+    pub(super) fn saved(&self, choice: &Choice) -> Result<String, Vec<Wrong>> {
+        let text = self.edited(choice).to_string();
+        match self.read(&text) {
+            Ok(_) => Ok(text),
+            Err(mistakes) => Err(wrong(&mistakes, &text)),
+        }
+    }
+
+    /// The run of `scene`, whose text is `text`: the last one, or a new one.
+    pub(super) fn ran(
+        &self,
+        text: &str,
+        scene: Scene,
+        go_on: &dyn Fn() -> bool,
+    ) -> Option<Result<Arc<Results>, Error>> {
+        let last = || self.last.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        if let Some((_, results)) = last().as_ref().filter(|(known, _)| known == text) {
+            return Some(Ok(results.clone()));
+        }
+        let mut bounded = scene;
+        bounded.output.most_rows = bounded.output.most_rows.min(MOST_ROWS);
+        let run = interruptible(go_on, |watch| bounded.run_alone(&mut |t| watch(t)))?;
+        Some(run.map(|results| {
+            let results = Arc::new(results);
+            *last() = Some((text.to_owned(), results.clone()));
+            results
+        }))
+    }
+}
+
+impl Wrong {
+    /// An error that belongs to no single value.
+    fn general(error: &Error) -> Wrong {
+        let (message, help) = match error {
+            Error::Impossible { what, help } => (what.clone(), help.clone()),
+            Error::Refused { refusal, .. } => (refusal.to_string(), String::new()),
+            other => (other.to_string(), String::new()),
+        };
+        Wrong { key: String::new(), message, help }
+    }
+}
+
+/// The mistakes of a text, each with the key of the value that is wrong.
+fn wrong(mistakes: &SceneMistakes, text: &str) -> Vec<Wrong> {
+    let of = |mistake: &crate::scene::Mistake| {
+        let key = mistake.offset_in(text).and_then(|offset| key_at(text, offset)).unwrap_or_default();
+        Wrong { key, message: mistake.message().replace(SOURCE, "the scene"), help: mistake.help().into() }
+    };
+    mistakes.mistakes().iter().map(of).collect()
+}
+
+/// What the page shows of a run.
+fn shown(results: &Results) -> Result<Shown, Error> {
+    let Results { scene, outcome } = results;
+    let summary = results.summary();
+    let page = page::run::live(&page::run::Run { scene, outcome, summary: &summary })?;
+    let (residual, largest) = (summary.energy.residual.0, summary.energy.largest.0);
+    let stopped = summary.stopped_by.iter().map(|why| format!("The run stopped early: {why}"));
+    let refuted = summary.refuted.iter().map(|why| format!("The result is wrong: {why}"));
+    let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
+    let state = summary.state.0.iter().zip(units);
+    Ok(Shown {
+        title: scene.name.clone(),
+        subtitle: if scene.about.is_empty() { scene.model.title.into() } else { scene.about.clone() },
+        method: summary.method.name.clone(),
+        why: summary.method.why.clone(),
+        time: time(outcome.cpu_seconds),
+        seconds: outcome.cpu_seconds,
+        unaccounted: format!("{} J", short(residual)),
+        share: if largest > 0.0 { short((residual / largest).abs()) } else { String::new() },
+        remarks: stopped.chain(refuted).chain(summary.remarks.iter().cloned()).collect(),
+        length: scene.t_end,
+        state: state.map(|((name, x), unit)| (name.clone(), unit, x.0, short(x.0))).collect(),
+        page: page.parts(),
+    })
+}

@@ -1,0 +1,240 @@
+//! Tests of the explorer and its server.
+
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use super::choice::Choice;
+use super::guard::MOST_BYTES;
+use super::{Explorer, Service};
+use crate::library::Results;
+use crate::scene::Scene;
+
+fn scene(name: &str) -> Scene {
+    Scene::load(format!("{}/../models/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn explorer(name: &str) -> Explorer {
+    Explorer::new(scene(name)).unwrap()
+}
+
+fn choice(value: Value) -> Choice {
+    serde_json::from_value(value).unwrap()
+}
+
+/// The answer to a choice, as the page gets it.
+fn answer(explorer: &Explorer, value: Value) -> Value {
+    serde_json::to_value(explorer.run(&choice(value), &|| true).unwrap()).unwrap()
+}
+
+/// The end state that the page shows.
+fn state(answer: &Value) -> Vec<f64> {
+    let entries = answer["run"]["state"].as_array().unwrap_or_else(|| panic!("no run: {}", answer["mistakes"]));
+    entries.iter().map(|entry| entry[2].as_f64().unwrap()).collect()
+}
+
+fn end(results: &Results) -> Vec<f64> {
+    results.summary().state.0.values().map(|x| x.0).collect()
+}
+
+/// The keys of the mistakes.
+fn wrong(answer: &Value) -> Vec<String> {
+    assert!(answer["run"].is_null());
+    let mistakes = answer["mistakes"].as_array().unwrap().iter();
+    mistakes.map(|mistake| mistake["key"].as_str().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn a_change_gives_the_end_state_of_the_same_change_in_the_library() {
+    let (scene, explorer) = (scene("oh2005/energy_300rpm"), explorer("oh2005/energy_300rpm"));
+    assert_eq!(state(&answer(&explorer, json!({}))), end(&scene.run().unwrap()));
+
+    // In the units in which the scene writes them.
+    let values = json!({ "parameters.T0": 12.5, "start.speed": 450, "laws.k.steps.1.value": 2.5, "run.t_end": 0.05 });
+    let changed = [
+        ("parameters.T0", "12.5 N*m".into()),
+        ("start.speed", "450 rpm".into()),
+        ("laws.k.steps.1.value", "2.5 kN*m".into()),
+        ("run.t_end", 0.05.into()),
+    ];
+    let expected = end(&scene.with_all(changed).unwrap().run().unwrap());
+    assert_eq!(state(&answer(&explorer, json!({ "values": values }))), expected);
+
+    let effects = json!(["stiffness_step", "torques"]);
+    let expected = end(&scene.with("effects", &["stiffness_step", "torques"][..]).unwrap().run().unwrap());
+    assert_eq!(state(&answer(&explorer, json!({ "effects": effects }))), expected);
+
+    let solver = json!({ "method": "dop853", "tolerance": 1e-6 });
+    let expected = scene.with_all([("run.method", "dop853".into()), ("run.tolerance", 1e-6.into())]).unwrap();
+    assert_eq!(state(&answer(&explorer, json!({ "solver": solver }))), end(&expected.run().unwrap()));
+}
+
+#[test]
+fn a_saved_scene_has_the_bytes_of_the_page_and_keeps_its_comments() {
+    let explorer = explorer("backlash");
+    let value = json!({
+        "values": { "parameters.zeta": 0.041, "start.speed": 5800.5, "parameters.b": 0.02 },
+        "effects": ["stiffness_step", "backlash", "damping", "torques", "transmission_error"],
+        "solver": { "method": "dopri5", "tolerance": 1e-8, "step": null },
+    });
+    let text = explorer.saved(&choice(value.clone())).unwrap();
+    assert!(text.contains("# The gear set of Oh, Grosh & Barber (2005), Table 1"), "{text}");
+    assert!(text.contains("zeta = 0.041\n") && text.contains("speed = \"5800.5 rpm\"\n"), "{text}");
+    let bytes = |results: &Results| {
+        let root = tempfile::tempdir().unwrap();
+        results.write(root.path().join("out")).unwrap();
+        std::fs::read(root.path().join("out/trajectory.parquet")).unwrap()
+    };
+    // As the command line runs it: from a file of the name that the page proposes.
+    let root = tempfile::tempdir().unwrap();
+    let path = root.path().join("backlash_explored.toml");
+    std::fs::write(&path, &text).unwrap();
+    let saved = Scene::load(&path).unwrap().run().unwrap();
+    assert!(answer(&explorer, value)["run"].is_object());
+    let (_, of_page) = explorer.last.lock().unwrap().clone().unwrap();
+    assert_eq!(bytes(&saved), bytes(&of_page));
+    // Without a choice the text is that of the scene.
+    assert_eq!(explorer.saved(&Choice::default()).unwrap(), &*explorer.scene.text);
+}
+
+#[test]
+fn mistakes_name_their_controls_and_leave_the_controls() {
+    let explorer = explorer("oh2005/energy_300rpm");
+    let of = |value: Value| wrong(&answer(&explorer, value));
+    assert_eq!(of(json!({ "values": { "parameters.zeta": -1 } })), ["parameters.zeta"]);
+    assert_eq!(of(json!({ "effects": ["rigid_kinematics", "torques"] })), ["effects"]);
+    assert_eq!(of(json!({ "effects": ["<script>"] })), ["effects.0"]);
+    assert_eq!(of(json!({ "solver": { "method": "rk4", "step": 1.0 } })), ["run.step"]);
+    assert_eq!(of(json!({ "solver": { "method": "rk5" } })), ["run.method"]);
+    assert!(explorer.saved(&choice(json!({ "values": { "parameters.zeta": -1 } }))).is_err());
+    // A key that is no control changes nothing.
+    let same = json!({ "values": { "output.most_rows": 1, "model": 3, "parameters.nothing": 3 } });
+    assert_eq!(explorer.saved(&choice(same)).unwrap(), &*explorer.scene.text);
+}
+
+/// Every effect of every model with a scene can be ticked: what it needs is there with values of usual size.
+#[test]
+fn effects_bring_the_values_that_they_need() {
+    for name in ["oh2005/energy_300rpm", "gear_pair_teeth", "two_stage", "planetary_3", "chain_5"] {
+        let explorer = explorer(name);
+        let (model, present) = (explorer.scene.model, explorer.scene.effects);
+        for (i, effect) in model.effects.iter().enumerate() {
+            let with = crate::scene::Effects(present.0 | 1 << i);
+            if !model.admits(with.0) {
+                continue;
+            }
+            let text = explorer.saved(&choice(json!({ "effects": with.names(model) })));
+            assert!(text.is_ok(), "{name}, {}: {:?}", effect.name, text.err());
+        }
+    }
+}
+
+#[test]
+fn every_scene_can_be_explored() {
+    for name in ["train_turbine", "drives/torque_ripple", "wind_turbine", "damaged_tooth", "crank_drive", "friction_oscillator"] {
+        let explorer = explorer(name);
+        assert_eq!(explorer.saved(&Choice::default()).unwrap(), &*explorer.scene.text, "{name}");
+        let controls = serde_json::to_value(super::controls::controls(&explorer.scene, &explorer.text, &explorer.first));
+        for control in controls.unwrap().as_array().unwrap() {
+            let number = |key: &str| control[key].as_f64().unwrap();
+            let inside = number("low") <= number("value") && number("value") <= number("high");
+            assert!(inside && number("low") < number("high"), "{name}: {control}");
+        }
+    }
+}
+
+#[test]
+fn a_choice_is_judged_and_advised() {
+    let explorer = explorer("oh2005/energy_300rpm");
+    let judged = |value: Value| serde_json::to_value(explorer.judge(&choice(value), &|| true).unwrap()).unwrap();
+    let error = |judged: &Value| judged["error"].as_str().unwrap().parse::<f64>().unwrap();
+    let exact = judged(json!({}));
+    assert!(error(&exact) < 1e-12, "{exact}");
+    assert_eq!(exact["ratio"], "exact cells");
+    let steps = judged(json!({ "solver": { "method": "dopri5", "tolerance": 1e-5 } }));
+    assert!((1e-9..1e-1).contains(&error(&steps)), "{steps}");
+    assert!(steps["ratio"].as_str().unwrap().ends_with(" x exact cells"), "{steps}");
+    let advice = serde_json::to_value(explorer.advise(&Choice::default(), &|| true).unwrap()).unwrap();
+    let effects: Vec<_> = advice["rows"].as_array().unwrap().iter().map(|row| row["effect"].as_str().unwrap()).collect();
+    assert_eq!(effects, ["rigid_kinematics", "frozen_phase", "stiffness_step", "damping", "torques"]);
+    assert!(explorer.advise(&Choice::default(), &|| false).is_none());
+}
+
+/// A server and what a client reads from it.
+struct Served(Arc<Service>, Option<std::thread::JoinHandle<()>>);
+
+impl Served {
+    fn new() -> Served {
+        let service = Service::new(explorer("oh2005/energy_300rpm"), 0).unwrap();
+        let serving = service.clone();
+        Served(service, Some(std::thread::spawn(move || serving.serve())))
+    }
+
+    /// Host and port, and the path with the token.
+    fn parts(&self) -> (String, String) {
+        let url = self.0.url();
+        let (host, path) = url.strip_prefix("http://").unwrap().split_once('/').unwrap();
+        (host.to_owned(), format!("/{path}"))
+    }
+
+    /// The whole answer to a request.
+    fn ask(&self, request: &str, headers: &str, body: &str) -> String {
+        let host = self.parts().0;
+        let mut stream = TcpStream::connect(&host).unwrap();
+        let length = body.len();
+        // A server that refuses a body may close before it has read it.
+        let _ = write!(stream, "{request} HTTP/1.1\r\n{headers}Connection: close\r\nContent-Length: {length}\r\n\r\n{body}");
+        let mut answer = vec![];
+        let _ = stream.read_to_end(&mut answer);
+        String::from_utf8_lossy(&answer).into_owned()
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        self.0.stop();
+        self.1.take().unwrap().join().unwrap();
+    }
+}
+
+#[test]
+fn the_server_answers_its_own_page_alone() {
+    let served = Served::new();
+    let (host, path) = served.parts();
+    let port = host.rsplit(':').next().unwrap();
+    let json = "Content-Type: application/json\r\n";
+    let (run, good) = (format!("POST {path}run"), format!("Host: {host}\r\n{json}"));
+    let starts = |answer: String, status: u16| {
+        let head = answer.lines().next().unwrap_or_default().to_owned();
+        assert!(head.starts_with(&format!("HTTP/1.1 {status} ")), "{head:?}, not {status}");
+        assert!(!answer.to_lowercase().contains("access-control-"), "{answer}");
+        answer
+    };
+    let answer = starts(served.ask(&run, &good, "{}"), 200);
+    assert!(answer.contains("X-Content-Type-Options: nosniff") && answer.contains("\"mistakes\":[]"));
+    starts(served.ask(&run, &format!("{good}Origin: http://{host}\r\n"), "{}"), 200);
+    starts(served.ask(&format!("POST /{}/run", "0".repeat(32)), &good, "{}"), 403);
+    starts(served.ask("POST /run", &good, "{}"), 403);
+    starts(served.ask(&run, &format!("Host: evil.example:{port}\r\n{json}"), "{}"), 403);
+    starts(served.ask(&run, &format!("{good}Origin: http://127.0.0.1:1\r\n"), "{}"), 403);
+    starts(served.ask(&run, &format!("{good}Origin: null\r\n"), "{}"), 403);
+    starts(served.ask(&run, &good, &"x".repeat(MOST_BYTES + 1)), 413);
+    starts(served.ask(&run, &good, "{\"value\": 1}"), 400);
+    starts(served.ask(&run, &format!("Host: {host}\r\n"), "{}"), 415);
+    starts(served.ask(&format!("OPTIONS {path}run"), &good, ""), 405);
+
+    let page = starts(served.ask(&format!("GET {path}"), &format!("Host: {host}\r\n"), ""), 200);
+    let policy = page.lines().find(|line| line.starts_with("Content-Security-Policy: ")).unwrap();
+    assert!(policy.contains("default-src 'none'; script-src 'sha256-") && policy.contains("connect-src 'self'"), "{policy}");
+    assert!(page.contains("Referrer-Policy: no-referrer") && page.contains("<h1>energy_300rpm</h1>"));
+}
+
+#[test]
+fn a_page_of_a_hostile_name_escapes_it() {
+    let mut bytes = vec![];
+    crate::page::explore::write("</h1><script>alert(1)</script>", &mut bytes).unwrap();
+    let page = String::from_utf8_lossy(&bytes);
+    assert!(page.contains("&lt;/h1&gt;&lt;script&gt;alert(1)") && !page.contains("<script>alert"));
+}

@@ -1,0 +1,193 @@
+// Sends each choice, and shows the run that comes back.
+
+// After this time [ms] a newer choice ends the run of an older one; before, it waits for it.
+const PATIENCE = 250;
+// Time [ms] without a change after which a run is judged, and after which advice begins by itself.
+const QUIET = 120, CALM = 700;
+// Advice begins by itself where a run takes less [s].
+const QUICK = 0.02;
+
+let flight = null;
+let waiting = false;
+let since = 0;
+let number = 0;
+let timer = null;
+
+async function post(what) {
+  const response = await fetch(what, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(choice) });
+  if (!response.ok) throw new Error((await response.text()).trim());
+  return response;
+}
+
+/** A person changed the choice. */
+function changed() {
+  since = performance.now();
+  number++;
+  clearTimeout(timer);
+  advised(null);
+  if (!flight) return send();
+  waiting = true;
+  if (since - flight.began > PATIENCE) send();
+}
+
+/** Sends the choice. While an answer is under way, only the newest choice waits for it. */
+async function send() {
+  waiting = false;
+  const mine = { began: performance.now(), since };
+  flight = mine;
+  const slow = setTimeout(() => { if (flight === mine) status("running ..."); }, PATIENCE);
+  let answer = null;
+  try {
+    answer = await (await post("run")).json();
+  } catch (error) {
+    if (flight === mine) lost(error);
+  }
+  clearTimeout(slow);
+  if (flight !== mine) return;
+  flight = null;
+  if (answer?.superseded) waiting = true;
+  else if (answer) show(answer, mine.since);
+  if (waiting) return send();
+  if (answer?.run) timer = setTimeout(() => judge(answer.run), QUIET);
+}
+
+const status = (text) => { byId("status").textContent = text; };
+
+function lost(error) {
+  status(error instanceof TypeError ? "gearsim does not answer: it has ended, or was stopped" : `refused: ${error.message}`);
+}
+
+function show(answer, from) {
+  status("");
+  showValues(answer.controls);
+  showEffects(answer.effects);
+  showSolver(answer.solver, answer.run?.method);
+  showMistakes(answer.mistakes);
+  document.body.classList.toggle("old", !answer.run);
+  if (answer.run) showRun(answer.run);
+  else status("the plots are those of the last choice without a mistake");
+  requestAnimationFrame(() => setTimeout(() => {
+    document.body.dataset.latency = String(performance.now() - from);
+    document.body.dataset.drawn = String(number);
+    document.body.dataset.ready = "true";
+  }));
+}
+
+function showRun(run) {
+  byId("about").textContent = run.subtitle;
+  put("time", run.time, "");
+  put("error", "\u2026", "");
+  put("unaccounted", run.unaccounted, run.share ? `${run.share} of the largest part` : "");
+  put("digits", "\u2026", "");
+  put("method", run.method, run.why);
+  byId("remarks").replaceChildren(...run.remarks.map((text) => element("p", { className: "note", textContent: text })));
+  length = run.length;
+  const head = element("tr", {}, ...["", "value", "unit"].map((text) => element("th", { scope: "col", textContent: text })));
+  const lines = run.state.map(([name, unit, x, text]) => {
+    const value = element("td", { className: "number", textContent: text });
+    value.dataset.value = String(x);
+    return element("tr", {}, element("th", { scope: "row", textContent: name }), value, element("td", { textContent: unit }));
+  });
+  byId("state").replaceChildren(element("div", { className: "scroll" }, element("table", {}, head, ...lines)));
+  showSections(byId("sections"), run.page);
+}
+
+const MORE = { time: "ratio", error: "against", unaccounted: "share", digits: "gone", method: "why" };
+
+function put(id, text, more) {
+  byId(id).textContent = text;
+  byId(MORE[id]).textContent = more;
+  byId(MORE[id]).title = more;
+}
+
+/** Asks for cost and error of the run that is shown. */
+async function judge(run) {
+  const mine = number;
+  let judgement = null;
+  try { judgement = await (await post("judge")).json(); } catch (error) { if (mine === number) lost(error); return; }
+  if (mine !== number || flight) return;
+  if (!judgement || "superseded" in judgement) {
+    put("error", "-", judgement?.superseded ? "" : "the reference takes too long");
+    put("digits", "-", "");
+    return;
+  }
+  put("time", judgement.time, judgement.ratio);
+  put("error", judgement.error, judgement.against);
+  put("digits", judgement.digits, judgement.none_from === null ? "of the end state" : `none from ${short(judgement.none_from)} s on (shaded)`);
+  if (judgement.none_from !== null) {
+    for (const panel of panels.filter((panel) => panel.plot.group === "time")) {
+      panel.plot.shaded_from = judgement.none_from;
+      panel.draw();
+    }
+  }
+  document.body.dataset.judged = String(mine);
+  if (run.seconds < QUICK) timer = setTimeout(advise, CALM);
+}
+
+async function advise() {
+  const mine = number;
+  byId("advising").textContent = "running with and without each effect ...";
+  let advice = null;
+  try { advice = await (await post("advise")).json(); } catch (error) { if (mine === number) lost(error); }
+  if (mine !== number) return;
+  byId("advising").textContent = advice && !("superseded" in advice) ? "" : "this takes longer than a page waits: use `gearsim advise`";
+  if (advice?.rows) advised(advice);
+}
+
+/** Shows which effects matter: a table, and a word beside each check box. Without advice, what is shown is marked as old. */
+function advised(advice) {
+  document.body.classList.toggle("unadvised", !advice);
+  byId("advising").textContent = "";
+  if (!advice) return;
+  const says = ({ truth, estimate }) => {
+    const small = truth ?? estimate;
+    return small === null ? "unknown" : small ? "negligible" : "needed";
+  };
+  const head = element("tr", {}, ...["without", "", ...advice.names, "time"].map((text) => element("th", { scope: "col", textContent: text })));
+  const lines = advice.rows.map((row) => element("tr", {},
+    element("th", { scope: "row", textContent: row.without }), element("td", { className: says(row), textContent: says(row), title: row.note }),
+    ...(row.deviations ?? advice.names.map(() => "-")).map((text) => element("td", { className: "number", textContent: text })),
+    element("td", { className: "number", textContent: row.time })));
+  const limits = element("tr", { className: "limits" }, element("th", { scope: "row", textContent: "limits" }), element("td"),
+    ...advice.limits.map((text) => element("td", { className: "number", textContent: text })), element("td"));
+  const notes = advice.rows.filter((row) => row.note).map((row) => element("p", { textContent: `${row.without}: ${row.note}` }));
+  const why = advice.why_not ? [element("p", { className: "note", textContent: advice.why_not })] : [];
+  const table = element("div", { className: "scroll" }, element("table", {}, element("thead", {}, head), element("tbody", {}, ...lines, limits)));
+  byId("advised").replaceChildren(...why, ...(advice.rows.length ? [table] : []), ...notes);
+  for (const label of byId("effects").querySelectorAll("label")) {
+    const name = label.querySelector("input").name;
+    const row = advice.rows.find(({ effect }) => effect === name || name.startsWith(`${effect}_`));
+    const verdict = label.querySelector(".verdict");
+    // These two effects leave terms out: what is needed are the terms.
+    const terms = row?.without.startsWith("jump terms") ? "terms " : "";
+    verdict.textContent = row ? terms + says(row) : "";
+    verdict.title = row?.without ?? "";
+    verdict.className = `verdict ${row ? says(row) : ""}`;
+  }
+}
+
+async function save() {
+  try {
+    const text = await (await post("save")).text();
+    const url = URL.createObjectURL(new Blob([text], { type: "application/toml" }));
+    const link = element("a", { href: url, download: `${document.querySelector("h1").textContent}_explored.toml` });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url));
+  } catch (error) { lost(error); }
+}
+
+byId("controls").addEventListener("submit", (event) => event.preventDefault());
+byId("save").addEventListener("click", save);
+byId("advise").addEventListener("click", () => { clearTimeout(timer); advise(); });
+byId("reset").addEventListener("click", () => {
+  Object.assign(choice, { values: {}, effects: null, solver: null });
+  changed();
+});
+const narrow = matchMedia("(max-width: 60rem)");
+const fold = () => { byId("side").open = !narrow.matches; };
+narrow.addEventListener("change", fold);
+fold();
+const draw = () => panels.forEach((panel) => panel.draw());
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+addEventListener("resize", draw);
+changed();

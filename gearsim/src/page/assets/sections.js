@@ -1,0 +1,123 @@
+// Sections that show run after run: plots that stay keep their view, all else is replaced.
+
+const panels = [];
+// To look for labels that are cut off takes a quarter of the time of drawing.
+Panel.axis = { ticklabeloverflow: "allow" };
+
+/** The names of what a plot shows; a plot of the same names stays. */
+const subject = (plot) => [plot.title, plot.y.unit, plot.y.log, ...plot.curves.map((curve) => curve.name)].join("\n");
+
+/** Shows the sections of a run, in place of those of the run before. */
+function showSections(main, { html, arrays }) {
+  received.clear();
+  decoded.clear();
+  for (const [id, base64] of Object.entries(arrays)) received.set(id, base64);
+  const fresh = element("template");
+  fresh.innerHTML = html;
+  const sections = [...fresh.content.children];
+  [...main.children].filter((old) => !sections.some(({ id }) => id === old.id)).forEach((old) => old.remove());
+  sections.forEach((section, i) => {
+    const old = [...main.children].find(({ id }) => id === section.id);
+    if (old) renew(old, section); else main.insertBefore(section, main.children[i] ?? null);
+  });
+  leave();
+  for (const figure of main.querySelectorAll("figure.plot")) {
+    if (!panels.some((panel) => panel.figure === figure)) panels.push(new Panel(figure));
+  }
+  for (const group of groups.values()) regroup(group);
+  bars(main);
+  main.querySelectorAll("table.sortable").forEach((table) => { if (!table.dataset.sorts) { sortable(table); table.dataset.sorts = "1"; } });
+  drawAll();
+}
+
+// Time [ms] for the screen and for input before a plot that is not seen is drawn.
+const PAUSE = 50;
+let turn = null;
+
+/** Draws the plots on the screen at once, and those near it once these are seen. */
+function drawAll() {
+  const seen = (panel) => {
+    const { top, bottom } = panel.figure.getBoundingClientRect();
+    return bottom > 0 && top < innerHeight;
+  };
+  const near = panels.map((panel) => [panel, seen(panel)]);
+  near.filter(([, here]) => here).forEach(([panel]) => panel.draw());
+  for (const [panel] of near.filter(([, here]) => !here)) {
+    panel.stale = true;
+    panel.frame.hidden = !panel.shown.some((shown) => shown);
+  }
+  const later = near.filter(([panel, here]) => !here && panel.inSight).map(([panel]) => panel);
+  clearTimeout(turn);
+  const next = () => {
+    const panel = later.shift();
+    if (!panel) return;
+    if (panel.stale && panel.figure.isConnected) panel.draw();
+    turn = setTimeout(next, PAUSE);
+  };
+  turn = setTimeout(next, PAUSE);
+}
+
+/** Makes a section like a fresh one; plots of the same subject stay where they are, and get the new curves. */
+function renew(old, section) {
+  const open = new Set([...old.querySelectorAll(":scope > details[open] > summary")].map((summary) => summary.textContent));
+  const known = panels.filter(({ figure }) => old.contains(figure));
+  const wanted = [...section.children].map((child) => {
+    if (child.matches("details")) child.open = open.has(child.querySelector("summary").textContent);
+    if (!child.matches("figure.plot")) return child;
+    const plot = JSON.parse(child.querySelector("script").textContent);
+    const panel = known.find((panel) => subject(panel.plot) === subject(plot));
+    if (!panel) return child;
+    panel.plot = plot;
+    return panel.figure;
+  });
+  [...old.children].filter((child) => !wanted.includes(child) && !child.matches(".bar")).forEach((child) => child.remove());
+  let place = old.firstChild;
+  for (const child of wanted) {
+    while (place && (place.nodeType !== 1 || place.matches(".bar"))) place = place.nextSibling;
+    if (place === child) place = place.nextSibling; else old.insertBefore(child, place);
+  }
+}
+
+/** Forgets the plots that are gone. */
+function leave() {
+  const gone = panels.filter((panel) => !panel.figure.isConnected);
+  for (const panel of gone) {
+    panels.splice(panels.indexOf(panel), 1);
+    panel.group.panels = panel.group.panels.filter((other) => other !== panel);
+    if (panel.drawn) Plotly.purge(panel.canvas);
+  }
+  for (const [name, group] of groups) if (group.panels.length === 0) groups.delete(name);
+}
+
+/** Finds the limits of a group anew. A view that a reader chose stays as far as there are data. */
+function regroup(group) {
+  const [range, first] = [group.range, group.first];
+  group.begin();
+  group.first = [...group.range];
+  const chosen = range && first && (range[0] !== first[0] || range[1] !== first[1]);
+  if (chosen && range[0] < group.all[1] && range[1] > group.all[0]) {
+    group.range = [Math.max(range[0], group.all[0]), Math.min(range[1], group.all[1])];
+  }
+  if (!range || range[0] !== group.range[0] || range[1] !== group.range[1]) group.revision++;
+}
+
+/** One bar a group in each section, before its first plot there. */
+function bars(main) {
+  for (const section of main.children) {
+    const before = new Map();
+    for (const figure of section.querySelectorAll(":scope > figure.plot")) {
+      const { group } = panels.find((panel) => panel.figure === figure);
+      if (!before.has(group)) before.set(group, figure);
+    }
+    const old = [...section.querySelectorAll(":scope > .bar")];
+    const right = old.length === before.size && [...before.values()].every((figure) => figure.previousElementSibling?.matches(".bar"));
+    if (!right) {
+      old.forEach((bar) => bar.remove());
+      for (const [group, figure] of before) figure.before(group.bar());
+    }
+  }
+  for (const group of groups.values()) {
+    group.bars = group.bars.filter((bar) => bar.isConnected);
+    group.tell();
+  }
+}

@@ -1,0 +1,266 @@
+"""Tests of `gearsim explore` in headless Chromium: python tests/browser/explore.py GEARSIM
+
+GEARSIM is the program built with the feature `html`. Needs what tests/browser/page.py needs. Any console message fails its test, except
+where a test provokes it.
+"""
+
+import contextlib
+import functools
+import http.server
+import json
+import os
+import pathlib
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+
+from playwright.sync_api import sync_playwright
+
+SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
+PAIR = SCENES / "oh2005" / "energy_300rpm.toml"
+LAPTOP = {"viewport": {"width": 1280, "height": 800}}
+PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+
+
+@contextlib.contextmanager
+def served(gearsim, scene):
+    """Serves a scene; its address. At the end Ctrl-C must end it, with a short line."""
+    process = subprocess.Popen([gearsim, "explore", scene], stdout=subprocess.PIPE, text=True)
+    try:
+        word, url = process.stdout.readline().split()
+        assert word == "open" and url.startswith("http://127.0.0.1:"), (word, url)
+        yield url
+        process.send_signal(signal.SIGINT)
+        rest = process.communicate(timeout=20)[0]
+        assert process.returncode == 0 and rest.split("\n")[-2] == "ended", (process.returncode, rest)
+    finally:
+        process.kill()
+
+
+@contextlib.contextmanager
+def opened(browser, url, **settings):
+    """The page, once its first run is drawn. Requests to other places, and console messages, are failures."""
+    context = browser.new_context(accept_downloads=True, **settings)
+    # A busy machine may take long; no test depends on the time.
+    context.set_default_timeout(120_000)
+    page, messages, requests = context.new_page(), [], []
+    page.on("console", lambda message: messages.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: messages.append(str(error)))
+    page.on("request", lambda request: requests.append(request.url))
+    page.goto(url)
+    page.wait_for_selector("body[data-ready]")
+    page.wait_for_selector("figure.plot .main-svg")
+    yield page
+    assert not messages, messages
+    assert [other for other in requests if not other.startswith((url, "data:", "blob:"))] == []
+    context.close()
+
+
+def after(page, change, *arguments):
+    """Makes a change, and waits until it is drawn. The time from input to redraw [ms]."""
+    page.evaluate("delete document.body.dataset.latency")
+    change(*arguments)
+    page.wait_for_selector("body[data-latency]")
+    return float(page.evaluate("document.body.dataset.latency"))
+
+
+def slide(page, key, place):
+    """Moves the slider of a key to a place between 0 and 1000."""
+    page.evaluate(
+        """([key, place]) => {
+            const { slider } = rows.get(key);
+            slider.value = place;
+            slider.dispatchEvent(new Event("input", { bubbles: true }));
+        }""",
+        [key, place],
+    )
+
+
+def shown(page):
+    """The end state that the page shows, by name."""
+    cells = "Array.from(document.querySelectorAll('#state td[data-value]'), (cell) => [cell.parentElement.cells[0].textContent, Number(cell.dataset.value)])"
+    return dict(page.evaluate(cells))
+
+
+def run(gearsim, scene, folder, *sets):
+    """What `gearsim run` says of a scene with values set."""
+    arguments = [argument for value in sets for argument in ("--set", value)]
+    subprocess.run([gearsim, "run", scene, "-q", "--out", folder, "--set", "output.plots=[]", *arguments], check=True)
+    return json.loads((folder / "summary.json").read_text())
+
+
+def value_of(page, key):
+    return page.evaluate("(key) => rows.get(key).field.value", key)
+
+
+def a_slider_gives_what_the_command_line_gives(browser, gearsim, folder):
+    """The end state after a slider, a field, an effect and a method, compared with `gearsim run`; the plots are redrawn."""
+    with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
+        assert shown(page) == run(gearsim, PAIR, folder / "first")["state"]
+        last = "panels[0].canvas.data[0].y.at(-1)"
+        before = page.evaluate(last)
+        latencies = [after(page, slide, page, "parameters.zeta", 300 + 20 * i) for i in range(12)]
+        print(f"  from input to redraw: median {statistics.median(latencies):.0f} ms, least {min(latencies):.0f} ms")
+        zeta = f"parameters.zeta={value_of(page, 'parameters.zeta')}"
+        assert shown(page) == run(gearsim, PAIR, folder / "slid", zeta)["state"]
+        # The first plot has the speed of the driving gear; its points are taken from a column with five digits.
+        assert page.evaluate(last) != before and abs(page.evaluate(last) / shown(page)["theta_dot"] - 1) < 1e-3
+
+        after(page, page.get_by_label("speed", exact=True).fill, "450")
+        sets = [zeta, "start.speed=450 rpm"]
+        assert shown(page) == run(gearsim, PAIR, folder / "typed", *sets)["state"]
+
+        after(page, page.get_by_role("checkbox", name="damping").uncheck)
+        sets.append('effects=["stiffness_step", "torques"]')
+        assert shown(page) == run(gearsim, PAIR, folder / "undamped", *sets)["state"]
+
+        after(page, page.locator("#menu").select_option, "dop853")
+        sets.append("run.method=dop853")
+        assert shown(page) == run(gearsim, PAIR, folder / "by_steps", *sets)["state"]
+
+        after(page, page.locator("#reset").click)
+        assert shown(page) == run(gearsim, PAIR, folder / "first")["state"]
+
+
+def mistakes_stand_beside_their_controls(browser, gearsim, folder):
+    """A value out of range and an effect that needs another are said where they are; the last good plots stay."""
+    with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
+        before = shown(page)
+        zeta = page.get_by_label("zeta", exact=True)
+        after(page, zeta.fill, "-1")
+        said = page.locator("#" + zeta.get_attribute("aria-describedby"))
+        assert "must not be negative, but is -1" in said.text_content(), said.text_content()
+        assert zeta.get_attribute("aria-invalid") == "true"
+        assert shown(page) == before and page.locator("figure.plot .main-svg").first.is_visible()
+        after(page, zeta.fill, "0.1")
+        assert said.is_hidden() and shown(page) == before
+        after(page, page.get_by_role("checkbox", name="rigid_kinematics").check)
+        after(page, page.get_by_role("checkbox", name="frozen_phase").check)
+        assert "contradict each other" in page.locator("#wrong-effects").text_content()
+
+
+def cost_and_advice_are_shown(browser, gearsim, folder):
+    """The error, the time and the digits of a choice, and which effects matter to it."""
+    with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
+        page.wait_for_selector("body[data-judged]")
+        assert float(page.locator("#error").text_content()) < 1e-12
+        assert page.locator("#ratio").text_content() == "exact cells"
+        page.evaluate("delete document.body.dataset.judged")
+        after(page, page.locator("#menu").select_option, "dopri5")
+        after(page, page.locator("#tolerance").fill, "1e-5")
+        page.wait_for_selector("body[data-judged]")
+        assert 1e-9 < float(page.locator("#error").text_content()) < 1e-1
+        assert page.locator("#ratio").text_content().endswith(" x exact cells")
+        assert page.locator("#digits").text_content().isdigit()
+        page.locator("#advise").click()
+        page.wait_for_selector("#advised table")
+        verdict = page.locator("#effects label", has_text="damping").locator(".verdict")
+        assert verdict.text_content() in ("needed", "negligible")
+
+
+def a_saved_scene_runs_to_the_same_bytes(browser, gearsim, folder):
+    """Save as scene, run by the command line twice: what the page showed, and one file of the same bytes each time."""
+    with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
+        after(page, slide, page, "parameters.T0", 731)
+        after(page, page.get_by_role("checkbox", name="backlash").check)
+        with page.expect_download() as download:
+            page.locator("#save").click()
+        assert download.value.suggested_filename == "energy_300rpm_explored.toml"
+        scene = folder / download.value.suggested_filename
+        download.value.save_as(scene)
+        assert "# the paper prints 2.89 kg mm^2" in scene.read_text()
+        assert shown(page) == run(gearsim, scene, folder / "saved")["state"]
+        # The page's provenance is that of the file.
+        assert page.locator("#provenance").text_content().count(run(gearsim, scene, folder / "again")["provenance"]["scene_sha256"]) == 1
+        assert (folder / "saved" / "trajectory.parquet").read_bytes() == (folder / "again" / "trajectory.parquet").read_bytes()
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *arguments):
+        pass
+
+
+def another_page_gets_nothing(browser, gearsim, folder):
+    """A page on another port knows even the token: it can neither read an answer, nor start a run, nor put the page into a frame."""
+    with served(gearsim, PAIR) as url:
+        other = folder / "other"
+        other.mkdir()
+        (other / "index.html").write_text("<!DOCTYPE html><title>other</title>")
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(other)))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        page = browser.new_page()
+        statuses = []
+        page.on("response", lambda response: statuses.append((response.status, response.url)))
+        page.goto(f"http://127.0.0.1:{server.server_address[1]}/")
+        reach = """async ([url, what, settings]) => {
+            try { return (await fetch(url + what, settings)).type; } catch (error) { return "refused"; }
+        }"""
+        asked = {"method": "POST", "headers": {"Content-Type": "application/json"}, "body": "{}"}
+        for what, settings in [("", {}), ("run", asked), ("run", {"method": "POST", "body": "{}"})]:
+            assert page.evaluate(reach, [url, what, settings]) == "refused", (what, settings)
+        # Without asking for the answer, the request is sent; the server refuses it.
+        assert page.evaluate(reach, [url, "run", {"method": "POST", "mode": "no-cors", "body": "{}"}]) in ("opaque", "refused")
+        assert all(status in (403, 405) for status, address in statuses if address.startswith(url) and address != url), statuses
+        page.evaluate("(url) => { const frame = document.createElement('iframe'); frame.src = url; document.body.append(frame); }", url)
+        page.wait_for_timeout(1000)
+        # A refused frame has an error page of the browser.
+        assert not any(frame.url.startswith(url) and frame.locator("#controls").count() for frame in page.frames[1:])
+        page.close()
+        server.shutdown()
+
+
+def works_with_keys_and_on_a_phone(browser, gearsim, folder):
+    """A slider obeys the arrow keys; on a phone the controls open from below, and nothing is wider than the screen."""
+    with served(gearsim, PAIR) as url:
+        with opened(browser, url, color_scheme="dark", **LAPTOP) as page:
+            page.get_by_label("zeta, slider").focus()
+            after(page, page.keyboard.press, "ArrowRight")
+            assert float(value_of(page, "parameters.zeta")) > 0.1
+        with opened(browser, url, **PHONE) as page:
+            assert page.evaluate("document.documentElement.scrollWidth") <= 390
+            assert page.locator("#save").is_hidden()
+            page.locator("#side > summary").click()
+            assert page.locator("#save").is_visible()
+            after(page, slide, page, "parameters.zeta", 600)
+            assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def hostile_texts_stay_text(browser, gearsim, folder):
+    """HTML in the name and in the text of a scene is shown, and not executed."""
+    lines = [line for line in PAIR.read_text().splitlines() if not line.startswith("about")]
+    about = "</script><script>document.body.dataset.hurt=2</script><b>bold</b>"
+    scene = folder / "<img src=x onerror=document.body.dataset.hurt=1>.toml"
+    scene.write_text("\n".join([f'about = "{about}"', "# --> </title></style>", *lines]))
+    with served(gearsim, scene) as url, opened(browser, url, **LAPTOP) as page:
+        assert page.locator("h1").text_content() == scene.stem
+        assert page.locator("#about").text_content() == about
+        assert page.locator("img, b").count() == 0 and page.evaluate("document.body.dataset.hurt") is None
+
+
+TESTS = [
+    a_slider_gives_what_the_command_line_gives,
+    mistakes_stand_beside_their_controls,
+    cost_and_advice_are_shown,
+    a_saved_scene_runs_to_the_same_bytes,
+    another_page_gets_nothing,
+    works_with_keys_and_on_a_phone,
+    hostile_texts_stay_text,
+]
+
+
+def main():
+    gearsim = pathlib.Path(sys.argv[1]).resolve()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=FLAGS)
+        for test in TESTS:
+            with tempfile.TemporaryDirectory() as folder:
+                test(browser, gearsim, pathlib.Path(folder))
+            print("passed:", test.__name__)
+        browser.close()
+
+
+main()
