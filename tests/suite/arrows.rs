@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules, from the bottom up. A module may use those before it. Unit tests may use any module.
-const LAYERS: [&str; 20] = [
+const LAYERS: [&str; 21] = [
     "tolerance",
     "model",
     "train",
@@ -24,6 +24,7 @@ const LAYERS: [&str; 20] = [
     "plot",
     "page",
     "library",
+    "explore",
     "cli",
 ];
 

@@ -98,7 +98,9 @@ fn complete(scene: &Scene, text: &mut Text) {
     }
     let active = |with: Option<&str>| with.is_some_and(|effect| effects.has(effect, model));
     for parameter in model.parameters.iter().filter(|p| p.default.is_none() && active(p.with)) {
-        if let Some(value) = text::value(&usual_value(parameter)).filter(|_| text.at(&["parameters", parameter.name]).is_none()) {
+        if let Some(value) =
+            text::value(&usual_value(parameter)).filter(|_| text.at(&["parameters", parameter.name]).is_none())
+        {
             text.put(&["parameters", parameter.name], value);
         }
     }
@@ -108,7 +110,9 @@ fn complete(scene: &Scene, text: &mut Text) {
         }
         // The friction of a mesh whose teeth are given follows from them.
         let teeth = model.laws.iter().find(|other| {
-            other.role == Role::Stiffness && other.phase == law.phase && text.at(&["laws", other.name, "teeth"]).is_some()
+            other.role == Role::Stiffness
+                && other.phase == law.phase
+                && text.at(&["laws", other.name, "teeth"]).is_some()
         });
         let (key, value) = match teeth.filter(|_| law.role.is_friction()) {
             Some(stiffness) => ("teeth_of", Some(Value::from(stiffness.name))),

@@ -67,9 +67,11 @@ pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
     // A train has the parameters of its tables, and no table of parameters.
     let parameters = scene.model.parameters.iter().filter(|p| scene.train.is_none() && active(p.with));
     let parameters = parameters.filter_map(|p| Some(leaf("parameters", p.name, p.default?, p.unit)));
-    let motions = scene.model.motions.iter().map(|motion| {
-        leaf("start", motion.name, 0.0, if motion.unit == "rad/s" { "rpm" } else { motion.unit })
-    });
+    let motions = scene
+        .model
+        .motions
+        .iter()
+        .map(|motion| leaf("start", motion.name, 0.0, if motion.unit == "rad/s" { "rpm" } else { motion.unit }));
     let all = parameters.chain(motions);
     all.filter(|leaf| text.at(&leaf.path.iter().map(String::as_str).collect::<Vec<_>>()).is_none()).collect()
 }

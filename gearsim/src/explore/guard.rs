@@ -44,7 +44,8 @@ pub(super) fn route(head: &Head<'_>, token: &str, port: u16) -> Result<Route, Re
     if !matches!(head.host[..], [host] if hosts.iter().any(|known| known == host)) {
         return Err((403, "another host"));
     }
-    let own = |origin: &&str| origin.strip_prefix("http://").is_some_and(|host| hosts.iter().any(|known| known == host));
+    let own =
+        |origin: &&str| origin.strip_prefix("http://").is_some_and(|host| hosts.iter().any(|known| known == host));
     if !head.origin.iter().all(own) {
         return Err((403, "another origin"));
     }
@@ -103,11 +104,14 @@ mod tests {
         for url in ["/", "/secret", "/secre/run", "/secretx/run", "/Secret/run", "//run", "secret/run", ""] {
             assert_eq!(status(&Head { url, ..good() }), 403, "{url}");
         }
-        let hosts = [vec![], vec!["evil.example:8000"], vec!["127.0.0.1"], vec!["127.0.0.1:8001"], vec!["127.0.0.1:8000"; 2]];
+        let hosts =
+            [vec![], vec!["evil.example:8000"], vec!["127.0.0.1"], vec!["127.0.0.1:8001"], vec!["127.0.0.1:8000"; 2]];
         for host in hosts {
             assert_eq!(status(&Head { host: host.clone(), ..good() }), 403, "{host:?}");
         }
-        for origin in ["http://127.0.0.1:8001", "https://127.0.0.1:8000", "null", "http://127.0.0.1:8000.evil.example", ""] {
+        for origin in
+            ["http://127.0.0.1:8001", "https://127.0.0.1:8000", "null", "http://127.0.0.1:8000.evil.example", ""]
+        {
             assert_eq!(status(&Head { origin: vec![origin], ..good() }), 403, "{origin}");
         }
     }

@@ -133,10 +133,13 @@ fn effects_bring_the_values_that_they_need() {
 
 #[test]
 fn every_scene_can_be_explored() {
-    for name in ["train_turbine", "drives/torque_ripple", "wind_turbine", "damaged_tooth", "crank_drive", "friction_oscillator"] {
+    for name in
+        ["train_turbine", "drives/torque_ripple", "wind_turbine", "damaged_tooth", "crank_drive", "friction_oscillator"]
+    {
         let explorer = explorer(name);
         assert_eq!(explorer.saved(&Choice::default()).unwrap(), &*explorer.scene.text, "{name}");
-        let controls = serde_json::to_value(super::controls::controls(&explorer.scene, &explorer.text, &explorer.first));
+        let controls =
+            serde_json::to_value(super::controls::controls(&explorer.scene, &explorer.text, &explorer.first));
         for control in controls.unwrap().as_array().unwrap() {
             let number = |key: &str| control[key].as_f64().unwrap();
             let inside = number("low") <= number("value") && number("value") <= number("high");
@@ -157,7 +160,8 @@ fn a_choice_is_judged_and_advised() {
     assert!((1e-9..1e-1).contains(&error(&steps)), "{steps}");
     assert!(steps["ratio"].as_str().unwrap().ends_with(" x exact cells"), "{steps}");
     let advice = serde_json::to_value(explorer.advise(&Choice::default(), &|| true).unwrap()).unwrap();
-    let effects: Vec<_> = advice["rows"].as_array().unwrap().iter().map(|row| row["effect"].as_str().unwrap()).collect();
+    let effects: Vec<_> =
+        advice["rows"].as_array().unwrap().iter().map(|row| row["effect"].as_str().unwrap()).collect();
     assert_eq!(effects, ["rigid_kinematics", "frozen_phase", "stiffness_step", "damping", "torques"]);
     assert!(explorer.advise(&Choice::default(), &|| false).is_none());
 }
@@ -185,7 +189,10 @@ impl Served {
         let mut stream = TcpStream::connect(&host).unwrap();
         let length = body.len();
         // A server that refuses a body may close before it has read it.
-        let _ = write!(stream, "{request} HTTP/1.1\r\n{headers}Connection: close\r\nContent-Length: {length}\r\n\r\n{body}");
+        let _ = write!(
+            stream,
+            "{request} HTTP/1.1\r\n{headers}Connection: close\r\nContent-Length: {length}\r\n\r\n{body}"
+        );
         let mut answer = vec![];
         let _ = stream.read_to_end(&mut answer);
         String::from_utf8_lossy(&answer).into_owned()
@@ -227,7 +234,10 @@ fn the_server_answers_its_own_page_alone() {
 
     let page = starts(served.ask(&format!("GET {path}"), &format!("Host: {host}\r\n"), ""), 200);
     let policy = page.lines().find(|line| line.starts_with("Content-Security-Policy: ")).unwrap();
-    assert!(policy.contains("default-src 'none'; script-src 'sha256-") && policy.contains("connect-src 'self'"), "{policy}");
+    assert!(
+        policy.contains("default-src 'none'; script-src 'sha256-") && policy.contains("connect-src 'self'"),
+        "{policy}"
+    );
     assert!(page.contains("Referrer-Policy: no-referrer") && page.contains("<h1>energy_300rpm</h1>"));
 }
 
