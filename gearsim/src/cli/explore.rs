@@ -25,11 +25,9 @@ Examples:
 )]
 pub(super) struct Explore {
     /// The scene: a TOML file, or - for the standard input
-    #[cfg_attr(not(feature = "html"), expect(dead_code))]
     scene: PathBuf,
     /// Port of 127.0.0.1; without it, any that is free
     #[arg(long, value_parser = clap::value_parser!(u16).range(1024..))]
-    #[cfg_attr(not(feature = "html"), expect(dead_code))]
     port: Option<u16>,
 }
 

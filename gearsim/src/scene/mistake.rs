@@ -37,6 +37,7 @@ impl Mistake {
     }
 
     /// The byte at which it is in the text of the scene `source`; `None` if it is elsewhere, or only a part of the text is quoted.
+    #[cfg(feature = "html")]
     pub(crate) fn offset_in(&self, source: &str) -> Option<usize> {
         let quoted = self.text.as_ref()?;
         (**quoted.inner() == *source).then(|| Some(self.span?.offset()))?
